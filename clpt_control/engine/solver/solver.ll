@@ -1,4 +1,4 @@
-; sha256 706b043e51f186b401c521b084de848e6722dc90c78838bc40ade70fc0e79c9f
+; sha256 268a70ceeaecde863ef0e419edaa12083a53204afb1b460ac80255cd8c0db548
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -102,18 +102,18 @@ B156.if.lr.ph:                                    ; preds = %entry
   br label %B156.if
 
 B198:                                             ; preds = %B156.if
-  %.487.i = getelementptr double, ptr %0, i64 %.485.053687
+  %.487.i = getelementptr double, ptr %0, i64 %.485.053683
   store double 0.000000e+00, ptr %.487.i, align 8, !noalias !0
   %.518.i = load i64, ptr %arg.solver.9.4, align 8, !noalias !0
   %.551.i = load i64, ptr %.550.i, align 8, !noalias !0
   %.553.i = icmp eq i64 %.518.i, %.551.i
-  br i1 %.553.i, label %B230, label %B128.i
+  br i1 %.553.i, label %B230, label %B148.i
 
-B128.i:                                           ; preds = %B198
+B148.i:                                           ; preds = %B198
   %.572.i = add nsw i64 %.518.i, 1
   store i64 %.572.i, ptr %arg.solver.9.4, align 8, !noalias !0
   store i64 2, ptr %.631.i, align 8, !noalias !0
-  %.689.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.485.053687
+  %.689.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.485.053683
   store i64 %.518.i, ptr %.689.i, align 8, !noalias !0
   %.709.i = icmp slt i64 %.518.i, 0
   %.710.i = select i1 %.709.i, i64 %arg.solver.3.2.5.0, i64 0
@@ -125,26 +125,26 @@ B128.i:                                           ; preds = %B198
   %12 = getelementptr i64, ptr %arg.solver.4.0.4, i64 %.725.i
   %.753.i = getelementptr i64, ptr %12, i64 %.739.i
   %.754.i53144 = load i64, ptr %.753.i, align 8, !noalias !0
-  %.808.i = getelementptr i64, ptr %1, i64 %.485.053687
+  %.808.i = getelementptr i64, ptr %1, i64 %.485.053683
   store i64 %.754.i53144, ptr %.808.i, align 8, !noalias !0
-  %.863.i = getelementptr i64, ptr %2, i64 %.485.053687
+  %.863.i = getelementptr i64, ptr %2, i64 %.485.053683
   store i64 1, ptr %.863.i, align 8, !noalias !0
-  %.918.i = getelementptr i64, ptr %3, i64 %.485.053687
+  %.918.i = getelementptr i64, ptr %3, i64 %.485.053683
   store i64 0, ptr %.918.i, align 8, !noalias !0
-  br i1 %.10275102.not.i, label %B478.i, label %B424.if.lr.ph.i
+  br i1 %.10275102.not.i, label %B518.i, label %B464.if.lr.ph.i
 
-B424.if.lr.ph.i:                                  ; preds = %B128.i
+B464.if.lr.ph.i:                                  ; preds = %B148.i
   %.1090.i = select i1 %.709.i, i64 %arg.solver.3.1.5.0, i64 0
   %.1091.i53145 = add i64 %.1090.i, %.518.i
   %.1111.i = mul i64 %.1091.i53145, %arg.solver.3.1.5.1
   %13 = getelementptr double, ptr %arg.solver.3.1.4, i64 %.1111.i
-  %invariant.gep53986 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.485.053687
-  br label %B424.if.i
+  %invariant.gep53982 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.485.053683
+  br label %B464.if.i
 
-B478.i:                                           ; preds = %B424.if.i, %B128.i
-  br i1 %.520.i5105.not.i, label %B478.endif.i, label %B108.if.i.lr.ph.i
+B518.i:                                           ; preds = %B464.if.i, %B148.i
+  br i1 %.520.i5105.not.i, label %B518.endif.i, label %B108.if.i.lr.ph.i
 
-B108.if.i.lr.ph.i:                                ; preds = %B478.i
+B108.if.i.lr.ph.i:                                ; preds = %B518.i
   %.1215.i = load i64, ptr %.808.i, align 8, !noalias !0
   %.582.i.i = icmp slt i64 %.1215.i, 0
   %.583.i.i = select i1 %.582.i.i, i64 %arg.solver.4.3.5.0, i64 0
@@ -161,22 +161,22 @@ B108.if.i.i:                                      ; preds = %B108.if.i.i, %B108.
   %16 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.05106.i
   %.643.i.i = load i64, ptr %16, align 8, !noalias !3
   %.645.i.i = mul nsw i64 %.643.i.i, %arg.solver.1.0
-  %.647.i.i = add nsw i64 %.645.i.i, %.485.053687
+  %.647.i.i = add nsw i64 %.645.i.i, %.485.053683
   %.660.i.i = icmp slt i64 %.647.i.i, 0
   %.661.i.i = select i1 %.660.i.i, i64 %arg.solver.10.1.5.0, i64 0
   %17 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i
   %.675.i.i = getelementptr double, ptr %17, i64 %.661.i.i
   store double %.609.i.i, ptr %.675.i.i, align 8, !noalias !3
   %exitcond5116.not.i = icmp eq i64 %.533.i.i, %arg.solver.4.1.5.0
-  br i1 %exitcond5116.not.i, label %B478.endif.i, label %B108.if.i.i
+  br i1 %exitcond5116.not.i, label %B518.endif.i, label %B108.if.i.i
 
-B656.i:                                           ; preds = %B588.if.i, %B478.endif.i
-  %invariant.gep5113.i = getelementptr double, ptr %arg.solver.7.4, i64 %.485.053687
-  %.585.i496.i = getelementptr double, ptr %4, i64 %.485.053687
+B696.i:                                           ; preds = %B628.if.i, %B518.endif.i
+  %invariant.gep5113.i = getelementptr double, ptr %arg.solver.7.4, i64 %.485.053683
+  %.585.i496.i = getelementptr double, ptr %4, i64 %.485.053683
   %.586.i497.i = load double, ptr %.585.i496.i, align 8, !noalias !7
-  %.527.i.i = getelementptr double, ptr %5, i64 %.485.053687
+  %.527.i.i = getelementptr double, ptr %5, i64 %.485.053683
   %.528.i.i = load double, ptr %.527.i.i, align 8, !noalias !7
-  %.469.i438.i = getelementptr double, ptr %6, i64 %.485.053687
+  %.469.i438.i = getelementptr double, ptr %6, i64 %.485.053683
   %.470.i.i = load double, ptr %.469.i438.i, align 8, !noalias !7
   store double 0.000000e+00, ptr %invariant.gep5113.i, align 8, !noalias !7
   %gep.1.i = getelementptr double, ptr %invariant.gep5113.i, i64 %arg.solver.7.5.1
@@ -251,11 +251,11 @@ B656.i:                                           ; preds = %B588.if.i, %B478.en
   store double %.528.i.i, ptr %.527.i.i, align 8, !noalias !7
   store double %.586.i497.i, ptr %.585.i496.i, align 8, !noalias !7
   store double 1.000000e+00, ptr %.487.i, align 8, !noalias !7
-  %.1064.i.i = getelementptr double, ptr %7, i64 %.485.053687
+  %.1064.i.i = getelementptr double, ptr %7, i64 %.485.053683
   store double 0xFFF0000000000000, ptr %.1064.i.i, align 8, !noalias !7
-  %.1119.i.i = getelementptr double, ptr %8, i64 %.485.053687
+  %.1119.i.i = getelementptr double, ptr %8, i64 %.485.053683
   store double 0x7FF0000000000000, ptr %.1119.i.i, align 8, !noalias !7
-  %.1177.i.i = getelementptr double, ptr %9, i64 %.485.053687
+  %.1177.i.i = getelementptr double, ptr %9, i64 %.485.053683
   store double 0xFFF0000000000000, ptr %.1177.i.i, align 8, !noalias !7
   %.1787.i53146 = load double, ptr %arg.solver.5.4, align 8, !noalias !0
   store double %.1787.i53146, ptr %invariant.gep5113.i, align 8, !noalias !0
@@ -265,34 +265,34 @@ B656.i:                                           ; preds = %B588.if.i, %B478.en
   %18 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.1902.i
   %.1932.i = getelementptr double, ptr %18, i64 %.1918.i
   %.1933.i = load double, ptr %.1932.i, align 8, !noalias !0
-  %.1989.i = getelementptr double, ptr %10, i64 %.485.053687
+  %.1989.i = getelementptr double, ptr %10, i64 %.485.053683
   store double %.1933.i, ptr %.1989.i, align 8, !noalias !0
   br label %B230
 
-B424.if.i:                                        ; preds = %B424.if.i, %B424.if.lr.ph.i
-  %.969.05103.i = phi i64 [ 0, %B424.if.lr.ph.i ], [ %.1040.i, %B424.if.i ]
+B464.if.i:                                        ; preds = %B464.if.i, %B464.if.lr.ph.i
+  %.969.05103.i = phi i64 [ 0, %B464.if.lr.ph.i ], [ %.1040.i, %B464.if.i ]
   %.1040.i = add nsw i64 %.969.05103.i, 1
   %19 = getelementptr double, ptr %13, i64 %.969.05103.i
   %.1116.i = load double, ptr %19, align 8, !noalias !0
   %.1118.i = mul nsw i64 %.969.05103.i, %arg.solver.1.0
-  %gep53987 = getelementptr double, ptr %invariant.gep53986, i64 %.1118.i
-  store double %.1116.i, ptr %gep53987, align 8, !noalias !0
+  %gep53983 = getelementptr double, ptr %invariant.gep53982, i64 %.1118.i
+  store double %.1116.i, ptr %gep53983, align 8, !noalias !0
   %exitcond.not.i = icmp eq i64 %.1040.i, %arg.solver.3.1.5.1
-  br i1 %exitcond.not.i, label %B478.i, label %B424.if.i
+  br i1 %exitcond.not.i, label %B518.i, label %B464.if.i
 
-B478.endif.i:                                     ; preds = %B108.if.i.i, %B478.i
-  br i1 %.14395108.not.i, label %B656.i, label %B588.if.lr.ph.i
+B518.endif.i:                                     ; preds = %B108.if.i.i, %B518.i
+  br i1 %.14395108.not.i, label %B696.i, label %B628.if.lr.ph.i
 
-B588.if.lr.ph.i:                                  ; preds = %B478.endif.i
-  %invariant.gep.i = getelementptr double, ptr %arg.solver.11.4, i64 %.485.053687
+B628.if.lr.ph.i:                                  ; preds = %B518.endif.i
+  %invariant.gep.i = getelementptr double, ptr %arg.solver.11.4, i64 %.485.053683
   %.1502.i = select i1 %.709.i, i64 %arg.solver.3.0.5.0, i64 0
   %.1503.i = add i64 %.1502.i, %.518.i
   %.1523.i = mul i64 %.1503.i, %arg.solver.3.0.5.1
   %20 = getelementptr double, ptr %arg.solver.3.0.4, i64 %.1523.i
-  br label %B588.if.i
+  br label %B628.if.i
 
-B588.if.i:                                        ; preds = %B588.if.i, %B588.if.lr.ph.i
-  %.1383.05109.i = phi i64 [ 0, %B588.if.lr.ph.i ], [ %.1452.i, %B588.if.i ]
+B628.if.i:                                        ; preds = %B628.if.i, %B628.if.lr.ph.i
+  %.1383.05109.i = phi i64 [ 0, %B628.if.lr.ph.i ], [ %.1452.i, %B628.if.i ]
   %.1452.i = add nsw i64 %.1383.05109.i, 1
   %21 = getelementptr double, ptr %20, i64 %.1383.05109.i
   %.1528.i = load double, ptr %21, align 8, !noalias !0
@@ -300,14 +300,14 @@ B588.if.i:                                        ; preds = %B588.if.i, %B588.if
   %gep5112.i = getelementptr double, ptr %invariant.gep.i, i64 %.1600.i
   store double %.1528.i, ptr %gep5112.i, align 8, !noalias !0
   %exitcond5117.not.i = icmp eq i64 %.1452.i, %arg.solver.1.1
-  br i1 %exitcond5117.not.i, label %B656.i, label %B588.if.i
+  br i1 %exitcond5117.not.i, label %B696.i, label %B628.if.i
 
-B230:                                             ; preds = %B656.i, %B198, %B156.if
+B230:                                             ; preds = %B696.i, %B198, %B156.if
   %.840 = load i64, ptr %265, align 8
   %.841 = icmp sgt i64 %.840, -1
   %. = zext i1 %.841 to i64
-  %.858 = add nsw i64 %active.3.053689, %.
-  %.543 = icmp sgt i64 %.488.053688, 1
+  %.858 = add nsw i64 %active.3.053685, %.
+  %.543 = icmp sgt i64 %.488.053684, 1
   br i1 %.543, label %B156.if, label %B284
 
 B284:                                             ; preds = %B230, %entry
@@ -320,18 +320,18 @@ B284:                                             ; preds = %B230, %entry
 B312.preheader:                                   ; preds = %B284
   %.454.i = getelementptr i8, ptr %arg.solver.9.4, i64 16
   %factor.op.mul = mul i64 %arg.solver.12.5.2, 72
-  %factor.op.mul53745 = shl i64 %arg.solver.12.5.2, 6
-  %factor.op.mul53746 = shl i64 %arg.solver.11.5.2, 7
-  %factor.op.mul53747 = mul i64 %arg.solver.11.5.2, 136
+  %factor.op.mul53741 = shl i64 %arg.solver.12.5.2, 6
+  %factor.op.mul53742 = shl i64 %arg.solver.11.5.2, 7
+  %factor.op.mul53743 = mul i64 %arg.solver.11.5.2, 136
   %.452.i.i = getelementptr i8, ptr %arg.solver.0.4, i64 8
   %.458.i.i.i = getelementptr i8, ptr %arg.solver.0.4, i64 40
   %.681.i.i.idx = mul i64 %arg.solver.7.5.1, 24
   %.681.i.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.681.i.i.idx
-  %.834.i.i53690 = icmp sgt i64 %arg.solver.1.6, 0
+  %.834.i.i53686 = icmp sgt i64 %arg.solver.1.6, 0
   %.458.i.i1754.i = getelementptr i8, ptr %arg.solver.0.4, i64 40
   %.681.i1796.i.idx = mul i64 %arg.solver.7.5.1, 24
   %.681.i1796.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.681.i1796.i.idx
-  %.773.i1913.i53693 = icmp slt i64 %arg.solver.1.6, 1
+  %.773.i1913.i53689 = icmp slt i64 %arg.solver.1.6, 1
   %.1091.i = icmp sgt i64 %arg.solver.1.2, 4
   %.430.i.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
   %.500.i2438.i.idx = shl i64 %.430.i.i, 4
@@ -374,7 +374,7 @@ B312.preheader:                                   ; preds = %B284
   %.444.i.i1264 = getelementptr i8, ptr %arg.solver.0.4, i64 48
   %.566.i1280 = icmp slt i64 %arg.solver.1.2, 5
   %.430.i406.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.500.i.i4494 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.430.i406.i
+  %.500.i.i4493 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.430.i406.i
   %.781.i1282 = icmp eq i64 %arg.solver.1.2, 9
   %.5095283.not.i = icmp slt i64 %arg.solver.1.1, 1
   %.612.i = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
@@ -384,15 +384,15 @@ B312.preheader:                                   ; preds = %B284
   %31 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx5280.i
   %.785.i = mul nsw i64 %arg.solver.1.1, 19
   %.786.i = add nsw i64 %.785.i, 1
-  %.781.i53561 = mul nsw i64 %arg.solver.1.1, 18
+  %.781.i53559 = mul nsw i64 %arg.solver.1.1, 18
   %.822.i = icmp slt i64 %arg.solver.1.1, 0
   %.823.i = select i1 %.822.i, i64 %arg.solver.10.0.5.0, i64 0
-  %.824.i = add i64 %.823.i, %.781.i53561
+  %.824.i = add i64 %.823.i, %.781.i53559
   %.827.i = icmp slt i64 %.824.i, 0
   %.832.not.i = icmp slt i64 %.824.i, %arg.solver.10.0.5.0
-  %.841.i53562 = add i64 %.786.i, %.823.i
-  %.844.i = icmp slt i64 %.841.i53562, 0
-  %.849.not.i = icmp slt i64 %.841.i53562, %arg.solver.10.0.5.0
+  %.841.i53560 = add i64 %.786.i, %.823.i
+  %.844.i = icmp slt i64 %.841.i53560, 0
+  %.849.not.i = icmp slt i64 %.841.i53560, %arg.solver.10.0.5.0
   %.10485302.i = icmp sgt i64 %arg.solver.15.6.5.0, 1
   %factor.op.mul5300.i = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
   %.471.i.i = getelementptr i8, ptr %arg.solver.2.4, i64 8
@@ -401,13 +401,13 @@ B312.preheader:                                   ; preds = %B284
   %.893.i.i = getelementptr i64, ptr %32, i64 %.879.i.i
   %.954.i.idx.i = mul i64 %arg.solver.7.5.1, 48
   %.954.i.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.954.i.idx.i
-  %factor.op.mul.reass.i53563 = mul i64 %factor.op.mul5300.i, 136
+  %factor.op.mul.reass.i53561 = mul i64 %factor.op.mul5300.i, 136
   %.1014.i.idx.i = shl i64 %arg.solver.7.5.1, 6
   %.1014.i.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.1014.i.idx.i
-  %.430.i.i.i53564 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.475.i.i.idx.i = mul i64 %.430.i.i.i53564, 136
-  %.475.i.i.i53565 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i.idx.i
-  %33 = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul.reass.i53563
+  %.430.i.i.i53562 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
+  %.475.i.i.idx.i = mul i64 %.430.i.i.i53562, 136
+  %.475.i.i.i53563 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i.idx.i
+  %33 = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul.reass.i53561
   %.idx5274.i = mul i64 %factor.op.mul5300.i, 96
   %34 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx5274.i
   %.idx5275.i = mul i64 %factor.op.mul5300.i, 104
@@ -415,42 +415,42 @@ B312.preheader:                                   ; preds = %B284
   %36 = getelementptr double, ptr %arg.solver.11.4, i64 %factor.op.mul5300.i
   %.idx5272.i = mul i64 %factor.op.mul5300.i, 88
   %37 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx5272.i
-  %.500.i.i.idx.i = mul i64 %.430.i.i.i53564, 96
-  %.500.i.i.i53574 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.idx.i
-  %.500.i.i.idx.c.i = mul i64 %.430.i.i.i53564, 96
+  %.500.i.i.idx.i = mul i64 %.430.i.i.i53562, 96
+  %.500.i.i.i53572 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.idx.i
+  %.500.i.i.idx.c.i = mul i64 %.430.i.i.i53562, 96
   %.500.i.i.c.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.idx.c.i
-  %.500.i.i.1.idx.i = mul i64 %.430.i.i.i53564, 104
+  %.500.i.i.1.idx.i = mul i64 %.430.i.i.i53562, 104
   %.500.i.i.1.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.1.idx.i
   %38 = add nsw i64 %arg.solver.15.6.5.0, -2
   %.679.i.i = icmp sgt i64 %arg.solver.1.1, 0
   %39 = add i64 %arg.solver.15.3.1, %arg.solver.15.3.0
-  %.797.i.i3427 = add i64 %arg.solver.15.3.0, 1
+  %.797.i.i3426 = add i64 %arg.solver.15.3.0, 1
   %.711.i.i12.sroa.0.053103 = add i64 %arg.solver.1.1, 1
-  %.1111.i.i3526.idx = mul i64 %arg.solver.7.5.1, 160
-  %.1111.i.i3526 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1111.i.i3526.idx
+  %.1111.i.i3525.idx = mul i64 %arg.solver.7.5.1, 160
+  %.1111.i.i3525 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1111.i.i3525.idx
   %.199.i = add i64 %arg.solver.15.3.1, 1
-  %.962.i1293 = add i64 %arg.solver.1.2, -1
-  %storemerge53059 = tail call i64 @llvm.smax.i64(i64 %.962.i1293, i64 0)
-  %.1005.i131353705.not = icmp slt i64 %.962.i1293, 1
-  %.1229.i2092.idx = shl i64 %arg.solver.7.5.1, 6
-  %.1229.i2092 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1229.i2092.idx
+  %.962.i1292 = add i64 %arg.solver.1.2, -1
+  %storemerge53059 = tail call i64 @llvm.smax.i64(i64 %.962.i1292, i64 0)
+  %.1005.i131253701.not = icmp slt i64 %.962.i1292, 1
+  %.1229.i2091.idx = shl i64 %arg.solver.7.5.1, 6
+  %.1229.i2091 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1229.i2091.idx
   %.430.i1766.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
   %.475.i1795.i.idx = mul i64 %.430.i1766.i, 136
   %.475.i1795.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i1795.i.idx
   %.5221942.not.i = icmp sgt i64 %arg.solver.1.1, 0
-  %or.cond53626.not = select i1 %.781.i1282, i1 %.5221942.not.i, i1 false
-  %.627.i53594 = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
-  %.idx1940.i = mul i64 %.627.i53594, 80
+  %or.cond53622.not = select i1 %.781.i1282, i1 %.5221942.not.i, i1 false
+  %.627.i53590 = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
+  %.idx1940.i = mul i64 %.627.i53590, 80
   %40 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx1940.i
-  %.idx1941.i = mul i64 %.627.i53594, 136
+  %.idx1941.i = mul i64 %.627.i53590, 136
   %41 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx1941.i
   %.835.i = mul nsw i64 %arg.solver.1.1, 17
   %.339.i.i = add i64 %arg.solver.15.3.0, 1
   %invariant.gep = getelementptr double, ptr %arg.solver.10.0.4, i64 %.835.i
   %42 = add i64 %arg.solver.15.3.1, %arg.solver.15.3.0
   %.1089.i = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
-  %.idx.i53612 = mul i64 %.1089.i, 136
-  %43 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx.i53612
+  %.idx.i53608 = mul i64 %.1089.i, 136
+  %43 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx.i53608
   %.444.i2246.i = getelementptr i8, ptr %arg.solver.0.4, i64 56
   %spec.select = or i1 %.781.i1282, %spec.select53141
   %.idx53100 = mul i64 %arg.solver.7.5.1, 40
@@ -478,14 +478,14 @@ B312.preheader:                                   ; preds = %B284
   %.471.i7971 = icmp ne i64 %arg.solver.1.2, 12
   %.471.i7971.not = xor i1 %.471.i7971, true
   %not.brmerge = select i1 %.447, i1 %.471.i7971.not, i1 false
-  %.510.i14700 = icmp sgt i64 %arg.solver.1.2, 4
-  %.554.i13816.idx = shl i64 %arg.solver.7.5.1, 6
-  %.554.i13816 = getelementptr i8, ptr %arg.solver.7.4, i64 %.554.i13816.idx
-  %.430.i.i14662 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.475.i.i14684.idx = mul i64 %.430.i.i14662, 136
-  %.475.i.i14684 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i14684.idx
-  %.500.i.i14693.idx = mul i64 %.430.i.i14662, 104
-  %.500.i.i14693 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i14693.idx
+  %.510.i14701 = icmp sgt i64 %arg.solver.1.2, 4
+  %.554.i13817.idx = shl i64 %arg.solver.7.5.1, 6
+  %.554.i13817 = getelementptr i8, ptr %arg.solver.7.4, i64 %.554.i13817.idx
+  %.430.i.i14663 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
+  %.475.i.i14685.idx = mul i64 %.430.i.i14663, 136
+  %.475.i.i14685 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i14685.idx
+  %.500.i.i14694.idx = mul i64 %.430.i.i14663, 104
+  %.500.i.i14694 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i14694.idx
   %.444.i.i13765 = getelementptr i8, ptr %arg.solver.0.4, i64 112
   %.444.i860.i = getelementptr i8, ptr %arg.solver.0.4, i64 104
   %.719.i.i11972.idx = shl i64 %arg.solver.7.5.1, 6
@@ -599,10 +599,10 @@ B312.preheader:                                   ; preds = %B284
   %gep.4.idx.i10787.i = mul i64 %factor.op.mul10964.i, 160
   %gep.5.idx.i10792.i = mul i64 %factor.op.mul10964.i, 152
   %gep.6.idx.i10797.i = mul i64 %factor.op.mul10964.i, 144
-  %.968.idx.i = mul i64 %arg.solver.7.5.1, 56
-  %.968.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.968.idx.i
+  %.967.idx.i = mul i64 %arg.solver.7.5.1, 56
+  %.967.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.967.idx.i
   %73 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.1125.i = getelementptr i8, ptr %73, i64 -8
+  %.1124.i = getelementptr i8, ptr %73, i64 -8
   %.134548.i.i = icmp sgt i64 %arg.solver.12.5.2, 0
   %.79.1551.i.i = add nsw i64 %arg.solver.12.5.2, -1
   %invariant.gep518.i.i = getelementptr double, ptr %arg.solver.12.4, i64 %arg.solver.12.5.2
@@ -614,17 +614,17 @@ B312.preheader:                                   ; preds = %B284
   %gep520.1.idx.i.i = mul i64 %.231.i.i.i, 24
   %gep520.2.idx.i.i = mul i64 %.231.i.i.i, 40
   %gep520.3.idx.i.i = mul i64 %.231.i.i.i, 56
-  %factor.op.mul10986.i.reass = mul i64 %factor.op.mul53745, %arg.solver.12.5.1
+  %factor.op.mul10986.i.reass = mul i64 %factor.op.mul53741, %arg.solver.12.5.1
   %75 = getelementptr i8, ptr %arg.solver.12.4, i64 %factor.op.mul10986.i.reass
   %76 = getelementptr double, ptr %75, i64 %arg.solver.12.5.2
   %77 = getelementptr i8, ptr %75, i64 %.idx.i.i
-  %.2050.idx.i = mul i64 %arg.solver.7.5.1, 96
-  %.2050.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.2050.idx.i
+  %.2049.idx.i = mul i64 %arg.solver.7.5.1, 96
+  %.2049.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.2049.idx.i
   %.464.i436.idx.i = mul i64 %arg.solver.7.5.1, 40
   %.464.i436.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.464.i436.idx.i
   %.570.i476.i = getelementptr double, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1
-  %.1626.idx.i = mul i64 %arg.solver.7.5.1, 96
-  %.1626.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.1626.idx.i
+  %.1625.idx.i = mul i64 %arg.solver.7.5.1, 96
+  %.1625.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.1625.idx.i
   %.464.i1150.idx.i = mul i64 %arg.solver.7.5.1, 40
   %.464.i1150.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.464.i1150.idx.i
   %.570.i1212.i = getelementptr double, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1
@@ -659,14 +659,14 @@ B312.preheader:                                   ; preds = %B284
   %.467.i.idx.i = shl i64 %arg.solver.8.5.1, 4
   %.467.i.i = getelementptr i8, ptr %arg.solver.8.4, i64 %.467.i.idx.i
   %.570.i.i.idx.i = mul i64 %arg.solver.7.5.1, 48
-  %.570.i.i.i53217 = getelementptr i8, ptr %arg.solver.7.4, i64 %.570.i.i.idx.i
+  %.570.i.i.i53218 = getelementptr i8, ptr %arg.solver.7.4, i64 %.570.i.i.idx.i
   %.590.i.i.i = icmp sgt i64 %arg.solver.1.7, 1
   %.576.i.idx.i16169.i = shl i64 %arg.solver.7.5.1, 6
   %.576.i.i16170.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.576.i.idx.i16169.i
   %.662.i3178.not.i16171.i = icmp slt i64 %arg.solver.1.1, 1
   %.223.i.i.i16174.i = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
-  %factor.op.mul.i53216.reass = mul i64 %factor.op.mul53746, %arg.solver.11.5.1
-  %79 = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul.i53216.reass
+  %factor.op.mul.i53217.reass = mul i64 %factor.op.mul53742, %arg.solver.11.5.1
+  %79 = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul.i53217.reass
   %gep.idx.i16181.i = mul i64 %.223.i.i.i16174.i, 192
   %gep.1.idx.i16186.i = mul i64 %.223.i.i.i16174.i, 184
   %gep.2.idx.i16191.i = mul i64 %.223.i.i.i16174.i, 176
@@ -716,7 +716,7 @@ B312.preheader:                                   ; preds = %B284
   %.1224.i7867.idx.i = mul i64 %arg.solver.7.5.1, 24
   %.1224.i7867.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.1224.i7867.idx.i
   %.1164.idx.i = mul i64 %arg.solver.7.5.1, 40
-  %.1164.i53290 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1164.idx.i
+  %.1164.i = getelementptr i8, ptr %arg.solver.7.4, i64 %.1164.idx.i
   %.570.i3350.i = getelementptr double, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1
   %factor.op.mul2390.i = mul i64 %arg.solver.6.0.5.2, %arg.solver.6.0.5.1
   %factor.op.mul.i53310 = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
@@ -734,49 +734,49 @@ B312.preheader:                                   ; preds = %B284
   %94 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx2364.i
   %invariant.gep2395.i = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul2375.reass.i
   %95 = add i64 %arg.solver.5.5.0, -1
-  %gep.idx.i53321 = mul i64 %factor.op.mul.i53310, 192
-  %gep.1.idx.i53323 = mul i64 %factor.op.mul.i53310, 184
-  %gep.2.idx.i53325 = mul i64 %factor.op.mul.i53310, 176
-  %gep.3.idx.i53327 = mul i64 %factor.op.mul.i53310, 168
-  %gep.4.idx.i53329 = mul i64 %factor.op.mul.i53310, 160
-  %gep.5.idx.i53331 = mul i64 %factor.op.mul.i53310, 152
-  %gep.6.idx.i53333 = mul i64 %factor.op.mul.i53310, 144
+  %gep.idx.i53320 = mul i64 %factor.op.mul.i53310, 192
+  %gep.1.idx.i53322 = mul i64 %factor.op.mul.i53310, 184
+  %gep.2.idx.i53324 = mul i64 %factor.op.mul.i53310, 176
+  %gep.3.idx.i53326 = mul i64 %factor.op.mul.i53310, 168
+  %gep.4.idx.i53328 = mul i64 %factor.op.mul.i53310, 160
+  %gep.5.idx.i53330 = mul i64 %factor.op.mul.i53310, 152
+  %gep.6.idx.i53332 = mul i64 %factor.op.mul.i53310, 144
   %.2050 = icmp sgt i64 %arg.solver.1.0, 1
   %.2104.idx = mul i64 %arg.solver.7.5.1, 40
   %.2104 = getelementptr i8, ptr %arg.solver.7.4, i64 %.2104.idx
-  %.444.i15151 = getelementptr i8, ptr %arg.solver.0.4, i64 88
-  %.473.i15658.idx = mul i64 %arg.solver.7.5.1, 96
-  %.473.i15658 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i15658.idx
-  %.529.i15741.idx = mul i64 %arg.solver.7.5.1, 40
-  %.529.i15741 = getelementptr i8, ptr %arg.solver.7.4, i64 %.529.i15741.idx
-  %.644.i15825.idx = mul i64 %arg.solver.7.5.1, 120
-  %.644.i15825 = getelementptr i8, ptr %arg.solver.7.4, i64 %.644.i15825.idx
-  %.737.i1586753730.not = icmp slt i64 %arg.solver.1.1, 1
-  %.807.i17141 = getelementptr i8, ptr %arg.solver.2.4, i64 8
+  %.444.i15152 = getelementptr i8, ptr %arg.solver.0.4, i64 88
+  %.473.i15659.idx = mul i64 %arg.solver.7.5.1, 96
+  %.473.i15659 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i15659.idx
+  %.529.i15742.idx = mul i64 %arg.solver.7.5.1, 40
+  %.529.i15742 = getelementptr i8, ptr %arg.solver.7.4, i64 %.529.i15742.idx
+  %.644.i15826.idx = mul i64 %arg.solver.7.5.1, 120
+  %.644.i15826 = getelementptr i8, ptr %arg.solver.7.4, i64 %.644.i15826.idx
+  %.737.i1586853726.not = icmp slt i64 %arg.solver.1.1, 1
+  %.807.i17143 = getelementptr i8, ptr %arg.solver.2.4, i64 8
   %96 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.1077.i15907 = getelementptr i8, ptr %96, i64 -8
-  %.1169.i17109.idx = mul i64 %arg.solver.8.5.1, 24
-  %.1169.i17109 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1169.i17109.idx
-  %.1232.i15980.idx = mul i64 %arg.solver.8.5.1, 24
-  %.1232.i15980 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1232.i15980.idx
-  %.1396.i16099.idx = mul i64 %arg.solver.7.5.1, 24
-  %.1396.i16099 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1396.i16099.idx
+  %.1077.i15908 = getelementptr i8, ptr %96, i64 -8
+  %.1169.i17110.idx = mul i64 %arg.solver.8.5.1, 24
+  %.1169.i17110 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1169.i17110.idx
+  %.1232.i15981.idx = mul i64 %arg.solver.8.5.1, 24
+  %.1232.i15981 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1232.i15981.idx
+  %.1396.i16100.idx = mul i64 %arg.solver.7.5.1, 24
+  %.1396.i16100 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1396.i16100.idx
   %.2458.idx = mul i64 %arg.solver.7.5.1, 40
   %.2458 = getelementptr i8, ptr %arg.solver.7.4, i64 %.2458.idx
-  %.473.i17815.idx = shl i64 %arg.solver.7.5.1, 8
-  %.473.i17815 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i17815.idx
-  %.587.i17943.idx = mul i64 %arg.solver.7.5.1, 48
-  %.587.i17943 = getelementptr i8, ptr %arg.solver.7.4, i64 %.587.i17943.idx
-  %.766.i18071.idx = mul i64 %arg.solver.7.5.1, 120
-  %.766.i18071 = getelementptr i8, ptr %arg.solver.7.4, i64 %.766.i18071.idx
+  %.473.i17817.idx = shl i64 %arg.solver.7.5.1, 8
+  %.473.i17817 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i17817.idx
+  %.587.i17946.idx = mul i64 %arg.solver.7.5.1, 48
+  %.587.i17946 = getelementptr i8, ptr %arg.solver.7.4, i64 %.587.i17946.idx
+  %.766.i18074.idx = mul i64 %arg.solver.7.5.1, 120
+  %.766.i18074 = getelementptr i8, ptr %arg.solver.7.4, i64 %.766.i18074.idx
   %97 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.798.i18098 = getelementptr i8, ptr %97, i64 -8
-  %.887.i18434.idx = mul i64 %arg.solver.8.5.1, 24
-  %.887.i18434 = getelementptr i8, ptr %arg.solver.8.4, i64 %.887.i18434.idx
-  %.950.i18170.idx = mul i64 %arg.solver.8.5.1, 24
-  %.950.i18170 = getelementptr i8, ptr %arg.solver.8.4, i64 %.950.i18170.idx
-  %.1224.i18369.idx = mul i64 %arg.solver.7.5.1, 24
-  %.1224.i18369 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1224.i18369.idx
+  %.798.i18101 = getelementptr i8, ptr %97, i64 -8
+  %.887.i18437.idx = mul i64 %arg.solver.8.5.1, 24
+  %.887.i18437 = getelementptr i8, ptr %arg.solver.8.4, i64 %.887.i18437.idx
+  %.950.i18173.idx = mul i64 %arg.solver.8.5.1, 24
+  %.950.i18173 = getelementptr i8, ptr %arg.solver.8.4, i64 %.950.i18173.idx
+  %.1224.i18372.idx = mul i64 %arg.solver.7.5.1, 24
+  %.1224.i18372 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1224.i18372.idx
   %.2606.not = icmp ne i64 %arg.solver.1.4, 0
   %.idx14062.i = mul i64 %arg.solver.7.5.1, 40
   %98 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx14062.i
@@ -785,21 +785,21 @@ B312.preheader:                                   ; preds = %B284
   %100 = getelementptr i64, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1
   %.520.i106714071.not.i = icmp slt i64 %arg.solver.4.1.5.0, 1
   %.452.i1589.i = getelementptr i8, ptr %arg.solver.0.4, i64 8
-  %.1192.i53344 = getelementptr i8, ptr %arg.solver.0.4, i64 32
+  %.1192.i53342 = getelementptr i8, ptr %arg.solver.0.4, i64 32
   %.1162.i = mul i64 %arg.solver.1.1, 136
   %.1302.idx.i = mul i64 %.1162.i, %arg.solver.1.0
   %.1302.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.1302.idx.i
-  %factor.op.mul.i53346 = mul i64 %arg.solver.6.0.5.2, %arg.solver.6.0.5.1
+  %factor.op.mul.i53344 = mul i64 %arg.solver.6.0.5.2, %arg.solver.6.0.5.1
   %.idx14059.i = shl i64 %arg.solver.8.5.1, 4
   %101 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx14059.i
-  %factor.op.mul14086.i.reass = mul i64 %factor.op.mul53747, %arg.solver.11.5.1
+  %factor.op.mul14086.i.reass = mul i64 %factor.op.mul53743, %arg.solver.11.5.1
   %.740.i14079.not.i = icmp slt i64 %arg.solver.1.1, 1
   %102 = getelementptr i8, ptr %arg.solver.11.4, i64 %factor.op.mul14086.i.reass
   %.1205.i.not.i = icmp eq i64 %arg.solver.1.3, 0
-  %.458.i.i.i.i53349 = getelementptr i8, ptr %arg.solver.0.4, i64 16
+  %.458.i.i.i.i53347 = getelementptr i8, ptr %arg.solver.0.4, i64 16
   %.475.i.i.i.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.1162.i
   %.500.i.i.i.idx.i = mul i64 %arg.solver.1.6, 248
-  %.500.i.i.i.i53350 = getelementptr i8, ptr %arg.solver.10.4.4, i64 %.500.i.i.i.idx.i
+  %.500.i.i.i.i53348 = getelementptr i8, ptr %arg.solver.10.4.4, i64 %.500.i.i.i.idx.i
   %.idx53077 = mul i64 %arg.solver.7.5.1, 40
   %103 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53077
   %.idx53078 = shl i64 %arg.solver.7.5.1, 4
@@ -809,58 +809,58 @@ B312.preheader:                                   ; preds = %B284
   %106 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53079
   %.idx53081 = mul i64 %arg.solver.7.5.1, 24
   %107 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53081
-  %.520.i.i.i2262553735.not = icmp slt i64 %arg.solver.4.1.5.0, 1
+  %.520.i.i.i2262853731.not = icmp slt i64 %arg.solver.4.1.5.0, 1
   %.idx53084 = shl i64 %arg.solver.8.5.1, 4
   %108 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx53084
-  %.idx.i53390 = mul i64 %arg.solver.7.5.1, 24
-  %109 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx.i53390
-  %.550.i53393 = getelementptr i8, ptr %arg.solver.9.4, i64 8
+  %.idx.i53388 = mul i64 %arg.solver.7.5.1, 24
+  %109 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx.i53388
+  %.550.i53391 = getelementptr i8, ptr %arg.solver.9.4, i64 8
   %110 = getelementptr i64, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1
-  %.idx5090.i53413 = mul i64 %arg.solver.8.5.1, 24
-  %111 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx5090.i53413
-  %.10275102.not.i53415 = icmp slt i64 %arg.solver.3.1.5.1, 1
-  %.520.i5105.not.i53431 = icmp slt i64 %arg.solver.4.1.5.0, 1
-  %.14395108.not.i53450 = icmp slt i64 %arg.solver.1.1, 1
-  %.idx5095.i53467 = mul i64 %arg.solver.7.5.1, 248
-  %112 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5095.i53467
-  %.idx5094.i53470 = mul i64 %arg.solver.7.5.1, 240
-  %113 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5094.i53470
-  %.idx5093.i53473 = mul i64 %arg.solver.7.5.1, 232
-  %114 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5093.i53473
-  %gep.2.idx.i53477 = shl i64 %arg.solver.7.5.1, 4
-  %gep.6.idx.i53485 = mul i64 %arg.solver.7.5.1, 48
-  %gep.7.idx.i53487 = mul i64 %arg.solver.7.5.1, 56
-  %gep.8.idx.i53489 = shl i64 %arg.solver.7.5.1, 6
-  %gep.9.idx.i53491 = mul i64 %arg.solver.7.5.1, 72
-  %gep.10.idx.i53493 = mul i64 %arg.solver.7.5.1, 80
-  %gep.11.idx.i53495 = mul i64 %arg.solver.7.5.1, 88
-  %gep.12.idx.i53497 = mul i64 %arg.solver.7.5.1, 96
-  %gep.13.idx.i53499 = mul i64 %arg.solver.7.5.1, 104
-  %gep.14.idx.i53501 = mul i64 %arg.solver.7.5.1, 112
-  %gep.15.idx.i53503 = mul i64 %arg.solver.7.5.1, 120
-  %gep.16.idx.i53505 = shl i64 %arg.solver.7.5.1, 7
-  %gep.17.idx.i53507 = mul i64 %arg.solver.7.5.1, 136
-  %gep.18.idx.i53509 = mul i64 %arg.solver.7.5.1, 144
-  %gep.19.idx.i53511 = mul i64 %arg.solver.7.5.1, 152
-  %gep.20.idx.i53513 = mul i64 %arg.solver.7.5.1, 160
-  %gep.21.idx.i53515 = mul i64 %arg.solver.7.5.1, 168
-  %gep.22.idx.i53517 = mul i64 %arg.solver.7.5.1, 176
-  %gep.23.idx.i53519 = mul i64 %arg.solver.7.5.1, 184
-  %gep.24.idx.i53521 = mul i64 %arg.solver.7.5.1, 192
-  %gep.25.idx.i53523 = mul i64 %arg.solver.7.5.1, 200
-  %gep.26.idx.i53525 = mul i64 %arg.solver.7.5.1, 208
-  %gep.27.idx.i53527 = mul i64 %arg.solver.7.5.1, 216
-  %gep.28.idx.i53529 = mul i64 %arg.solver.7.5.1, 224
-  %gep.32.idx.i53537 = shl i64 %arg.solver.7.5.1, 8
-  %gep.33.idx.i53539 = mul i64 %arg.solver.7.5.1, 264
-  %115 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.15.idx.i53503
-  %116 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.28.idx.i53529
-  %117 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.32.idx.i53537
-  %118 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.2.idx.i53477
+  %.idx5090.i53411 = mul i64 %arg.solver.8.5.1, 24
+  %111 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx5090.i53411
+  %.10275102.not.i53413 = icmp slt i64 %arg.solver.3.1.5.1, 1
+  %.520.i5105.not.i53429 = icmp slt i64 %arg.solver.4.1.5.0, 1
+  %.14395108.not.i53448 = icmp slt i64 %arg.solver.1.1, 1
+  %.idx5095.i53465 = mul i64 %arg.solver.7.5.1, 248
+  %112 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5095.i53465
+  %.idx5094.i53468 = mul i64 %arg.solver.7.5.1, 240
+  %113 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5094.i53468
+  %.idx5093.i53471 = mul i64 %arg.solver.7.5.1, 232
+  %114 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx5093.i53471
+  %gep.2.idx.i53475 = shl i64 %arg.solver.7.5.1, 4
+  %gep.6.idx.i53483 = mul i64 %arg.solver.7.5.1, 48
+  %gep.7.idx.i53485 = mul i64 %arg.solver.7.5.1, 56
+  %gep.8.idx.i53487 = shl i64 %arg.solver.7.5.1, 6
+  %gep.9.idx.i53489 = mul i64 %arg.solver.7.5.1, 72
+  %gep.10.idx.i53491 = mul i64 %arg.solver.7.5.1, 80
+  %gep.11.idx.i53493 = mul i64 %arg.solver.7.5.1, 88
+  %gep.12.idx.i53495 = mul i64 %arg.solver.7.5.1, 96
+  %gep.13.idx.i53497 = mul i64 %arg.solver.7.5.1, 104
+  %gep.14.idx.i53499 = mul i64 %arg.solver.7.5.1, 112
+  %gep.15.idx.i53501 = mul i64 %arg.solver.7.5.1, 120
+  %gep.16.idx.i53503 = shl i64 %arg.solver.7.5.1, 7
+  %gep.17.idx.i53505 = mul i64 %arg.solver.7.5.1, 136
+  %gep.18.idx.i53507 = mul i64 %arg.solver.7.5.1, 144
+  %gep.19.idx.i53509 = mul i64 %arg.solver.7.5.1, 152
+  %gep.20.idx.i53511 = mul i64 %arg.solver.7.5.1, 160
+  %gep.21.idx.i53513 = mul i64 %arg.solver.7.5.1, 168
+  %gep.22.idx.i53515 = mul i64 %arg.solver.7.5.1, 176
+  %gep.23.idx.i53517 = mul i64 %arg.solver.7.5.1, 184
+  %gep.24.idx.i53519 = mul i64 %arg.solver.7.5.1, 192
+  %gep.25.idx.i53521 = mul i64 %arg.solver.7.5.1, 200
+  %gep.26.idx.i53523 = mul i64 %arg.solver.7.5.1, 208
+  %gep.27.idx.i53525 = mul i64 %arg.solver.7.5.1, 216
+  %gep.28.idx.i53527 = mul i64 %arg.solver.7.5.1, 224
+  %gep.32.idx.i53535 = shl i64 %arg.solver.7.5.1, 8
+  %gep.33.idx.i53537 = mul i64 %arg.solver.7.5.1, 264
+  %115 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.15.idx.i53501
+  %116 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.28.idx.i53527
+  %117 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.32.idx.i53535
+  %118 = getelementptr i8, ptr %arg.solver.7.4, i64 %gep.2.idx.i53475
   %.idx53083 = mul i64 %arg.solver.7.5.1, 232
   %119 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53083
   %120 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.1649.i19969 = getelementptr i8, ptr %120, i64 -8
+  %.1649.i19972 = getelementptr i8, ptr %120, i64 -8
   %121 = getelementptr double, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1
   %.idx53085 = mul i64 %arg.solver.7.5.1, 232
   %122 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53085
@@ -890,27 +890,27 @@ B312:                                             ; preds = %B312.preheader, %B1
   %.903 = add nsw i64 %budget.3.1, -1
   %.455.i = load i64, ptr %.454.i, align 8, !noalias !11
   %.456.i = icmp eq i64 %.455.i, 0
-  br i1 %.456.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B74.i
+  br i1 %.456.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B84.i
 
-B74.i:                                            ; preds = %B312
+B84.i:                                            ; preds = %B312
   %.499.i = icmp eq i64 %.455.i, 2
   store i64 0, ptr %.454.i, align 8, !noalias !11
   %.453.i.i = load i64, ptr %.452.i.i, align 8, !noalias !15
   %.492.i.i = inttoptr i64 %.453.i.i to ptr
   tail call void %.492.i.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !15
-  br i1 %.441, label %B194.i, label %B228.i
+  br i1 %.441, label %B224.i, label %B258.i
 
-B194.i:                                           ; preds = %B74.i
+B224.i:                                           ; preds = %B84.i
   %.459.i.i.i = load i64, ptr %.458.i.i.i, align 8, !noalias !18
   %.500.i.i.i = inttoptr i64 %.459.i.i.i to ptr
   tail call void %.500.i.i.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !18
   %.682.i.i = load double, ptr %.681.i.i, align 8, !noalias !24
   %.683.i.i = fcmp une double %.682.i.i, 2.500000e-01
-  br i1 %.683.i.i, label %B228.i, label %B148.i.i
+  br i1 %.683.i.i, label %B258.i, label %B148.i.i
 
-B148.i.i:                                         ; preds = %B194.i
+B148.i.i:                                         ; preds = %B224.i
   store double 0.000000e+00, ptr %.681.i.i, align 8, !noalias !24
-  br i1 %.834.i.i53690, label %B246.if.i.i, label %B364.i.i
+  br i1 %.834.i.i53686, label %B246.if.i.i, label %B364.i.i
 
 B338.i.i:                                         ; preds = %B246.if.i.i
   store double 1.000000e+00, ptr %.681.i.i, align 8, !noalias !24
@@ -924,14 +924,14 @@ B364.i.i:                                         ; preds = %B362.i.i, %B148.i.i
   %.1101.i.i = load double, ptr %.681.i.i, align 8, !noalias !24
   %.1104.i.i = fcmp ogt double %.1101.i.i, 5.000000e-01
   %130 = or i1 %.499.i, %.1104.i.i
-  br label %B228.i
+  br label %B258.i
 
 B246.if.i.i:                                      ; preds = %B148.i.i, %B362.i.i
-  %.778.i.i.053691 = phi i64 [ %.847.i.i, %B362.i.i ], [ 0, %B148.i.i ]
-  %.847.i.i = add nsw i64 %.778.i.i.053691, 1
-  %131 = getelementptr double, ptr %arg.solver.12.4, i64 %.778.i.i.053691
+  %.778.i.i.053687 = phi i64 [ %.847.i.i, %B362.i.i ], [ 0, %B148.i.i ]
+  %.847.i.i = add nsw i64 %.778.i.i.053687, 1
+  %131 = getelementptr double, ptr %arg.solver.12.4, i64 %.778.i.i.053687
   %.947.i.i = load double, ptr %131, align 8, !noalias !24
-  %.952.i.i = add nsw i64 %.778.i.i.053691, %arg.solver.1.5
+  %.952.i.i = add nsw i64 %.778.i.i.053687, %arg.solver.1.5
   %.965.i.i = icmp slt i64 %.952.i.i, 0
   %.966.i.i = select i1 %.965.i.i, i64 %arg.solver.10.1.5.0, i64 0
   %132 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.952.i.i
@@ -940,46 +940,46 @@ B246.if.i.i:                                      ; preds = %B148.i.i, %B362.i.i
   %.982.i.i = fcmp une double %.947.i.i, %.981.i.i
   br i1 %.982.i.i, label %B338.i.i, label %B362.i.i
 
-B228.i:                                           ; preds = %B364.i.i, %B194.i, %B74.i
-  %anew.2.i.0 = phi i1 [ %.499.i, %B74.i ], [ %130, %B364.i.i ], [ %.499.i, %B194.i ]
-  br i1 %anew.2.i.0, label %B236.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
+B258.i:                                           ; preds = %B364.i.i, %B224.i, %B84.i
+  %anew.2.i.0 = phi i1 [ %.499.i, %B84.i ], [ %130, %B364.i.i ], [ %.499.i, %B224.i ]
+  br i1 %anew.2.i.0, label %B266.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
-B236.i:                                           ; preds = %B228.i
-  br i1 %.441, label %B258.i, label %B288.i
+B266.i:                                           ; preds = %B258.i
+  br i1 %.441, label %B288.i, label %B318.i
 
-B258.i:                                           ; preds = %B236.i
+B288.i:                                           ; preds = %B266.i
   %.459.i.i1755.i = load i64, ptr %.458.i.i1754.i, align 8, !noalias !25
   %.500.i.i1768.i = inttoptr i64 %.459.i.i1755.i to ptr
   tail call void %.500.i.i1768.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !25
   %.682.i1797.i = load double, ptr %.681.i1796.i, align 8, !noalias !31
   %.683.i1798.i = fcmp ule double %.682.i1797.i, 5.000000e-01
-  %brmerge53752 = select i1 %.683.i1798.i, i1 true, i1 %.773.i1913.i53693
-  br i1 %brmerge53752, label %B288.i.i, label %B208.if.i.i
+  %brmerge53748 = select i1 %.683.i1798.i, i1 true, i1 %.773.i1913.i53689
+  br i1 %brmerge53748, label %B288.i.i, label %B208.if.i.i
 
-B288.i.i:                                         ; preds = %B208.if.i.i, %B258.i
+B288.i.i:                                         ; preds = %B208.if.i.i, %B288.i
   %.453.i432.i.i = load i64, ptr %.452.i.i, align 8, !noalias !32
   %.492.i438.i.i = inttoptr i64 %.453.i432.i.i to ptr
   tail call void %.492.i438.i.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !32
-  br label %B288.i
+  br label %B318.i
 
-B208.if.i.i:                                      ; preds = %B258.i, %B208.if.i.i
-  %.717.i856.i.053694 = phi i64 [ %.786.i.i, %B208.if.i.i ], [ 0, %B258.i ]
-  %.786.i.i = add nsw i64 %.717.i856.i.053694, 1
-  %133 = getelementptr double, ptr %arg.solver.12.4, i64 %.717.i856.i.053694
+B208.if.i.i:                                      ; preds = %B288.i, %B208.if.i.i
+  %.717.i856.i.053690 = phi i64 [ %.786.i.i, %B208.if.i.i ], [ 0, %B288.i ]
+  %.786.i.i = add nsw i64 %.717.i856.i.053690, 1
+  %133 = getelementptr double, ptr %arg.solver.12.4, i64 %.717.i856.i.053690
   %.886.i.i = load double, ptr %133, align 8, !noalias !31
-  %.891.i.i = add nsw i64 %.717.i856.i.053694, %arg.solver.1.5
+  %.891.i.i = add nsw i64 %.717.i856.i.053690, %arg.solver.1.5
   %.904.i1960.i = icmp slt i64 %.891.i.i, 0
   %.905.i1961.i = select i1 %.904.i1960.i, i64 %arg.solver.10.1.5.0, i64 0
   %134 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.891.i.i
   %.919.i1974.i = getelementptr double, ptr %134, i64 %.905.i1961.i
   store double %.886.i.i, ptr %.919.i1974.i, align 8, !noalias !31
-  %exitcond53816.not = icmp eq i64 %.786.i.i, %arg.solver.1.6
-  br i1 %exitcond53816.not, label %B288.i.i, label %B208.if.i.i
+  %exitcond53812.not = icmp eq i64 %.786.i.i, %arg.solver.1.6
+  br i1 %exitcond53812.not, label %B288.i.i, label %B208.if.i.i
 
-B288.i:                                           ; preds = %B288.i.i, %B236.i
-  br i1 %.1091.i, label %B320.i, label %B614.i
+B318.i:                                           ; preds = %B288.i.i, %B266.i
+  br i1 %.1091.i, label %B350.i, label %B644.i
 
-B320.i:                                           ; preds = %B288.i
+B350.i:                                           ; preds = %B318.i
   %.460.i2427.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !35
   %.501.i2439.i = inttoptr i64 %.460.i2427.i to ptr
   tail call void %.501.i2439.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i2438.i), !noalias !35
@@ -995,18 +995,18 @@ B320.i:                                           ; preds = %B288.i
   %.445.i4271.i = load i64, ptr %.444.i4270.i, align 8, !noalias !47
   %.486.i4288.i = inttoptr i64 %.445.i4271.i to ptr
   tail call void %.486.i4288.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !47
-  br label %B614.i
+  br label %B644.i
 
-B614.i:                                           ; preds = %B320.i, %B288.i
+B644.i:                                           ; preds = %B350.i, %B318.i
   br i1 %.499, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B132.if.i.i
 
 B176.i.i:                                         ; preds = %B132.if.i.i
   store double 0.000000e+00, ptr %.612.i.i, align 8, !noalias !50
-  %.727.i4873.i = getelementptr double, ptr %23, i64 %.459.i4701.i.053697
+  %.727.i4873.i = getelementptr double, ptr %23, i64 %.459.i4701.i.053693
   store double 0.000000e+00, ptr %.727.i4873.i, align 8, !noalias !50
-  %.782.i4914.i = getelementptr double, ptr %24, i64 %.459.i4701.i.053697
+  %.782.i4914.i = getelementptr double, ptr %24, i64 %.459.i4701.i.053693
   store double 0.000000e+00, ptr %.782.i4914.i, align 8, !noalias !50
-  %.837.i4955.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.459.i4701.i.053697
+  %.837.i4955.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.459.i4701.i.053693
   %.838.i4956.i = load i64, ptr %.837.i4955.i, align 8, !noalias !50
   %.865.i4977.i = icmp slt i64 %.838.i4956.i, 0
   %.866.i4978.i = select i1 %.865.i4977.i, i64 %arg.solver.6.3.5.0, i64 0
@@ -1027,7 +1027,7 @@ B176.i.i:                                         ; preds = %B132.if.i.i
   %.1085.i5152.i = load i64, ptr %.1084.i5151.i, align 8, !noalias !50
   %.1108.i5162.i = add nsw i64 %.1085.i5152.i, %"$phi432.4.2.i.i.2"
   store i64 %.1108.i5162.i, ptr %.1084.i5151.i, align 8, !noalias !50
-  %.1223.i.i = getelementptr double, ptr %25, i64 %.459.i4701.i.053697
+  %.1223.i.i = getelementptr double, ptr %25, i64 %.459.i4701.i.053693
   %.1224.i.i = load double, ptr %.1223.i.i, align 8, !noalias !50
   %.1225.i.i = fcmp une double %.1224.i.i, 0.000000e+00
   br i1 %.1225.i.i, label %B482.i.i, label %B536.i.i
@@ -1074,18 +1074,18 @@ B124.i487.i.i:                                    ; preds = %B60.i458.i.i
   br label %_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_515
 
 _ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_515: ; preds = %B60.i458.i.i, %B602.i.i, %B124.i487.i.i
-  %.1721.i.i = getelementptr double, ptr %arg.solver.7.4, i64 %.459.i4701.i.053697
+  %.1721.i.i = getelementptr double, ptr %arg.solver.7.4, i64 %.459.i4701.i.053693
   %.1722.i.i = load double, ptr %.1721.i.i, align 8, !noalias !50
-  %.1776.i.i = getelementptr double, ptr %26, i64 %.459.i4701.i.053697
+  %.1776.i.i = getelementptr double, ptr %26, i64 %.459.i4701.i.053693
   store double %.1722.i.i, ptr %.1776.i.i, align 8, !noalias !50
   br label %B706.i.i
 
 B706.i.i:                                         ; preds = %B560.i.i, %_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_515, %B536.i.i
-  %.474.i1467.i.i = getelementptr double, ptr %27, i64 %.459.i4701.i.053697
+  %.474.i1467.i.i = getelementptr double, ptr %27, i64 %.459.i4701.i.053693
   %.475.i.i5179.i = load double, ptr %.474.i1467.i.i, align 8, !noalias !66
-  %.529.i1501.i.i = getelementptr double, ptr %28, i64 %.459.i4701.i.053697
+  %.529.i1501.i.i = getelementptr double, ptr %28, i64 %.459.i4701.i.053693
   store double %.475.i.i5179.i, ptr %.529.i1501.i.i, align 8, !noalias !66
-  %.583.i.i.i = getelementptr i64, ptr %29, i64 %.459.i4701.i.053697
+  %.583.i.i.i = getelementptr i64, ptr %29, i64 %.459.i4701.i.053693
   %.584.i.i.i = load i64, ptr %.583.i.i.i, align 8, !noalias !66
   %.600.i.i.i = icmp slt i64 %.584.i.i.i, %arg.solver.5.5.0
   br i1 %.600.i.i.i, label %B160.i.i.i, label %B743.i.i
@@ -1103,21 +1103,21 @@ B160.i.i.i:                                       ; preds = %B706.i.i
   br label %B743.i.i
 
 B743.i.i:                                         ; preds = %B160.i.i.i, %B706.i.i, %B132.if.i.i
-  %.518.i4767.i = icmp sgt i64 %.462.i4702.i.053698, 1
+  %.518.i4767.i = icmp sgt i64 %.462.i4702.i.053694, 1
   br i1 %.518.i4767.i, label %B132.if.i.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
-B132.if.i.i:                                      ; preds = %B614.i, %B743.i.i
-  %.462.i4702.i.053698 = phi i64 [ %.527.i6234.i, %B743.i.i ], [ %storemerge, %B614.i ]
-  %.459.i4701.i.053697 = phi i64 [ %.531.i6237.i, %B743.i.i ], [ 0, %B614.i ]
-  %.527.i6234.i = add nsw i64 %.462.i4702.i.053698, -1
-  %.531.i6237.i = add nsw i64 %.459.i4701.i.053697, 1
-  %.612.i.i = getelementptr double, ptr %22, i64 %.459.i4701.i.053697
+B132.if.i.i:                                      ; preds = %B644.i, %B743.i.i
+  %.462.i4702.i.053694 = phi i64 [ %.527.i6234.i, %B743.i.i ], [ %storemerge, %B644.i ]
+  %.459.i4701.i.053693 = phi i64 [ %.531.i6237.i, %B743.i.i ], [ 0, %B644.i ]
+  %.527.i6234.i = add nsw i64 %.462.i4702.i.053694, -1
+  %.531.i6237.i = add nsw i64 %.459.i4701.i.053693, 1
+  %.612.i.i = getelementptr double, ptr %22, i64 %.459.i4701.i.053693
   %.613.i.i = load double, ptr %.612.i.i, align 8, !noalias !50
   %.614.i.i = fcmp olt double %.613.i.i, 5.000000e-01
   br i1 %.614.i.i, label %B743.i.i, label %B176.i.i
 
-_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl: ; preds = %B743.i.i, %B614.i, %B228.i, %B312
-  %not..1043 = phi i1 [ %spec.select, %B228.i ], [ %spec.select, %B312 ], [ true, %B614.i ], [ true, %B743.i.i ]
+_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl: ; preds = %B743.i.i, %B644.i, %B258.i, %B312
+  %not..1043 = phi i1 [ %spec.select, %B258.i ], [ %spec.select, %B312 ], [ true, %B644.i ], [ true, %B743.i.i ]
   %.1112 = load double, ptr %.1111, align 8
   %.1113 = fcmp ogt double %.1112, 5.000000e-01
   %.445.i.i1265 = load i64, ptr %.444.i.i1264, align 8, !noalias !70
@@ -1126,41 +1126,41 @@ _ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWs
   br i1 %.566.i1280, label %B106.i, label %B184.i
 
 B512:                                             ; preds = %B504.if
-  %138 = getelementptr double, ptr %44, i64 %.1313.053709
+  %138 = getelementptr double, ptr %44, i64 %.1313.053705
   %.1472 = load double, ptr %138, align 8
   %.1473 = fcmp ogt double %.1472, 5.000000e-01
   br label %B548
 
 B548:                                             ; preds = %B512, %B504.if
   %"$phi548.1.2.2" = phi i1 [ true, %B504.if ], [ %.1473, %B512 ]
-  br i1 %due.2.153712, label %B590, label %B554
+  br i1 %due.2.153708, label %B590, label %B554
 
 B554:                                             ; preds = %B548
-  %139 = getelementptr double, ptr %45, i64 %.1313.053709
+  %139 = getelementptr double, ptr %45, i64 %.1313.053705
   %.1547 = load double, ptr %139, align 8
   %.1548 = fcmp ogt double %.1547, 5.000000e-01
   br label %B590
 
 B590:                                             ; preds = %B554, %B548
   %"$phi590.1.2.2" = phi i1 [ true, %B548 ], [ %.1548, %B554 ]
-  %.1369 = icmp sgt i64 %.1316.053710, 1
+  %.1369 = icmp sgt i64 %.1316.053706, 1
   br i1 %.1369, label %B504.if, label %B594
 
 B594:                                             ; preds = %B590, %B460.i
   %accepted.2.1.lcssa = phi i1 [ false, %B460.i ], [ %"$phi548.1.2.2", %B590 ]
   %due.2.1.lcssa = phi i1 [ %not..1043, %B460.i ], [ %"$phi590.1.2.2", %B590 ]
   %due.2.1.lcssa.not = xor i1 %due.2.1.lcssa, true
-  %brmerge53822 = or i1 %.499, %due.2.1.lcssa.not
-  br i1 %brmerge53822, label %B644, label %B130.if.i.i
+  %brmerge53818 = or i1 %.499, %due.2.1.lcssa.not
+  br i1 %brmerge53818, label %B644, label %B130.if.i.i
 
 B122.i.preheader:                                 ; preds = %B550.i.i
   br i1 %.499, label %B644, label %B124.if.i
 
 B176.i.i7039:                                     ; preds = %B130.if.i.i
-  %.665.i.i7074 = getelementptr double, ptr %46, i64 %.452.i.i4510.053716
+  %.665.i.i7074 = getelementptr double, ptr %46, i64 %.452.i.i4509.053712
   %.666.i.i7075 = load double, ptr %.665.i.i7074, align 8, !noalias !76
   %.5.i.i.i = fptosi double %.666.i.i7075 to i64
-  %.744.i.i7114 = getelementptr double, ptr %47, i64 %.452.i.i4510.053716
+  %.744.i.i7114 = getelementptr double, ptr %47, i64 %.452.i.i4509.053712
   %.745.i.i7115 = load double, ptr %.744.i.i7114, align 8, !noalias !76
   %.5.i1.i.i = fptosi double %.745.i.i7115 to i64
   %.819.i.i7147 = mul i64 %.605.i.i7033, %arg.solver.6.3.5.1
@@ -1175,13 +1175,13 @@ B176.i.i7039:                                     ; preds = %B130.if.i.i
   %.1041.i.i7283 = getelementptr i8, ptr %.823.i.i7148, i64 8
   %.1042.i.i7284 = load i64, ptr %.1041.i.i7283, align 8, !noalias !76
   %.1045.i.i7287 = add nsw i64 %.5.i1.i.i, %.5.i.i.i
-  %.1046.i.i7288 = mul nsw i64 %.1045.i.i7287, %.962.i1293
+  %.1046.i.i7288 = mul nsw i64 %.1045.i.i7287, %.962.i1292
   %.1047.i.i7289 = add nsw i64 %.1046.i.i7288, %.5.i.i.i
   %.1048.i.i7290 = add nsw i64 %.1047.i.i7289, %.1042.i.i7284
   store i64 %.1048.i.i7290, ptr %.1041.i.i7283, align 8, !noalias !76
   store double 0.000000e+00, ptr %.665.i.i7074, align 8, !noalias !76
   store double 0.000000e+00, ptr %.744.i.i7114, align 8, !noalias !76
-  %.1266.i.i7422 = getelementptr double, ptr %48, i64 %.452.i.i4510.053716
+  %.1266.i.i7422 = getelementptr double, ptr %48, i64 %.452.i.i4509.053712
   %.1267.i.i7423 = load double, ptr %.1266.i.i7422, align 8, !noalias !76
   %.1269.i.i7425 = sitofp i64 %.1045.i.i7287 to double
   %.1270.i.i7426 = fsub double %.1267.i.i7423, %.1269.i.i7425
@@ -1189,98 +1189,98 @@ B176.i.i7039:                                     ; preds = %B130.if.i.i
   br label %B550.i.i
 
 B550.i.i:                                         ; preds = %B176.i.i7039, %B130.if.i.i
-  %.510.i.i5824 = icmp sgt i64 %.455.i.i4511.053717, 1
-  br i1 %.510.i.i5824, label %B130.if.i.i, label %B122.i.preheader
+  %.510.i.i5823 = icmp sgt i64 %.455.i.i4510.053713, 1
+  br i1 %.510.i.i5823, label %B130.if.i.i, label %B122.i.preheader
 
 B130.if.i.i:                                      ; preds = %B594, %B550.i.i
-  %.455.i.i4511.053717 = phi i64 [ %.519.i.i7464, %B550.i.i ], [ %storemerge, %B594 ]
-  %.452.i.i4510.053716 = phi i64 [ %.523.i.i7467, %B550.i.i ], [ 0, %B594 ]
-  %.519.i.i7464 = add nsw i64 %.455.i.i4511.053717, -1
-  %.523.i.i7467 = add nsw i64 %.452.i.i4510.053716, 1
-  %140 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i.i4510.053716
+  %.455.i.i4510.053713 = phi i64 [ %.519.i.i7464, %B550.i.i ], [ %storemerge, %B594 ]
+  %.452.i.i4509.053712 = phi i64 [ %.523.i.i7467, %B550.i.i ], [ 0, %B594 ]
+  %.519.i.i7464 = add nsw i64 %.455.i.i4510.053713, -1
+  %.523.i.i7467 = add nsw i64 %.452.i.i4509.053712, 1
+  %140 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i.i4509.053712
   %.605.i.i7033 = load i64, ptr %140, align 8, !noalias !76
   %.610.i.i7036 = icmp sgt i64 %.605.i.i7033, -1
   br i1 %.610.i.i7036, label %B176.i.i7039, label %B550.i.i
 
-B224.i6407:                                       ; preds = %B124.if.i
-  %.925.i6452 = getelementptr double, ptr %51, i64 %.600.i4946.053719
-  %.926.i6453 = load double, ptr %.925.i6452, align 8, !noalias !83
-  %.927.i = fcmp ogt double %.926.i6453, 5.000000e-01
-  br i1 %.927.i, label %B262.i, label %B360.i
+B224.i6406:                                       ; preds = %B124.if.i
+  %.925.i6451 = getelementptr double, ptr %51, i64 %.600.i4945.053715
+  %.926.i6452 = load double, ptr %.925.i6451, align 8, !noalias !83
+  %.927.i = fcmp ogt double %.926.i6452, 5.000000e-01
+  br i1 %.927.i, label %B262.i6453, label %B360.i
 
-B262.i:                                           ; preds = %B224.i6407
-  %.5.i.i = fptosi double %.926.i6453 to i64
-  %.469.i429.i = load i64, ptr %.751.i5946, align 8, !noalias !84
+B262.i6453:                                       ; preds = %B224.i6406
+  %.5.i.i = fptosi double %.926.i6452 to i64
+  %.469.i429.i = load i64, ptr %.751.i5945, align 8, !noalias !84
   %.474.i430.i = icmp sgt i64 %.469.i429.i, -1
   br i1 %.474.i430.i, label %B60.i.i, label %B360.i
 
-B360.i:                                           ; preds = %B224.i6407, %B60.i.i, %B262.i, %B124.i.i
-  %.1221.i6116 = getelementptr double, ptr %52, i64 %.600.i4946.053719
-  %.1222.i6117 = load double, ptr %.1221.i6116, align 8, !noalias !83
-  %.1223.i6118 = fcmp ogt double %.1222.i6117, 5.000000e-01
-  br i1 %.1223.i6118, label %B398.i, label %B690.i
+B360.i:                                           ; preds = %B224.i6406, %B60.i.i, %B262.i6453, %B124.i.i
+  %.1221.i6115 = getelementptr double, ptr %52, i64 %.600.i4945.053715
+  %.1222.i6116 = load double, ptr %.1221.i6115, align 8, !noalias !83
+  %.1223.i6117 = fcmp ogt double %.1222.i6116, 5.000000e-01
+  br i1 %.1223.i6117, label %B398.i, label %B690.i
 
 B398.i:                                           ; preds = %B360.i
-  %spec.select53111 = select i1 %between.3.i.053721, i1 true, i1 %.434
-  %.1266.i6143 = icmp slt i64 %.807.i5996, %arg.solver.5.5.0
-  br i1 %.1266.i6143, label %B482.i, label %B546.i
+  %spec.select53111 = select i1 %between.3.i.053717, i1 true, i1 %.434
+  %.1266.i6142 = icmp slt i64 %.807.i5995, %arg.solver.5.5.0
+  br i1 %.1266.i6142, label %B482.i, label %B546.i
 
 B482.i:                                           ; preds = %B398.i
-  %.1288.i6338 = icmp slt i64 %.807.i5996, 0
-  %.1289.i6339 = select i1 %.1288.i6338, i64 %arg.solver.5.5.0, i64 0
-  %141 = getelementptr double, ptr %arg.solver.5.4, i64 %.807.i5996
-  %.1303.i6353 = getelementptr double, ptr %141, i64 %.1289.i6339
-  %.1304.i6354 = load double, ptr %.1303.i6353, align 8, !noalias !83
-  %.1360.i6403 = getelementptr double, ptr %53, i64 %.600.i4946.053719
-  %.1361.i6404 = load double, ptr %.1360.i6403, align 8, !noalias !83
-  %.1362.i6405 = fcmp olt double %.1304.i6354, %.1361.i6404
-  br i1 %.1362.i6405, label %B542.i, label %B546.i
+  %.1288.i6337 = icmp slt i64 %.807.i5995, 0
+  %.1289.i6338 = select i1 %.1288.i6337, i64 %arg.solver.5.5.0, i64 0
+  %141 = getelementptr double, ptr %arg.solver.5.4, i64 %.807.i5995
+  %.1303.i6352 = getelementptr double, ptr %141, i64 %.1289.i6338
+  %.1304.i6353 = load double, ptr %.1303.i6352, align 8, !noalias !83
+  %.1360.i6402 = getelementptr double, ptr %53, i64 %.600.i4945.053715
+  %.1361.i6403 = load double, ptr %.1360.i6402, align 8, !noalias !83
+  %.1362.i6404 = fcmp olt double %.1304.i6353, %.1361.i6403
+  br i1 %.1362.i6404, label %B542.i, label %B546.i
 
 B542.i:                                           ; preds = %B482.i
   br label %B546.i
 
 B546.i:                                           ; preds = %B542.i, %B482.i, %B398.i
   %between.5.i.2 = phi i1 [ true, %B542.i ], [ %spec.select53111, %B482.i ], [ %spec.select53111, %B398.i ]
-  %.1424.i6194 = mul i64 %.752.i5947, %arg.solver.6.3.5.1
-  %.1428.i6198 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1424.i6194
-  %.1429.i6199 = load i64, ptr %.1428.i6198, align 8, !noalias !83
-  %.1440.i4965.0 = and i64 %.1429.i6199, 127
-  %.1470.i6206 = icmp eq i64 %.1440.i4965.0, 0
-  br i1 %.1470.i6206, label %B662.i, label %B624.i
+  %.1424.i6193 = mul i64 %.752.i5946, %arg.solver.6.3.5.1
+  %.1428.i6197 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1424.i6193
+  %.1429.i6198 = load i64, ptr %.1428.i6197, align 8, !noalias !83
+  %.1440.i4964.0 = and i64 %.1429.i6198, 127
+  %.1470.i6205 = icmp eq i64 %.1440.i4964.0, 0
+  br i1 %.1470.i6205, label %B662.i, label %B624.i
 
 B624.i:                                           ; preds = %B546.i
-  %.1533.i6259 = getelementptr double, ptr %54, i64 %.600.i4946.053719
-  %.1534.i6260 = load double, ptr %.1533.i6259, align 8, !noalias !83
-  %.1536.i6261 = fcmp ogt double %.1534.i6260, 0.000000e+00
-  br i1 %.1536.i6261, label %B662.i, label %B690.i
+  %.1533.i6258 = getelementptr double, ptr %54, i64 %.600.i4945.053715
+  %.1534.i6259 = load double, ptr %.1533.i6258, align 8, !noalias !83
+  %.1536.i6260 = fcmp ogt double %.1534.i6259, 0.000000e+00
+  br i1 %.1536.i6260, label %B662.i, label %B690.i
 
 B662.i:                                           ; preds = %B546.i, %B624.i
-  store double 1.000000e+00, ptr %.867.i6046, align 8, !noalias !83
+  store double 1.000000e+00, ptr %.867.i6045, align 8, !noalias !83
   br label %B690.i
 
 B690.i:                                           ; preds = %B124.if.i, %B662.i, %B624.i, %B360.i
-  %between.4.i.1 = phi i1 [ %between.5.i.2, %B662.i ], [ %between.5.i.2, %B624.i ], [ %between.3.i.053721, %B360.i ], [ %between.3.i.053721, %B124.if.i ]
-  %stiffness.3.i.1 = phi i1 [ true, %B662.i ], [ %stiffness.2.i.053722, %B624.i ], [ %stiffness.2.i.053722, %B360.i ], [ %stiffness.2.i.053722, %B124.if.i ]
-  %.657.i5877 = icmp sgt i64 %.603.i4947.053720, 1
-  br i1 %.657.i5877, label %B124.if.i, label %B608.endif.loopexit
+  %between.4.i.1 = phi i1 [ %between.5.i.2, %B662.i ], [ %between.5.i.2, %B624.i ], [ %between.3.i.053717, %B360.i ], [ %between.3.i.053717, %B124.if.i ]
+  %stiffness.3.i.1 = phi i1 [ true, %B662.i ], [ %stiffness.2.i.053718, %B624.i ], [ %stiffness.2.i.053718, %B360.i ], [ %stiffness.2.i.053718, %B124.if.i ]
+  %.657.i5876 = icmp sgt i64 %.603.i4946.053716, 1
+  br i1 %.657.i5876, label %B124.if.i, label %B608.endif.loopexit
 
 B124.if.i:                                        ; preds = %B122.i.preheader, %B690.i
-  %stiffness.2.i.053722 = phi i1 [ %stiffness.3.i.1, %B690.i ], [ false, %B122.i.preheader ]
-  %between.3.i.053721 = phi i1 [ %between.4.i.1, %B690.i ], [ false, %B122.i.preheader ]
-  %.603.i4947.053720 = phi i64 [ %.666.i6978, %B690.i ], [ %storemerge, %B122.i.preheader ]
-  %.600.i4946.053719 = phi i64 [ %.670.i6981, %B690.i ], [ 0, %B122.i.preheader ]
-  %.666.i6978 = add nsw i64 %.603.i4947.053720, -1
-  %.670.i6981 = add nsw i64 %.600.i4946.053719, 1
-  %.751.i5946 = getelementptr i64, ptr %arg.solver.8.4, i64 %.600.i4946.053719
-  %.752.i5947 = load i64, ptr %.751.i5946, align 8, !noalias !83
-  %.806.i5995 = getelementptr i64, ptr %49, i64 %.600.i4946.053719
-  %.807.i5996 = load i64, ptr %.806.i5995, align 8, !noalias !83
-  %.867.i6046 = getelementptr double, ptr %50, i64 %.600.i4946.053719
-  store double 0.000000e+00, ptr %.867.i6046, align 8, !noalias !83
-  %.870.i6048 = icmp sgt i64 %.752.i5947, -1
-  br i1 %.870.i6048, label %B224.i6407, label %B690.i
+  %stiffness.2.i.053718 = phi i1 [ %stiffness.3.i.1, %B690.i ], [ false, %B122.i.preheader ]
+  %between.3.i.053717 = phi i1 [ %between.4.i.1, %B690.i ], [ false, %B122.i.preheader ]
+  %.603.i4946.053716 = phi i64 [ %.666.i6978, %B690.i ], [ %storemerge, %B122.i.preheader ]
+  %.600.i4945.053715 = phi i64 [ %.670.i6981, %B690.i ], [ 0, %B122.i.preheader ]
+  %.666.i6978 = add nsw i64 %.603.i4946.053716, -1
+  %.670.i6981 = add nsw i64 %.600.i4945.053715, 1
+  %.751.i5945 = getelementptr i64, ptr %arg.solver.8.4, i64 %.600.i4945.053715
+  %.752.i5946 = load i64, ptr %.751.i5945, align 8, !noalias !83
+  %.806.i5994 = getelementptr i64, ptr %49, i64 %.600.i4945.053715
+  %.807.i5995 = load i64, ptr %.806.i5994, align 8, !noalias !83
+  %.867.i6045 = getelementptr double, ptr %50, i64 %.600.i4945.053715
+  store double 0.000000e+00, ptr %.867.i6045, align 8, !noalias !83
+  %.870.i6047 = icmp sgt i64 %.752.i5946, -1
+  br i1 %.870.i6047, label %B224.i6406, label %B690.i
 
-B60.i.i:                                          ; preds = %B262.i
+B60.i.i:                                          ; preds = %B262.i6453
   %.507.i448.i = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i429.i
   %.508.i449.i = load i64, ptr %.507.i448.i, align 8, !noalias !84
   %.509.i450.i = icmp eq i64 %.508.i449.i, 0
@@ -1299,30 +1299,30 @@ B644:                                             ; preds = %B594, %B122.i.prehe
   store ptr null, ptr %excinfo.8.i7952, align 8, !noalias !87
   %spec.select53114 = select i1 %accepted.2.1.lcssa, i1 true, i1 %.1113
   %spec.select53143 = select i1 %not.brmerge, i1 %spec.select53114, i1 false
-  %or.cond = select i1 %accepted.2.1.lcssa, i1 %.510.i14700, i1 false
+  %or.cond = select i1 %accepted.2.1.lcssa, i1 %.510.i14701, i1 false
   %brmerge53115 = select i1 %or.cond, i1 true, i1 %spec.select53143
   br i1 %brmerge53115, label %B138.i, label %B216.i
 
 B138.i:                                           ; preds = %B644
-  %.460.i.i14677 = load i64, ptr %arg.solver.0.4, align 8, !noalias !91
-  %.501.i.i14694 = inttoptr i64 %.460.i.i14677 to ptr
-  tail call void %.501.i.i14694(ptr %.554.i13816, ptr %.475.i.i14684, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i14693), !noalias !91
+  %.460.i.i14678 = load i64, ptr %arg.solver.0.4, align 8, !noalias !91
+  %.501.i.i14695 = inttoptr i64 %.460.i.i14678 to ptr
+  tail call void %.501.i.i14695(ptr %.554.i13817, ptr %.475.i.i14685, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i14694), !noalias !91
   br label %B216.i
 
 B216.i:                                           ; preds = %B644, %B138.i
-  br i1 %stiffness.2.1, label %B266.i, label %B224.i13330
+  br i1 %stiffness.2.1, label %B266.i7986, label %B224.i13330
 
 B224.i13330:                                      ; preds = %B216.i
   %.445.i.i13766 = load i64, ptr %.444.i.i13765, align 8, !noalias !94
   %.486.i422.i13778 = inttoptr i64 %.445.i.i13766 to ptr
   tail call void %.486.i422.i13778(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !94
-  br label %B266.i
+  br label %B266.i7986
 
-B266.i:                                           ; preds = %B216.i, %B224.i13330
+B266.i7986:                                       ; preds = %B216.i, %B224.i13330
   %142 = select i1 %.441, i1 %accepted.2.1.lcssa, i1 false
   br i1 %142, label %B296.i, label %B368.i
 
-B296.i:                                           ; preds = %B266.i
+B296.i:                                           ; preds = %B266.i7986
   %.445.i861.i = load i64, ptr %.444.i860.i, align 8, !noalias !97
   %.486.i876.i = inttoptr i64 %.445.i861.i to ptr
   tail call void %.486.i876.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !97
@@ -1335,8 +1335,8 @@ B296.i:                                           ; preds = %B266.i
   %.1173.i13322 = icmp ne i8 %.1170.i13321, 0
   br i1 %.1162.i13313.not, label %B368.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
-B368.i:                                           ; preds = %B296.i, %B266.i
-  %crossed.2.i.0 = phi i1 [ false, %B266.i ], [ %.1173.i13322, %B296.i ]
+B368.i:                                           ; preds = %B296.i, %B266.i7986
+  %crossed.2.i.0 = phi i1 [ false, %B266.i7986 ], [ %.1173.i13322, %B296.i ]
   %between.2.1.not = xor i1 %between.2.1, true
   %brmerge53118 = select i1 %between.2.1.not, i1 true, i1 %crossed.2.i.0
   %brmerge53119 = select i1 %brmerge53118, i1 true, i1 %spec.select53143
@@ -1371,11 +1371,11 @@ B82.if.i.i:                                       ; preds = %B384.i
   %.486.i1780.i = inttoptr i64 %.445.i1764.i to ptr
   tail call void %.486.i1780.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !113
   %accepted.2.1.lcssa.not = xor i1 %accepted.2.1.lcssa, true
-  %brmerge53753 = or i1 %.499, %accepted.2.1.lcssa.not
-  br i1 %brmerge53753, label %B498.i, label %B96.if.i.i
+  %brmerge53749 = or i1 %.499, %accepted.2.1.lcssa.not
+  br i1 %brmerge53749, label %B498.i, label %B96.if.i.i
 
 B172.i.i:                                         ; preds = %B96.if.i.i
-  %.723.i2381.i = getelementptr double, ptr %56, i64 %.452.i2192.i.053728
+  %.723.i2381.i = getelementptr double, ptr %56, i64 %.452.i2192.i.053724
   %.724.i2382.i = load double, ptr %.723.i2381.i, align 8, !noalias !116
   %.725.i.i = fcmp uge double %.724.i2382.i, 5.000000e-01
   %.738.i.i9830.not = icmp slt i64 %.660.i2354.i, %arg.solver.5.5.0
@@ -1388,24 +1388,24 @@ B250.i.i:                                         ; preds = %B172.i.i
   %143 = getelementptr double, ptr %arg.solver.5.4, i64 %.660.i2354.i
   %.776.i2411.i = getelementptr double, ptr %143, i64 %.762.i2397.i
   %.777.i2412.i = load double, ptr %.776.i2411.i, align 8, !noalias !116
-  %.831.i2460.i = getelementptr double, ptr %57, i64 %.452.i2192.i.053728
+  %.831.i2460.i = getelementptr double, ptr %57, i64 %.452.i2192.i.053724
   %.832.i2461.i = load double, ptr %.831.i2460.i, align 8, !noalias !116
   %.833.i2462.i = fcmp olt double %.777.i2412.i, %.832.i2461.i
   br i1 %.833.i2462.i, label %B300.i.i, label %B503.i.i
 
 B300.i.i:                                         ; preds = %B250.i.i
-  %.888.i.i9845 = getelementptr double, ptr %58, i64 %.452.i2192.i.053728
+  %.888.i.i9845 = getelementptr double, ptr %58, i64 %.452.i2192.i.053724
   %.889.i.i9846 = load double, ptr %.888.i.i9845, align 8, !noalias !116
   %.890.i.i9847 = fcmp ogt double %.889.i.i9846, 1.000000e+00
   br i1 %.890.i.i9847, label %B338.i.i9848, label %B503.i.i
 
 B338.i.i9848:                                     ; preds = %B300.i.i
-  %.946.i2540.i = getelementptr double, ptr %59, i64 %.452.i2192.i.053728
+  %.946.i2540.i = getelementptr double, ptr %59, i64 %.452.i2192.i.053724
   %.947.i2541.i = load double, ptr %.946.i2540.i, align 8, !noalias !116
   store double 0.000000e+00, ptr %.723.i2381.i, align 8, !noalias !120
-  %.517.i.i.i9917 = getelementptr double, ptr %.1111, i64 %.452.i2192.i.053728
+  %.517.i.i.i9917 = getelementptr double, ptr %.1111, i64 %.452.i2192.i.053724
   store double 0.000000e+00, ptr %.517.i.i.i9917, align 8, !noalias !120
-  %.570.i.i.i = getelementptr double, ptr %60, i64 %.452.i2192.i.053728
+  %.570.i.i.i = getelementptr double, ptr %60, i64 %.452.i2192.i.053724
   store double %.947.i2541.i, ptr %.570.i.i.i, align 8, !noalias !120
   %.626.i.i.i = load i64, ptr %.604.i2305.i, align 8, !noalias !120
   %.652.i.i.i9984 = icmp slt i64 %.626.i.i.i, 0
@@ -1427,7 +1427,7 @@ B338.i.i9848:                                     ; preds = %B300.i.i
   %.838.i.i.i = add nsw i64 %.837.i.i.i, 1
   store i64 %.838.i.i.i, ptr %.836.i.i.i, align 8, !noalias !120
   %.1119.i.i10054 = load double, ptr %.776.i2411.i, align 8, !noalias !116
-  %.1177.i.i10091 = getelementptr double, ptr %61, i64 %.452.i2192.i.053728
+  %.1177.i.i10091 = getelementptr double, ptr %61, i64 %.452.i2192.i.053724
   store double %.1119.i.i10054, ptr %.1177.i.i10091, align 8, !noalias !116
   %.1232.i.i10124 = mul i64 %.605.i2306.i, %arg.solver.6.3.5.1
   %145 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1232.i.i10124
@@ -1438,17 +1438,17 @@ B338.i.i9848:                                     ; preds = %B300.i.i
   br label %B503.i.i
 
 B503.i.i:                                         ; preds = %B250.i.i, %B300.i.i, %B338.i.i9848, %B96.if.i.i, %B172.i.i
-  %.510.i2249.i = icmp sgt i64 %.455.i2193.i.053729, 1
+  %.510.i2249.i = icmp sgt i64 %.455.i2193.i.053725, 1
   br i1 %.510.i2249.i, label %B96.if.i.i, label %B498.i
 
 B96.if.i.i:                                       ; preds = %B82.if.i.i, %B503.i.i
-  %.455.i2193.i.053729 = phi i64 [ %.519.i.i10166, %B503.i.i ], [ %storemerge, %B82.if.i.i ]
-  %.452.i2192.i.053728 = phi i64 [ %.523.i3359.i, %B503.i.i ], [ 0, %B82.if.i.i ]
-  %.519.i.i10166 = add nsw i64 %.455.i2193.i.053729, -1
-  %.523.i3359.i = add nsw i64 %.452.i2192.i.053728, 1
-  %.604.i2305.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i2192.i.053728
+  %.455.i2193.i.053725 = phi i64 [ %.519.i.i10166, %B503.i.i ], [ %storemerge, %B82.if.i.i ]
+  %.452.i2192.i.053724 = phi i64 [ %.523.i3359.i, %B503.i.i ], [ 0, %B82.if.i.i ]
+  %.519.i.i10166 = add nsw i64 %.455.i2193.i.053725, -1
+  %.523.i3359.i = add nsw i64 %.452.i2192.i.053724, 1
+  %.604.i2305.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i2192.i.053724
   %.605.i2306.i = load i64, ptr %.604.i2305.i, align 8, !noalias !116
-  %.659.i.i9806 = getelementptr i64, ptr %55, i64 %.452.i2192.i.053728
+  %.659.i.i9806 = getelementptr i64, ptr %55, i64 %.452.i2192.i.053724
   %.660.i2354.i = load i64, ptr %.659.i.i9806, align 8, !noalias !116
   %.668.i.i9810 = icmp slt i64 %.605.i2306.i, 0
   br i1 %.668.i.i9810, label %B503.i.i, label %B172.i.i
@@ -1534,8 +1534,8 @@ _ZN5numba7cpython7numbers14int_power_impl12_3clocals_3e9int_powerB3v72B40c8tJTC_
   %.674.i.i.i = fmul double %.464.i.i.i, %.629.i.i.i
   %.676.i.i.i = fmul double %.517.i.i.i, %.576.i.i10573.i
   %.677.i.i.i = fsub double %.674.i.i.i, %.676.i.i.i
-  %.678.i.i.i53158 = fsub double %.629.i.i.i, %.576.i.i10573.i
-  %.682.i.i.i = fdiv double %.677.i.i.i, %.678.i.i.i53158
+  %.678.i.i.i53159 = fsub double %.629.i.i.i, %.576.i.i10573.i
+  %.682.i.i.i = fdiv double %.677.i.i.i, %.678.i.i.i53159
   %.688.i.i.i = fcmp olt double %.464.i.i.i, %.682.i.i.i
   %.696.i.i.i = fcmp olt double %.682.i.i.i, %.517.i.i.i
   %or.cond.i.i = select i1 %.688.i.i.i, i1 %.696.i.i.i, i1 false
@@ -1544,9 +1544,9 @@ _ZN5numba7cpython7numbers14int_power_impl12_3clocals_3e9int_powerB3v72B40c8tJTC_
   %.724.i.i.i = tail call double @llvm.copysign.f64(double 1.000000e+00, double %.723.i.i.i)
   %.738.i.i.i = fmul double %.667.i.i.i, %.667.i.i.i
   %.741.i.i.i = tail call double @llvm.fabs.f64(double %.723.i.i.i)
-  %.10.i.i.i.i53159 = fcmp olt double %.741.i.i.i, %.738.i.i.i
-  %.11.i.i.i.i53160 = select i1 %.10.i.i.i.i53159, double %.741.i.i.i, double %.738.i.i.i
-  %.771.i.i.i = fmul double %.724.i.i.i, %.11.i.i.i.i53160
+  %.10.i.i.i.i53160 = fcmp olt double %.741.i.i.i, %.738.i.i.i
+  %.11.i.i.i.i53161 = select i1 %.10.i.i.i.i53160, double %.741.i.i.i, double %.738.i.i.i
+  %.771.i.i.i = fmul double %.724.i.i.i, %.11.i.i.i.i53161
   %.772.i.i.i = fadd double %"$phi276.0.2.i.0.i.i", %.771.i.i.i
   %.778.i.i.i = fsub double %.772.i.i.i, %.633.i.i.i
   %.779.i.i.i = tail call double @llvm.fabs.f64(double %.778.i.i.i)
@@ -1921,7 +1921,7 @@ B454.i.i:                                         ; preds = %B454.i.i.preheader,
   %point.2.0.i.i = phi i64 [ %.1492.i.i, %B562.i.i ], [ 1, %B454.i.i.preheader ]
   %distance.3.0.i.i = phi double [ %distance.2.2.i.i, %B562.i.i ], [ 0.000000e+00, %B454.i.i.preheader ]
   %164 = icmp ult i64 %point.2.0.i.i, 9
-  br i1 %164, label %switch.lookup53882, label %_ZN5pages14event_location12bracket_nextB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo
+  br i1 %164, label %switch.lookup53878, label %_ZN5pages14event_location12bracket_nextB3v67B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo
 
 B108.if.i631.i.i:                                 ; preds = %B108.if.i631.lr.ph.i.i, %B108.if.i631.i.i
   %least.2.i410.02499.i.i = phi double [ 0x7FF0000000000000, %B108.if.i631.lr.ph.i.i ], [ %.11.i.i627.i.i, %B108.if.i631.i.i ]
@@ -1953,10 +1953,10 @@ B532.i.i:                                         ; preds = %B488.endif.i.i
     i64 4, label %switch.4.1.i.i
   ]
 
-B562.i.i:                                         ; preds = %switch.8.1.i.i, %switch.7.1.i.i, %switch.6.1.i.i, %switch.5.1.i.i, %switch.4.1.i.i, %switch.3.1.i.i, %switch.2.1.i.i, %switch.1.1.i.i, %B488.endif.i.i, %switch.lookup53882, %B532.i.i
-  %low.3.2.i.i = phi double [ %low.2.0.i.i, %switch.lookup53882 ], [ %low.2.0.i.i, %B488.endif.i.i ], [ 1.000000e+00, %switch.8.1.i.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i.i ], [ 2.500000e-01, %switch.2.1.i.i ], [ 3.333000e-01, %switch.3.1.i.i ], [ 5.000000e-01, %switch.4.1.i.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i.i ], [ 7.500000e-01, %switch.6.1.i.i ], [ 8.889000e-01, %switch.7.1.i.i ], [ 0.000000e+00, %B532.i.i ]
-  %distance_low.3.2.i.i = phi double [ %distance_low.4.0.i.i, %switch.lookup53882 ], [ %distance_low.4.0.i.i, %B488.endif.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.8.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.1.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.2.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.3.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.4.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.5.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.6.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.7.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %B532.i.i ]
-  %distance.2.2.i.i = phi double [ %distance.3.0.i.i, %switch.lookup53882 ], [ %least.2.i410.0.lcssa.i.i, %B488.endif.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.8.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.1.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.2.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.3.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.4.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.5.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.6.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.7.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %B532.i.i ]
+B562.i.i:                                         ; preds = %switch.8.1.i.i, %switch.7.1.i.i, %switch.6.1.i.i, %switch.5.1.i.i, %switch.4.1.i.i, %switch.3.1.i.i, %switch.2.1.i.i, %switch.1.1.i.i, %B488.endif.i.i, %switch.lookup53878, %B532.i.i
+  %low.3.2.i.i = phi double [ %low.2.0.i.i, %switch.lookup53878 ], [ %low.2.0.i.i, %B488.endif.i.i ], [ 1.000000e+00, %switch.8.1.i.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i.i ], [ 2.500000e-01, %switch.2.1.i.i ], [ 3.333000e-01, %switch.3.1.i.i ], [ 5.000000e-01, %switch.4.1.i.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i.i ], [ 7.500000e-01, %switch.6.1.i.i ], [ 8.889000e-01, %switch.7.1.i.i ], [ 0.000000e+00, %B532.i.i ]
+  %distance_low.3.2.i.i = phi double [ %distance_low.4.0.i.i, %switch.lookup53878 ], [ %distance_low.4.0.i.i, %B488.endif.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.8.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.1.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.2.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.3.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.4.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.5.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.6.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.7.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %B532.i.i ]
+  %distance.2.2.i.i = phi double [ %distance.3.0.i.i, %switch.lookup53878 ], [ %least.2.i410.0.lcssa.i.i, %B488.endif.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.8.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.1.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.2.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.3.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.4.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.5.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.6.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %switch.7.1.i.i ], [ %least.2.i410.0.lcssa.i.i, %B532.i.i ]
   %.1502.i.i = icmp eq i64 %point.2.0.i.i, 8
   %.1492.i.i = add nsw i64 %point.2.0.i.i, 1
   %.1535.i.i = fcmp ult double %distance.2.2.i.i, 0.000000e+00
@@ -1966,15 +1966,15 @@ B562.i.i:                                         ; preds = %switch.8.1.i.i, %sw
 B606.i.i:                                         ; preds = %B562.i.i
   store double %low.3.2.i.i, ptr %.473.i.i, align 8, !noalias !187
   %.1626.i.i = fcmp uge double %distance.2.2.i.i, 0.000000e+00
-  br i1 %.1626.i.i, label %B676.i.i, label %switch.lookup53885
+  br i1 %.1626.i.i, label %B676.i.i, label %switch.lookup53881
 
-switch.lookup53885:                               ; preds = %B606.i.i
-  %switch.gep53886 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i.i
-  %switch.load53887 = load double, ptr %switch.gep53886, align 8
+switch.lookup53881:                               ; preds = %B606.i.i
+  %switch.gep53882 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i.i
+  %switch.load53883 = load double, ptr %switch.gep53882, align 8
   br label %B676.i.i
 
-B676.i.i:                                         ; preds = %switch.lookup53885, %B606.i.i
-  %"$phi676.0.2.0.i.i" = phi double [ %low.3.2.i.i, %B606.i.i ], [ %switch.load53887, %switch.lookup53885 ]
+B676.i.i:                                         ; preds = %switch.lookup53881, %B606.i.i
+  %"$phi676.0.2.0.i.i" = phi double [ %low.3.2.i.i, %B606.i.i ], [ %switch.load53883, %switch.lookup53881 ]
   store double %"$phi676.0.2.0.i.i", ptr %.527.i.i53148, align 8, !noalias !187
   store double %distance_low.3.2.i.i, ptr %.1790.i.i, align 8, !noalias !187
   store double %distance.2.2.i.i, ptr %.1847.i.i, align 8, !noalias !187
@@ -1985,13 +1985,13 @@ B196.if.i.i:                                      ; preds = %B302.i.i, %B196.if.
   %.674.i.i = add nsw i64 %.603.02488.i.i, 1
   br i1 %.not.i, label %B300.i.i53157, label %B292.i.i
 
-switch.lookup53882:                               ; preds = %B454.i.i
-  %switch.gep53883 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i.i
-  %switch.load53884 = load double, ptr %switch.gep53883, align 8
-  %.1267.i.i = fcmp ogt double %switch.load53884, %low.2.0.i.i
+switch.lookup53878:                               ; preds = %B454.i.i
+  %switch.gep53879 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i.i
+  %switch.load53880 = load double, ptr %switch.gep53879, align 8
+  %.1267.i.i = fcmp ogt double %switch.load53880, %low.2.0.i.i
   br i1 %.1267.i.i, label %B108.i472.preheader.i.i, label %B562.i.i
 
-B108.i472.preheader.i.i:                          ; preds = %switch.lookup53882
+B108.i472.preheader.i.i:                          ; preds = %switch.lookup53878
   br i1 %.6612487.not.i.i, label %B488.endif.i.i, label %B108.if.i631.lr.ph.i.i
 
 B108.if.i631.lr.ph.i.i:                           ; preds = %B108.i472.preheader.i.i
@@ -2229,7 +2229,7 @@ _ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yR
   %excinfo.1.2.i = phi ptr [ null, %_ZN5pages14event_location14measure_effectB3v75B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f ], [ %.1179.i.mux.le.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20a10976 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.26, %B86.if.i.i ]
   %.5421.i = phi i32 [ 0, %_ZN5pages14event_location14measure_effectB3v75B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f ], [ %.1170.i.mux.le.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20a10976 ], [ 1, %B86.if.i.i ]
   %.544.not.i = icmp eq i32 %.5421.i, 0
-  br i1 %.544.not.i, label %B0.endif.i53161, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, !prof !100
+  br i1 %.544.not.i, label %B0.endif.i53162, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, !prof !100
 
 B468.i.i10838.i:                                  ; preds = %_ZN5numba7cpython7numbers14int_power_impl12_3clocals_3e9int_powerB3v72B40c8tJTC_2fWQA93W1AaAIYBPIqRBFCjDSyhCQA_3dEdx.exit.i10730.i
   %.10.i3.i.i10839.i = fcmp olt double %.669.i.i10734.i, 0.000000e+00
@@ -2256,7 +2256,7 @@ B386.i10834.i:                                    ; preds = %B204.endif.endif.i1
 
 B437.i10835.i:                                    ; preds = %B386.i10834.i, %B336.i10837.i
   %exitcond3418.not.i10836.i = icmp eq i64 %.513.i10712.i, 45
-  br i1 %exitcond3418.not.i10836.i, label %B144.i, label %B58.if.i10710.i
+  br i1 %exitcond3418.not.i10836.i, label %B138.i53163, label %B58.if.i10710.i
 
 B58.if.i10710.i:                                  ; preds = %B0.endif.endif.endif.i, %B437.i10835.i
   %.442.03409.i10711.i = phi i64 [ %.513.i10712.i, %B437.i10835.i ], [ 0, %B0.endif.endif.endif.i ]
@@ -2368,7 +2368,7 @@ B60.endif.endif.i10809.i:                         ; preds = %B156.if.i.i10763.i,
   %.932.i10811.i = load double, ptr %.473.i.i, align 8, !noalias !243
   %.933.i10812.i = fsub double %.878.i10810.i, %.932.i10811.i
   %.935.i10813.i = fcmp ugt double %.933.i10812.i, 1.000000e-13
-  br i1 %.935.i10813.i, label %B204.i10814.i, label %B144.i
+  br i1 %.935.i10813.i, label %B204.i10814.i, label %B138.i53163
 
 B108.if.i.i10817.i:                               ; preds = %B204.i10814.i, %B108.if.i.i10817.i
   %least.2.i.03407.i10818.i = phi double [ %.11.i.i1644.i10829.i, %B108.if.i.i10817.i ], [ 0x7FF0000000000000, %B204.i10814.i ]
@@ -2392,45 +2392,45 @@ B204.endif.endif.i10831.i:                        ; preds = %B108.if.i.i10817.i,
   %.1305.i10833.i = fcmp olt double %least.2.i.0.lcssa.i10832.i, 0.000000e+00
   br i1 %.1305.i10833.i, label %B336.i10837.i, label %B386.i10834.i
 
-B144.i:                                           ; preds = %B60.endif.endif.i10809.i, %B437.i10835.i, %B0.endif.endif.endif.i
-  %.912.i = load double, ptr %.520.i.i.i, align 8, !noalias !260
-  %.969.i = load double, ptr %.968.i, align 8, !noalias !260
-  store double %.969.i, ptr %.576.i.i.i, align 8, !noalias !260
-  %.1081.i = load i64, ptr %.584.i.i53147, align 8, !noalias !260
-  %.1084.i = icmp slt i64 %.1081.i, 0
-  br i1 %.1084.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B270.i
+B138.i53163:                                      ; preds = %B60.endif.endif.i10809.i, %B437.i10835.i, %B0.endif.endif.endif.i
+  %.911.i = load double, ptr %.520.i.i.i, align 8, !noalias !260
+  %.968.i = load double, ptr %.967.i, align 8, !noalias !260
+  store double %.968.i, ptr %.576.i.i.i, align 8, !noalias !260
+  %.1080.i = load i64, ptr %.584.i.i53147, align 8, !noalias !260
+  %.1083.i = icmp slt i64 %.1080.i, 0
+  br i1 %.1083.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B264.i
 
-B270.i:                                           ; preds = %B144.i
-  %.1126.i = load double, ptr %.1125.i, align 8, !noalias !260
-  %.1157.i = load double, ptr %arg.solver.5.4, align 8, !noalias !260
-  %.1158.i = fsub double %.1126.i, %.1157.i
-  %.1159.i = fmul double %.1158.i, 1.000000e-13
-  %.1164.i = fmul double %.1159.i, 2.000000e+00
-  %.1166.i = fcmp ogt double %.912.i, %.1164.i
-  %.1223.i = load double, ptr %.468.i.i, align 8, !noalias !260
-  %.1224.i = fcmp ogt double %.1223.i, 1.000000e-01
-  br i1 %.1224.i, label %B406.i, label %B690.i53162
+B264.i:                                           ; preds = %B138.i53163
+  %.1125.i = load double, ptr %.1124.i, align 8, !noalias !260
+  %.1156.i = load double, ptr %arg.solver.5.4, align 8, !noalias !260
+  %.1157.i = fsub double %.1125.i, %.1156.i
+  %.1158.i = fmul double %.1157.i, 1.000000e-13
+  %.1163.i = fmul double %.1158.i, 2.000000e+00
+  %.1165.i = fcmp ogt double %.911.i, %.1163.i
+  %.1222.i = load double, ptr %.468.i.i, align 8, !noalias !260
+  %.1223.i = fcmp ogt double %.1222.i, 1.000000e-01
+  br i1 %.1223.i, label %B400.i, label %B684.i
 
-B406.i:                                           ; preds = %B270.i
-  br i1 %.1166.i, label %B506.i, label %B652.i
+B400.i:                                           ; preds = %B264.i
+  br i1 %.1165.i, label %B500.i, label %B646.i
 
-B506.i:                                           ; preds = %B406.i
-  %.1230.i = tail call double @llvm.fabs.f64(double %.969.i)
-  %.1233.i = fmul double %.1230.i, 4.000000e-15
-  %.1227.i = fmul double %.912.i, 0x3D719799812DEA11
-  %.10.i.i = fcmp ogt double %.1233.i, %.1227.i
-  %.11.i.i53169 = select i1 %.10.i.i, double %.1233.i, double %.1227.i
-  %.1322.i = load double, ptr %.473.i.i, align 8, !noalias !260
-  %.1323.i = fsub double 1.000000e+00, %.1322.i
-  %.1325.i = fmul double %.912.i, %.1323.i
-  %.1327.i = fcmp ogt double %.1325.i, %.11.i.i53169
-  br i1 %.1327.i, label %B556.i, label %B652.i
+B500.i:                                           ; preds = %B400.i
+  %.1229.i = tail call double @llvm.fabs.f64(double %.968.i)
+  %.1232.i = fmul double %.1229.i, 4.000000e-15
+  %.1226.i = fmul double %.911.i, 0x3D719799812DEA11
+  %.10.i.i = fcmp ogt double %.1232.i, %.1226.i
+  %.11.i.i53169 = select i1 %.10.i.i, double %.1232.i, double %.1226.i
+  %.1321.i = load double, ptr %.473.i.i, align 8, !noalias !260
+  %.1322.i = fsub double 1.000000e+00, %.1321.i
+  %.1324.i = fmul double %.911.i, %.1322.i
+  %.1326.i = fcmp ogt double %.1324.i, %.11.i.i53169
+  br i1 %.1326.i, label %B550.i53170, label %B646.i
 
-B556.i:                                           ; preds = %B506.i
-  %.1385.i = load double, ptr %.527.i.i53148, align 8, !noalias !260
-  %.1389.i = fmul double %.912.i, %.1385.i
-  %.10.i10845.i = fcmp ogt double %.1159.i, %.1389.i
-  %.11.i10846.i = select i1 %.10.i10845.i, double %.1159.i, double %.1389.i
+B550.i53170:                                      ; preds = %B500.i
+  %.1384.i = load double, ptr %.527.i.i53148, align 8, !noalias !260
+  %.1388.i = fmul double %.911.i, %.1384.i
+  %.10.i10845.i = fcmp ogt double %.1158.i, %.1388.i
+  %.11.i10846.i = select i1 %.10.i10845.i, double %.1158.i, double %.1388.i
   store double 0.000000e+00, ptr %.464.i1150.i, align 8, !noalias !261
   store double 0.000000e+00, ptr %.1111, align 8, !noalias !261
   store double %.11.i10846.i, ptr %.570.i1212.i, align 8, !noalias !261
@@ -2455,33 +2455,33 @@ B556.i:                                           ; preds = %B506.i
   store i64 %.838.i1422.i, ptr %.836.i1420.i, align 8, !noalias !261
   br label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
-B652.i:                                           ; preds = %B506.i, %B406.i
-  store double 1.000000e+00, ptr %.1626.i, align 8, !noalias !260
+B646.i:                                           ; preds = %B500.i, %B400.i
+  store double 1.000000e+00, ptr %.1625.i, align 8, !noalias !260
   br label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
-B690.i53162:                                      ; preds = %B270.i
-  br i1 %.1166.i, label %B758.i, label %B56.i.i.preheader
+B684.i:                                           ; preds = %B264.i
+  br i1 %.1165.i, label %B752.i, label %B56.i.i.preheader
 
-B56.i.i.preheader:                                ; preds = %B762.endif.endif.i, %B690.i53162
+B56.i.i.preheader:                                ; preds = %B756.endif.endif.i, %B684.i
   br label %B56.i.i
 
-B758.i:                                           ; preds = %B690.i53162
-  %.1688.i = load double, ptr %.473.i.i, align 8, !noalias !260
-  %.1742.i = load double, ptr %.527.i.i53148, align 8, !noalias !260
-  %.1743.i = fcmp olt double %.1688.i, %.1742.i
-  br i1 %.1743.i, label %B818.i53164, label %B762.i
+B752.i:                                           ; preds = %B684.i
+  %.1687.i = load double, ptr %.473.i.i, align 8, !noalias !260
+  %.1741.i = load double, ptr %.527.i.i53148, align 8, !noalias !260
+  %.1742.i = fcmp olt double %.1687.i, %.1741.i
+  br i1 %.1742.i, label %B812.i, label %B756.i
 
-B762.i:                                           ; preds = %B758.i
-  %.28.i.i = tail call double @llvm.fabs.f64(double %.969.i)
+B756.i:                                           ; preds = %B752.i
+  %.28.i.i = tail call double @llvm.fabs.f64(double %.968.i)
   %.29.i.i = fmul double %.28.i.i, 1.000000e-15
-  %.33.i.i = fdiv double %.29.i.i, %.912.i
+  %.33.i.i = fdiv double %.29.i.i, %.911.i
   br i1 %.134548.i.i, label %B48.i.preheader.i.i, label %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i
 
-B48.i.preheader.i.i:                              ; preds = %B762.i, %B414.i.i
-  %.124.sroa.0.0556.i.i = phi i64 [ %.124.sroa.0.0.i.i, %B414.i.i ], [ 0, %B762.i ]
-  %.79.1555.i.i = phi i64 [ %.79.1.i.i, %B414.i.i ], [ %.79.1551.i.i, %B762.i ]
-  %.76.1554.i.i = phi i64 [ %.76.1.i.i, %B414.i.i ], [ 1, %B762.i ]
-  %excinfo.2.0553.i.i = phi ptr [ %excinfo.2.1.i.i, %B414.i.i ], [ null, %B762.i ]
+B48.i.preheader.i.i:                              ; preds = %B756.i, %B414.i.i
+  %.124.sroa.0.0556.i.i = phi i64 [ %.124.sroa.0.0.i.i, %B414.i.i ], [ 0, %B756.i ]
+  %.79.1555.i.i = phi i64 [ %.79.1.i.i, %B414.i.i ], [ %.79.1551.i.i, %B756.i ]
+  %.76.1554.i.i = phi i64 [ %.76.1.i.i, %B414.i.i ], [ 1, %B756.i ]
+  %excinfo.2.0553.i.i = phi ptr [ %excinfo.2.1.i.i, %B414.i.i ], [ null, %B756.i ]
   %.196.i.i.i = icmp slt i64 %.124.sroa.0.0556.i.i, 0
   %.197.i.i.i = select i1 %.196.i.i.i, i64 %arg.solver.12.5.2, i64 0
   %.198.i.i.i = add i64 %.197.i.i.i, %.124.sroa.0.0556.i.i
@@ -2661,11 +2661,11 @@ B340.i.i.i:                                       ; preds = %B328.i.i.i
   br i1 %.554.i161.i.i, label %B450.i.i.i, label %B765.i.i.i
 
 B450.i.i.i:                                       ; preds = %B340.i.i.i
-  %switch.tableidx53888 = add i64 %.137.i.sroa.0.0547.i.i, 9
-  %184 = icmp ult i64 %switch.tableidx53888, 18
-  br i1 %184, label %switch.lookup53889, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
+  %switch.tableidx53884 = add i64 %.137.i.sroa.0.0547.i.i, 9
+  %184 = icmp ult i64 %switch.tableidx53884, 18
+  br i1 %184, label %switch.lookup53885, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
 
-B656.i.i.i:                                       ; preds = %switch.lookup53901
+B656.i.i.i:                                       ; preds = %switch.lookup53897
   %.763.i.i.i = fneg double %.707.i.i.i
   %.767.i.i.i = fmul double %.753.i.i.i, 5.000000e-01
   %.772.i.i10857.i = fdiv double %.767.i.i.i, %.736.i.i.i
@@ -2683,8 +2683,8 @@ B696.i.i.i:                                       ; preds = %B656.i.i.i
   %.11.i8.i.i.i = select i1 %.10.i7.i.i.i, double %.823.i.i.i, double %least.6.i.2.i.i
   br label %B765.i.i.i
 
-B765.i.i.i:                                       ; preds = %switch.lookup53901, %B696.i.i.i, %B656.i.i.i, %B340.i.i.i, %B328.i.i.i
-  %least.4.i.1.i.i = phi double [ %least.6.i.2.i.i, %B656.i.i.i ], [ %.11.i8.i.i.i, %B696.i.i.i ], [ %least.6.i.2.i.i, %B328.i.i.i ], [ %least.6.i.2.i.i, %switch.lookup53901 ], [ %least.6.i.2.i.i, %B340.i.i.i ]
+B765.i.i.i:                                       ; preds = %switch.lookup53897, %B696.i.i.i, %B656.i.i.i, %B340.i.i.i, %B328.i.i.i
+  %least.4.i.1.i.i = phi double [ %least.6.i.2.i.i, %B656.i.i.i ], [ %.11.i8.i.i.i, %B696.i.i.i ], [ %least.6.i.2.i.i, %B328.i.i.i ], [ %least.6.i.2.i.i, %switch.lookup53897 ], [ %least.6.i.2.i.i, %B340.i.i.i ]
   %.147.i44.i.i = icmp ne i64 %.93.i.1546.i.i, 0
   %.160.i.i.i = zext i1 %.147.i44.i.i to i64
   %.90.i19.1.i.i = add i64 %.90.i19.1545.i.i, %.160.i.i.i
@@ -2693,32 +2693,32 @@ B765.i.i.i:                                       ; preds = %switch.lookup53901,
   %.137.i.sroa.0.0.i.i = select i1 %.147.i44.i.i, i64 %.90.i19.1545.i.i, i64 0
   br i1 %.147.i44.i.i, label %B108.i.i.i53165, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
 
-switch.lookup53889:                               ; preds = %B450.i.i.i
-  %switch.tableidx53892 = add i64 %.137.i.sroa.0.0547.i.i, 8
-  %185 = icmp ult i64 %switch.tableidx53892, 18
-  br i1 %185, label %switch.lookup53893, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
+switch.lookup53885:                               ; preds = %B450.i.i.i
+  %switch.tableidx53888 = add i64 %.137.i.sroa.0.0547.i.i, 8
+  %185 = icmp ult i64 %switch.tableidx53888, 18
+  br i1 %185, label %switch.lookup53889, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
 
-switch.lookup53893:                               ; preds = %switch.lookup53889
+switch.lookup53889:                               ; preds = %switch.lookup53885
+  %switch.gep53886 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53884
+  %switch.load53887 = load double, ptr %switch.gep53886, align 8
   %switch.gep53890 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53888
   %switch.load53891 = load double, ptr %switch.gep53890, align 8
-  %switch.gep53894 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53892
-  %switch.load53895 = load double, ptr %switch.gep53894, align 8
-  %.630.i.i.i = fsub double %switch.load53891, %switch.load53895
-  %switch.tableidx53896 = add i64 %.137.i.sroa.0.0547.i.i, 10
-  %186 = icmp ult i64 %switch.tableidx53896, 18
-  br i1 %186, label %switch.lookup53897, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
+  %.630.i.i.i = fsub double %switch.load53887, %switch.load53891
+  %switch.tableidx53892 = add i64 %.137.i.sroa.0.0547.i.i, 10
+  %186 = icmp ult i64 %switch.tableidx53892, 18
+  br i1 %186, label %switch.lookup53893, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
+
+switch.lookup53893:                               ; preds = %switch.lookup53889
+  %switch.tableidx53896 = add i64 %.137.i.sroa.0.0547.i.i, 9
+  %187 = icmp ult i64 %switch.tableidx53896, 18
+  br i1 %187, label %switch.lookup53897, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
 
 switch.lookup53897:                               ; preds = %switch.lookup53893
-  %switch.tableidx53900 = add i64 %.137.i.sroa.0.0547.i.i, 9
-  %187 = icmp ult i64 %switch.tableidx53900, 18
-  br i1 %187, label %switch.lookup53901, label %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
-
-switch.lookup53901:                               ; preds = %switch.lookup53897
+  %switch.gep53894 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53892
+  %switch.load53895 = load double, ptr %switch.gep53894, align 8
   %switch.gep53898 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53896
   %switch.load53899 = load double, ptr %switch.gep53898, align 8
-  %switch.gep53902 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks13find_crossingB3v50B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_295ArrayIdLi3E1C7mutable7alignedE.16, i64 %switch.tableidx53900
-  %switch.load53903 = load double, ptr %switch.gep53902, align 8
-  %.707.i.i.i = fsub double %switch.load53899, %switch.load53903
+  %.707.i.i.i = fsub double %switch.load53895, %switch.load53899
   %.720.i.i.i = fdiv double %.548.i158.i.i, %.707.i.i.i
   %.723.i.i10856.i = fsub double %b.2.i.1.i.i, %a.2.i.1.i.i
   %.728.i.i.i = fdiv double %.723.i.i10856.i, %.630.i.i.i
@@ -2730,11 +2730,11 @@ switch.lookup53901:                               ; preds = %switch.lookup53897
   %.758.i.i.i = fcmp ogt double %.736.i.i.i, 0.000000e+00
   br i1 %.758.i.i.i, label %B656.i.i.i, label %B765.i.i.i
 
-_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i: ; preds = %switch.lookup53897, %switch.lookup53893, %switch.lookup53889, %B450.i.i.i, %B765.i.i.i
-  %.147.i44.lcssa.i.i = phi i1 [ true, %switch.lookup53897 ], [ true, %switch.lookup53893 ], [ true, %switch.lookup53889 ], [ true, %B450.i.i.i ], [ false, %B765.i.i.i ]
-  %.584.0.i.i = phi double [ 0.000000e+00, %switch.lookup53897 ], [ 0.000000e+00, %switch.lookup53893 ], [ 0.000000e+00, %switch.lookup53889 ], [ 0.000000e+00, %B450.i.i.i ], [ %least.4.i.1.i.i, %B765.i.i.i ]
-  %excinfo.2.2.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53897 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53893 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53889 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %B450.i.i.i ], [ %excinfo.2.0553.i.i, %B765.i.i.i ]
-  %.594207.i.i = phi i32 [ 1, %switch.lookup53897 ], [ 1, %switch.lookup53893 ], [ 1, %switch.lookup53889 ], [ 1, %B450.i.i.i ], [ 0, %B765.i.i.i ]
+_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i: ; preds = %switch.lookup53893, %switch.lookup53889, %switch.lookup53885, %B450.i.i.i, %B765.i.i.i
+  %.147.i44.lcssa.i.i = phi i1 [ true, %switch.lookup53893 ], [ true, %switch.lookup53889 ], [ true, %switch.lookup53885 ], [ true, %B450.i.i.i ], [ false, %B765.i.i.i ]
+  %.584.0.i.i = phi double [ 0.000000e+00, %switch.lookup53893 ], [ 0.000000e+00, %switch.lookup53889 ], [ 0.000000e+00, %switch.lookup53885 ], [ 0.000000e+00, %B450.i.i.i ], [ %least.4.i.1.i.i, %B765.i.i.i ]
+  %excinfo.2.2.i.i = phi ptr [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53893 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53889 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %switch.lookup53885 ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.9.31, %B450.i.i.i ], [ %excinfo.2.0553.i.i, %B765.i.i.i ]
+  %.594207.i.i = phi i32 [ 1, %switch.lookup53893 ], [ 1, %switch.lookup53889 ], [ 1, %switch.lookup53885 ], [ 1, %B450.i.i.i ], [ 0, %B765.i.i.i ]
   br i1 %.147.i44.lcssa.i.i, label %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i, label %B348.endif.i.i, !prof !276
 
 B414.i.i:                                         ; preds = %B348.endif.i.i, %B48.i.preheader.i.i
@@ -2752,23 +2752,23 @@ B348.endif.i.i:                                   ; preds = %_ZN5pages12event_ch
   br i1 %.620.i.i, label %B414.i.i, label %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i
 
 _ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i: ; preds = %B348.endif.i.i, %B414.i.i, %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i
-  %.1783.not.ph.i = phi i1 [ false, %B348.endif.i.i ], [ true, %B414.i.i ], [ true, %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i ]
+  %.1782.not.ph.i = phi i1 [ false, %B348.endif.i.i ], [ true, %B414.i.i ], [ true, %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i ]
   %excinfo.7.0.ph.i = phi ptr [ null, %B348.endif.i.i ], [ null, %B414.i.i ], [ %excinfo.2.2.i.i, %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i ]
   %common.ret.op.i10847.ph.i = phi i32 [ 0, %B348.endif.i.i ], [ 0, %B414.i.i ], [ %.594207.i.i, %_ZN5pages12event_checks17least_distance_ofB3v82B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE5ArrayIdLi3E1C7mutable7alignedEx23Literal_5bint_5d_288_29d.exit.i.i ]
   %188 = icmp eq i32 %common.ret.op.i10847.ph.i, 0
   br label %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i
 
-_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i: ; preds = %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i, %B762.i
-  %.1783.not.i = phi i1 [ true, %B762.i ], [ %.1783.not.ph.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
-  %excinfo.7.0.i = phi ptr [ null, %B762.i ], [ %excinfo.7.0.ph.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
-  %common.ret.op.i10847.i = phi i1 [ true, %B762.i ], [ %188, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
-  br i1 %common.ret.op.i10847.i, label %B762.endif.endif.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, !prof !100
+_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i: ; preds = %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i, %B756.i
+  %.1782.not.i = phi i1 [ true, %B756.i ], [ %.1782.not.ph.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
+  %excinfo.7.0.i = phi ptr [ null, %B756.i ], [ %excinfo.7.0.ph.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
+  %common.ret.op.i10847.i = phi i1 [ true, %B756.i ], [ %188, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.loopexit.i ]
+  br i1 %common.ret.op.i10847.i, label %B756.endif.endif.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, !prof !100
 
-B818.i53164:                                      ; preds = %B762.endif.endif.i, %B758.i
-  %.1808.i = fmul double %.912.i, 5.000000e-01
+B812.i:                                           ; preds = %B756.endif.endif.i, %B752.i
+  %.1807.i = fmul double %.911.i, 5.000000e-01
   store double 0.000000e+00, ptr %.464.i436.i, align 8, !noalias !277
   store double 0.000000e+00, ptr %.1111, align 8, !noalias !277
-  store double %.1808.i, ptr %.570.i476.i, align 8, !noalias !277
+  store double %.1807.i, ptr %.570.i476.i, align 8, !noalias !277
   %.626.i.i = load i64, ptr %arg.solver.8.4, align 8, !noalias !277
   %.652.i504.i = icmp slt i64 %.626.i.i, 0
   %.653.i505.i = select i1 %.652.i504.i, i64 %arg.solver.6.3.5.0, i64 0
@@ -2795,9 +2795,9 @@ B56.i.i:                                          ; preds = %B56.i.i.preheader, 
   %exitcond11014.not.i = icmp eq i64 %.65.i.0.i, %storemerge.i.i
   br i1 %exitcond11014.not.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, label %B56.if.i.i
 
-B130.i.i53163:                                    ; preds = %B56.if.i.i
+B130.i.i53164:                                    ; preds = %B56.if.i.i
   %190 = icmp sgt i64 %.65.i.0.i, -1
-  br i1 %190, label %B922.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
+  br i1 %190, label %B916.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
 B56.if.i.i:                                       ; preds = %B56.i.i
   %.136.i.i = add i64 %.65.i.0.i, 1
@@ -2807,18 +2807,18 @@ B56.if.i.i:                                       ; preds = %B56.i.i
   %.317.i1507.i = load double, ptr %.316.i1506.i, align 8, !noalias !280
   %.318.i1508.i = fneg double %.317.i1507.i
   %.319.i1509.i = fcmp olt double %.240.i.i, %.318.i1508.i
-  br i1 %.319.i1509.i, label %B130.i.i53163, label %B56.i.i
+  br i1 %.319.i1509.i, label %B130.i.i53164, label %B56.i.i
 
-B922.i:                                           ; preds = %B130.i.i53163
-  store double 1.000000e+00, ptr %.2050.i, align 8, !noalias !260
+B916.i:                                           ; preds = %B130.i.i53164
+  store double 1.000000e+00, ptr %.2049.i, align 8, !noalias !260
   br label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
-B0.endif.i53161:                                  ; preds = %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_
+B0.endif.i53162:                                  ; preds = %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_
   %.485.i10863.i = load i64, ptr %.584.i.i53147, align 8, !noalias !284
   %.486.i10864.i = icmp slt i64 %.485.i10863.i, 0
   br i1 %.486.i10864.i, label %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, label %B70.i10865.i
 
-B70.i10865.i:                                     ; preds = %B0.endif.i53161
+B70.i10865.i:                                     ; preds = %B0.endif.i53162
   %.541.i10868.i = load double, ptr %.468.i.i, align 8, !noalias !284
   %.542.i10869.i = fcmp ule double %.541.i10868.i, 1.000000e-01
   br i1 %.542.i10869.i, label %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, label %B130.i10870.i
@@ -2853,7 +2853,7 @@ B454.i10889.i:                                    ; preds = %B454.i10889.i.prehe
   %point.2.0.i10892.i = phi i64 [ %.1490.i.i, %B562.i10896.i ], [ 1, %B454.i10889.i.preheader ]
   %distance.3.0.i10893.i = phi double [ %distance.2.2.i10899.i, %B562.i10896.i ], [ 0.000000e+00, %B454.i10889.i.preheader ]
   %192 = icmp ult i64 %point.2.0.i10892.i, 9
-  br i1 %192, label %switch.lookup53904, label %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo
+  br i1 %192, label %switch.lookup53900, label %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo
 
 B108.if.i636.i.i:                                 ; preds = %B108.if.i636.lr.ph.i.i, %B108.if.i636.i.i
   %least.2.i410.02477.i.i = phi double [ 0x7FF0000000000000, %B108.if.i636.lr.ph.i.i ], [ %.11.i.i632.i.i, %B108.if.i636.i.i ]
@@ -2885,10 +2885,10 @@ B532.i10920.i:                                    ; preds = %B488.endif.i10918.i
     i64 4, label %switch.4.1.i10921.i
   ]
 
-B562.i10896.i:                                    ; preds = %switch.8.1.i10926.i, %switch.7.1.i10922.i, %switch.6.1.i10928.i, %switch.5.1.i10924.i, %switch.4.1.i10921.i, %switch.3.1.i10923.i, %switch.2.1.i10925.i, %switch.1.1.i10927.i, %B488.endif.i10918.i, %switch.lookup53904, %B532.i10920.i
-  %low.3.2.i10897.i = phi double [ %low.2.0.i10890.i, %switch.lookup53904 ], [ %low.2.0.i10890.i, %B488.endif.i10918.i ], [ 1.000000e+00, %switch.8.1.i10926.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i10927.i ], [ 2.500000e-01, %switch.2.1.i10925.i ], [ 3.333000e-01, %switch.3.1.i10923.i ], [ 5.000000e-01, %switch.4.1.i10921.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i10924.i ], [ 7.500000e-01, %switch.6.1.i10928.i ], [ 8.889000e-01, %switch.7.1.i10922.i ], [ 0.000000e+00, %B532.i10920.i ]
-  %distance_low.3.2.i10898.i = phi double [ %distance_low.4.0.i10891.i, %switch.lookup53904 ], [ %distance_low.4.0.i10891.i, %B488.endif.i10918.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.8.1.i10926.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.1.1.i10927.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.2.1.i10925.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.3.1.i10923.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.4.1.i10921.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.5.1.i10924.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.6.1.i10928.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.7.1.i10922.i ], [ %least.2.i410.0.lcssa.i10919.i, %B532.i10920.i ]
-  %distance.2.2.i10899.i = phi double [ %distance.3.0.i10893.i, %switch.lookup53904 ], [ %least.2.i410.0.lcssa.i10919.i, %B488.endif.i10918.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.8.1.i10926.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.1.1.i10927.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.2.1.i10925.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.3.1.i10923.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.4.1.i10921.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.5.1.i10924.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.6.1.i10928.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.7.1.i10922.i ], [ %least.2.i410.0.lcssa.i10919.i, %B532.i10920.i ]
+B562.i10896.i:                                    ; preds = %switch.8.1.i10926.i, %switch.7.1.i10922.i, %switch.6.1.i10928.i, %switch.5.1.i10924.i, %switch.4.1.i10921.i, %switch.3.1.i10923.i, %switch.2.1.i10925.i, %switch.1.1.i10927.i, %B488.endif.i10918.i, %switch.lookup53900, %B532.i10920.i
+  %low.3.2.i10897.i = phi double [ %low.2.0.i10890.i, %switch.lookup53900 ], [ %low.2.0.i10890.i, %B488.endif.i10918.i ], [ 1.000000e+00, %switch.8.1.i10926.i ], [ 0x3FB48E8A71DE69AD, %switch.1.1.i10927.i ], [ 2.500000e-01, %switch.2.1.i10925.i ], [ 3.333000e-01, %switch.3.1.i10923.i ], [ 5.000000e-01, %switch.4.1.i10921.i ], [ 0x3FE50A3D70A3D70A, %switch.5.1.i10924.i ], [ 7.500000e-01, %switch.6.1.i10928.i ], [ 8.889000e-01, %switch.7.1.i10922.i ], [ 0.000000e+00, %B532.i10920.i ]
+  %distance_low.3.2.i10898.i = phi double [ %distance_low.4.0.i10891.i, %switch.lookup53900 ], [ %distance_low.4.0.i10891.i, %B488.endif.i10918.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.8.1.i10926.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.1.1.i10927.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.2.1.i10925.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.3.1.i10923.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.4.1.i10921.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.5.1.i10924.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.6.1.i10928.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.7.1.i10922.i ], [ %least.2.i410.0.lcssa.i10919.i, %B532.i10920.i ]
+  %distance.2.2.i10899.i = phi double [ %distance.3.0.i10893.i, %switch.lookup53900 ], [ %least.2.i410.0.lcssa.i10919.i, %B488.endif.i10918.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.8.1.i10926.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.1.1.i10927.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.2.1.i10925.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.3.1.i10923.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.4.1.i10921.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.5.1.i10924.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.6.1.i10928.i ], [ %least.2.i410.0.lcssa.i10919.i, %switch.7.1.i10922.i ], [ %least.2.i410.0.lcssa.i10919.i, %B532.i10920.i ]
   %.1500.i.i = icmp eq i64 %point.2.0.i10892.i, 8
   %.1490.i.i = add nsw i64 %point.2.0.i10892.i, 1
   %.1533.i.i = fcmp ult double %distance.2.2.i10899.i, 0.000000e+00
@@ -2898,15 +2898,15 @@ B562.i10896.i:                                    ; preds = %switch.8.1.i10926.i
 B606.i10901.i:                                    ; preds = %B562.i10896.i
   store double %low.3.2.i10897.i, ptr %.473.i.i, align 8, !noalias !284
   %.1624.i.i = fcmp uge double %distance.2.2.i10899.i, 0.000000e+00
-  br i1 %.1624.i.i, label %B676.i10902.i, label %switch.lookup53907
+  br i1 %.1624.i.i, label %B676.i10902.i, label %switch.lookup53903
 
-switch.lookup53907:                               ; preds = %B606.i10901.i
-  %switch.gep53908 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i10892.i
-  %switch.load53909 = load double, ptr %switch.gep53908, align 8
+switch.lookup53903:                               ; preds = %B606.i10901.i
+  %switch.gep53904 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i10892.i
+  %switch.load53905 = load double, ptr %switch.gep53904, align 8
   br label %B676.i10902.i
 
-B676.i10902.i:                                    ; preds = %switch.lookup53907, %B606.i10901.i
-  %"$phi676.0.2.0.i10903.i" = phi double [ %low.3.2.i10897.i, %B606.i10901.i ], [ %switch.load53909, %switch.lookup53907 ]
+B676.i10902.i:                                    ; preds = %switch.lookup53903, %B606.i10901.i
+  %"$phi676.0.2.0.i10903.i" = phi double [ %low.3.2.i10897.i, %B606.i10901.i ], [ %switch.load53905, %switch.lookup53903 ]
   store double %"$phi676.0.2.0.i10903.i", ptr %.527.i.i53148, align 8, !noalias !284
   store double %distance_low.3.2.i10898.i, ptr %.1788.i.i, align 8, !noalias !284
   store double %distance.2.2.i10899.i, ptr %.1845.i.i, align 8, !noalias !284
@@ -2920,13 +2920,13 @@ B196.if.i10871.i:                                 ; preds = %B130.i10870.i, %B19
   %exitcond.not.i10873.i = icmp eq i64 %arg.solver.12.5.2, %.674.i10872.i
   br i1 %exitcond.not.i10873.i, label %B108.if.i.i10875.i, label %B196.if.i10871.i
 
-switch.lookup53904:                               ; preds = %B454.i10889.i
-  %switch.gep53905 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i10892.i
-  %switch.load53906 = load double, ptr %switch.gep53905, align 8
-  %.1265.i.i = fcmp ogt double %switch.load53906, %low.2.0.i10890.i
+switch.lookup53900:                               ; preds = %B454.i10889.i
+  %switch.gep53901 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %point.2.0.i10892.i
+  %switch.load53902 = load double, ptr %switch.gep53901, align 8
+  %.1265.i.i = fcmp ogt double %switch.load53902, %low.2.0.i10890.i
   br i1 %.1265.i.i, label %B108.i472.preheader.i10915.i, label %B562.i10896.i
 
-B108.i472.preheader.i10915.i:                     ; preds = %switch.lookup53904
+B108.i472.preheader.i10915.i:                     ; preds = %switch.lookup53900
   br i1 %.6612467.not.i.i, label %B488.endif.i10918.i, label %B108.if.i636.lr.ph.i.i
 
 B108.if.i636.lr.ph.i.i:                           ; preds = %B108.i472.preheader.i10915.i
@@ -2965,27 +2965,27 @@ switch.7.1.i10922.i:                              ; preds = %B532.i10920.i
 switch.8.1.i10926.i:                              ; preds = %B532.i10920.i
   br label %B562.i10896.i
 
-_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo: ; preds = %B532.i10920.i, %B454.i10889.i, %B676.i10902.i, %B70.i10865.i, %B0.endif.i53161
-  %.566.0.i = phi i1 [ true, %B70.i10865.i ], [ true, %B0.endif.i53161 ], [ %.1624.i.i, %B676.i10902.i ], [ true, %B454.i10889.i ], [ true, %B532.i10920.i ]
-  %excinfo.2.0.i = phi ptr [ null, %B70.i10865.i ], [ null, %B0.endif.i53161 ], [ null, %B676.i10902.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.12, %B454.i10889.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.12, %B532.i10920.i ]
-  %.688.not.i = phi i1 [ true, %B70.i10865.i ], [ true, %B0.endif.i53161 ], [ true, %B676.i10902.i ], [ false, %B454.i10889.i ], [ false, %B532.i10920.i ]
-  %common.ret.op.i10904.i = phi i32 [ 0, %B70.i10865.i ], [ 0, %B0.endif.i53161 ], [ 0, %B676.i10902.i ], [ 1, %B454.i10889.i ], [ 1, %B532.i10920.i ]
+_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo: ; preds = %B532.i10920.i, %B454.i10889.i, %B676.i10902.i, %B70.i10865.i, %B0.endif.i53162
+  %.566.0.i = phi i1 [ true, %B70.i10865.i ], [ true, %B0.endif.i53162 ], [ %.1624.i.i, %B676.i10902.i ], [ true, %B454.i10889.i ], [ true, %B532.i10920.i ]
+  %excinfo.2.0.i = phi ptr [ null, %B70.i10865.i ], [ null, %B0.endif.i53162 ], [ null, %B676.i10902.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.12, %B454.i10889.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.12, %B532.i10920.i ]
+  %.688.not.i = phi i1 [ true, %B70.i10865.i ], [ true, %B0.endif.i53162 ], [ true, %B676.i10902.i ], [ false, %B454.i10889.i ], [ false, %B532.i10920.i ]
+  %common.ret.op.i10904.i = phi i32 [ 0, %B70.i10865.i ], [ 0, %B0.endif.i53162 ], [ 0, %B676.i10902.i ], [ 1, %B454.i10889.i ], [ 1, %B532.i10920.i ]
   br i1 %.688.not.i, label %B0.endif.endif.endif.i, label %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, !prof !100
 
 B0.endif.endif.endif.i:                           ; preds = %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo
-  br i1 %.566.0.i, label %B144.i, label %B58.if.i10710.i
+  br i1 %.566.0.i, label %B138.i53163, label %B58.if.i10710.i
 
-B762.endif.endif.i:                               ; preds = %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i
-  br i1 %.1783.not.i, label %B56.i.i.preheader, label %B818.i53164
+B756.endif.endif.i:                               ; preds = %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i
+  br i1 %.1782.not.i, label %B56.i.i.preheader, label %B812.i
 
-_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl: ; preds = %B56.i.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_, %B130.i.i53163, %B556.i, %B652.i, %B144.i, %B818.i53164, %B922.i
-  %excinfo.9.i7954.0 = phi ptr [ %excinfo.7.0.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ null, %B144.i ], [ null, %B818.i53164 ], [ null, %B556.i ], [ null, %B922.i ], [ %excinfo.2.0.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %excinfo.1.2.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ null, %B652.i ], [ null, %B130.i.i53163 ], [ null, %B56.i.i ]
-  %common.ret.op.i = phi i32 [ 1, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ 0, %B144.i ], [ 0, %B818.i53164 ], [ 0, %B556.i ], [ 0, %B922.i ], [ %common.ret.op.i10904.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %.5421.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ 0, %B652.i ], [ 0, %B130.i.i53163 ], [ 0, %B56.i.i ]
+_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl: ; preds = %B56.i.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_, %B130.i.i53164, %B550.i53170, %B646.i, %B138.i53163, %B812.i, %B916.i
+  %excinfo.9.i7954.0 = phi ptr [ %excinfo.7.0.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ null, %B138.i53163 ], [ null, %B812.i ], [ null, %B550.i53170 ], [ null, %B916.i ], [ %excinfo.2.0.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %excinfo.1.2.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ null, %B646.i ], [ null, %B130.i.i53164 ], [ null, %B56.i.i ]
+  %common.ret.op.i = phi i32 [ 1, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ 0, %B138.i53163 ], [ 0, %B812.i ], [ 0, %B550.i53170 ], [ 0, %B916.i ], [ %common.ret.op.i10904.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %.5421.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ 0, %B646.i ], [ 0, %B130.i.i53164 ], [ 0, %B56.i.i ]
   %.1930.i.not = icmp eq i32 %common.ret.op.i, 0
   br i1 %.1930.i.not, label %B562.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
 B562.i:                                           ; preds = %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, %B502.endif.endif.i, %B498.i
-  br i1 %.434, label %B584.i, label %B614.i8421
+  br i1 %.434, label %B584.i, label %B614.i
 
 B584.i:                                           ; preds = %B562.i
   call void @llvm.lifetime.start.p0(ptr nonnull %.1170.i)
@@ -3024,20 +3024,20 @@ B108.if.i:                                        ; preds = %switch.end.endif.i,
   %.502.05728.i = phi i64 [ 0, %B584.i ], [ %.573.i, %switch.end.endif.i ]
   %.573.i = add nsw i64 %.502.05728.i, 1
   %198 = icmp ult i64 %.502.05728.i, 9
-  br i1 %198, label %switch.lookup53910, label %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6
+  br i1 %198, label %switch.lookup53906, label %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6
 
-switch.lookup53910:                               ; preds = %B108.if.i
-  %switch.gep53911 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %.502.05728.i
-  %switch.load53912 = load double, ptr %switch.gep53911, align 8
+switch.lookup53906:                               ; preds = %B108.if.i
+  %switch.gep53907 = getelementptr inbounds double, ptr @switch.table._ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29, i64 %.502.05728.i
+  %switch.load53908 = load double, ptr %switch.gep53907, align 8
   %.468.i.i53188 = load double, ptr %arg.solver.7.4, align 8, !noalias !303
   %.521.i.i = load double, ptr %.520.i.i, align 8, !noalias !303
-  %.523.i.i = fmul double %switch.load53912, %.521.i.i
+  %.523.i.i = fmul double %switch.load53908, %.521.i.i
   %.524.i.i = fadd double %.468.i.i53188, %.523.i.i
   store double %.524.i.i, ptr %.576.i.i, align 8, !noalias !303
   br i1 %.662.i5724.not.i, label %switch.end.endif.i, label %B156.if.i.lr.ph.i
 
-B156.if.i.lr.ph.i:                                ; preds = %switch.lookup53910
-  %.288.i.i.i = fsub double 1.000000e+00, %switch.load53912
+B156.if.i.lr.ph.i:                                ; preds = %switch.lookup53906
+  %.288.i.i.i = fsub double 1.000000e+00, %switch.load53908
   br label %B156.if.i.i
 
 B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.if.i.lr.ph.i
@@ -3047,7 +3047,7 @@ B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.
   %gep.i53191 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.idx.i53190
   %.232.i.i.i = load double, ptr %gep.i53191, align 8, !noalias !307
   %.234.i.i.i = fadd double %.232.i.i.i, 0.000000e+00
-  %.294.i.i.i = fmul double %switch.load53912, %.234.i.i.i
+  %.294.i.i.i = fmul double %switch.load53908, %.234.i.i.i
   %gep.1.i53193 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.1.idx.i53192
   %.232.i.i.1.i = load double, ptr %gep.1.i53193, align 8, !noalias !307
   %.234.i.i.1.i = fadd double %.232.i.i.1.i, %.294.i.i.i
@@ -3055,7 +3055,7 @@ B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.
   %gep.2.i53195 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.2.idx.i53194
   %.232.i.i.2.i = load double, ptr %gep.2.i53195, align 8, !noalias !307
   %.234.i.i.2.i = fadd double %.232.i.i.2.i, %.294.i.i.1.i
-  %.294.i.i.2.i = fmul double %switch.load53912, %.234.i.i.2.i
+  %.294.i.i.2.i = fmul double %switch.load53908, %.234.i.i.2.i
   %gep.3.i53197 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.3.idx.i53196
   %.232.i.i.3.i = load double, ptr %gep.3.i53197, align 8, !noalias !307
   %.234.i.i.3.i = fadd double %.232.i.i.3.i, %.294.i.i.2.i
@@ -3063,7 +3063,7 @@ B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.
   %gep.4.i53199 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.4.idx.i53198
   %.232.i.i.4.i = load double, ptr %gep.4.i53199, align 8, !noalias !307
   %.234.i.i.4.i = fadd double %.232.i.i.4.i, %.294.i.i.3.i
-  %.294.i.i.4.i = fmul double %switch.load53912, %.234.i.i.4.i
+  %.294.i.i.4.i = fmul double %switch.load53908, %.234.i.i.4.i
   %gep.5.i53201 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.5.idx.i53200
   %.232.i.i.5.i = load double, ptr %gep.5.i53201, align 8, !noalias !307
   %.234.i.i.5.i = fadd double %.232.i.i.5.i, %.294.i.i.4.i
@@ -3071,7 +3071,7 @@ B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.
   %gep.6.i53203 = getelementptr i8, ptr %invariant.gep.i53189, i64 %gep.6.idx.i53202
   %.232.i.i.6.i = load double, ptr %gep.6.i53203, align 8, !noalias !307
   %.234.i.i.6.i = fadd double %.232.i.i.6.i, %.294.i.i.5.i
-  %.294.i.i.6.i = fmul double %switch.load53912, %.234.i.i.6.i
+  %.294.i.i.6.i = fmul double %switch.load53908, %.234.i.i.6.i
   %.675.i.i53204 = add nsw i64 %.604.i.05725.i, 1
   %.388.i.i.i = load double, ptr %invariant.gep.i53189, align 8, !noalias !307
   %.392.i.i.i = fadd double %.388.i.i.i, %.294.i.i.6.i
@@ -3080,7 +3080,7 @@ B156.if.i.i:                                      ; preds = %B156.if.i.i, %B156.
   %exitcond.not.i53205 = icmp eq i64 %arg.solver.1.1, %.675.i.i53204
   br i1 %exitcond.not.i53205, label %switch.end.endif.i, label %B156.if.i.i
 
-switch.end.endif.i:                               ; preds = %B156.if.i.i, %switch.lookup53910
+switch.end.endif.i:                               ; preds = %B156.if.i.i, %switch.lookup53906
   %.5.i.i53206.not = icmp eq i64 %.502.05728.i, 8
   %..i53207 = select i1 %.5.i.i53206.not, i64 17, i64 16
   %.459.i420.i = load i64, ptr %.458.i419.i, align 8, !noalias !311
@@ -3091,10 +3091,10 @@ switch.end.endif.i:                               ; preds = %B156.if.i.i, %switc
   %.577.i.i = load double, ptr %arg.solver.13.4, align 8, !noalias !311
   %.1077.i = mul i64 %.1075.i, %.502.05728.i
   %199 = getelementptr double, ptr %arg.solver.13.4, i64 %.1077.i
-  %.1083.i = getelementptr double, ptr %199, i64 %arg.solver.13.5.2
-  store double %.577.i.i, ptr %.1083.i, align 8, !noalias !296
-  %.1159.i53208 = getelementptr i8, ptr %199, i64 %.1159.idx.i
-  store double 1.000000e-09, ptr %.1159.i53208, align 8, !noalias !296
+  %.1083.i53208 = getelementptr double, ptr %199, i64 %arg.solver.13.5.2
+  store double %.577.i.i, ptr %.1083.i53208, align 8, !noalias !296
+  %.1159.i = getelementptr i8, ptr %199, i64 %.1159.idx.i
+  store double 1.000000e-09, ptr %.1159.i, align 8, !noalias !296
   %exitcond5731.not.i = icmp eq i64 %.573.i, 9
   br i1 %exitcond5731.not.i, label %B342.i, label %B108.if.i
 
@@ -3117,23 +3117,23 @@ _ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBA
   %common.ret.op.i53209 = phi i32 [ 1, %B342.endif.if.i ], [ 0, %B462.i ], [ 1, %B108.if.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1170.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %excinfo.4.i)
-  br i1 %.2078.i8549.not, label %B614.i8421, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
+  br i1 %.2078.i8549.not, label %B614.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
-B614.i8421:                                       ; preds = %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6, %B562.i
+B614.i:                                           ; preds = %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6, %B562.i
   br i1 %spec.select53143, label %B618.i, label %B648.i
 
-B618.i:                                           ; preds = %B614.i8421
+B618.i:                                           ; preds = %B614.i
   %.470.i = load i64, ptr %.469.i, align 8, !noalias !314
   %.471.i = icmp sgt i64 %.470.i, 1000
-  br i1 %.471.i, label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B84.i
+  br i1 %.471.i, label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B84.i53213
 
-B84.i:                                            ; preds = %B618.i
+B84.i53213:                                       ; preds = %B618.i
   %.532.i = load double, ptr %.531.i, align 8, !noalias !314
   %.533.i = fmul double %.532.i, 6.000000e+00
-  %.10.i.i53213 = fcmp ogt double %.533.i, 5.000000e+01
-  %.11.i.i53214 = select i1 %.10.i.i53213, double %.533.i, double 5.000000e+01
-  %.569.i = fmul double %.11.i.i53214, 2.000000e+00
-  %.468.i.i53215 = load i64, ptr %.467.i.i, align 8, !noalias !318
+  %.10.i.i53214 = fcmp ogt double %.533.i, 5.000000e+01
+  %.11.i.i53215 = select i1 %.10.i.i53214, double %.533.i, double 5.000000e+01
+  %.569.i = fmul double %.11.i.i53215, 2.000000e+00
+  %.468.i.i53216 = load i64, ptr %.467.i.i, align 8, !noalias !318
   br label %B90.i.i
 
 B304.i:                                           ; preds = %B84.endif.endif.i
@@ -3141,72 +3141,72 @@ B304.i:                                           ; preds = %B84.endif.endif.i
   br label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 B332.i:                                           ; preds = %B84.endif.endif.i
-  %.468.i.i.i53223 = load double, ptr %arg.solver.7.4, align 8, !noalias !322
-  %.521.i.i.i53226 = load double, ptr %.570.i.i.i53217, align 8, !noalias !322
-  %.523.i.i.i53227 = fmul double %.521.i.i.i53226, 0.000000e+00
-  %.524.i.i.i53228 = fadd double %.468.i.i.i53223, %.523.i.i.i53227
-  store double %.524.i.i.i53228, ptr %.576.i.i16170.i, align 8, !noalias !322
-  br i1 %.662.i3178.not.i16171.i, label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653623, label %B156.if.i.i.i53239
+  %.468.i.i.i53224 = load double, ptr %arg.solver.7.4, align 8, !noalias !322
+  %.521.i.i.i53227 = load double, ptr %.570.i.i.i53218, align 8, !noalias !322
+  %.523.i.i.i53228 = fmul double %.521.i.i.i53227, 0.000000e+00
+  %.524.i.i.i53229 = fadd double %.468.i.i.i53224, %.523.i.i.i53228
+  store double %.524.i.i.i53229, ptr %.576.i.i16170.i, align 8, !noalias !322
+  br i1 %.662.i3178.not.i16171.i, label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653619, label %B156.if.i.i.i53240
 
-B156.if.i.i.i53239:                               ; preds = %B332.i, %B156.if.i.i.i53239
-  %.604.i.03179.i.i = phi i64 [ %.675.i.i.i53267, %B156.if.i.i.i53239 ], [ 0, %B332.i ]
-  %.227.i.i.i.i53240 = mul i64 %.604.i.03179.i.i, %arg.solver.11.5.2
-  %invariant.gep.i.i53241 = getelementptr double, ptr %arg.solver.11.4, i64 %.227.i.i.i.i53240
-  %gep.i.i53242 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.idx.i16181.i
-  %.232.i.i.i.i53243 = load double, ptr %gep.i.i53242, align 8, !noalias !331
-  %.234.i.i.i.i53244 = fadd double %.232.i.i.i.i53243, 0.000000e+00
-  %.294.i.i.i.i53245 = fmul double %.234.i.i.i.i53244, 0.000000e+00
-  %gep.1.i.i53246 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.1.idx.i16186.i
-  %.232.i.i.1.i.i53247 = load double, ptr %gep.1.i.i53246, align 8, !noalias !331
-  %.234.i.i.1.i.i53248 = fadd double %.232.i.i.1.i.i53247, %.294.i.i.i.i53245
-  %gep.2.i.i53249 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.2.idx.i16191.i
-  %.232.i.i.2.i.i53250 = load double, ptr %gep.2.i.i53249, align 8, !noalias !331
-  %.234.i.i.2.i.i53251 = fadd double %.232.i.i.2.i.i53250, %.234.i.i.1.i.i53248
-  %.294.i.i.2.i.i53252 = fmul double %.234.i.i.2.i.i53251, 0.000000e+00
-  %gep.3.i.i53253 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.3.idx.i16196.i
-  %.232.i.i.3.i.i53254 = load double, ptr %gep.3.i.i53253, align 8, !noalias !331
-  %.234.i.i.3.i.i53255 = fadd double %.232.i.i.3.i.i53254, %.294.i.i.2.i.i53252
-  %gep.4.i.i53256 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.4.idx.i16201.i
-  %.232.i.i.4.i.i53257 = load double, ptr %gep.4.i.i53256, align 8, !noalias !331
-  %.234.i.i.4.i.i53258 = fadd double %.232.i.i.4.i.i53257, %.234.i.i.3.i.i53255
-  %.294.i.i.4.i.i53259 = fmul double %.234.i.i.4.i.i53258, 0.000000e+00
-  %gep.5.i.i53260 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.5.idx.i16206.i
-  %.232.i.i.5.i.i53261 = load double, ptr %gep.5.i.i53260, align 8, !noalias !331
-  %.234.i.i.5.i.i53262 = fadd double %.232.i.i.5.i.i53261, %.294.i.i.4.i.i53259
-  %gep.6.i.i53263 = getelementptr i8, ptr %invariant.gep.i.i53241, i64 %gep.6.idx.i16211.i
-  %.232.i.i.6.i.i53264 = load double, ptr %gep.6.i.i53263, align 8, !noalias !331
-  %.234.i.i.6.i.i53265 = fadd double %.232.i.i.6.i.i53264, %.234.i.i.5.i.i53262
-  %.294.i.i.6.i.i53266 = fmul double %.234.i.i.6.i.i53265, 0.000000e+00
-  %.675.i.i.i53267 = add nsw i64 %.604.i.03179.i.i, 1
-  %.388.i.i.i.i53268 = load double, ptr %invariant.gep.i.i53241, align 8, !noalias !331
-  %.392.i.i.i.i53269 = fadd double %.388.i.i.i.i53268, %.294.i.i.6.i.i53266
-  %.808.i.i.i53270 = getelementptr double, ptr %80, i64 %.227.i.i.i.i53240
-  store double %.392.i.i.i.i53269, ptr %.808.i.i.i53270, align 8, !noalias !322
-  %exitcond.not.i.i53271 = icmp eq i64 %arg.solver.1.1, %.675.i.i.i53267
-  br i1 %exitcond.not.i.i53271, label %B0.endif.i.i, label %B156.if.i.i.i53239
+B156.if.i.i.i53240:                               ; preds = %B332.i, %B156.if.i.i.i53240
+  %.604.i.03179.i.i = phi i64 [ %.675.i.i.i53268, %B156.if.i.i.i53240 ], [ 0, %B332.i ]
+  %.227.i.i.i.i53241 = mul i64 %.604.i.03179.i.i, %arg.solver.11.5.2
+  %invariant.gep.i.i53242 = getelementptr double, ptr %arg.solver.11.4, i64 %.227.i.i.i.i53241
+  %gep.i.i53243 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.idx.i16181.i
+  %.232.i.i.i.i53244 = load double, ptr %gep.i.i53243, align 8, !noalias !331
+  %.234.i.i.i.i53245 = fadd double %.232.i.i.i.i53244, 0.000000e+00
+  %.294.i.i.i.i53246 = fmul double %.234.i.i.i.i53245, 0.000000e+00
+  %gep.1.i.i53247 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.1.idx.i16186.i
+  %.232.i.i.1.i.i53248 = load double, ptr %gep.1.i.i53247, align 8, !noalias !331
+  %.234.i.i.1.i.i53249 = fadd double %.232.i.i.1.i.i53248, %.294.i.i.i.i53246
+  %gep.2.i.i53250 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.2.idx.i16191.i
+  %.232.i.i.2.i.i53251 = load double, ptr %gep.2.i.i53250, align 8, !noalias !331
+  %.234.i.i.2.i.i53252 = fadd double %.232.i.i.2.i.i53251, %.234.i.i.1.i.i53249
+  %.294.i.i.2.i.i53253 = fmul double %.234.i.i.2.i.i53252, 0.000000e+00
+  %gep.3.i.i53254 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.3.idx.i16196.i
+  %.232.i.i.3.i.i53255 = load double, ptr %gep.3.i.i53254, align 8, !noalias !331
+  %.234.i.i.3.i.i53256 = fadd double %.232.i.i.3.i.i53255, %.294.i.i.2.i.i53253
+  %gep.4.i.i53257 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.4.idx.i16201.i
+  %.232.i.i.4.i.i53258 = load double, ptr %gep.4.i.i53257, align 8, !noalias !331
+  %.234.i.i.4.i.i53259 = fadd double %.232.i.i.4.i.i53258, %.234.i.i.3.i.i53256
+  %.294.i.i.4.i.i53260 = fmul double %.234.i.i.4.i.i53259, 0.000000e+00
+  %gep.5.i.i53261 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.5.idx.i16206.i
+  %.232.i.i.5.i.i53262 = load double, ptr %gep.5.i.i53261, align 8, !noalias !331
+  %.234.i.i.5.i.i53263 = fadd double %.232.i.i.5.i.i53262, %.294.i.i.4.i.i53260
+  %gep.6.i.i53264 = getelementptr i8, ptr %invariant.gep.i.i53242, i64 %gep.6.idx.i16211.i
+  %.232.i.i.6.i.i53265 = load double, ptr %gep.6.i.i53264, align 8, !noalias !331
+  %.234.i.i.6.i.i53266 = fadd double %.232.i.i.6.i.i53265, %.234.i.i.5.i.i53263
+  %.294.i.i.6.i.i53267 = fmul double %.234.i.i.6.i.i53266, 0.000000e+00
+  %.675.i.i.i53268 = add nsw i64 %.604.i.03179.i.i, 1
+  %.388.i.i.i.i53269 = load double, ptr %invariant.gep.i.i53242, align 8, !noalias !331
+  %.392.i.i.i.i53270 = fadd double %.388.i.i.i.i53269, %.294.i.i.6.i.i53267
+  %.808.i.i.i53271 = getelementptr double, ptr %80, i64 %.227.i.i.i.i53241
+  store double %.392.i.i.i.i53270, ptr %.808.i.i.i53271, align 8, !noalias !322
+  %exitcond.not.i.i53272 = icmp eq i64 %arg.solver.1.1, %.675.i.i.i53268
+  br i1 %exitcond.not.i.i53272, label %B0.endif.i.i, label %B156.if.i.i.i53240
 
-B0.endif.i.i:                                     ; preds = %B156.if.i.i.i53239
+B0.endif.i.i:                                     ; preds = %B156.if.i.i.i53240
   %.460.i420.i.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !335
-  %.501.i.i.i53272 = inttoptr i64 %.460.i420.i.i to ptr
-  tail call void %.501.i.i.i53272(ptr nonnull %.576.i.i16170.i, ptr %.475.i423.i16227.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i429.i16229.i), !noalias !335
-  br label %B196.if.i.i53275
+  %.501.i.i.i53273 = inttoptr i64 %.460.i420.i.i to ptr
+  tail call void %.501.i.i.i53273(ptr nonnull %.576.i.i16170.i, ptr %.475.i423.i16227.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i429.i16229.i), !noalias !335
+  br label %B196.if.i.i53276
 
-B196.if.i.i53275:                                 ; preds = %B196.if.i.i53275, %B0.endif.i.i
-  %.811.03188.i.i = phi i64 [ 0, %B0.endif.i.i ], [ %.880.i.i, %B196.if.i.i53275 ]
+B196.if.i.i53276:                                 ; preds = %B196.if.i.i53276, %B0.endif.i.i
+  %.811.03188.i.i = phi i64 [ 0, %B0.endif.i.i ], [ %.880.i.i, %B196.if.i.i53276 ]
   %.974.i.i = mul i64 %.811.03188.i.i, %arg.solver.11.5.2
   %.978.i.i = getelementptr double, ptr %arg.solver.11.4, i64 %.974.i.i
   %.979.i.i = load double, ptr %.978.i.i, align 8, !noalias !338
-  %.980.i.i53276 = tail call double @llvm.fabs.f64(double %.979.i.i)
+  %.980.i.i53277 = tail call double @llvm.fabs.f64(double %.979.i.i)
   %.1054.i.i = getelementptr double, ptr %80, i64 %.974.i.i
   %.1055.i.i = load double, ptr %.1054.i.i, align 8, !noalias !338
   %.1056.i.i = tail call double @llvm.fabs.f64(double %.1055.i.i)
-  %.10.i.i14874.i = fcmp ogt double %.1056.i.i, %.980.i.i53276
-  %.11.i.i14875.i = select i1 %.10.i.i14874.i, double %.1056.i.i, double %.980.i.i53276
+  %.10.i.i14874.i = fcmp ogt double %.1056.i.i, %.980.i.i53277
+  %.11.i.i14875.i = select i1 %.10.i.i14874.i, double %.1056.i.i, double %.980.i.i53277
   %.1115.i.i = load double, ptr %.1114.i16235.i, align 8, !noalias !338
   %.1146.i.i = load double, ptr %arg.solver.2.4, align 8, !noalias !338
   %.1147.i.i = fmul double %.1146.i.i, %.11.i.i14875.i
   %.1148.i.i = fadd double %.1115.i.i, %.1147.i.i
-  %.1202.i.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !338
+  %.1202.i.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !338
   %.1276.i.i = getelementptr double, ptr %81, i64 %.974.i.i
   %.1277.i.i = load double, ptr %.1276.i.i, align 8, !noalias !338
   %.1278.i.i = fmul double %.1202.i.i, %.1277.i.i
@@ -3215,15 +3215,15 @@ B196.if.i.i53275:                                 ; preds = %B196.if.i.i53275, %
   store double %.1282.i.i, ptr %.1357.i.i, align 8, !noalias !338
   %.880.i.i = add nsw i64 %.811.03188.i.i, 1
   %exitcond3194.not.i.i = icmp eq i64 %arg.solver.1.1, %.880.i.i
-  br i1 %exitcond3194.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_, label %B196.if.i.i53275
+  br i1 %exitcond3194.not.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_, label %B196.if.i.i53276
 
-_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653623: ; preds = %B332.i
+_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653619: ; preds = %B332.i
   %.460.i420.i.i.c = load i64, ptr %arg.solver.0.4, align 8, !noalias !335
-  %.501.i.i.i53272.c = inttoptr i64 %.460.i420.i.i.c to ptr
-  tail call void %.501.i.i.i53272.c(ptr nonnull %.576.i.i16170.i, ptr %.475.i423.i16227.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i429.i16229.i), !noalias !335
+  %.501.i.i.i53273.c = inttoptr i64 %.460.i420.i.i.c to ptr
+  tail call void %.501.i.i.i53273.c(ptr nonnull %.576.i.i16170.i, ptr %.475.i423.i16227.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i429.i16229.i), !noalias !335
   br label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_
 
-_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_: ; preds = %B196.if.i.i53275, %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653623
+_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_: ; preds = %B196.if.i.i53276, %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float653619
   %.611.i844.i = load i64, ptr %.467.i.i, align 8, !noalias !339
   br label %B112.i.i
 
@@ -3236,19 +3236,19 @@ B112.i.i:                                         ; preds = %_ZN5pages10rate_jum
   br i1 %.427.i.i1642.i, label %B66.i.i2807.i, label %B94.i.i1645.i
 
 B66.i.i2807.i:                                    ; preds = %B112.i.i
-  %switch.tableidx53913 = add i64 %point.2.i430.0.i, 4
-  %200 = icmp ult i64 %switch.tableidx53913, 8
-  br i1 %200, label %switch.lookup53914, label %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo1729
+  %switch.tableidx53909 = add i64 %point.2.i430.0.i, 4
+  %200 = icmp ult i64 %switch.tableidx53909, 8
+  br i1 %200, label %switch.lookup53910, label %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo1729
 
-switch.lookup53914:                               ; preds = %B66.i.i2807.i
-  %switch.gep53915 = getelementptr inbounds double, ptr @switch.table.advance_of_many.11, i64 %switch.tableidx53913
-  %switch.load53916 = load double, ptr %switch.gep53915, align 8
+switch.lookup53910:                               ; preds = %B66.i.i2807.i
+  %switch.gep53911 = getelementptr inbounds double, ptr @switch.table.advance_of_many.11, i64 %switch.tableidx53909
+  %switch.load53912 = load double, ptr %switch.gep53911, align 8
   br label %B94.i.i1645.i
 
-B94.i.i1645.i:                                    ; preds = %switch.lookup53914, %B112.i.i
-  %"$phi94.0.2.i.i10.0.i" = phi double [ 1.000000e+00, %B112.i.i ], [ %switch.load53916, %switch.lookup53914 ]
+B94.i.i1645.i:                                    ; preds = %switch.lookup53910, %B112.i.i
+  %"$phi94.0.2.i.i10.0.i" = phi double [ 1.000000e+00, %B112.i.i ], [ %switch.load53912, %switch.lookup53910 ]
   %.517.i.i1672.i = load double, ptr %arg.solver.7.4, align 8, !noalias !340
-  %.571.i.i1699.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !340
+  %.571.i.i1699.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !340
   %.603.i.i2734.i = icmp slt i64 %done.2.i429.0.i, %arg.solver.5.5.0
   %or.cond.i = select i1 %.590.i.i.i, i1 %.603.i.i2734.i, i1 false
   br i1 %or.cond.i, label %B244.i.i2735.i, label %B320.i.i1711.i
@@ -3432,7 +3432,7 @@ B52.if.i.i:                                       ; preds = %_ZN5pages10rate_jum
   %.545.i.i = fadd double %.837.i15754.i, %.543.i.i
   %.546.i.i = add nsw i64 %.444.01814.i.i, 2
   %.468.i.i.i.i = load double, ptr %arg.solver.7.4, align 8, !noalias !353
-  %.521.i.i.i.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !353
+  %.521.i.i.i.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !353
   %.523.i.i.i.i = fmul double %.521.i.i.i.i, %.545.i.i
   %.524.i.i.i.i = fadd double %.468.i.i.i.i, %.523.i.i.i.i
   store double %.524.i.i.i.i, ptr %.576.i.i16170.i, align 8, !noalias !353
@@ -3505,7 +3505,7 @@ B196.if.i.i.i:                                    ; preds = %B196.if.i.i.i, %B0.
   %.1146.i.i.i = load double, ptr %arg.solver.2.4, align 8, !noalias !366
   %.1147.i.i.i = fmul double %.1146.i.i.i, %.11.i.i1809.i.i
   %.1148.i.i.i = fadd double %.1115.i.i.i, %.1147.i.i.i
-  %.1202.i.i.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !366
+  %.1202.i.i.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !366
   %.1276.i.i.i = getelementptr double, ptr %81, i64 %.974.i.i.i
   %.1277.i.i.i = load double, ptr %.1276.i.i.i, align 8, !noalias !366
   %.1278.i.i.i = fmul double %.1202.i.i.i, %.1277.i.i.i
@@ -3577,14 +3577,14 @@ _ZN5pages10rate_jumps7quarterB4v100B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2f
 
 B514.i.i:                                         ; preds = %_ZN5pages10rate_jumps7quarterB4v100B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6415766, %_ZN5pages10rate_jumps7quarterB4v100B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_2
   %.468.i.i14882.i = load double, ptr %arg.solver.7.4, align 8, !noalias !379
-  %.521.i.i14885.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !379
+  %.521.i.i14885.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !379
   %.523.i.i14886.i = fmul double %.632.i431.sroa.0.0.i, %.521.i.i14885.i
   %.524.i.i14887.i = fadd double %.468.i.i14882.i, %.523.i.i14886.i
   store double %.524.i.i14887.i, ptr %.576.i.i16170.i, align 8, !noalias !379
   br i1 %.662.i3178.not.i16171.i, label %_ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616325, label %B156.if.i.lr.ph.i14891.i
 
 B156.if.i.lr.ph.i14891.i:                         ; preds = %B514.i.i
-  %.288.i.i.i.i53277 = fsub double 1.000000e+00, %.632.i431.sroa.0.0.i
+  %.288.i.i.i.i53278 = fsub double 1.000000e+00, %.632.i431.sroa.0.0.i
   br label %B156.if.i.i14895.i
 
 B156.if.i.i14895.i:                               ; preds = %B156.if.i.i14895.i, %B156.if.i.lr.ph.i14891.i
@@ -3598,26 +3598,26 @@ B156.if.i.i14895.i:                               ; preds = %B156.if.i.i14895.i,
   %gep.1.i14905.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.1.idx.i16186.i
   %.232.i.i.1.i14906.i = load double, ptr %gep.1.i14905.i, align 8, !noalias !385
   %.234.i.i.1.i14907.i = fadd double %.232.i.i.1.i14906.i, %.294.i.i.i14903.i
-  %.294.i.i.1.i.i53278 = fmul double %.288.i.i.i.i53277, %.234.i.i.1.i14907.i
+  %.294.i.i.1.i.i53279 = fmul double %.288.i.i.i.i53278, %.234.i.i.1.i14907.i
   %gep.2.i14909.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.2.idx.i16191.i
   %.232.i.i.2.i14910.i = load double, ptr %gep.2.i14909.i, align 8, !noalias !385
-  %.234.i.i.2.i14911.i = fadd double %.232.i.i.2.i14910.i, %.294.i.i.1.i.i53278
+  %.234.i.i.2.i14911.i = fadd double %.232.i.i.2.i14910.i, %.294.i.i.1.i.i53279
   %.294.i.i.2.i14912.i = fmul double %.632.i431.sroa.0.0.i, %.234.i.i.2.i14911.i
   %gep.3.i14914.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.3.idx.i16196.i
   %.232.i.i.3.i14915.i = load double, ptr %gep.3.i14914.i, align 8, !noalias !385
   %.234.i.i.3.i14916.i = fadd double %.232.i.i.3.i14915.i, %.294.i.i.2.i14912.i
-  %.294.i.i.3.i.i53279 = fmul double %.288.i.i.i.i53277, %.234.i.i.3.i14916.i
+  %.294.i.i.3.i.i53280 = fmul double %.288.i.i.i.i53278, %.234.i.i.3.i14916.i
   %gep.4.i14918.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.4.idx.i16201.i
   %.232.i.i.4.i14919.i = load double, ptr %gep.4.i14918.i, align 8, !noalias !385
-  %.234.i.i.4.i14920.i = fadd double %.232.i.i.4.i14919.i, %.294.i.i.3.i.i53279
+  %.234.i.i.4.i14920.i = fadd double %.232.i.i.4.i14919.i, %.294.i.i.3.i.i53280
   %.294.i.i.4.i14921.i = fmul double %.632.i431.sroa.0.0.i, %.234.i.i.4.i14920.i
   %gep.5.i14923.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.5.idx.i16206.i
   %.232.i.i.5.i14924.i = load double, ptr %gep.5.i14923.i, align 8, !noalias !385
   %.234.i.i.5.i14925.i = fadd double %.232.i.i.5.i14924.i, %.294.i.i.4.i14921.i
-  %.294.i.i.5.i.i53280 = fmul double %.288.i.i.i.i53277, %.234.i.i.5.i14925.i
+  %.294.i.i.5.i.i53281 = fmul double %.288.i.i.i.i53278, %.234.i.i.5.i14925.i
   %gep.6.i14927.i = getelementptr i8, ptr %invariant.gep.i14898.i, i64 %gep.6.idx.i16211.i
   %.232.i.i.6.i14928.i = load double, ptr %gep.6.i14927.i, align 8, !noalias !385
-  %.234.i.i.6.i14929.i = fadd double %.232.i.i.6.i14928.i, %.294.i.i.5.i.i53280
+  %.234.i.i.6.i14929.i = fadd double %.232.i.i.6.i14928.i, %.294.i.i.5.i.i53281
   %.294.i.i.6.i14930.i = fmul double %.632.i431.sroa.0.0.i, %.234.i.i.6.i14929.i
   %.675.i.i14931.i = add nsw i64 %.604.i.03179.i14896.i, 1
   %.388.i.i.i14934.i = load double, ptr %invariant.gep.i14898.i, align 8, !noalias !385
@@ -3648,7 +3648,7 @@ B196.if.i14953.i:                                 ; preds = %B196.if.i14953.i, %
   %.1146.i14966.i = load double, ptr %arg.solver.2.4, align 8, !noalias !392
   %.1147.i14967.i = fmul double %.1146.i14966.i, %.11.i.i14964.i
   %.1148.i14968.i = fadd double %.1115.i14965.i, %.1147.i14967.i
-  %.1202.i14969.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !392
+  %.1202.i14969.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !392
   %.1276.i14970.i = getelementptr double, ptr %81, i64 %.974.i14956.i
   %.1277.i14971.i = load double, ptr %.1276.i14970.i, align 8, !noalias !392
   %.1278.i14972.i = fmul double %.1202.i14969.i, %.1277.i14971.i
@@ -3671,7 +3671,7 @@ _ZN5pages10rate_jumps9put_ratesB3v97B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2
 
 B112.endif.i.i:                                   ; preds = %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo1729
   %.468.i.i15026.i = load double, ptr %arg.solver.7.4, align 8, !noalias !393
-  %.521.i.i15029.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !393
+  %.521.i.i15029.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !393
   %.523.i.i15030.i = fmul double %.632.i431.sroa.0.0.i, %.521.i.i15029.i
   %.524.i.i15031.i = fadd double %.468.i.i15026.i, %.523.i.i15030.i
   store double %.524.i.i15031.i, ptr %.576.i.i16170.i, align 8, !noalias !393
@@ -3742,7 +3742,7 @@ B196.if.i15102.i:                                 ; preds = %B196.if.i15102.i, %
   %.1146.i15115.i = load double, ptr %arg.solver.2.4, align 8, !noalias !406
   %.1147.i15116.i = fmul double %.1146.i15115.i, %.11.i.i15113.i
   %.1148.i15117.i = fadd double %.1115.i15114.i, %.1147.i15116.i
-  %.1202.i15118.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !406
+  %.1202.i15118.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !406
   %.1276.i15119.i = getelementptr double, ptr %81, i64 %.974.i15105.i
   %.1277.i15120.i = load double, ptr %.1276.i15119.i, align 8, !noalias !406
   %.1278.i15121.i = fmul double %.1202.i15118.i, %.1277.i15120.i
@@ -3904,7 +3904,7 @@ B52.if.i15212.i:                                  ; preds = %_ZN5pages10rate_jum
   %.545.i15217.i = fadd double %share.2.i.0.i, %.543.i15216.i
   %.546.i15218.i = add nsw i64 %.444.01814.i15213.i, 2
   %.468.i.i.i15219.i = load double, ptr %arg.solver.7.4, align 8, !noalias !416
-  %.521.i.i.i15220.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !416
+  %.521.i.i.i15220.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !416
   %.523.i.i.i15221.i = fmul double %.521.i.i.i15220.i, %.545.i15217.i
   %.524.i.i.i15222.i = fadd double %.468.i.i.i15219.i, %.523.i.i.i15221.i
   store double %.524.i.i.i15222.i, ptr %.576.i.i16170.i, align 8, !noalias !416
@@ -3977,7 +3977,7 @@ B196.if.i.i15266.i:                               ; preds = %B196.if.i.i15266.i,
   %.1146.i.i15278.i = load double, ptr %arg.solver.2.4, align 8, !noalias !429
   %.1147.i.i15279.i = fmul double %.1146.i.i15278.i, %.11.i.i1809.i15276.i
   %.1148.i.i15280.i = fadd double %.1115.i.i15277.i, %.1147.i.i15279.i
-  %.1202.i.i15281.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !429
+  %.1202.i.i15281.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !429
   %.1276.i.i15282.i = getelementptr double, ptr %81, i64 %.974.i.i15268.i
   %.1277.i.i15283.i = load double, ptr %.1276.i.i15282.i, align 8, !noalias !429
   %.1278.i.i15284.i = fmul double %.1202.i.i15281.i, %.1277.i.i15283.i
@@ -4185,7 +4185,7 @@ B52.if.i15505.i:                                  ; preds = %_ZN5pages10rate_jum
   %.545.i15510.i = fadd double %.837.i15461.i, %.543.i15509.i
   %.546.i15511.i = add nsw i64 %.444.01814.i15506.i, 2
   %.468.i.i.i15512.i = load double, ptr %arg.solver.7.4, align 8, !noalias !448
-  %.521.i.i.i15513.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !448
+  %.521.i.i.i15513.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !448
   %.523.i.i.i15514.i = fmul double %.521.i.i.i15513.i, %.545.i15510.i
   %.524.i.i.i15515.i = fadd double %.468.i.i.i15512.i, %.523.i.i.i15514.i
   store double %.524.i.i.i15515.i, ptr %.576.i.i16170.i, align 8, !noalias !448
@@ -4258,7 +4258,7 @@ B196.if.i.i15559.i:                               ; preds = %B196.if.i.i15559.i,
   %.1146.i.i15571.i = load double, ptr %arg.solver.2.4, align 8, !noalias !461
   %.1147.i.i15572.i = fmul double %.1146.i.i15571.i, %.11.i.i1809.i15569.i
   %.1148.i.i15573.i = fadd double %.1115.i.i15570.i, %.1147.i.i15572.i
-  %.1202.i.i15574.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !461
+  %.1202.i.i15574.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !461
   %.1276.i.i15575.i = getelementptr double, ptr %81, i64 %.974.i.i15561.i
   %.1277.i.i15576.i = load double, ptr %.1276.i.i15575.i, align 8, !noalias !461
   %.1278.i.i15577.i = fmul double %.1202.i.i15574.i, %.1277.i.i15576.i
@@ -4329,8 +4329,8 @@ _ZN5pages10rate_jumps7quarterB4v100B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2f
   %.835.i15753.i = fmul double %.417.i15475.i, %.834.i15752.i
   %.837.i15754.i = fadd double %.837.i15461.i, %.835.i15753.i
   %.1372.i.i = fmul double %largest.3.i.1.3.i15458.i, 3.000000e-01
-  %.10.i.i2718.i = fcmp ogt double %.1372.i.i, %.11.i.i53214
-  %.11.i.i2719.i = select i1 %.10.i.i2718.i, double %.1372.i.i, double %.11.i.i53214
+  %.10.i.i2718.i = fcmp ogt double %.1372.i.i, %.11.i.i53215
+  %.11.i.i2719.i = select i1 %.10.i.i2718.i, double %.1372.i.i, double %.11.i.i53215
   %.1402.i.i = fcmp ogt double %largest.3.i.1.3.i15751.i, %.11.i.i2719.i
   br i1 %.1402.i.i, label %B374.i.i, label %B514.i.i
 
@@ -4358,19 +4358,19 @@ _ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzV
   %.9432824.i = phi i1 [ true, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28floa16373 ], [ %213, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28floa16414 ]
   br i1 %.9432824.i, label %B332.endif.endif.i, label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, !prof !100
 
-B406.i53288:                                      ; preds = %B332.endif.endif.i
+B406.i:                                           ; preds = %B332.endif.endif.i
   store double %.746.i, ptr %.531.i, align 8, !noalias !314
   %.1108.i = fcmp ogt double %.571.0.i, %.569.i
   br i1 %.1108.i, label %B458.i53289, label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
-B458.i53289:                                      ; preds = %B406.i53288
-  %.1165.i = load double, ptr %.1164.i53290, align 8, !noalias !314
-  %.1168.i = fcmp ogt double %.1165.i, 5.000000e-01
+B458.i53289:                                      ; preds = %B406.i
+  %.1165.i53290 = load double, ptr %.1164.i, align 8, !noalias !314
+  %.1168.i = fcmp ogt double %.1165.i53290, 5.000000e-01
   br i1 %.1168.i, label %B496.i, label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 B496.i:                                           ; preds = %B458.i53289
   %.1172.i = fmul double %.1037.i, 5.000000e-01
-  store double 0.000000e+00, ptr %.1164.i53290, align 8, !noalias !474
+  store double 0.000000e+00, ptr %.1164.i, align 8, !noalias !474
   store double 0.000000e+00, ptr %.1111, align 8, !noalias !474
   store double %.1172.i, ptr %.570.i3350.i, align 8, !noalias !474
   %.626.i3391.i = load i64, ptr %arg.solver.8.4, align 8, !noalias !474
@@ -4406,17 +4406,17 @@ B278.i.preheader.i:                               ; preds = %_ZN5pages10rate_jum
   %.11.i.i4953.i = select i1 %.10.i.i4952.i, double %.532.i4946.i, double 1.000000e-13
   br label %B278.if.i.i
 
-B300.i.i53283:                                    ; preds = %B278.if.i.i
+B300.i.i53284:                                    ; preds = %B278.if.i.i
   %.427.i.i = fadd double %high.4.i.016389.i, %low.4.i.016388.i
   %.428.i.i = fmul double %.427.i.i, 5.000000e-01
   %.468.i.i.i15767.i = load double, ptr %arg.solver.7.4, align 8, !noalias !481
-  %.521.i.i.i15770.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !481
+  %.521.i.i.i15770.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !481
   %.523.i.i.i15771.i = fmul double %.428.i.i, %.521.i.i.i15770.i
   %.524.i.i.i15772.i = fadd double %.468.i.i.i15767.i, %.523.i.i.i15771.i
   store double %.524.i.i.i15772.i, ptr %.576.i.i16170.i, align 8, !noalias !481
   br i1 %.662.i3178.not.i16171.i, label %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438, label %B156.if.i.lr.ph.i.i15775.i
 
-B156.if.i.lr.ph.i.i15775.i:                       ; preds = %B300.i.i53283
+B156.if.i.lr.ph.i.i15775.i:                       ; preds = %B300.i.i53284
   %.288.i.i.i.i15777.i = fsub double 1.000000e+00, %.428.i.i
   br label %B156.if.i.i.i15785.i
 
@@ -4481,7 +4481,7 @@ B196.if.i.i15833.i:                               ; preds = %B196.if.i.i15833.i,
   %.1146.i.i15844.i = load double, ptr %arg.solver.2.4, align 8, !noalias !496
   %.1147.i.i15845.i = fmul double %.1146.i.i15844.i, %.11.i.i.i15842.i
   %.1148.i.i15846.i = fadd double %.1115.i.i15843.i, %.1147.i.i15845.i
-  %.1202.i.i15847.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !496
+  %.1202.i.i15847.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !496
   %.1276.i.i15848.i = getelementptr double, ptr %81, i64 %.974.i.i15834.i
   %.1277.i.i15849.i = load double, ptr %.1276.i.i15848.i, align 8, !noalias !496
   %.1278.i.i15850.i = fmul double %.1202.i.i15847.i, %.1277.i.i15849.i
@@ -4492,15 +4492,15 @@ B196.if.i.i15833.i:                               ; preds = %B196.if.i.i15833.i,
   %exitcond3194.not.i.i.i = icmp eq i64 %arg.solver.1.1, %.880.i.i15853.i
   br i1 %exitcond3194.not.i.i.i, label %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_, label %B196.if.i.i15833.i
 
-_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438: ; preds = %B300.i.i53283
+_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438: ; preds = %B300.i.i53284
   %.460.i420.i.c.i15864.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !493
   %.501.i.i.c.i15869.i = inttoptr i64 %.460.i420.i.c.i15864.i to ptr
   tail call void %.501.i.i.c.i15869.i(ptr nonnull %.576.i.i16170.i, ptr %.475.i423.i16227.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i429.i16229.i), !noalias !493
   br label %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_
 
 _ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_: ; preds = %B196.if.i.i15833.i, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438
-  %storemerge.i.i53284 = phi i64 [ 0, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438 ], [ %arg.solver.1.1, %B196.if.i.i15833.i ]
-  %.656441.i.i = icmp sgt i64 %storemerge.i.i53284, 0
+  %storemerge.i.i53285 = phi i64 [ 0, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_438 ], [ %arg.solver.1.1, %B196.if.i.i15833.i ]
+  %.656441.i.i = icmp sgt i64 %storemerge.i.i53285, 0
   br i1 %.656441.i.i, label %B136.if.i.i, label %B382.i.i
 
 B382.i.i:                                         ; preds = %B136.if.i.i, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_
@@ -4515,10 +4515,10 @@ B394.i.i:                                         ; preds = %B382.i.i
 B56.if.i.i15855.i:                                ; preds = %B394.i.i, %B56.if.i.i15855.i
   %.68.i.0449.i.i = phi i64 [ %.139.i.i.i, %B56.if.i.i15855.i ], [ 0, %B394.i.i ]
   %.139.i.i.i = add nsw i64 %.68.i.0449.i.i, 1
-  %.234.i.i.i53285 = mul i64 %.68.i.0449.i.i, %arg.solver.11.5.2
-  %.238.i.i15856.i = getelementptr double, ptr %82, i64 %.234.i.i.i53285
+  %.234.i.i.i53286 = mul i64 %.68.i.0449.i.i, %arg.solver.11.5.2
+  %.238.i.i15856.i = getelementptr double, ptr %82, i64 %.234.i.i.i53286
   %.239.i.i15857.i = load double, ptr %.238.i.i15856.i, align 8, !noalias !497
-  %.314.i.i.i = getelementptr double, ptr %84, i64 %.234.i.i.i53285
+  %.314.i.i.i = getelementptr double, ptr %84, i64 %.234.i.i.i53286
   store double %.239.i.i15857.i, ptr %.314.i.i.i, align 8, !noalias !497
   %exitcond455.not.i.i = icmp eq i64 %.139.i.i.i, %arg.solver.11.5.1
   br i1 %exitcond455.not.i.i, label %B340.i.i, label %B56.if.i.i15855.i
@@ -4543,11 +4543,11 @@ B136.if.i.i:                                      ; preds = %_ZN5pages10rate_jum
   %.600.0442.i.i = phi i64 [ %.669.i.i, %B136.if.i.i ], [ 0, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_ ]
   %.669.i.i = add nsw i64 %.600.0442.i.i, 1
   %.763.i.i = mul i64 %.600.0442.i.i, %arg.solver.11.5.2
-  %.767.i.i53286 = getelementptr double, ptr %82, i64 %.763.i.i
-  %.768.i.i = load double, ptr %.767.i.i53286, align 8, !noalias !505
+  %.767.i.i53287 = getelementptr double, ptr %82, i64 %.763.i.i
+  %.768.i.i = load double, ptr %.767.i.i53287, align 8, !noalias !505
   %.842.i.i = getelementptr double, ptr %85, i64 %.763.i.i
-  %.843.i.i53287 = load double, ptr %.842.i.i, align 8, !noalias !505
-  %.844.i.i = fsub double %.768.i.i, %.843.i.i53287
+  %.843.i.i53288 = load double, ptr %.842.i.i, align 8, !noalias !505
+  %.844.i.i = fsub double %.768.i.i, %.843.i.i53288
   %.845.i15859.i = tail call double @llvm.fabs.f64(double %.844.i.i)
   %.10.i.i15860.i = fcmp ogt double %.845.i15859.i, %below.2.0445.i.i
   %.11.i.i15861.i = select i1 %.10.i.i15860.i, double %.845.i15859.i, double %below.2.0445.i.i
@@ -4557,7 +4557,7 @@ B136.if.i.i:                                      ; preds = %_ZN5pages10rate_jum
   %.1028.i.i = tail call double @llvm.fabs.f64(double %.1027.i.i)
   %.10.i435.i.i = fcmp ogt double %.1028.i.i, %above.2.0444.i.i
   %.11.i436.i.i = select i1 %.10.i435.i.i, double %.1028.i.i, double %above.2.0444.i.i
-  %exitcond.not.i15862.i = icmp eq i64 %.669.i.i, %storemerge.i.i53284
+  %exitcond.not.i15862.i = icmp eq i64 %.669.i.i, %storemerge.i.i53285
   br i1 %exitcond.not.i15862.i, label %B382.i.i, label %B136.if.i.i
 
 B340.i.i:                                         ; preds = %B56.if.i.i15855.i, %B56.if.i194.i.i, %B278.if.i.i, %B456.i.i, %B394.i.i
@@ -4726,7 +4726,7 @@ B52.if.i15901.i:                                  ; preds = %_ZN5pages10rate_jum
   %.545.i15906.i = fadd double %low.3.i4832.016385.i, %.543.i15905.i
   %.546.i15907.i = add nsw i64 %.444.01814.i15902.i, 2
   %.468.i.i.i15908.i = load double, ptr %arg.solver.7.4, align 8, !noalias !515
-  %.521.i.i.i15909.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !515
+  %.521.i.i.i15909.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !515
   %.523.i.i.i15910.i = fmul double %.521.i.i.i15909.i, %.545.i15906.i
   %.524.i.i.i15911.i = fadd double %.468.i.i.i15908.i, %.523.i.i.i15910.i
   store double %.524.i.i.i15911.i, ptr %.576.i.i16170.i, align 8, !noalias !515
@@ -4799,7 +4799,7 @@ B196.if.i.i15955.i:                               ; preds = %B196.if.i.i15955.i,
   %.1146.i.i15967.i = load double, ptr %arg.solver.2.4, align 8, !noalias !528
   %.1147.i.i15968.i = fmul double %.1146.i.i15967.i, %.11.i.i1809.i15965.i
   %.1148.i.i15969.i = fadd double %.1115.i.i15966.i, %.1147.i.i15968.i
-  %.1202.i.i15970.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !528
+  %.1202.i.i15970.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !528
   %.1276.i.i15971.i = getelementptr double, ptr %81, i64 %.974.i.i15957.i
   %.1277.i.i15972.i = load double, ptr %.1276.i.i15971.i, align 8, !noalias !528
   %.1278.i.i15973.i = fmul double %.1202.i.i15970.i, %.1277.i.i15972.i
@@ -4882,7 +4882,7 @@ B278.if.i.i:                                      ; preds = %B340.i.i, %B278.i.p
   %.938.i6393.i = add nsw i64 %.876.i4853.016387.i, -1
   %.977.i5962.i = fsub double %high.4.i.016389.i, %low.4.i.016388.i
   %.979.i5964.i = fcmp ogt double %.977.i5962.i, %.11.i.i4953.i
-  br i1 %.979.i5964.i, label %B300.i.i53283, label %B340.i.i
+  br i1 %.979.i5964.i, label %B300.i.i53284, label %B340.i.i
 
 B700.i:                                           ; preds = %B342.i.i
   %.1677.i = load double, ptr %.1676.i, align 8, !noalias !314
@@ -4929,16 +4929,16 @@ B868.i:                                           ; preds = %B826.i
   %.528.i7356.i = load double, ptr %arg.solver.7.4, align 8, !noalias !544
   %.529.i7357.i = fsub double %.474.i7316.i, %.528.i7356.i
   %.530.i7358.i = fcmp ogt double %.529.i7357.i, 0.000000e+00
-  br i1 %.530.i7358.i, label %B110.i.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282
+  br i1 %.530.i7358.i, label %B110.i.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283
 
 B110.i.i:                                         ; preds = %B868.i
-  %.588.i7444.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !544
+  %.588.i7444.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !544
   %.589.i7445.i = fmul double %.588.i7444.i, 1.000000e-08
   %.644.i7486.i = tail call double @llvm.fabs.f64(double %.528.i7356.i)
   %.645.i7487.i = fmul double %.644.i7486.i, 4.000000e-15
   %.646.i7488.i = fadd double %.645.i7487.i, %.589.i7445.i
   %.648.i7490.i = fcmp ugt double %.529.i7357.i, %.646.i7488.i
-  br i1 %.648.i7490.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282, label %B216.i.i
+  br i1 %.648.i7490.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283, label %B216.i.i
 
 B216.i.i:                                         ; preds = %B110.i.i
   %.767.i7571.i = load double, ptr %.766.i7570.i, align 8, !noalias !544
@@ -4964,34 +4964,34 @@ B404.i.i:                                         ; preds = %B366.i.i, %B216.i.i
   store double %.1117.i7789.i, ptr %arg.solver.7.4, align 8, !noalias !544
   store double 1.000000e+00, ptr %.1224.i7867.i, align 8, !noalias !544
   store i64 2, ptr %.454.i, align 8, !noalias !544
-  br label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282
+  br label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283
 
-_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282: ; preds = %B404.i.i, %B110.i.i, %B868.i
+_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283: ; preds = %B404.i.i, %B110.i.i, %B868.i
   store double 0xFFF0000000000000, ptr %.1601.i, align 8, !noalias !544
   br label %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
-B90.i.i:                                          ; preds = %B248.i.i, %B84.i
-  %largest.2.i.1.i = phi double [ 0.000000e+00, %B84.i ], [ %largest.3.i.2.i, %B248.i.i ]
-  %point.2.i.1.i = phi i64 [ 0, %B84.i ], [ %.530.i.sroa.5.0.i, %B248.i.i ]
-  %done.2.i.1.i = phi i64 [ %.468.i.i53215, %B84.i ], [ %.530.i.sroa.10.0.i, %B248.i.i ]
-  %excinfo.1.i.0.i = phi ptr [ null, %B84.i ], [ %excinfo.1.i.1.i, %B248.i.i ]
-  %.427.i.i.i53218 = icmp slt i64 %point.2.i.1.i, 4
-  br i1 %.427.i.i.i53218, label %B66.i.i.i, label %B94.i.i.i
+B90.i.i:                                          ; preds = %B248.i.i, %B84.i53213
+  %largest.2.i.1.i = phi double [ 0.000000e+00, %B84.i53213 ], [ %largest.3.i.2.i, %B248.i.i ]
+  %point.2.i.1.i = phi i64 [ 0, %B84.i53213 ], [ %.530.i.sroa.5.0.i, %B248.i.i ]
+  %done.2.i.1.i = phi i64 [ %.468.i.i53216, %B84.i53213 ], [ %.530.i.sroa.10.0.i, %B248.i.i ]
+  %excinfo.1.i.0.i = phi ptr [ null, %B84.i53213 ], [ %excinfo.1.i.1.i, %B248.i.i ]
+  %.427.i.i.i53219 = icmp slt i64 %point.2.i.1.i, 4
+  br i1 %.427.i.i.i53219, label %B66.i.i.i, label %B94.i.i.i
 
 B66.i.i.i:                                        ; preds = %B90.i.i
-  %switch.tableidx53917 = add i64 %point.2.i.1.i, 4
-  %220 = icmp ult i64 %switch.tableidx53917, 8
-  br i1 %220, label %switch.lookup53918, label %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64
+  %switch.tableidx53913 = add i64 %point.2.i.1.i, 4
+  %220 = icmp ult i64 %switch.tableidx53913, 8
+  br i1 %220, label %switch.lookup53914, label %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64
 
-switch.lookup53918:                               ; preds = %B66.i.i.i
-  %switch.gep53919 = getelementptr inbounds double, ptr @switch.table.advance_of_many.11, i64 %switch.tableidx53917
-  %switch.load53920 = load double, ptr %switch.gep53919, align 8
+switch.lookup53914:                               ; preds = %B66.i.i.i
+  %switch.gep53915 = getelementptr inbounds double, ptr @switch.table.advance_of_many.11, i64 %switch.tableidx53913
+  %switch.load53916 = load double, ptr %switch.gep53915, align 8
   br label %B94.i.i.i
 
-B94.i.i.i:                                        ; preds = %switch.lookup53918, %B90.i.i
-  %"$phi94.0.2.i.i.0.i" = phi double [ 1.000000e+00, %B90.i.i ], [ %switch.load53920, %switch.lookup53918 ]
-  %.517.i.i.i53219 = load double, ptr %arg.solver.7.4, align 8, !noalias !547
-  %.571.i.i.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !547
+B94.i.i.i:                                        ; preds = %switch.lookup53914, %B90.i.i
+  %"$phi94.0.2.i.i.0.i" = phi double [ 1.000000e+00, %B90.i.i ], [ %switch.load53916, %switch.lookup53914 ]
+  %.517.i.i.i53220 = load double, ptr %arg.solver.7.4, align 8, !noalias !547
+  %.571.i.i.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !547
   %.603.i.i.i = icmp slt i64 %done.2.i.1.i, %arg.solver.5.5.0
   %or.cond14872.i = select i1 %.590.i.i.i, i1 %.603.i.i.i, i1 false
   br i1 %or.cond14872.i, label %B244.i.i.i, label %B320.i.i.i
@@ -5003,12 +5003,12 @@ B244.i.i.i:                                       ; preds = %B94.i.i.i
   %.634.i.i.i53306 = getelementptr double, ptr %221, i64 %.620.i.i.i53305
   %.635.i.i.i53307 = load double, ptr %.634.i.i.i53306, align 8, !noalias !547
   %.638.i.i.i = fmul double %"$phi94.0.2.i.i.0.i", %.571.i.i.i
-  %.640.i.i.i = fadd double %.517.i.i.i53219, %.638.i.i.i
+  %.640.i.i.i = fadd double %.517.i.i.i53220, %.638.i.i.i
   %.641.i.i.i = fcmp olt double %.635.i.i.i53307, %.640.i.i.i
   br i1 %.641.i.i.i, label %B280.i.i.i, label %B320.i.i.i
 
 B280.i.i.i:                                       ; preds = %B244.i.i.i
-  %.679.i.i.i53308 = fsub double %.635.i.i.i53307, %.517.i.i.i53219
+  %.679.i.i.i53308 = fsub double %.635.i.i.i53307, %.517.i.i.i53220
   %.686.i.i.i53309 = fdiv double %.679.i.i.i53308, %.571.i.i.i
   %.690.i.i.i = add nsw i64 %done.2.i.1.i, 1
   br label %_ZN5pages10rate_jumps10next_pointB3v94B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64
@@ -5038,7 +5038,7 @@ B144.i.i:                                         ; preds = %B90.endif.i.i
   %.519.i.i.i = add nsw i64 %.518.i.i.i, 1
   store i64 %.519.i.i.i, ptr %.517.i442.i.i, align 8, !noalias !551
   %.468.i.i16163.i = load double, ptr %arg.solver.7.4, align 8, !noalias !554
-  %.521.i.i16166.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !554
+  %.521.i.i16166.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !554
   %.523.i.i16167.i = fmul double %.530.i.sroa.0.0.i, %.521.i.i16166.i
   %.524.i.i16168.i = fadd double %.468.i.i16163.i, %.523.i.i16167.i
   store double %.524.i.i16168.i, ptr %.576.i.i16170.i, align 8, !noalias !554
@@ -5111,7 +5111,7 @@ B196.if.i16239.i:                                 ; preds = %B196.if.i16239.i, %
   %.1146.i16252.i = load double, ptr %arg.solver.2.4, align 8, !noalias !567
   %.1147.i16253.i = fmul double %.1146.i16252.i, %.11.i.i16250.i
   %.1148.i16254.i = fadd double %.1115.i16251.i, %.1147.i16253.i
-  %.1202.i16255.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !567
+  %.1202.i16255.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !567
   %.1276.i16256.i = getelementptr double, ptr %81, i64 %.974.i16242.i
   %.1277.i16257.i = load double, ptr %.1276.i16256.i, align 8, !noalias !567
   %.1278.i16258.i = fmul double %.1202.i16255.i, %.1277.i16257.i
@@ -5175,12 +5175,12 @@ _ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2
 
 _ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616319: ; preds = %B196.if.i16239.i, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616335
   %largest.2.0.lcssa.i16317.i = phi double [ 0.000000e+00, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616335 ], [ %.11.i3174.i16315.i, %B196.if.i16239.i ]
-  %.10.i.i.i53220 = fcmp ogt double %largest.2.0.lcssa.i16317.i, %largest.2.i.1.i
-  %.11.i.i.i53221 = select i1 %.10.i.i.i53220, double %largest.2.0.lcssa.i16317.i, double %largest.2.i.1.i
+  %.10.i.i.i53221 = fcmp ogt double %largest.2.0.lcssa.i16317.i, %largest.2.i.1.i
+  %.11.i.i.i53222 = select i1 %.10.i.i.i53221, double %largest.2.0.lcssa.i16317.i, double %largest.2.i.1.i
   br label %B248.i.i
 
 B248.i.i:                                         ; preds = %B90.endif.i.i, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616319
-  %largest.3.i.2.i = phi double [ %.11.i.i.i53221, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616319 ], [ %largest.2.i.1.i, %B90.endif.i.i ]
+  %largest.3.i.2.i = phi double [ %.11.i.i.i53222, %_ZN5pages10rate_jumps9put_ratesB3v91B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float616319 ], [ %largest.2.i.1.i, %B90.endif.i.i ]
   %.1038.i.i = fcmp ugt double %largest.3.i.2.i, %.569.i
   %or.cond14873.i = select i1 %.691.i.i, i1 true, i1 %.1038.i.i
   br i1 %or.cond14873.i, label %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, label %B90.i.i
@@ -5204,20 +5204,20 @@ B84.endif.endif.i:                                ; preds = %_ZN5pages10rate_jum
   %.744.i = fsub double %.11.i16321.i, %.532.i
   %.745.i = fmul double %.744.i, 2.500000e-01
   %.746.i = fadd double %.532.i, %.745.i
-  %.752.i = fcmp ugt double %.571.0.i, %.11.i.i53214
+  %.752.i = fcmp ugt double %.571.0.i, %.11.i.i53215
   br i1 %.752.i, label %B332.i, label %B304.i
 
 B332.endif.endif.i:                               ; preds = %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2
-  %.1037.i = load double, ptr %.570.i.i.i53217, align 8, !noalias !314
-  br i1 %.959.i, label %B406.i53288, label %B540.i
+  %.1037.i = load double, ptr %.570.i.i.i53218, align 8, !noalias !314
+  br i1 %.959.i, label %B406.i, label %B540.i
 
-_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_: ; preds = %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, %B826.i, %B700.i, %B406.i53288, %B458.i53289, %B496.i, %B618.i, %B304.i, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282
-  %excinfo.11.i.0 = phi ptr [ null, %B826.i ], [ null, %B618.i ], [ null, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282 ], [ null, %B700.i ], [ null, %B406.i53288 ], [ %excinfo.2.5.i, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ null, %B304.i ], [ null, %B496.i ], [ null, %B458.i53289 ], [ %excinfo.4.4.i, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
-  %.2224.i.not = phi i1 [ true, %B826.i ], [ true, %B618.i ], [ true, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282 ], [ true, %B700.i ], [ true, %B406.i53288 ], [ false, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ true, %B304.i ], [ true, %B496.i ], [ true, %B458.i53289 ], [ false, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
-  %common.ret.op.i53222 = phi i32 [ 0, %B826.i ], [ 0, %B618.i ], [ 0, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53282 ], [ 0, %B700.i ], [ 0, %B406.i53288 ], [ 1, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ 0, %B304.i ], [ 0, %B496.i ], [ 0, %B458.i53289 ], [ 1, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
+_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_: ; preds = %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, %B826.i, %B700.i, %B406.i, %B458.i53289, %B496.i, %B618.i, %B304.i, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283
+  %excinfo.11.i.0 = phi ptr [ null, %B826.i ], [ null, %B618.i ], [ null, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283 ], [ null, %B700.i ], [ null, %B406.i ], [ %excinfo.2.5.i, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ null, %B304.i ], [ null, %B496.i ], [ null, %B458.i53289 ], [ %excinfo.4.4.i, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
+  %.2224.i.not = phi i1 [ true, %B826.i ], [ true, %B618.i ], [ true, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283 ], [ true, %B700.i ], [ true, %B406.i ], [ false, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ true, %B304.i ], [ true, %B496.i ], [ true, %B458.i53289 ], [ false, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
+  %common.ret.op.i53223 = phi i32 [ 0, %B826.i ], [ 0, %B618.i ], [ 0, %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo53283 ], [ 0, %B700.i ], [ 0, %B406.i ], [ 1, %_ZN5pages10rate_jumps14largest_defectB3v88B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ 0, %B304.i ], [ 0, %B496.i ], [ 0, %B458.i53289 ], [ 1, %_ZN5pages10rate_jumps9find_jumpB3v96B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2 ]
   br i1 %.2224.i.not, label %B648.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
-B648.i:                                           ; preds = %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %B614.i8421
+B648.i:                                           ; preds = %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %B614.i
   %spec.select53125 = select i1 %between.2.1, i1 true, i1 %.471.i7971
   %223 = select i1 %spec.select53125, i64 0, i64 3
   br label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f
@@ -5230,8 +5230,8 @@ B502.endif.endif.i:                               ; preds = %B502.i
 _ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f: ; preds = %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, %B502.i, %B296.i, %B368.i, %B648.i
   %.1735.0 = phi i64 [ 0, %B368.i ], [ 0, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ %223, %B648.i ], [ 0, %B296.i ], [ 0, %B502.i ], [ 0, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ 0, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
   %excinfo.5.2 = phi ptr [ %excinfo.5.0, %B368.i ], [ %excinfo.10.i.0, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ %excinfo.5.0, %B648.i ], [ %.1169.i13320, %B296.i ], [ %.1786.i, %B502.i ], [ %excinfo.9.i7954.0, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %excinfo.11.i.0, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
-  %.185814710 = phi i32 [ 0, %B368.i ], [ %common.ret.op.i53209, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ 0, %B648.i ], [ 1, %B296.i ], [ 1, %B502.i ], [ %common.ret.op.i, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %common.ret.op.i53222, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
-  %.1860.not = icmp eq i32 %.185814710, 0
+  %.185814711 = phi i32 [ 0, %B368.i ], [ %common.ret.op.i53209, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ 0, %B648.i ], [ 1, %B296.i ], [ 1, %B502.i ], [ %common.ret.op.i, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %common.ret.op.i53223, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
+  %.1860.not = icmp eq i32 %.185814711, 0
   br i1 %.1860.not, label %B644.endif.endif, label %B644.endif.if, !prof !100
 
 B202.i:                                           ; preds = %B126.if.i
@@ -5259,10 +5259,10 @@ B296.i53314:                                      ; preds = %B240.i
   br i1 %.1002.i, label %B428.i, label %B842.i
 
 B428.i:                                           ; preds = %B296.i53314
-  %.1025.i = icmp slt i64 %.683.i, 0
-  %.1026.i53315 = select i1 %.1025.i, i64 %arg.solver.5.5.0, i64 0
+  %.1025.i53315 = icmp slt i64 %.683.i, 0
+  %.1026.i = select i1 %.1025.i53315, i64 %arg.solver.5.5.0, i64 0
   %225 = getelementptr double, ptr %arg.solver.5.4, i64 %.683.i
-  %.1040.i53316 = getelementptr double, ptr %225, i64 %.1026.i53315
+  %.1040.i53316 = getelementptr double, ptr %225, i64 %.1026.i
   %.1041.i = load double, ptr %.1040.i53316, align 8, !noalias !572
   %.1045.i = fcmp ugt double %.1041.i, %.987.i
   br i1 %.1045.i, label %B842.i, label %B452.preheader.i
@@ -5277,13 +5277,13 @@ B452.preheader.i:                                 ; preds = %B428.i
   %gep2396.i = getelementptr double, ptr %invariant.gep2395.i, i64 %.474.02393.i
   br label %B452.i
 
-B452.i:                                           ; preds = %B818.i53336, %B452.preheader.i
-  %done.2.3.i = phi i64 [ %.1629.i, %B818.i53336 ], [ %.683.i, %B452.preheader.i ]
+B452.i:                                           ; preds = %B818.i, %B452.preheader.i
+  %done.2.3.i = phi i64 [ %.1629.i, %B818.i ], [ %.683.i, %B452.preheader.i ]
   %.1066.i = icmp slt i64 %done.2.3.i, 0
   %.1067.i = select i1 %.1066.i, i64 %arg.solver.5.5.0, i64 0
   %227 = getelementptr double, ptr %arg.solver.5.4, i64 %done.2.3.i
-  %.1081.i53319 = getelementptr double, ptr %227, i64 %.1067.i
-  %.1082.i = load double, ptr %.1081.i53319, align 8, !noalias !572
+  %.1081.i = getelementptr double, ptr %227, i64 %.1067.i
+  %.1082.i = load double, ptr %.1081.i, align 8, !noalias !572
   %.1137.i = load double, ptr %.1136.i, align 8, !noalias !572
   %.1138.i = fsub double %.1082.i, %.1137.i
   %.1193.i = load double, ptr %.1192.i, align 8, !noalias !572
@@ -5306,20 +5306,20 @@ B610.i:                                           ; preds = %B582.if.i
 B726.i:                                           ; preds = %B872.i, %B452.i
   store double 0x7FF0000000000000, ptr %.1691.i, align 8, !noalias !572
   %exitcond2398.not.i = icmp eq i64 %done.2.3.i, %95
-  br i1 %exitcond2398.not.i, label %B842.i, label %B818.i53336
+  br i1 %exitcond2398.not.i, label %B842.i, label %B818.i
 
-B818.i53336:                                      ; preds = %B726.i
+B818.i:                                           ; preds = %B726.i
   %.1629.i = add i64 %done.2.3.i, 1
   %.1726.i = icmp slt i64 %done.2.3.i, -1
   %.1727.i = select i1 %.1726.i, i64 %arg.solver.5.5.0, i64 0
   %229 = getelementptr double, ptr %arg.solver.5.4, i64 %.1629.i
-  %.1741.i53337 = getelementptr double, ptr %229, i64 %.1727.i
-  %.1742.i53338 = load double, ptr %.1741.i53337, align 8, !noalias !572
-  %.1746.i = fcmp ugt double %.1742.i53338, %.987.i
+  %.1741.i53335 = getelementptr double, ptr %229, i64 %.1727.i
+  %.1742.i53336 = load double, ptr %.1741.i53335, align 8, !noalias !572
+  %.1746.i = fcmp ugt double %.1742.i53336, %.987.i
   br i1 %.1746.i, label %B842.i, label %B452.i
 
-B842.i:                                           ; preds = %B818.i53336, %B726.i, %B428.i, %B296.i53314
-  %done.3.2.i = phi i64 [ %.683.i, %B428.i ], [ %.683.i, %B296.i53314 ], [ %arg.solver.5.5.0, %B726.i ], [ %.1629.i, %B818.i53336 ]
+B842.i:                                           ; preds = %B818.i, %B726.i, %B428.i, %B296.i53314
+  %done.3.2.i = phi i64 [ %.683.i, %B428.i ], [ %.683.i, %B296.i53314 ], [ %arg.solver.5.5.0, %B726.i ], [ %.1629.i, %B818.i ]
   store i64 %done.3.2.i, ptr %.682.i, align 8, !noalias !572
   br label %B871.i
 
@@ -5331,8 +5331,8 @@ B872.i:                                           ; preds = %B38.i.preheader.i, 
   %.386.i.i.sink = phi double [ %.386.i.i, %B38.i.preheader.i ], [ %.1434.i, %B610.i ]
   %230 = getelementptr double, ptr %228, i64 %.1227.02378.i
   store double %.386.i.i.sink, ptr %230, align 8, !noalias !572
-  %exitcond.not.i53335 = icmp eq i64 %arg.solver.1.1, %.1296.i53320
-  br i1 %exitcond.not.i53335, label %B726.i, label %B582.if.i
+  %exitcond.not.i53334 = icmp eq i64 %arg.solver.1.1, %.1296.i53319
+  br i1 %exitcond.not.i53334, label %B726.i, label %B582.if.i
 
 B126.if.i:                                        ; preds = %B644.endif.endif, %B871.i
   %.474.02393.i = phi i64 [ %.546.i, %B871.i ], [ 0, %B644.endif.endif ]
@@ -5345,41 +5345,41 @@ B126.if.i:                                        ; preds = %B644.endif.endif, %
   br i1 %.691.i, label %B871.i, label %B202.i
 
 B582.if.i:                                        ; preds = %B872.i, %B582.if.lr.ph.i
-  %.1227.02378.i = phi i64 [ 0, %B582.if.lr.ph.i ], [ %.1296.i53320, %B872.i ]
-  %.1296.i53320 = add nsw i64 %.1227.02378.i, 1
-  %.1354.i = load double, ptr %.1081.i53319, align 8, !noalias !572
+  %.1227.02378.i = phi i64 [ 0, %B582.if.lr.ph.i ], [ %.1296.i53319, %B872.i ]
+  %.1296.i53319 = add nsw i64 %.1227.02378.i, 1
+  %.1354.i = load double, ptr %.1081.i, align 8, !noalias !572
   %.1356.i = fcmp oeq double %.1354.i, %.987.i
   %.1429.i = mul i64 %.1227.02378.i, %arg.solver.11.5.2
   br i1 %.1356.i, label %B610.i, label %B38.i.preheader.i
 
 B38.i.preheader.i:                                ; preds = %B582.if.i
   %gep2381.i = getelementptr double, ptr %invariant.gep2372.i, i64 %.1429.i
-  %gep.i53322 = getelementptr i8, ptr %gep2381.i, i64 %gep.idx.i53321
-  %.226.i.i = load double, ptr %gep.i53322, align 8, !noalias !575
+  %gep.i53321 = getelementptr i8, ptr %gep2381.i, i64 %gep.idx.i53320
+  %.226.i.i = load double, ptr %gep.i53321, align 8, !noalias !575
   %.228.i.i = fadd double %.226.i.i, 0.000000e+00
   %.288.i.i = fmul double %.1197.i, %.228.i.i
-  %gep.1.i53324 = getelementptr i8, ptr %gep2381.i, i64 %gep.1.idx.i53323
-  %.226.i.1.i = load double, ptr %gep.1.i53324, align 8, !noalias !575
+  %gep.1.i53323 = getelementptr i8, ptr %gep2381.i, i64 %gep.1.idx.i53322
+  %.226.i.1.i = load double, ptr %gep.1.i53323, align 8, !noalias !575
   %.228.i.1.i = fadd double %.226.i.1.i, %.288.i.i
   %.288.i.1.i = fmul double %.282.i.i, %.228.i.1.i
-  %gep.2.i53326 = getelementptr i8, ptr %gep2381.i, i64 %gep.2.idx.i53325
-  %.226.i.2.i = load double, ptr %gep.2.i53326, align 8, !noalias !575
+  %gep.2.i53325 = getelementptr i8, ptr %gep2381.i, i64 %gep.2.idx.i53324
+  %.226.i.2.i = load double, ptr %gep.2.i53325, align 8, !noalias !575
   %.228.i.2.i = fadd double %.226.i.2.i, %.288.i.1.i
   %.288.i.2.i = fmul double %.1197.i, %.228.i.2.i
-  %gep.3.i53328 = getelementptr i8, ptr %gep2381.i, i64 %gep.3.idx.i53327
-  %.226.i.3.i = load double, ptr %gep.3.i53328, align 8, !noalias !575
+  %gep.3.i53327 = getelementptr i8, ptr %gep2381.i, i64 %gep.3.idx.i53326
+  %.226.i.3.i = load double, ptr %gep.3.i53327, align 8, !noalias !575
   %.228.i.3.i = fadd double %.226.i.3.i, %.288.i.2.i
   %.288.i.3.i = fmul double %.282.i.i, %.228.i.3.i
-  %gep.4.i53330 = getelementptr i8, ptr %gep2381.i, i64 %gep.4.idx.i53329
-  %.226.i.4.i = load double, ptr %gep.4.i53330, align 8, !noalias !575
+  %gep.4.i53329 = getelementptr i8, ptr %gep2381.i, i64 %gep.4.idx.i53328
+  %.226.i.4.i = load double, ptr %gep.4.i53329, align 8, !noalias !575
   %.228.i.4.i = fadd double %.226.i.4.i, %.288.i.3.i
   %.288.i.4.i = fmul double %.1197.i, %.228.i.4.i
-  %gep.5.i53332 = getelementptr i8, ptr %gep2381.i, i64 %gep.5.idx.i53331
-  %.226.i.5.i = load double, ptr %gep.5.i53332, align 8, !noalias !575
+  %gep.5.i53331 = getelementptr i8, ptr %gep2381.i, i64 %gep.5.idx.i53330
+  %.226.i.5.i = load double, ptr %gep.5.i53331, align 8, !noalias !575
   %.228.i.5.i = fadd double %.226.i.5.i, %.288.i.4.i
   %.288.i.5.i = fmul double %.282.i.i, %.228.i.5.i
-  %gep.6.i53334 = getelementptr i8, ptr %gep2381.i, i64 %gep.6.idx.i53333
-  %.226.i.6.i = load double, ptr %gep.6.i53334, align 8, !noalias !575
+  %gep.6.i53333 = getelementptr i8, ptr %gep2381.i, i64 %gep.6.idx.i53332
+  %.226.i.6.i = load double, ptr %gep.6.i53333, align 8, !noalias !575
   %.228.i.6.i = fadd double %.226.i.6.i, %.288.i.5.i
   %.288.i.6.i = fmul double %.1197.i, %.228.i.6.i
   %.382.i.i = load double, ptr %gep2381.i, align 8, !noalias !575
@@ -5395,108 +5395,108 @@ B744:                                             ; preds = %B722
   br i1 %.2106, label %B782, label %B824
 
 B782:                                             ; preds = %B744, %B722
-  %.445.i15152 = load i64, ptr %.444.i15151, align 8, !noalias !579
-  %.486.i15169 = inttoptr i64 %.445.i15152 to ptr
-  tail call void %.486.i15169(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !579
+  %.445.i15153 = load i64, ptr %.444.i15152, align 8, !noalias !579
+  %.486.i15170 = inttoptr i64 %.445.i15153 to ptr
+  tail call void %.486.i15170(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !579
   br label %B824
 
 B824:                                             ; preds = %B782, %B744
   br i1 %142, label %B850, label %B880
 
 B850:                                             ; preds = %B824
-  %.474.i15659 = load double, ptr %.473.i15658, align 8, !noalias !582
-  %.475.i15660 = fcmp oeq double %.474.i15659, 1.000000e+00
-  br i1 %.475.i15660, label %B82.i, label %B818.i
+  %.474.i15660 = load double, ptr %.473.i15659, align 8, !noalias !582
+  %.475.i15661 = fcmp oeq double %.474.i15660, 1.000000e+00
+  br i1 %.475.i15661, label %B82.i, label %B828.i
 
 B82.i:                                            ; preds = %B850
-  %.530.i15742 = load double, ptr %.529.i15741, align 8, !noalias !582
-  %.531.i15743 = fcmp ogt double %.530.i15742, 5.000000e-01
-  br i1 %.531.i15743, label %B122.i15744, label %B818.i
+  %.530.i15743 = load double, ptr %.529.i15742, align 8, !noalias !582
+  %.531.i15744 = fcmp ogt double %.530.i15743, 5.000000e-01
+  br i1 %.531.i15744, label %B122.i15745, label %B828.i
 
-B122.i15744:                                      ; preds = %B82.i
-  %.591.i15786 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
-  %.645.i15826 = load double, ptr %.644.i15825, align 8, !noalias !582
-  %.646.i15827 = fsub double %.591.i15786, %.645.i15826
-  br i1 %.737.i1586753730.not, label %B448.i, label %B252.if.i
+B122.i15745:                                      ; preds = %B82.i
+  %.591.i15787 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
+  %.645.i15827 = load double, ptr %.644.i15826, align 8, !noalias !582
+  %.646.i15828 = fsub double %.591.i15787, %.645.i15827
+  br i1 %.737.i1586853726.not, label %B448.i, label %B252.if.i
 
 B374.i:                                           ; preds = %B252.if.i
-  %.808.i17142 = load double, ptr %.807.i17141, align 8, !noalias !582
-  %.839.i17168 = load double, ptr %arg.solver.2.4, align 8, !noalias !582
-  %.910.i17233 = mul i64 %.679.i15591.053731, %arg.solver.11.5.2
-  %.914.i17237 = getelementptr double, ptr %arg.solver.11.4, i64 %.910.i17233
-  %.915.i17238 = load double, ptr %.914.i17237, align 8, !noalias !582
-  %.916.i17239 = tail call double @llvm.fabs.f64(double %.915.i17238)
-  %.917.i17240 = fmul double %.839.i17168, %.916.i17239
-  %.918.i17241 = fadd double %.808.i17142, %.917.i17240
-  %.906.i1722953090 = add i64 %.679.i15591.053731, %arg.solver.11.5.1
-  %.1003.i17313 = mul i64 %.906.i1722953090, %arg.solver.11.5.2
-  %.1006.i17316 = getelementptr double, ptr %arg.solver.11.4, i64 %.1003.i17313
-  %.1007.i17317 = load double, ptr %.1006.i17316, align 8, !noalias !582
-  %.1008.i17318 = tail call double @llvm.fabs.f64(double %.1007.i17317)
-  %.1010.i17320 = fmul double %.646.i15827, %.1008.i17318
-  %.1012.i17322 = fcmp ogt double %.1010.i17320, %.918.i17241
+  %.808.i17144 = load double, ptr %.807.i17143, align 8, !noalias !582
+  %.839.i17170 = load double, ptr %arg.solver.2.4, align 8, !noalias !582
+  %.910.i17235 = mul i64 %.679.i15592.053727, %arg.solver.11.5.2
+  %.914.i17239 = getelementptr double, ptr %arg.solver.11.4, i64 %.910.i17235
+  %.915.i17240 = load double, ptr %.914.i17239, align 8, !noalias !582
+  %.916.i17241 = tail call double @llvm.fabs.f64(double %.915.i17240)
+  %.917.i17242 = fmul double %.839.i17170, %.916.i17241
+  %.918.i17243 = fadd double %.808.i17144, %.917.i17242
+  %.906.i1723153090 = add i64 %.679.i15592.053727, %arg.solver.11.5.1
+  %.1003.i17315 = mul i64 %.906.i1723153090, %arg.solver.11.5.2
+  %.1006.i17318 = getelementptr double, ptr %arg.solver.11.4, i64 %.1003.i17315
+  %.1007.i17319 = load double, ptr %.1006.i17318, align 8, !noalias !582
+  %.1008.i17320 = tail call double @llvm.fabs.f64(double %.1007.i17319)
+  %.1010.i17322 = fmul double %.646.i15828, %.1008.i17320
+  %.1012.i17324 = fcmp ogt double %.1010.i17322, %.918.i17243
   br label %B444.i
 
 B444.i:                                           ; preds = %B374.i, %B252.if.i
-  %"$phi444.1.2.i.1" = phi i1 [ true, %B252.if.i ], [ %.1012.i17322, %B374.i ]
-  %exitcond53820.not = icmp eq i64 %arg.solver.1.1, %.750.i17337
-  br i1 %exitcond53820.not, label %B448.i.loopexit, label %B252.if.i
+  %"$phi444.1.2.i.1" = phi i1 [ true, %B252.if.i ], [ %.1012.i17324, %B374.i ]
+  %exitcond53816.not = icmp eq i64 %arg.solver.1.1, %.750.i17339
+  br i1 %exitcond53816.not, label %B448.i.loopexit, label %B252.if.i
 
 B448.i.loopexit:                                  ; preds = %B444.i
   %231 = select i1 %"$phi444.1.2.i.1", double 0x3E7AD7F29ABCAF48, double 5.000000e-06
   br label %B448.i
 
-B448.i:                                           ; preds = %B448.i.loopexit, %B122.i15744
-  %moves.2.i.0.lcssa = phi double [ 5.000000e-06, %B122.i15744 ], [ %231, %B448.i.loopexit ]
-  %.1078.i15908 = load double, ptr %.1077.i15907, align 8, !noalias !582
-  %.1109.i15934 = load double, ptr %arg.solver.5.4, align 8, !noalias !582
-  %.1110.i15935 = fsub double %.1078.i15908, %.1109.i15934
-  %.1111.i15936 = fmul double %moves.2.i.0.lcssa, %.1110.i15935
-  %.1113.i15938 = fcmp olt double %.646.i15827, %.1111.i15936
-  br i1 %.1113.i15938, label %B552.i, label %B590.i
+B448.i:                                           ; preds = %B448.i.loopexit, %B122.i15745
+  %moves.2.i.0.lcssa = phi double [ 5.000000e-06, %B122.i15745 ], [ %231, %B448.i.loopexit ]
+  %.1078.i15909 = load double, ptr %.1077.i15908, align 8, !noalias !582
+  %.1109.i15935 = load double, ptr %arg.solver.5.4, align 8, !noalias !582
+  %.1110.i15936 = fsub double %.1078.i15909, %.1109.i15935
+  %.1111.i15937 = fmul double %moves.2.i.0.lcssa, %.1110.i15936
+  %.1113.i15939 = fcmp olt double %.646.i15828, %.1111.i15937
+  br i1 %.1113.i15939, label %B552.i, label %B590.i
 
 B552.i:                                           ; preds = %B448.i
-  %.1170.i17110 = load i64, ptr %.1169.i17109, align 8, !noalias !582
-  %.1171.i17111 = add nsw i64 %.1170.i17110, 1
+  %.1170.i17111 = load i64, ptr %.1169.i17110, align 8, !noalias !582
+  %.1171.i17112 = add nsw i64 %.1170.i17111, 1
   br label %B590.i
 
 B590.i:                                           ; preds = %B448.i, %B552.i
-  %"$phi590.0.2.i.0" = phi i64 [ %.1171.i17111, %B552.i ], [ 0, %B448.i ]
-  store i64 %"$phi590.0.2.i.0", ptr %.1232.i15980, align 8, !noalias !582
-  %.1289.i16021 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
-  store double %.1289.i16021, ptr %.644.i15825, align 8, !noalias !582
-  store double 1.000000e+00, ptr %.1396.i16099, align 8, !noalias !582
+  %"$phi590.0.2.i.0" = phi i64 [ %.1171.i17112, %B552.i ], [ 0, %B448.i ]
+  store i64 %"$phi590.0.2.i.0", ptr %.1232.i15981, align 8, !noalias !582
+  %.1289.i16022 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
+  store double %.1289.i16022, ptr %.644.i15826, align 8, !noalias !582
+  store double 1.000000e+00, ptr %.1396.i16100, align 8, !noalias !582
   store i64 2, ptr %.454.i, align 8, !noalias !582
-  %.1482.i16164 = load i64, ptr %.1232.i15980, align 8, !noalias !582
-  %.1485.i16166 = icmp sgt i64 %.1482.i16164, 1000
-  br i1 %.1485.i16166, label %B764.i, label %B818.i
+  %.1482.i16165 = load i64, ptr %.1232.i15981, align 8, !noalias !582
+  %.1485.i16167 = icmp sgt i64 %.1482.i16165, 1000
+  br i1 %.1485.i16167, label %B774.i, label %B828.i
 
-B764.i:                                           ; preds = %B590.i
-  %.469.i.i17003 = load i64, ptr %arg.solver.8.4, align 8, !noalias !586
-  %.474.i.i17006 = icmp sgt i64 %.469.i.i17003, -1
-  br i1 %.474.i.i17006, label %B60.i.i17015, label %B818.i
+B774.i:                                           ; preds = %B590.i
+  %.469.i.i17004 = load i64, ptr %arg.solver.8.4, align 8, !noalias !586
+  %.474.i.i17007 = icmp sgt i64 %.469.i.i17004, -1
+  br i1 %.474.i.i17007, label %B60.i.i17016, label %B828.i
 
-B60.i.i17015:                                     ; preds = %B764.i
-  %.507.i.i17037 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i17003
-  %.508.i.i17038 = load i64, ptr %.507.i.i17037, align 8, !noalias !586
-  %.509.i.i17039 = icmp eq i64 %.508.i.i17038, 0
-  br i1 %.509.i.i17039, label %B124.i.i17044, label %B818.i
+B60.i.i17016:                                     ; preds = %B774.i
+  %.507.i.i17038 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i17004
+  %.508.i.i17039 = load i64, ptr %.507.i.i17038, align 8, !noalias !586
+  %.509.i.i17040 = icmp eq i64 %.508.i.i17039, 0
+  br i1 %.509.i.i17040, label %B124.i.i17045, label %B828.i
 
-B124.i.i17044:                                    ; preds = %B60.i.i17015
-  store i64 6, ptr %.507.i.i17037, align 8, !noalias !586
-  br label %B818.i
+B124.i.i17045:                                    ; preds = %B60.i.i17016
+  store i64 6, ptr %.507.i.i17038, align 8, !noalias !586
+  br label %B828.i
 
-B818.i:                                           ; preds = %B124.i.i17044, %B764.i, %B60.i.i17015, %B590.i, %B82.i, %B850
-  store double 0.000000e+00, ptr %.473.i15658, align 8, !noalias !582
+B828.i:                                           ; preds = %B124.i.i17045, %B774.i, %B60.i.i17016, %B590.i, %B82.i, %B850
+  store double 0.000000e+00, ptr %.473.i15659, align 8, !noalias !582
   br label %B880
 
-B252.if.i:                                        ; preds = %B122.i15744, %B444.i
-  %moves.2.i.053733 = phi i1 [ %"$phi444.1.2.i.1", %B444.i ], [ false, %B122.i15744 ]
-  %.679.i15591.053731 = phi i64 [ %.750.i17337, %B444.i ], [ 0, %B122.i15744 ]
-  %.750.i17337 = add nsw i64 %.679.i15591.053731, 1
-  br i1 %moves.2.i.053733, label %B444.i, label %B374.i
+B252.if.i:                                        ; preds = %B122.i15745, %B444.i
+  %moves.2.i.053729 = phi i1 [ %"$phi444.1.2.i.1", %B444.i ], [ false, %B122.i15745 ]
+  %.679.i15592.053727 = phi i64 [ %.750.i17339, %B444.i ], [ 0, %B122.i15745 ]
+  %.750.i17339 = add nsw i64 %.679.i15592.053727, 1
+  br i1 %moves.2.i.053729, label %B444.i, label %B374.i
 
-B880:                                             ; preds = %B824, %B818.i
+B880:                                             ; preds = %B824, %B828.i
   br i1 %.447, label %B902, label %B970
 
 B902:                                             ; preds = %B880
@@ -5505,49 +5505,49 @@ B902:                                             ; preds = %B880
   br i1 %.2460, label %B940, label %B970
 
 B940:                                             ; preds = %B902
-  %.474.i17816 = load double, ptr %.473.i17815, align 8, !noalias !589
-  %.528.i17856 = load double, ptr %arg.solver.7.4, align 8, !noalias !589
-  %.529.i17857 = fsub double %.474.i17816, %.528.i17856
-  %.530.i17858 = fcmp ogt double %.529.i17857, 0.000000e+00
-  br i1 %.530.i17858, label %B110.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
+  %.474.i17818 = load double, ptr %.473.i17817, align 8, !noalias !589
+  %.528.i17858 = load double, ptr %arg.solver.7.4, align 8, !noalias !589
+  %.529.i17859 = fsub double %.474.i17818, %.528.i17858
+  %.530.i17860 = fcmp ogt double %.529.i17859, 0.000000e+00
+  br i1 %.530.i17860, label %B110.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 B110.i:                                           ; preds = %B940
-  %.588.i17944 = load double, ptr %.587.i17943, align 8, !noalias !589
-  %.589.i17945 = fmul double %.588.i17944, 1.000000e-08
-  %.644.i17986 = tail call double @llvm.fabs.f64(double %.528.i17856)
-  %.645.i17987 = fmul double %.644.i17986, 4.000000e-15
-  %.646.i17988 = fadd double %.645.i17987, %.589.i17945
-  %.648.i17990 = fcmp ugt double %.529.i17857, %.646.i17988
-  br i1 %.648.i17990, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B216.i17992
+  %.588.i17947 = load double, ptr %.587.i17946, align 8, !noalias !589
+  %.589.i17948 = fmul double %.588.i17947, 1.000000e-08
+  %.644.i17989 = tail call double @llvm.fabs.f64(double %.528.i17858)
+  %.645.i17990 = fmul double %.644.i17989, 4.000000e-15
+  %.646.i17991 = fadd double %.645.i17990, %.589.i17948
+  %.648.i17993 = fcmp ugt double %.529.i17859, %.646.i17991
+  br i1 %.648.i17993, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B216.i17995
 
-B216.i17992:                                      ; preds = %B110.i
-  %.767.i18072 = load double, ptr %.766.i18071, align 8, !noalias !589
-  %.768.i18073 = fsub double %.474.i17816, %.767.i18072
-  %.799.i18099 = load double, ptr %.798.i18098, align 8, !noalias !589
-  %.830.i18125 = load double, ptr %arg.solver.5.4, align 8, !noalias !589
-  %.831.i18126 = fsub double %.799.i18099, %.830.i18125
-  %.832.i18127 = fmul double %.831.i18126, 0x3E7AD7F29ABCAF48
-  %.833.i18128 = fcmp olt double %.768.i18073, %.832.i18127
-  br i1 %.833.i18128, label %B366.i, label %B404.i
+B216.i17995:                                      ; preds = %B110.i
+  %.767.i18075 = load double, ptr %.766.i18074, align 8, !noalias !589
+  %.768.i18076 = fsub double %.474.i17818, %.767.i18075
+  %.799.i18102 = load double, ptr %.798.i18101, align 8, !noalias !589
+  %.830.i18128 = load double, ptr %arg.solver.5.4, align 8, !noalias !589
+  %.831.i18129 = fsub double %.799.i18102, %.830.i18128
+  %.832.i18130 = fmul double %.831.i18129, 0x3E7AD7F29ABCAF48
+  %.833.i18131 = fcmp olt double %.768.i18076, %.832.i18130
+  br i1 %.833.i18131, label %B366.i, label %B404.i
 
-B366.i:                                           ; preds = %B216.i17992
-  %.888.i18435 = load i64, ptr %.887.i18434, align 8, !noalias !589
-  %.889.i18436 = add nsw i64 %.888.i18435, 1
+B366.i:                                           ; preds = %B216.i17995
+  %.888.i18438 = load i64, ptr %.887.i18437, align 8, !noalias !589
+  %.889.i18439 = add nsw i64 %.888.i18438, 1
   br label %B404.i
 
-B404.i:                                           ; preds = %B216.i17992, %B366.i
-  %"$phi404.0.2.i.0" = phi i64 [ %.889.i18436, %B366.i ], [ 0, %B216.i17992 ]
-  store i64 %"$phi404.0.2.i.0", ptr %.950.i18170, align 8, !noalias !589
-  %.1009.i18212 = load double, ptr %.473.i17815, align 8, !noalias !589
-  store double %.1009.i18212, ptr %.766.i18071, align 8, !noalias !589
-  %.1117.i18291 = load double, ptr %.473.i17815, align 8, !noalias !589
-  store double %.1117.i18291, ptr %arg.solver.7.4, align 8, !noalias !589
-  store double 1.000000e+00, ptr %.1224.i18369, align 8, !noalias !589
+B404.i:                                           ; preds = %B216.i17995, %B366.i
+  %"$phi404.0.2.i.0" = phi i64 [ %.889.i18439, %B366.i ], [ 0, %B216.i17995 ]
+  store i64 %"$phi404.0.2.i.0", ptr %.950.i18173, align 8, !noalias !589
+  %.1009.i18215 = load double, ptr %.473.i17817, align 8, !noalias !589
+  store double %.1009.i18215, ptr %.766.i18074, align 8, !noalias !589
+  %.1117.i18294 = load double, ptr %.473.i17817, align 8, !noalias !589
+  store double %.1117.i18294, ptr %arg.solver.7.4, align 8, !noalias !589
+  store double 1.000000e+00, ptr %.1224.i18372, align 8, !noalias !589
   store i64 2, ptr %.454.i, align 8, !noalias !589
   br label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 _ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_: ; preds = %B940, %B404.i, %B110.i
-  store double 0xFFF0000000000000, ptr %.473.i17815, align 8, !noalias !589
+  store double 0xFFF0000000000000, ptr %.473.i17817, align 8, !noalias !589
   br label %B970
 
 B970:                                             ; preds = %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %B902, %B880
@@ -5557,70 +5557,70 @@ B970:                                             ; preds = %_ZN5pages10rate_jum
   br i1 %brmerge, label %B1018, label %B90.if.i
 
 B74.i.i:                                          ; preds = %B90.if.i
-  %.514.i.i = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.474.i.i53340
-  %.515.i.i53341 = load i64, ptr %.514.i.i, align 8, !noalias !592
-  %.518.i.not.i = icmp eq i64 %.515.i.i53341, 0
+  %.514.i.i = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.474.i.i53338
+  %.515.i.i53339 = load i64, ptr %.514.i.i, align 8, !noalias !592
+  %.518.i.not.i = icmp eq i64 %.515.i.i53339, 0
   br i1 %.518.i.not.i, label %B138.i.i, label %B196.i
 
 B138.i.i:                                         ; preds = %B74.i.i
   %.573.i.i = getelementptr double, ptr %98, i64 %.454.014075.i
   %.574.i.i = load double, ptr %.573.i.i, align 8, !noalias !592
-  %.575.i.i53374 = fcmp olt double %.574.i.i, 5.000000e-01
-  br i1 %.575.i.i53374, label %B196.i, label %B180.i.i
+  %.575.i.i53372 = fcmp olt double %.574.i.i, 5.000000e-01
+  br i1 %.575.i.i53372, label %B196.i, label %B180.i.i
 
 B180.i.i:                                         ; preds = %B138.i.i
-  %.641.i.i53375 = getelementptr double, ptr %arg.solver.7.4, i64 %.454.014075.i
-  %.642.i.i53376 = load double, ptr %.641.i.i53375, align 8, !noalias !592
+  %.641.i.i53373 = getelementptr double, ptr %arg.solver.7.4, i64 %.454.014075.i
+  %.642.i.i53374 = load double, ptr %.641.i.i53373, align 8, !noalias !592
   %.698.i.i = getelementptr double, ptr %99, i64 %.454.014075.i
   %.699.i.i = load double, ptr %.698.i.i, align 8, !noalias !592
-  %.702.i.i = fcmp une double %.642.i.i53376, %.699.i.i
-  %brmerge.i53377 = select i1 %.702.i.i, i1 true, i1 %.520.i106714071.not.i
+  %.702.i.i = fcmp une double %.642.i.i53374, %.699.i.i
+  %brmerge.i53375 = select i1 %.702.i.i, i1 true, i1 %.520.i106714071.not.i
   %not..702.i.i = xor i1 %.702.i.i, true
   %jumping.2.014077.mux.i = select i1 %not..702.i.i, i1 true, i1 %jumping.2.014077.i
-  br i1 %brmerge.i53377, label %B196.i, label %B108.if.i.lr.ph.i53378
+  br i1 %brmerge.i53375, label %B196.i, label %B108.if.i.lr.ph.i53376
 
-B108.if.i.lr.ph.i53378:                           ; preds = %B180.i.i
+B108.if.i.lr.ph.i53376:                           ; preds = %B180.i.i
   %.767.i = getelementptr i64, ptr %100, i64 %.454.014075.i
   %.768.i = load i64, ptr %.767.i, align 8, !noalias !597
   %.769.i = add nsw i64 %.768.i, 1
-  %.582.i.i53379 = icmp slt i64 %.768.i, -1
-  %.583.i1094.i = select i1 %.582.i.i53379, i64 %arg.solver.4.3.5.0, i64 0
-  %.584.i.i53380 = add i64 %.769.i, %.583.i1094.i
-  %.604.i1103.i = mul i64 %.584.i.i53380, %arg.solver.4.3.5.1
+  %.582.i.i53377 = icmp slt i64 %.768.i, -1
+  %.583.i1094.i = select i1 %.582.i.i53377, i64 %arg.solver.4.3.5.0, i64 0
+  %.584.i.i53378 = add i64 %.769.i, %.583.i1094.i
+  %.604.i1103.i = mul i64 %.584.i.i53378, %arg.solver.4.3.5.1
   %232 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i1103.i
-  br label %B108.if.i.i53381
+  br label %B108.if.i.i53379
 
-B108.if.i.i53381:                                 ; preds = %B108.if.i.i53381, %B108.if.i.lr.ph.i53378
-  %.462.i1026.014072.i = phi i64 [ 0, %B108.if.i.lr.ph.i53378 ], [ %.533.i.i53382, %B108.if.i.i53381 ]
-  %.533.i.i53382 = add nsw i64 %.462.i1026.014072.i, 1
+B108.if.i.i53379:                                 ; preds = %B108.if.i.i53379, %B108.if.i.lr.ph.i53376
+  %.462.i1026.014072.i = phi i64 [ 0, %B108.if.i.lr.ph.i53376 ], [ %.533.i.i53380, %B108.if.i.i53379 ]
+  %.533.i.i53380 = add nsw i64 %.462.i1026.014072.i, 1
   %233 = getelementptr double, ptr %232, i64 %.462.i1026.014072.i
-  %.609.i.i53383 = load double, ptr %233, align 8, !noalias !598
+  %.609.i.i53381 = load double, ptr %233, align 8, !noalias !598
   %234 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i1026.014072.i
   %.643.i1130.i = load i64, ptr %234, align 8, !noalias !598
   %.645.i1131.i = mul nsw i64 %.643.i1130.i, %arg.solver.1.0
-  %.647.i.i53384 = add nsw i64 %.645.i1131.i, %.454.014075.i
-  %.660.i.i53385 = icmp slt i64 %.647.i.i53384, 0
-  %.661.i1137.i = select i1 %.660.i.i53385, i64 %arg.solver.10.1.5.0, i64 0
-  %235 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i53384
+  %.647.i.i53382 = add nsw i64 %.645.i1131.i, %.454.014075.i
+  %.660.i.i53383 = icmp slt i64 %.647.i.i53382, 0
+  %.661.i1137.i = select i1 %.660.i.i53383, i64 %arg.solver.10.1.5.0, i64 0
+  %235 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i53382
   %.675.i1149.i = getelementptr double, ptr %235, i64 %.661.i1137.i
-  store double %.609.i.i53383, ptr %.675.i1149.i, align 8, !noalias !598
-  %exitcond.not.i53386 = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i53382
-  br i1 %exitcond.not.i53386, label %B196.i, label %B108.if.i.i53381
+  store double %.609.i.i53381, ptr %.675.i1149.i, align 8, !noalias !598
+  %exitcond.not.i53384 = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i53380
+  br i1 %exitcond.not.i53384, label %B196.i, label %B108.if.i.i53379
 
-B196.i:                                           ; preds = %B108.if.i.i53381, %B90.if.i, %B180.i.i, %B138.i.i, %B74.i.i
-  %jumping.3.1.i = phi i1 [ %jumping.2.014077.mux.i, %B180.i.i ], [ %jumping.2.014077.i, %B138.i.i ], [ %jumping.2.014077.i, %B90.if.i ], [ %jumping.2.014077.i, %B74.i.i ], [ true, %B108.if.i.i53381 ]
+B196.i:                                           ; preds = %B108.if.i.i53379, %B90.if.i, %B180.i.i, %B138.i.i, %B74.i.i
+  %jumping.3.1.i = phi i1 [ %jumping.2.014077.mux.i, %B180.i.i ], [ %jumping.2.014077.i, %B138.i.i ], [ %jumping.2.014077.i, %B90.if.i ], [ %jumping.2.014077.i, %B74.i.i ], [ true, %B108.if.i.i53379 ]
   %exitcond14090.not.i = icmp eq i64 %arg.solver.1.0, %.525.i
   br i1 %exitcond14090.not.i, label %B198.i, label %B90.if.i
 
 B198.i:                                           ; preds = %B196.i
-  br i1 %jumping.3.1.i, label %B206.i53342, label %B1018
+  br i1 %jumping.3.1.i, label %B206.i53340, label %B1018
 
-B206.i53342:                                      ; preds = %B198.i
+B206.i53340:                                      ; preds = %B198.i
   %.453.i1590.i = load i64, ptr %.452.i1589.i, align 8, !noalias !602
-  %.492.i.i53343 = inttoptr i64 %.453.i1590.i to ptr
-  tail call void %.492.i.i53343(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !602
-  %.1193.i53345 = load i64, ptr %.1192.i53344, align 8, !noalias !597
-  %.1303.i = inttoptr i64 %.1193.i53345 to ptr
+  %.492.i.i53341 = inttoptr i64 %.453.i1590.i to ptr
+  tail call void %.492.i.i53341(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !602
+  %.1193.i53343 = load i64, ptr %.1192.i53342, align 8, !noalias !597
+  %.1303.i = inttoptr i64 %.1193.i53343 to ptr
   tail call void %.1303.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.1302.i), !noalias !597
   br label %B472.if.i
 
@@ -5628,13 +5628,13 @@ B74.i461.i:                                       ; preds = %B472.if.i
   %.514.i484.i = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.474.i457.i
   %.515.i485.i = load i64, ptr %.514.i484.i, align 8, !noalias !605
   %.518.i487.not.i = icmp eq i64 %.515.i485.i, 0
-  br i1 %.518.i487.not.i, label %B138.i488.i, label %B540.i53351
+  br i1 %.518.i487.not.i, label %B138.i488.i, label %B540.i53349
 
 B138.i488.i:                                      ; preds = %B74.i461.i
   %.573.i525.i = getelementptr double, ptr %98, i64 %.1331.014088.i
   %.574.i526.i = load double, ptr %.573.i525.i, align 8, !noalias !605
   %.575.i527.i = fcmp olt double %.574.i526.i, 5.000000e-01
-  br i1 %.575.i527.i, label %B540.i53351, label %B180.i528.i
+  br i1 %.575.i527.i, label %B540.i53349, label %B180.i528.i
 
 B180.i528.i:                                      ; preds = %B138.i488.i
   %.641.i565.i = getelementptr double, ptr %arg.solver.7.4, i64 %.1331.014088.i
@@ -5642,7 +5642,7 @@ B180.i528.i:                                      ; preds = %B138.i488.i
   %.698.i604.i = getelementptr double, ptr %99, i64 %.1331.014088.i
   %.699.i605.i = load double, ptr %.698.i604.i, align 8, !noalias !605
   %.702.i607.i = fcmp une double %.642.i566.i, %.699.i605.i
-  br i1 %.702.i607.i, label %B540.i53351, label %B508.i
+  br i1 %.702.i607.i, label %B540.i53349, label %B508.i
 
 B508.i:                                           ; preds = %B180.i528.i
   %.537.i2119.i = getelementptr i64, ptr %101, i64 %.1331.014088.i
@@ -5662,8 +5662,8 @@ B196.i.i:                                         ; preds = %B132.i.i, %B508.i
   br i1 %.740.i14079.not.i, label %B434.i.i, label %B252.if.i.lr.ph.i
 
 B252.if.i.lr.ph.i:                                ; preds = %B196.i.i
-  %factor.op.mul14078.reass.i = mul i64 %factor.op.mul.i53346, %.474.i457.i
-  %invariant.gep.i53352 = getelementptr double, ptr %102, i64 %.1331.014088.i
+  %factor.op.mul14078.reass.i = mul i64 %factor.op.mul.i53344, %.474.i457.i
+  %invariant.gep.i53350 = getelementptr double, ptr %102, i64 %.1331.014088.i
   %invariant.gep14084.i = getelementptr double, ptr %arg.solver.11.4, i64 %.1331.014088.i
   %.953.i.i = add nsw i64 %.538.i2120.i, -1
   %.991.i.i = select i1 %.546.i2124.i, i64 0, i64 %arg.solver.6.0.5.1
@@ -5675,72 +5675,72 @@ B252.if.i.lr.ph.i:                                ; preds = %B196.i.i
 
 B334.i.i:                                         ; preds = %B252.if.i.i
   %239 = getelementptr double, ptr %238, i64 %.682.i2021.014080.i
-  store double %.857.i.i53354, ptr %239, align 8, !noalias !608
-  br label %B366.i.i53355
+  store double %.857.i.i53352, ptr %239, align 8, !noalias !608
+  br label %B366.i.i53353
 
-B366.i.i53355:                                    ; preds = %B252.if.i.i, %B334.i.i
+B366.i.i53353:                                    ; preds = %B252.if.i.i, %B334.i.i
   %exitcond14091.not.i = icmp eq i64 %arg.solver.1.1, %.753.i.i
   br i1 %exitcond14091.not.i, label %B368.i.loopexit.i, label %B252.if.i.i
 
-B368.i.loopexit.i:                                ; preds = %B366.i.i53355
+B368.i.loopexit.i:                                ; preds = %B366.i.i53353
   %240 = fcmp une double %.864.i.i, 0.000000e+00
   br i1 %240, label %B380.i.i, label %B434.i.i
 
 B380.i.i:                                         ; preds = %B368.i.loopexit.i
-  %.469.i.i.i53367 = load i64, ptr %.473.i456.i, align 8, !noalias !612
-  %.474.i.i.i53368 = icmp sgt i64 %.469.i.i.i53367, -1
-  br i1 %.474.i.i.i53368, label %B60.i.i.i53369, label %B434.i.i
+  %.469.i.i.i53365 = load i64, ptr %.473.i456.i, align 8, !noalias !612
+  %.474.i.i.i53366 = icmp sgt i64 %.469.i.i.i53365, -1
+  br i1 %.474.i.i.i53366, label %B60.i.i.i53367, label %B434.i.i
 
-B60.i.i.i53369:                                   ; preds = %B380.i.i
-  %.507.i.i.i53370 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i.i53367
-  %.508.i.i.i53371 = load i64, ptr %.507.i.i.i53370, align 8, !noalias !612
-  %.509.i.i.i53372 = icmp eq i64 %.508.i.i.i53371, 0
-  br i1 %.509.i.i.i53372, label %B124.i.i.i53373, label %B434.i.i
+B60.i.i.i53367:                                   ; preds = %B380.i.i
+  %.507.i.i.i53368 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i.i53365
+  %.508.i.i.i53369 = load i64, ptr %.507.i.i.i53368, align 8, !noalias !612
+  %.509.i.i.i53370 = icmp eq i64 %.508.i.i.i53369, 0
+  br i1 %.509.i.i.i53370, label %B124.i.i.i53371, label %B434.i.i
 
-B124.i.i.i53373:                                  ; preds = %B60.i.i.i53369
-  store i64 3, ptr %.507.i.i.i53370, align 8, !noalias !612
+B124.i.i.i53371:                                  ; preds = %B60.i.i.i53367
+  store i64 3, ptr %.507.i.i.i53368, align 8, !noalias !612
   br label %B434.i.i
 
-B434.i.i:                                         ; preds = %B124.i.i.i53373, %B60.i.i.i53369, %B380.i.i, %B368.i.loopexit.i, %B196.i.i
-  br i1 %.1205.i.not.i, label %B540.i53351, label %B458.i.i
+B434.i.i:                                         ; preds = %B124.i.i.i53371, %B60.i.i.i53367, %B380.i.i, %B368.i.loopexit.i, %B196.i.i
+  br i1 %.1205.i.not.i, label %B540.i53349, label %B458.i.i
 
 B458.i.i:                                         ; preds = %B434.i.i
-  %.459.i.i.i.i53356 = load i64, ptr %.458.i.i.i.i53349, align 8, !noalias !615
-  %.501.i.i.i.i53357 = inttoptr i64 %.459.i.i.i.i53356 to ptr
-  tail call void %.501.i.i.i.i53357(ptr %arg.solver.7.4, ptr %.475.i.i.i.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i.i53350), !noalias !615
-  %.577.i.i.i.i53358 = load double, ptr %arg.solver.13.4, align 8, !noalias !615
-  %.623.i.i.i53359 = fcmp olt double %.577.i.i.i.i53358, -1.000000e-09
-  br i1 %.623.i.i.i53359, label %B500.i.i, label %B540.i53351
+  %.459.i.i.i.i53354 = load i64, ptr %.458.i.i.i.i53347, align 8, !noalias !615
+  %.501.i.i.i.i53355 = inttoptr i64 %.459.i.i.i.i53354 to ptr
+  tail call void %.501.i.i.i.i53355(ptr %arg.solver.7.4, ptr %.475.i.i.i.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i.i53348), !noalias !615
+  %.577.i.i.i.i53356 = load double, ptr %arg.solver.13.4, align 8, !noalias !615
+  %.623.i.i.i53357 = fcmp olt double %.577.i.i.i.i53356, -1.000000e-09
+  br i1 %.623.i.i.i53357, label %B500.i.i, label %B540.i53349
 
 B500.i.i:                                         ; preds = %B458.i.i
-  %.469.i450.i.i53360 = load i64, ptr %.473.i456.i, align 8, !noalias !621
-  %.474.i453.i.i53361 = icmp sgt i64 %.469.i450.i.i53360, -1
-  br i1 %.474.i453.i.i53361, label %B60.i458.i.i53362, label %B540.i53351
+  %.469.i450.i.i53358 = load i64, ptr %.473.i456.i, align 8, !noalias !621
+  %.474.i453.i.i53359 = icmp sgt i64 %.469.i450.i.i53358, -1
+  br i1 %.474.i453.i.i53359, label %B60.i458.i.i53360, label %B540.i53349
 
-B60.i458.i.i53362:                                ; preds = %B500.i.i
-  %.507.i480.i.i53363 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i450.i.i53360
-  %.508.i481.i.i53364 = load i64, ptr %.507.i480.i.i53363, align 8, !noalias !621
-  %.509.i482.i.i53365 = icmp eq i64 %.508.i481.i.i53364, 0
-  br i1 %.509.i482.i.i53365, label %B124.i487.i.i53366, label %B540.i53351
+B60.i458.i.i53360:                                ; preds = %B500.i.i
+  %.507.i480.i.i53361 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i450.i.i53358
+  %.508.i481.i.i53362 = load i64, ptr %.507.i480.i.i53361, align 8, !noalias !621
+  %.509.i482.i.i53363 = icmp eq i64 %.508.i481.i.i53362, 0
+  br i1 %.509.i482.i.i53363, label %B124.i487.i.i53364, label %B540.i53349
 
-B124.i487.i.i53366:                               ; preds = %B60.i458.i.i53362
-  store i64 4, ptr %.507.i480.i.i53363, align 8, !noalias !621
-  br label %B540.i53351
+B124.i487.i.i53364:                               ; preds = %B60.i458.i.i53360
+  store i64 4, ptr %.507.i480.i.i53361, align 8, !noalias !621
+  br label %B540.i53349
 
-B252.if.i.i:                                      ; preds = %B366.i.i53355, %B252.if.i.lr.ph.i
-  %not_finite.2.i.014082.i = phi double [ 0.000000e+00, %B252.if.i.lr.ph.i ], [ %.864.i.i, %B366.i.i53355 ]
-  %.682.i2021.014080.i = phi i64 [ 0, %B252.if.i.lr.ph.i ], [ %.753.i.i, %B366.i.i53355 ]
+B252.if.i.i:                                      ; preds = %B366.i.i53353, %B252.if.i.lr.ph.i
+  %not_finite.2.i.014082.i = phi double [ 0.000000e+00, %B252.if.i.lr.ph.i ], [ %.864.i.i, %B366.i.i53353 ]
+  %.682.i2021.014080.i = phi i64 [ 0, %B252.if.i.lr.ph.i ], [ %.753.i.i, %B366.i.i53353 ]
   %.753.i.i = add nsw i64 %.682.i2021.014080.i, 1
   %.852.i.i = mul i64 %.682.i2021.014080.i, %arg.solver.11.5.2
-  %gep.i53353 = getelementptr double, ptr %invariant.gep.i53352, i64 %.852.i.i
-  %.857.i.i53354 = load double, ptr %gep.i53353, align 8, !noalias !608
-  %.862.i.i = fmul double %.857.i.i53354, 0.000000e+00
+  %gep.i53351 = getelementptr double, ptr %invariant.gep.i53350, i64 %.852.i.i
+  %.857.i.i53352 = load double, ptr %gep.i53351, align 8, !noalias !608
+  %.862.i.i = fmul double %.857.i.i53352, 0.000000e+00
   %.864.i.i = fadd double %not_finite.2.i.014082.i, %.862.i.i
   %gep14085.i = getelementptr double, ptr %invariant.gep14084.i, i64 %.852.i.i
-  store double %.857.i.i53354, ptr %gep14085.i, align 8, !noalias !608
-  br i1 %"$phi196.0.2.i.0.i", label %B334.i.i, label %B366.i.i53355
+  store double %.857.i.i53352, ptr %gep14085.i, align 8, !noalias !608
+  br i1 %"$phi196.0.2.i.0.i", label %B334.i.i, label %B366.i.i53353
 
-B540.i53351:                                      ; preds = %B472.if.i, %B124.i487.i.i53366, %B60.i458.i.i53362, %B500.i.i, %B458.i.i, %B434.i.i, %B180.i528.i, %B138.i488.i, %B74.i461.i
+B540.i53349:                                      ; preds = %B472.if.i, %B124.i487.i.i53364, %B60.i458.i.i53360, %B500.i.i, %B458.i.i, %B434.i.i, %B180.i528.i, %B138.i488.i, %B74.i461.i
   %exitcond14092.not.i = icmp eq i64 %arg.solver.1.0, %.1400.i
   br i1 %exitcond14092.not.i, label %B1018, label %B472.if.i
 
@@ -5748,436 +5748,436 @@ B90.if.i:                                         ; preds = %B970, %B196.i
   %jumping.2.014077.i = phi i1 [ %jumping.3.1.i, %B196.i ], [ false, %B970 ]
   %.454.014075.i = phi i64 [ %.525.i, %B196.i ], [ 0, %B970 ]
   %.525.i = add nsw i64 %.454.014075.i, 1
-  %.473.i.i53339 = getelementptr i64, ptr %arg.solver.8.4, i64 %.454.014075.i
-  %.474.i.i53340 = load i64, ptr %.473.i.i53339, align 8, !noalias !592
-  %.479.i.i = icmp slt i64 %.474.i.i53340, 0
+  %.473.i.i53337 = getelementptr i64, ptr %arg.solver.8.4, i64 %.454.014075.i
+  %.474.i.i53338 = load i64, ptr %.473.i.i53337, align 8, !noalias !592
+  %.479.i.i = icmp slt i64 %.474.i.i53338, 0
   br i1 %.479.i.i, label %B196.i, label %B74.i.i
 
-B472.if.i:                                        ; preds = %B540.i53351, %B206.i53342
-  %.1331.014088.i = phi i64 [ 0, %B206.i53342 ], [ %.1400.i, %B540.i53351 ]
+B472.if.i:                                        ; preds = %B540.i53349, %B206.i53340
+  %.1331.014088.i = phi i64 [ 0, %B206.i53340 ], [ %.1400.i, %B540.i53349 ]
   %.1400.i = add nsw i64 %.1331.014088.i, 1
   %.473.i456.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.1331.014088.i
   %.474.i457.i = load i64, ptr %.473.i456.i, align 8, !noalias !605
   %.479.i460.i = icmp slt i64 %.474.i457.i, 0
-  br i1 %.479.i460.i, label %B540.i53351, label %B74.i461.i
+  br i1 %.479.i460.i, label %B540.i53349, label %B74.i461.i
 
-B1018:                                            ; preds = %B540.i53351, %B970, %B198.i
-  %due.2.1.lcssa.not53823 = xor i1 %due.2.1.lcssa, true
-  %brmerge53824 = or i1 %.499, %due.2.1.lcssa.not53823
+B1018:                                            ; preds = %B540.i53349, %B970, %B198.i
+  %due.2.1.lcssa.not53819 = xor i1 %due.2.1.lcssa, true
+  %brmerge53820 = or i1 %.499, %due.2.1.lcssa.not53819
   %active.5.1.mux = select i1 %due.2.1.lcssa, i64 0, i64 %active.5.1
-  br i1 %brmerge53824, label %B1072, label %B156.if.i
+  br i1 %brmerge53820, label %B1072, label %B156.if.i
 
 B204.i:                                           ; preds = %B156.if.i
-  %.704.i19110 = mul i64 %.631.i19061, %arg.solver.6.3.5.1
-  %.708.i19114 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.704.i19110
-  %.709.i19115 = load i64, ptr %.708.i19114, align 8, !noalias !624
-  %.765.i19167 = getelementptr i8, ptr %.708.i19114, i64 24
-  %.766.i19168 = load i64, ptr %.765.i19167, align 8, !noalias !624
-  %241 = add i64 %.709.i19115, %.766.i19168
-  %.767.i19169 = sub i64 %arg.most, %241
-  %.772.i19172 = icmp slt i64 %.767.i19169, 1
-  br i1 %.772.i19172, label %B60.i.i23753, label %B338.i
+  %.704.i19113 = mul i64 %.631.i19064, %arg.solver.6.3.5.1
+  %.708.i19117 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.704.i19113
+  %.709.i19118 = load i64, ptr %.708.i19117, align 8, !noalias !624
+  %.765.i19170 = getelementptr i8, ptr %.708.i19117, i64 24
+  %.766.i19171 = load i64, ptr %.765.i19170, align 8, !noalias !624
+  %241 = add i64 %.709.i19118, %.766.i19171
+  %.767.i19172 = sub i64 %arg.most, %241
+  %.772.i19175 = icmp slt i64 %.767.i19172, 1
+  br i1 %.772.i19175, label %B60.i.i23756, label %B338.i
 
-B60.i.i23753:                                     ; preds = %B204.i
-  %.507.i.i23775 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19061
-  %.508.i.i23776 = load i64, ptr %.507.i.i23775, align 8, !noalias !628
-  %.509.i.i23777 = icmp eq i64 %.508.i.i23776, 0
-  br i1 %.509.i.i23777, label %B124.i.i23782, label %B338.i
+B60.i.i23756:                                     ; preds = %B204.i
+  %.507.i.i23778 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19064
+  %.508.i.i23779 = load i64, ptr %.507.i.i23778, align 8, !noalias !628
+  %.509.i.i23780 = icmp eq i64 %.508.i.i23779, 0
+  br i1 %.509.i.i23780, label %B124.i.i23785, label %B338.i
 
-B124.i.i23782:                                    ; preds = %B60.i.i23753
-  store i64 5, ptr %.507.i.i23775, align 8, !noalias !628
+B124.i.i23785:                                    ; preds = %B60.i.i23756
+  store i64 5, ptr %.507.i.i23778, align 8, !noalias !628
   br label %B338.i
 
-B338.i:                                           ; preds = %B124.i.i23782, %B60.i.i23753, %B204.i
-  %.970.i19220 = getelementptr double, ptr %103, i64 %.477.i18899.053740
-  %.971.i19221 = load double, ptr %.970.i19220, align 8, !noalias !624
-  %.972.i19222 = fcmp ogt double %.971.i19221, 5.000000e-01
-  br i1 %.972.i19222, label %B376.i20669, label %B472.i
+B338.i:                                           ; preds = %B124.i.i23785, %B60.i.i23756, %B204.i
+  %.970.i19223 = getelementptr double, ptr %103, i64 %.477.i18902.053736
+  %.971.i19224 = load double, ptr %.970.i19223, align 8, !noalias !624
+  %.972.i19225 = fcmp ogt double %.971.i19224, 5.000000e-01
+  br i1 %.972.i19225, label %B376.i20672, label %B472.i
 
-B376.i20669:                                      ; preds = %B338.i
-  %.1027.i20717 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18899.053740
-  %.1028.i20718 = load double, ptr %.1027.i20717, align 8, !noalias !624
-  %.1082.i20766 = getelementptr double, ptr %104, i64 %.477.i18899.053740
-  %.1083.i20767 = load double, ptr %.1082.i20766, align 8, !noalias !624
-  %.1084.i20768 = fcmp oeq double %.1028.i20718, %.1083.i20767
-  br i1 %.1084.i20768, label %B440.i, label %B472.i
+B376.i20672:                                      ; preds = %B338.i
+  %.1027.i20720 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
+  %.1028.i20721 = load double, ptr %.1027.i20720, align 8, !noalias !624
+  %.1082.i20769 = getelementptr double, ptr %104, i64 %.477.i18902.053736
+  %.1083.i20770 = load double, ptr %.1082.i20769, align 8, !noalias !624
+  %.1084.i20771 = fcmp oeq double %.1028.i20721, %.1083.i20770
+  br i1 %.1084.i20771, label %B440.i, label %B472.i
 
-B440.i:                                           ; preds = %B376.i20669
-  %.487.i449.i = getelementptr i64, ptr %105, i64 %.477.i18899.053740
-  %.488.i.i21492 = load i64, ptr %.487.i449.i, align 8, !noalias !631
-  %.489.i450.i = add nsw i64 %.488.i.i21492, 1
+B440.i:                                           ; preds = %B376.i20672
+  %.487.i449.i = getelementptr i64, ptr %105, i64 %.477.i18902.053736
+  %.488.i.i21495 = load i64, ptr %.487.i449.i, align 8, !noalias !631
+  %.489.i450.i = add nsw i64 %.488.i.i21495, 1
   store i64 %.489.i450.i, ptr %.487.i449.i, align 8, !noalias !631
-  %.615.i.i21545 = icmp slt i64 %.488.i.i21492, -1
-  %.616.i.i21546 = select i1 %.615.i.i21545, i64 %arg.solver.4.2.5.0, i64 0
+  %.615.i.i21548 = icmp slt i64 %.488.i.i21495, -1
+  %.616.i.i21549 = select i1 %.615.i.i21548, i64 %arg.solver.4.2.5.0, i64 0
   %242 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.489.i450.i
-  %.630.i.i21556 = getelementptr double, ptr %242, i64 %.616.i.i21546
-  %.631.i.i21557 = load double, ptr %.630.i.i21556, align 8, !noalias !631
-  %.632.i.i21558 = fcmp oeq double %.631.i.i21557, 0x7FF0000000000000
-  br i1 %.632.i.i21558, label %B190.i.i, label %B338.i.i21559
+  %.630.i.i21559 = getelementptr double, ptr %242, i64 %.616.i.i21549
+  %.631.i.i21560 = load double, ptr %.630.i.i21559, align 8, !noalias !631
+  %.632.i.i21561 = fcmp oeq double %.631.i.i21560, 0x7FF0000000000000
+  br i1 %.632.i.i21561, label %B190.i.i, label %B338.i.i21562
 
 B190.i.i:                                         ; preds = %B440.i
-  %.698.i.i22837 = load i64, ptr %.630.i19060, align 8, !noalias !631
-  %.720.i.i22850 = icmp slt i64 %.698.i.i22837, 0
-  %.721.i.i22851 = select i1 %.720.i.i22850, i64 %arg.solver.6.1.5.0, i64 0
-  %243 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.698.i.i22837
-  %.735.i.i22861 = getelementptr i64, ptr %243, i64 %.721.i.i22851
-  %.736.i.i22862 = load i64, ptr %.735.i.i22861, align 8, !noalias !631
-  %.737.i.i22863 = icmp eq i64 %.736.i.i22862, 0
-  br i1 %.737.i.i22863, label %B284.i.i, label %B472.i
+  %.698.i.i22840 = load i64, ptr %.630.i19063, align 8, !noalias !631
+  %.720.i.i22853 = icmp slt i64 %.698.i.i22840, 0
+  %.721.i.i22854 = select i1 %.720.i.i22853, i64 %arg.solver.6.1.5.0, i64 0
+  %243 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.698.i.i22840
+  %.735.i.i22864 = getelementptr i64, ptr %243, i64 %.721.i.i22854
+  %.736.i.i22865 = load i64, ptr %.735.i.i22864, align 8, !noalias !631
+  %.737.i.i22866 = icmp eq i64 %.736.i.i22865, 0
+  br i1 %.737.i.i22866, label %B284.i.i, label %B472.i
 
 B284.i.i:                                         ; preds = %B190.i.i
-  store i64 1, ptr %.735.i.i22861, align 8, !noalias !631
+  store i64 1, ptr %.735.i.i22864, align 8, !noalias !631
   br label %B472.i
 
-B338.i.i21559:                                    ; preds = %B440.i
-  store double %.631.i.i21557, ptr %.1082.i20766, align 8, !noalias !631
-  %.890.i.i21631 = select i1 %.615.i.i21545, i64 %arg.solver.4.4.5.0, i64 0
+B338.i.i21562:                                    ; preds = %B440.i
+  store double %.631.i.i21560, ptr %.1082.i20769, align 8, !noalias !631
+  %.890.i.i21634 = select i1 %.615.i.i21548, i64 %arg.solver.4.4.5.0, i64 0
   %244 = getelementptr i64, ptr %arg.solver.4.4.4, i64 %.489.i450.i
-  %.904.i.i21641 = getelementptr i64, ptr %244, i64 %.890.i.i21631
-  %.905.i.i21642 = load i64, ptr %.904.i.i21641, align 8, !noalias !631
-  %.906.i.i21643 = icmp eq i64 %.905.i.i21642, 0
-  br i1 %.906.i.i21643, label %B418.i.i, label %B464.i.i
+  %.904.i.i21644 = getelementptr i64, ptr %244, i64 %.890.i.i21634
+  %.905.i.i21645 = load i64, ptr %.904.i.i21644, align 8, !noalias !631
+  %.906.i.i21646 = icmp eq i64 %.905.i.i21645, 0
+  br i1 %.906.i.i21646, label %B418.i.i, label %B474.i.i
 
-B418.i.i:                                         ; preds = %B338.i.i21559
-  %.961.i.i22775 = getelementptr double, ptr %107, i64 %.477.i18899.053740
-  store double 1.000000e+00, ptr %.961.i.i22775, align 8, !noalias !631
-  br label %B612.i.i
+B418.i.i:                                         ; preds = %B338.i.i21562
+  %.961.i.i22778 = getelementptr double, ptr %107, i64 %.477.i18902.053736
+  store double 1.000000e+00, ptr %.961.i.i22778, align 8, !noalias !631
+  br label %B642.i.i
 
-B464.i.i:                                         ; preds = %B338.i.i21559
-  %.1051.i.i21680 = getelementptr double, ptr %106, i64 %.477.i18899.053740
-  %.1052.i.i21681 = load double, ptr %.1051.i.i21680, align 8, !noalias !631
-  %.10.i.i.i21686 = fcmp olt double %.1052.i.i21681, 2.500000e-01
-  %.11.i.i.i21687 = select i1 %.10.i.i.i21686, double 2.500000e-01, double %.1052.i.i21681
-  store double %.11.i.i.i21687, ptr %.1051.i.i21680, align 8, !noalias !631
-  %.1169.i.i21745 = load i64, ptr %.454.i, align 8, !noalias !631
-  %.11.i4.i.i21751 = tail call i64 @llvm.smax.i64(i64 %.1169.i.i21745, i64 1)
-  br label %B612.i.i
+B474.i.i:                                         ; preds = %B338.i.i21562
+  %.1051.i.i21683 = getelementptr double, ptr %106, i64 %.477.i18902.053736
+  %.1052.i.i21684 = load double, ptr %.1051.i.i21683, align 8, !noalias !631
+  %.10.i.i.i21689 = fcmp olt double %.1052.i.i21684, 2.500000e-01
+  %.11.i.i.i21690 = select i1 %.10.i.i.i21689, double 2.500000e-01, double %.1052.i.i21684
+  store double %.11.i.i.i21690, ptr %.1051.i.i21683, align 8, !noalias !631
+  %.1169.i.i21748 = load i64, ptr %.454.i, align 8, !noalias !631
+  %.11.i4.i.i21754 = tail call i64 @llvm.smax.i64(i64 %.1169.i.i21748, i64 1)
+  br label %B642.i.i
 
-B612.i.i:                                         ; preds = %B464.i.i, %B418.i.i
-  %storemerge53080 = phi i64 [ %.11.i4.i.i21751, %B464.i.i ], [ 2, %B418.i.i ]
+B642.i.i:                                         ; preds = %B474.i.i, %B418.i.i
+  %storemerge53080 = phi i64 [ %.11.i4.i.i21754, %B474.i.i ], [ 2, %B418.i.i ]
   store i64 %storemerge53080, ptr %.454.i, align 8, !noalias !631
-  br i1 %.520.i.i.i2262553735.not, label %B472.i, label %B108.if.i.i.i.lr.ph
+  br i1 %.520.i.i.i2262853731.not, label %B472.i, label %B108.if.i.i.i.lr.ph
 
-B108.if.i.i.i.lr.ph:                              ; preds = %B612.i.i
-  %.583.i.i.i22668 = select i1 %.615.i.i21545, i64 %arg.solver.4.3.5.0, i64 0
-  %.584.i.i.i22669 = add i64 %.583.i.i.i22668, %.489.i450.i
-  %.604.i.i.i22682 = mul i64 %.584.i.i.i22669, %arg.solver.4.3.5.1
-  %245 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i.i22682
+B108.if.i.i.i.lr.ph:                              ; preds = %B642.i.i
+  %.583.i.i.i22671 = select i1 %.615.i.i21548, i64 %arg.solver.4.3.5.0, i64 0
+  %.584.i.i.i22672 = add i64 %.583.i.i.i22671, %.489.i450.i
+  %.604.i.i.i22685 = mul i64 %.584.i.i.i22672, %arg.solver.4.3.5.1
+  %245 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i.i22685
   br label %B108.if.i.i.i
 
 B108.if.i.i.i:                                    ; preds = %B108.if.i.i.i.lr.ph, %B108.if.i.i.i
-  %.462.i.i.i18448.053737 = phi i64 [ 0, %B108.if.i.i.i.lr.ph ], [ %.533.i.i.i22732, %B108.if.i.i.i ]
-  %.533.i.i.i22732 = add nsw i64 %.462.i.i.i18448.053737, 1
-  %246 = getelementptr double, ptr %245, i64 %.462.i.i.i18448.053737
-  %.609.i.i.i22685 = load double, ptr %246, align 8, !noalias !635
-  %247 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.i.i18448.053737
-  %.643.i.i.i22707 = load i64, ptr %247, align 8, !noalias !635
-  %.645.i.i.i22709 = mul nsw i64 %.643.i.i.i22707, %arg.solver.1.0
-  %.647.i.i.i = add nsw i64 %.645.i.i.i22709, %.477.i18899.053740
-  %.660.i.i.i22716 = icmp slt i64 %.647.i.i.i, 0
-  %.661.i.i.i22717 = select i1 %.660.i.i.i22716, i64 %arg.solver.10.1.5.0, i64 0
+  %.462.i.i.i18451.053733 = phi i64 [ 0, %B108.if.i.i.i.lr.ph ], [ %.533.i.i.i22735, %B108.if.i.i.i ]
+  %.533.i.i.i22735 = add nsw i64 %.462.i.i.i18451.053733, 1
+  %246 = getelementptr double, ptr %245, i64 %.462.i.i.i18451.053733
+  %.609.i.i.i22688 = load double, ptr %246, align 8, !noalias !635
+  %247 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.i.i18451.053733
+  %.643.i.i.i22710 = load i64, ptr %247, align 8, !noalias !635
+  %.645.i.i.i22712 = mul nsw i64 %.643.i.i.i22710, %arg.solver.1.0
+  %.647.i.i.i = add nsw i64 %.645.i.i.i22712, %.477.i18902.053736
+  %.660.i.i.i22719 = icmp slt i64 %.647.i.i.i, 0
+  %.661.i.i.i22720 = select i1 %.660.i.i.i22719, i64 %arg.solver.10.1.5.0, i64 0
   %248 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i.i
-  %.675.i.i.i22727 = getelementptr double, ptr %248, i64 %.661.i.i.i22717
-  store double %.609.i.i.i22685, ptr %.675.i.i.i22727, align 8, !noalias !635
-  %exitcond53821.not = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i.i22732
-  br i1 %exitcond53821.not, label %B472.i, label %B108.if.i.i.i
+  %.675.i.i.i22730 = getelementptr double, ptr %248, i64 %.661.i.i.i22720
+  store double %.609.i.i.i22688, ptr %.675.i.i.i22730, align 8, !noalias !635
+  %exitcond53817.not = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i.i22735
+  br i1 %exitcond53817.not, label %B472.i, label %B108.if.i.i.i
 
-B472.i:                                           ; preds = %B108.if.i.i.i, %B612.i.i, %B284.i.i, %B190.i.i, %B376.i20669, %B338.i
-  %.1258.i19248 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19061
-  %.1259.i19249 = load i64, ptr %.1258.i19248, align 8, !noalias !624
-  %.1260.i19250.not = icmp eq i64 %.1259.i19249, 0
-  br i1 %.1260.i19250.not, label %B630.i, label %B516.i
+B472.i:                                           ; preds = %B108.if.i.i.i, %B642.i.i, %B284.i.i, %B190.i.i, %B376.i20672, %B338.i
+  %.1258.i19251 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19064
+  %.1259.i19252 = load i64, ptr %.1258.i19251, align 8, !noalias !624
+  %.1260.i19253.not = icmp eq i64 %.1259.i19252, 0
+  br i1 %.1260.i19253.not, label %B630.i, label %B516.i
 
 B516.i:                                           ; preds = %B472.i
-  %.1321.i20167 = getelementptr i64, ptr %108, i64 %.477.i18899.053740
-  %.1322.i20168 = load i64, ptr %.1321.i20167, align 8, !noalias !624
-  %.1354.i20196 = getelementptr i64, ptr %arg.solver.6.2.4, i64 %.631.i19061
-  store i64 %.1322.i20168, ptr %.1354.i20196, align 8, !noalias !624
-  store i64 -1, ptr %.630.i19060, align 8, !noalias !624
-  %.487.i53391 = getelementptr double, ptr %109, i64 %.477.i18899.053740
-  store double 0.000000e+00, ptr %.487.i53391, align 8, !noalias !639
-  %.518.i53392 = load i64, ptr %arg.solver.9.4, align 8, !noalias !639
-  %.551.i53394 = load i64, ptr %.550.i53393, align 8, !noalias !639
-  %.553.i53395 = icmp eq i64 %.518.i53392, %.551.i53394
-  br i1 %.553.i53395, label %B806.i, label %B128.i53396
+  %.1321.i20170 = getelementptr i64, ptr %108, i64 %.477.i18902.053736
+  %.1322.i20171 = load i64, ptr %.1321.i20170, align 8, !noalias !624
+  %.1354.i20199 = getelementptr i64, ptr %arg.solver.6.2.4, i64 %.631.i19064
+  store i64 %.1322.i20171, ptr %.1354.i20199, align 8, !noalias !624
+  store i64 -1, ptr %.630.i19063, align 8, !noalias !624
+  %.487.i53389 = getelementptr double, ptr %109, i64 %.477.i18902.053736
+  store double 0.000000e+00, ptr %.487.i53389, align 8, !noalias !639
+  %.518.i53390 = load i64, ptr %arg.solver.9.4, align 8, !noalias !639
+  %.551.i53392 = load i64, ptr %.550.i53391, align 8, !noalias !639
+  %.553.i53393 = icmp eq i64 %.518.i53390, %.551.i53392
+  br i1 %.553.i53393, label %B806.i, label %B148.i53394
 
-B128.i53396:                                      ; preds = %B516.i
-  %.572.i53397 = add nsw i64 %.518.i53392, 1
-  store i64 %.572.i53397, ptr %arg.solver.9.4, align 8, !noalias !639
+B148.i53394:                                      ; preds = %B516.i
+  %.572.i53395 = add nsw i64 %.518.i53390, 1
+  store i64 %.572.i53395, ptr %arg.solver.9.4, align 8, !noalias !639
   store i64 2, ptr %.454.i, align 8, !noalias !639
-  store i64 %.518.i53392, ptr %.630.i19060, align 8, !noalias !639
-  %.709.i53402 = icmp slt i64 %.518.i53392, 0
-  %.710.i53403 = select i1 %.709.i53402, i64 %arg.solver.3.2.5.0, i64 0
-  %249 = getelementptr i64, ptr %arg.solver.3.2.4, i64 %.518.i53392
-  %.724.i53404 = getelementptr i64, ptr %249, i64 %.710.i53403
-  %.725.i53405 = load i64, ptr %.724.i53404, align 8, !noalias !639
-  %.738.i53406 = icmp slt i64 %.725.i53405, 0
-  %.739.i53407 = select i1 %.738.i53406, i64 %arg.solver.4.0.5.0, i64 0
-  %250 = getelementptr i64, ptr %arg.solver.4.0.4, i64 %.725.i53405
-  %.753.i53408 = getelementptr i64, ptr %250, i64 %.739.i53407
-  %.754.i53409 = load i64, ptr %.753.i53408, align 8, !noalias !639
-  %.808.i53410 = getelementptr i64, ptr %110, i64 %.477.i18899.053740
-  store i64 %.754.i53409, ptr %.808.i53410, align 8, !noalias !639
-  store i64 1, ptr %.1321.i20167, align 8, !noalias !639
-  %.918.i53414 = getelementptr i64, ptr %111, i64 %.477.i18899.053740
-  store i64 0, ptr %.918.i53414, align 8, !noalias !639
-  br i1 %.10275102.not.i53415, label %B478.i53430, label %B424.if.lr.ph.i53416
+  store i64 %.518.i53390, ptr %.630.i19063, align 8, !noalias !639
+  %.709.i53400 = icmp slt i64 %.518.i53390, 0
+  %.710.i53401 = select i1 %.709.i53400, i64 %arg.solver.3.2.5.0, i64 0
+  %249 = getelementptr i64, ptr %arg.solver.3.2.4, i64 %.518.i53390
+  %.724.i53402 = getelementptr i64, ptr %249, i64 %.710.i53401
+  %.725.i53403 = load i64, ptr %.724.i53402, align 8, !noalias !639
+  %.738.i53404 = icmp slt i64 %.725.i53403, 0
+  %.739.i53405 = select i1 %.738.i53404, i64 %arg.solver.4.0.5.0, i64 0
+  %250 = getelementptr i64, ptr %arg.solver.4.0.4, i64 %.725.i53403
+  %.753.i53406 = getelementptr i64, ptr %250, i64 %.739.i53405
+  %.754.i53407 = load i64, ptr %.753.i53406, align 8, !noalias !639
+  %.808.i53408 = getelementptr i64, ptr %110, i64 %.477.i18902.053736
+  store i64 %.754.i53407, ptr %.808.i53408, align 8, !noalias !639
+  store i64 1, ptr %.1321.i20170, align 8, !noalias !639
+  %.918.i53412 = getelementptr i64, ptr %111, i64 %.477.i18902.053736
+  store i64 0, ptr %.918.i53412, align 8, !noalias !639
+  br i1 %.10275102.not.i53413, label %B518.i53428, label %B464.if.lr.ph.i53414
 
-B424.if.lr.ph.i53416:                             ; preds = %B128.i53396
-  %.1090.i53417 = select i1 %.709.i53402, i64 %arg.solver.3.1.5.0, i64 0
-  %.1091.i53418 = add i64 %.1090.i53417, %.518.i53392
-  %.1111.i53419 = mul i64 %.1091.i53418, %arg.solver.3.1.5.1
-  %251 = getelementptr double, ptr %arg.solver.3.1.4, i64 %.1111.i53419
-  %invariant.gep53988 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.477.i18899.053740
-  br label %B424.if.i53420
+B464.if.lr.ph.i53414:                             ; preds = %B148.i53394
+  %.1090.i53415 = select i1 %.709.i53400, i64 %arg.solver.3.1.5.0, i64 0
+  %.1091.i53416 = add i64 %.1090.i53415, %.518.i53390
+  %.1111.i53417 = mul i64 %.1091.i53416, %arg.solver.3.1.5.1
+  %251 = getelementptr double, ptr %arg.solver.3.1.4, i64 %.1111.i53417
+  %invariant.gep53984 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.477.i18902.053736
+  br label %B464.if.i53418
 
-B478.i53430:                                      ; preds = %B424.if.i53420, %B128.i53396
-  br i1 %.520.i5105.not.i53431, label %B478.endif.i53449, label %B108.if.i.lr.ph.i53432
+B518.i53428:                                      ; preds = %B464.if.i53418, %B148.i53394
+  br i1 %.520.i5105.not.i53429, label %B518.endif.i53447, label %B108.if.i.lr.ph.i53430
 
-B108.if.i.lr.ph.i53432:                           ; preds = %B478.i53430
-  %.1215.i53433 = load i64, ptr %.808.i53410, align 8, !noalias !639
-  %.582.i.i53434 = icmp slt i64 %.1215.i53433, 0
-  %.583.i.i53435 = select i1 %.582.i.i53434, i64 %arg.solver.4.3.5.0, i64 0
-  %.584.i.i53436 = add i64 %.583.i.i53435, %.1215.i53433
-  %.604.i.i53437 = mul i64 %.584.i.i53436, %arg.solver.4.3.5.1
-  %252 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i53437
-  br label %B108.if.i.i53438
+B108.if.i.lr.ph.i53430:                           ; preds = %B518.i53428
+  %.1215.i53431 = load i64, ptr %.808.i53408, align 8, !noalias !639
+  %.582.i.i53432 = icmp slt i64 %.1215.i53431, 0
+  %.583.i.i53433 = select i1 %.582.i.i53432, i64 %arg.solver.4.3.5.0, i64 0
+  %.584.i.i53434 = add i64 %.583.i.i53433, %.1215.i53431
+  %.604.i.i53435 = mul i64 %.584.i.i53434, %arg.solver.4.3.5.1
+  %252 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i53435
+  br label %B108.if.i.i53436
 
-B108.if.i.i53438:                                 ; preds = %B108.if.i.i53438, %B108.if.i.lr.ph.i53432
-  %.462.i.05106.i53439 = phi i64 [ 0, %B108.if.i.lr.ph.i53432 ], [ %.533.i.i53440, %B108.if.i.i53438 ]
-  %.533.i.i53440 = add nsw i64 %.462.i.05106.i53439, 1
-  %253 = getelementptr double, ptr %252, i64 %.462.i.05106.i53439
-  %.609.i.i53441 = load double, ptr %253, align 8, !noalias !642
-  %254 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.05106.i53439
-  %.643.i.i53442 = load i64, ptr %254, align 8, !noalias !642
-  %.645.i.i53443 = mul nsw i64 %.643.i.i53442, %arg.solver.1.0
-  %.647.i.i53444 = add nsw i64 %.645.i.i53443, %.477.i18899.053740
-  %.660.i.i53445 = icmp slt i64 %.647.i.i53444, 0
-  %.661.i.i53446 = select i1 %.660.i.i53445, i64 %arg.solver.10.1.5.0, i64 0
-  %255 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i53444
-  %.675.i.i53447 = getelementptr double, ptr %255, i64 %.661.i.i53446
-  store double %.609.i.i53441, ptr %.675.i.i53447, align 8, !noalias !642
-  %exitcond5116.not.i53448 = icmp eq i64 %.533.i.i53440, %arg.solver.4.1.5.0
-  br i1 %exitcond5116.not.i53448, label %B478.endif.i53449, label %B108.if.i.i53438
+B108.if.i.i53436:                                 ; preds = %B108.if.i.i53436, %B108.if.i.lr.ph.i53430
+  %.462.i.05106.i53437 = phi i64 [ 0, %B108.if.i.lr.ph.i53430 ], [ %.533.i.i53438, %B108.if.i.i53436 ]
+  %.533.i.i53438 = add nsw i64 %.462.i.05106.i53437, 1
+  %253 = getelementptr double, ptr %252, i64 %.462.i.05106.i53437
+  %.609.i.i53439 = load double, ptr %253, align 8, !noalias !642
+  %254 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.05106.i53437
+  %.643.i.i53440 = load i64, ptr %254, align 8, !noalias !642
+  %.645.i.i53441 = mul nsw i64 %.643.i.i53440, %arg.solver.1.0
+  %.647.i.i53442 = add nsw i64 %.645.i.i53441, %.477.i18902.053736
+  %.660.i.i53443 = icmp slt i64 %.647.i.i53442, 0
+  %.661.i.i53444 = select i1 %.660.i.i53443, i64 %arg.solver.10.1.5.0, i64 0
+  %255 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i53442
+  %.675.i.i53445 = getelementptr double, ptr %255, i64 %.661.i.i53444
+  store double %.609.i.i53439, ptr %.675.i.i53445, align 8, !noalias !642
+  %exitcond5116.not.i53446 = icmp eq i64 %.533.i.i53438, %arg.solver.4.1.5.0
+  br i1 %exitcond5116.not.i53446, label %B518.endif.i53447, label %B108.if.i.i53436
 
-B656.i53465:                                      ; preds = %B588.if.i53458, %B478.endif.i53449
-  %invariant.gep5113.i53466 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18899.053740
-  %.585.i496.i53468 = getelementptr double, ptr %112, i64 %.477.i18899.053740
-  %.586.i497.i53469 = load double, ptr %.585.i496.i53468, align 8, !noalias !646
-  %.527.i.i53471 = getelementptr double, ptr %113, i64 %.477.i18899.053740
-  %.528.i.i53472 = load double, ptr %.527.i.i53471, align 8, !noalias !646
-  %.469.i438.i53474 = getelementptr double, ptr %114, i64 %.477.i18899.053740
-  %.470.i.i53475 = load double, ptr %.469.i438.i53474, align 8, !noalias !646
-  store double 0.000000e+00, ptr %invariant.gep5113.i53466, align 8, !noalias !646
-  %gep.1.i53476 = getelementptr double, ptr %invariant.gep5113.i53466, i64 %arg.solver.7.5.1
-  store double 0.000000e+00, ptr %gep.1.i53476, align 8, !noalias !646
-  %gep.2.i53478 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.2.idx.i53477
-  store double 0.000000e+00, ptr %gep.2.i53478, align 8, !noalias !646
-  %gep.3.i53480 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.idx.i53390
-  store double 0.000000e+00, ptr %gep.3.i53480, align 8, !noalias !646
-  %gep.4.i53482 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.1111.idx
-  store double 0.000000e+00, ptr %gep.4.i53482, align 8, !noalias !646
-  %gep.5.i53484 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.idx53077
-  store double 0.000000e+00, ptr %gep.5.i53484, align 8, !noalias !646
-  %gep.6.i53486 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.6.idx.i53485
-  store double 0.000000e+00, ptr %gep.6.i53486, align 8, !noalias !646
-  %gep.7.i53488 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.7.idx.i53487
-  store double 0.000000e+00, ptr %gep.7.i53488, align 8, !noalias !646
-  %gep.8.i53490 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.8.idx.i53489
-  store double 0.000000e+00, ptr %gep.8.i53490, align 8, !noalias !646
-  %gep.9.i53492 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.9.idx.i53491
-  store double 0.000000e+00, ptr %gep.9.i53492, align 8, !noalias !646
-  %gep.10.i53494 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.10.idx.i53493
-  store double 0.000000e+00, ptr %gep.10.i53494, align 8, !noalias !646
-  %gep.11.i53496 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.11.idx.i53495
-  store double 0.000000e+00, ptr %gep.11.i53496, align 8, !noalias !646
-  %gep.12.i53498 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.12.idx.i53497
-  store double 0.000000e+00, ptr %gep.12.i53498, align 8, !noalias !646
-  %gep.13.i53500 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.13.idx.i53499
-  store double 0.000000e+00, ptr %gep.13.i53500, align 8, !noalias !646
-  %gep.14.i53502 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.14.idx.i53501
-  store double 0.000000e+00, ptr %gep.14.i53502, align 8, !noalias !646
-  %gep.15.i53504 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.15.idx.i53503
-  store double 0.000000e+00, ptr %gep.15.i53504, align 8, !noalias !646
-  %gep.16.i53506 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.16.idx.i53505
-  store double 0.000000e+00, ptr %gep.16.i53506, align 8, !noalias !646
-  %gep.17.i53508 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.17.idx.i53507
-  store double 0.000000e+00, ptr %gep.17.i53508, align 8, !noalias !646
-  %gep.18.i53510 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.18.idx.i53509
-  store double 0.000000e+00, ptr %gep.18.i53510, align 8, !noalias !646
-  %gep.19.i53512 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.19.idx.i53511
-  store double 0.000000e+00, ptr %gep.19.i53512, align 8, !noalias !646
-  %gep.20.i53514 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.20.idx.i53513
-  store double 0.000000e+00, ptr %gep.20.i53514, align 8, !noalias !646
-  %gep.21.i53516 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.21.idx.i53515
-  store double 0.000000e+00, ptr %gep.21.i53516, align 8, !noalias !646
-  %gep.22.i53518 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.22.idx.i53517
-  store double 0.000000e+00, ptr %gep.22.i53518, align 8, !noalias !646
-  %gep.23.i53520 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.23.idx.i53519
-  store double 0.000000e+00, ptr %gep.23.i53520, align 8, !noalias !646
-  %gep.24.i53522 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.24.idx.i53521
-  store double 0.000000e+00, ptr %gep.24.i53522, align 8, !noalias !646
-  %gep.25.i53524 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.25.idx.i53523
-  store double 0.000000e+00, ptr %gep.25.i53524, align 8, !noalias !646
-  %gep.26.i53526 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.26.idx.i53525
-  store double 0.000000e+00, ptr %gep.26.i53526, align 8, !noalias !646
-  %gep.27.i53528 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.27.idx.i53527
-  store double 0.000000e+00, ptr %gep.27.i53528, align 8, !noalias !646
-  %gep.28.i53530 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.28.idx.i53529
-  store double 0.000000e+00, ptr %gep.28.i53530, align 8, !noalias !646
-  %gep.29.i53532 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.idx5093.i53473
-  store double 0.000000e+00, ptr %gep.29.i53532, align 8, !noalias !646
-  %gep.30.i53534 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.idx5094.i53470
-  store double 0.000000e+00, ptr %gep.30.i53534, align 8, !noalias !646
-  %gep.31.i53536 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %.idx5095.i53467
-  store double 0.000000e+00, ptr %gep.31.i53536, align 8, !noalias !646
-  %gep.32.i53538 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.32.idx.i53537
-  store double 0.000000e+00, ptr %gep.32.i53538, align 8, !noalias !646
-  %gep.33.i53540 = getelementptr i8, ptr %invariant.gep5113.i53466, i64 %gep.33.idx.i53539
-  store double 0.000000e+00, ptr %gep.33.i53540, align 8, !noalias !646
-  %.767.i.i53541 = fcmp oeq double %.470.i.i53475, 0xFFF0000000000000
-  %.470.i..i53542 = select i1 %.767.i.i53541, double 0xFFF0000000000000, double 0.000000e+00
-  store double %.470.i..i53542, ptr %.469.i438.i53474, align 8, !noalias !646
-  store double %.528.i.i53472, ptr %.527.i.i53471, align 8, !noalias !646
-  store double %.586.i497.i53469, ptr %.585.i496.i53468, align 8, !noalias !646
-  store double 1.000000e+00, ptr %.487.i53391, align 8, !noalias !646
-  %.1064.i.i53544 = getelementptr double, ptr %115, i64 %.477.i18899.053740
-  store double 0xFFF0000000000000, ptr %.1064.i.i53544, align 8, !noalias !646
-  %.1119.i.i53546 = getelementptr double, ptr %116, i64 %.477.i18899.053740
-  store double 0x7FF0000000000000, ptr %.1119.i.i53546, align 8, !noalias !646
-  %.1177.i.i53548 = getelementptr double, ptr %117, i64 %.477.i18899.053740
-  store double 0xFFF0000000000000, ptr %.1177.i.i53548, align 8, !noalias !646
-  %.1787.i53549 = load double, ptr %arg.solver.5.4, align 8, !noalias !639
-  store double %.1787.i53549, ptr %invariant.gep5113.i53466, align 8, !noalias !639
-  %.1902.i53551 = load i64, ptr %.808.i53410, align 8, !noalias !639
-  %.1917.i53552 = icmp slt i64 %.1902.i53551, 0
-  %.1918.i53553 = select i1 %.1917.i53552, i64 %arg.solver.4.2.5.0, i64 0
-  %256 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.1902.i53551
-  %.1932.i53554 = getelementptr double, ptr %256, i64 %.1918.i53553
-  %.1933.i53555 = load double, ptr %.1932.i53554, align 8, !noalias !639
-  %.1989.i53557 = getelementptr double, ptr %118, i64 %.477.i18899.053740
-  store double %.1933.i53555, ptr %.1989.i53557, align 8, !noalias !639
+B696.i53463:                                      ; preds = %B628.if.i53456, %B518.endif.i53447
+  %invariant.gep5113.i53464 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
+  %.585.i496.i53466 = getelementptr double, ptr %112, i64 %.477.i18902.053736
+  %.586.i497.i53467 = load double, ptr %.585.i496.i53466, align 8, !noalias !646
+  %.527.i.i53469 = getelementptr double, ptr %113, i64 %.477.i18902.053736
+  %.528.i.i53470 = load double, ptr %.527.i.i53469, align 8, !noalias !646
+  %.469.i438.i53472 = getelementptr double, ptr %114, i64 %.477.i18902.053736
+  %.470.i.i53473 = load double, ptr %.469.i438.i53472, align 8, !noalias !646
+  store double 0.000000e+00, ptr %invariant.gep5113.i53464, align 8, !noalias !646
+  %gep.1.i53474 = getelementptr double, ptr %invariant.gep5113.i53464, i64 %arg.solver.7.5.1
+  store double 0.000000e+00, ptr %gep.1.i53474, align 8, !noalias !646
+  %gep.2.i53476 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.2.idx.i53475
+  store double 0.000000e+00, ptr %gep.2.i53476, align 8, !noalias !646
+  %gep.3.i53478 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.idx.i53388
+  store double 0.000000e+00, ptr %gep.3.i53478, align 8, !noalias !646
+  %gep.4.i53480 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.1111.idx
+  store double 0.000000e+00, ptr %gep.4.i53480, align 8, !noalias !646
+  %gep.5.i53482 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.idx53077
+  store double 0.000000e+00, ptr %gep.5.i53482, align 8, !noalias !646
+  %gep.6.i53484 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.6.idx.i53483
+  store double 0.000000e+00, ptr %gep.6.i53484, align 8, !noalias !646
+  %gep.7.i53486 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.7.idx.i53485
+  store double 0.000000e+00, ptr %gep.7.i53486, align 8, !noalias !646
+  %gep.8.i53488 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.8.idx.i53487
+  store double 0.000000e+00, ptr %gep.8.i53488, align 8, !noalias !646
+  %gep.9.i53490 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.9.idx.i53489
+  store double 0.000000e+00, ptr %gep.9.i53490, align 8, !noalias !646
+  %gep.10.i53492 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.10.idx.i53491
+  store double 0.000000e+00, ptr %gep.10.i53492, align 8, !noalias !646
+  %gep.11.i53494 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.11.idx.i53493
+  store double 0.000000e+00, ptr %gep.11.i53494, align 8, !noalias !646
+  %gep.12.i53496 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.12.idx.i53495
+  store double 0.000000e+00, ptr %gep.12.i53496, align 8, !noalias !646
+  %gep.13.i53498 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.13.idx.i53497
+  store double 0.000000e+00, ptr %gep.13.i53498, align 8, !noalias !646
+  %gep.14.i53500 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.14.idx.i53499
+  store double 0.000000e+00, ptr %gep.14.i53500, align 8, !noalias !646
+  %gep.15.i53502 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.15.idx.i53501
+  store double 0.000000e+00, ptr %gep.15.i53502, align 8, !noalias !646
+  %gep.16.i53504 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.16.idx.i53503
+  store double 0.000000e+00, ptr %gep.16.i53504, align 8, !noalias !646
+  %gep.17.i53506 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.17.idx.i53505
+  store double 0.000000e+00, ptr %gep.17.i53506, align 8, !noalias !646
+  %gep.18.i53508 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.18.idx.i53507
+  store double 0.000000e+00, ptr %gep.18.i53508, align 8, !noalias !646
+  %gep.19.i53510 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.19.idx.i53509
+  store double 0.000000e+00, ptr %gep.19.i53510, align 8, !noalias !646
+  %gep.20.i53512 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.20.idx.i53511
+  store double 0.000000e+00, ptr %gep.20.i53512, align 8, !noalias !646
+  %gep.21.i53514 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.21.idx.i53513
+  store double 0.000000e+00, ptr %gep.21.i53514, align 8, !noalias !646
+  %gep.22.i53516 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.22.idx.i53515
+  store double 0.000000e+00, ptr %gep.22.i53516, align 8, !noalias !646
+  %gep.23.i53518 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.23.idx.i53517
+  store double 0.000000e+00, ptr %gep.23.i53518, align 8, !noalias !646
+  %gep.24.i53520 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.24.idx.i53519
+  store double 0.000000e+00, ptr %gep.24.i53520, align 8, !noalias !646
+  %gep.25.i53522 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.25.idx.i53521
+  store double 0.000000e+00, ptr %gep.25.i53522, align 8, !noalias !646
+  %gep.26.i53524 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.26.idx.i53523
+  store double 0.000000e+00, ptr %gep.26.i53524, align 8, !noalias !646
+  %gep.27.i53526 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.27.idx.i53525
+  store double 0.000000e+00, ptr %gep.27.i53526, align 8, !noalias !646
+  %gep.28.i53528 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.28.idx.i53527
+  store double 0.000000e+00, ptr %gep.28.i53528, align 8, !noalias !646
+  %gep.29.i53530 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.idx5093.i53471
+  store double 0.000000e+00, ptr %gep.29.i53530, align 8, !noalias !646
+  %gep.30.i53532 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.idx5094.i53468
+  store double 0.000000e+00, ptr %gep.30.i53532, align 8, !noalias !646
+  %gep.31.i53534 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %.idx5095.i53465
+  store double 0.000000e+00, ptr %gep.31.i53534, align 8, !noalias !646
+  %gep.32.i53536 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.32.idx.i53535
+  store double 0.000000e+00, ptr %gep.32.i53536, align 8, !noalias !646
+  %gep.33.i53538 = getelementptr i8, ptr %invariant.gep5113.i53464, i64 %gep.33.idx.i53537
+  store double 0.000000e+00, ptr %gep.33.i53538, align 8, !noalias !646
+  %.767.i.i53539 = fcmp oeq double %.470.i.i53473, 0xFFF0000000000000
+  %.470.i..i53540 = select i1 %.767.i.i53539, double 0xFFF0000000000000, double 0.000000e+00
+  store double %.470.i..i53540, ptr %.469.i438.i53472, align 8, !noalias !646
+  store double %.528.i.i53470, ptr %.527.i.i53469, align 8, !noalias !646
+  store double %.586.i497.i53467, ptr %.585.i496.i53466, align 8, !noalias !646
+  store double 1.000000e+00, ptr %.487.i53389, align 8, !noalias !646
+  %.1064.i.i53542 = getelementptr double, ptr %115, i64 %.477.i18902.053736
+  store double 0xFFF0000000000000, ptr %.1064.i.i53542, align 8, !noalias !646
+  %.1119.i.i53544 = getelementptr double, ptr %116, i64 %.477.i18902.053736
+  store double 0x7FF0000000000000, ptr %.1119.i.i53544, align 8, !noalias !646
+  %.1177.i.i53546 = getelementptr double, ptr %117, i64 %.477.i18902.053736
+  store double 0xFFF0000000000000, ptr %.1177.i.i53546, align 8, !noalias !646
+  %.1787.i53547 = load double, ptr %arg.solver.5.4, align 8, !noalias !639
+  store double %.1787.i53547, ptr %invariant.gep5113.i53464, align 8, !noalias !639
+  %.1902.i53549 = load i64, ptr %.808.i53408, align 8, !noalias !639
+  %.1917.i53550 = icmp slt i64 %.1902.i53549, 0
+  %.1918.i53551 = select i1 %.1917.i53550, i64 %arg.solver.4.2.5.0, i64 0
+  %256 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.1902.i53549
+  %.1932.i53552 = getelementptr double, ptr %256, i64 %.1918.i53551
+  %.1933.i53553 = load double, ptr %.1932.i53552, align 8, !noalias !639
+  %.1989.i53555 = getelementptr double, ptr %118, i64 %.477.i18902.053736
+  store double %.1933.i53553, ptr %.1989.i53555, align 8, !noalias !639
   br label %B806.i
 
-B424.if.i53420:                                   ; preds = %B424.if.i53420, %B424.if.lr.ph.i53416
-  %.969.05103.i53421 = phi i64 [ 0, %B424.if.lr.ph.i53416 ], [ %.1040.i53422, %B424.if.i53420 ]
-  %.1040.i53422 = add nsw i64 %.969.05103.i53421, 1
-  %257 = getelementptr double, ptr %251, i64 %.969.05103.i53421
-  %.1116.i53423 = load double, ptr %257, align 8, !noalias !639
-  %.1118.i53424 = mul nsw i64 %.969.05103.i53421, %arg.solver.1.0
-  %gep53989 = getelementptr double, ptr %invariant.gep53988, i64 %.1118.i53424
-  store double %.1116.i53423, ptr %gep53989, align 8, !noalias !639
-  %exitcond.not.i53429 = icmp eq i64 %.1040.i53422, %arg.solver.3.1.5.1
-  br i1 %exitcond.not.i53429, label %B478.i53430, label %B424.if.i53420
+B464.if.i53418:                                   ; preds = %B464.if.i53418, %B464.if.lr.ph.i53414
+  %.969.05103.i53419 = phi i64 [ 0, %B464.if.lr.ph.i53414 ], [ %.1040.i53420, %B464.if.i53418 ]
+  %.1040.i53420 = add nsw i64 %.969.05103.i53419, 1
+  %257 = getelementptr double, ptr %251, i64 %.969.05103.i53419
+  %.1116.i53421 = load double, ptr %257, align 8, !noalias !639
+  %.1118.i53422 = mul nsw i64 %.969.05103.i53419, %arg.solver.1.0
+  %gep53985 = getelementptr double, ptr %invariant.gep53984, i64 %.1118.i53422
+  store double %.1116.i53421, ptr %gep53985, align 8, !noalias !639
+  %exitcond.not.i53427 = icmp eq i64 %.1040.i53420, %arg.solver.3.1.5.1
+  br i1 %exitcond.not.i53427, label %B518.i53428, label %B464.if.i53418
 
-B478.endif.i53449:                                ; preds = %B108.if.i.i53438, %B478.i53430
-  br i1 %.14395108.not.i53450, label %B656.i53465, label %B588.if.lr.ph.i53451
+B518.endif.i53447:                                ; preds = %B108.if.i.i53436, %B518.i53428
+  br i1 %.14395108.not.i53448, label %B696.i53463, label %B628.if.lr.ph.i53449
 
-B588.if.lr.ph.i53451:                             ; preds = %B478.endif.i53449
-  %invariant.gep.i53452 = getelementptr double, ptr %arg.solver.11.4, i64 %.477.i18899.053740
-  %.1502.i53453 = select i1 %.709.i53402, i64 %arg.solver.3.0.5.0, i64 0
-  %.1503.i53454 = add i64 %.1502.i53453, %.518.i53392
-  %.1523.i53455 = mul i64 %.1503.i53454, %arg.solver.3.0.5.1
-  %258 = getelementptr double, ptr %arg.solver.3.0.4, i64 %.1523.i53455
-  br label %B588.if.i53458
+B628.if.lr.ph.i53449:                             ; preds = %B518.endif.i53447
+  %invariant.gep.i53450 = getelementptr double, ptr %arg.solver.11.4, i64 %.477.i18902.053736
+  %.1502.i53451 = select i1 %.709.i53400, i64 %arg.solver.3.0.5.0, i64 0
+  %.1503.i53452 = add i64 %.1502.i53451, %.518.i53390
+  %.1523.i53453 = mul i64 %.1503.i53452, %arg.solver.3.0.5.1
+  %258 = getelementptr double, ptr %arg.solver.3.0.4, i64 %.1523.i53453
+  br label %B628.if.i53456
 
-B588.if.i53458:                                   ; preds = %B588.if.i53458, %B588.if.lr.ph.i53451
-  %.1383.05109.i53459 = phi i64 [ 0, %B588.if.lr.ph.i53451 ], [ %.1452.i53460, %B588.if.i53458 ]
-  %.1452.i53460 = add nsw i64 %.1383.05109.i53459, 1
-  %259 = getelementptr double, ptr %258, i64 %.1383.05109.i53459
-  %.1528.i53461 = load double, ptr %259, align 8, !noalias !639
-  %.1600.i53462 = mul i64 %.1383.05109.i53459, %arg.solver.11.5.2
-  %gep5112.i53463 = getelementptr double, ptr %invariant.gep.i53452, i64 %.1600.i53462
-  store double %.1528.i53461, ptr %gep5112.i53463, align 8, !noalias !639
-  %exitcond5117.not.i53464 = icmp eq i64 %.1452.i53460, %arg.solver.1.1
-  br i1 %exitcond5117.not.i53464, label %B656.i53465, label %B588.if.i53458
+B628.if.i53456:                                   ; preds = %B628.if.i53456, %B628.if.lr.ph.i53449
+  %.1383.05109.i53457 = phi i64 [ 0, %B628.if.lr.ph.i53449 ], [ %.1452.i53458, %B628.if.i53456 ]
+  %.1452.i53458 = add nsw i64 %.1383.05109.i53457, 1
+  %259 = getelementptr double, ptr %258, i64 %.1383.05109.i53457
+  %.1528.i53459 = load double, ptr %259, align 8, !noalias !639
+  %.1600.i53460 = mul i64 %.1383.05109.i53457, %arg.solver.11.5.2
+  %gep5112.i53461 = getelementptr double, ptr %invariant.gep.i53450, i64 %.1600.i53460
+  store double %.1528.i53459, ptr %gep5112.i53461, align 8, !noalias !639
+  %exitcond5117.not.i53462 = icmp eq i64 %.1452.i53458, %arg.solver.1.1
+  br i1 %exitcond5117.not.i53462, label %B696.i53463, label %B628.if.i53456
 
 B630.i:                                           ; preds = %B472.i
-  %.1614.i19301 = getelementptr double, ptr %119, i64 %.477.i18899.053740
-  %.1615.i19302 = load double, ptr %.1614.i19301, align 8, !noalias !624
-  %.1617.i19303 = fcmp ult double %.1615.i19302, 1.500000e+01
-  br i1 %.1617.i19303, label %B806.i, label %B678.i
+  %.1614.i19304 = getelementptr double, ptr %119, i64 %.477.i18902.053736
+  %.1615.i19305 = load double, ptr %.1614.i19304, align 8, !noalias !624
+  %.1617.i19306 = fcmp ult double %.1615.i19305, 1.500000e+01
+  br i1 %.1617.i19306, label %B806.i, label %B678.i
 
 B678.i:                                           ; preds = %B630.i
-  %.1650.i19970 = load double, ptr %.1649.i19969, align 8, !noalias !624
-  %.1704.i20018 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18899.053740
-  %.1705.i20019 = load double, ptr %.1704.i20018, align 8, !noalias !624
-  %.1706.i20020 = fsub double %.1650.i19970, %.1705.i20019
-  %.1760.i20068 = getelementptr double, ptr %121, i64 %.477.i18899.053740
-  %.1761.i20069 = load double, ptr %.1760.i20068, align 8, !noalias !624
-  %.1763.i20070 = fmul double %.1761.i20069, 2.500000e+02
-  %.1764.i20071 = fcmp ogt double %.1706.i20020, %.1763.i20070
-  br i1 %.1764.i20071, label %B806.i, label %B782.i
+  %.1650.i19973 = load double, ptr %.1649.i19972, align 8, !noalias !624
+  %.1704.i20021 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
+  %.1705.i20022 = load double, ptr %.1704.i20021, align 8, !noalias !624
+  %.1706.i20023 = fsub double %.1650.i19973, %.1705.i20022
+  %.1760.i20071 = getelementptr double, ptr %121, i64 %.477.i18902.053736
+  %.1761.i20072 = load double, ptr %.1760.i20071, align 8, !noalias !624
+  %.1763.i20073 = fmul double %.1761.i20072, 2.500000e+02
+  %.1764.i20074 = fcmp ogt double %.1706.i20023, %.1763.i20073
+  br i1 %.1764.i20074, label %B806.i, label %B782.i
 
 B782.i:                                           ; preds = %B678.i
-  store double 0.000000e+00, ptr %.1614.i19301, align 8, !noalias !624
+  store double 0.000000e+00, ptr %.1614.i19304, align 8, !noalias !624
   br label %B806.i
 
-B806.i:                                           ; preds = %B656.i53465, %B516.i, %B678.i, %B782.i, %B630.i
-  %stiff.4.i.2 = phi i1 [ %stiff.2.i.053742, %B630.i ], [ true, %B678.i ], [ %stiff.2.i.053742, %B782.i ], [ %stiff.2.i.053742, %B516.i ], [ %stiff.2.i.053742, %B656.i53465 ]
-  %.1892.i19355 = load i64, ptr %.630.i19060, align 8, !noalias !624
-  %.1893.i19356 = icmp sgt i64 %.1892.i19355, -1
-  br i1 %.1893.i19356, label %B844.i, label %B1073.i
+B806.i:                                           ; preds = %B696.i53463, %B516.i, %B678.i, %B782.i, %B630.i
+  %stiff.4.i.2 = phi i1 [ %stiff.2.i.053738, %B630.i ], [ true, %B678.i ], [ %stiff.2.i.053738, %B782.i ], [ %stiff.2.i.053738, %B516.i ], [ %stiff.2.i.053738, %B696.i53463 ]
+  %.1892.i19358 = load i64, ptr %.630.i19063, align 8, !noalias !624
+  %.1893.i19359 = icmp sgt i64 %.1892.i19358, -1
+  br i1 %.1893.i19359, label %B844.i, label %B1073.i
 
 B844.i:                                           ; preds = %B806.i
-  %.1898.i19359 = add nsw i64 %active.2.i.053741, 1
-  %.2110.i19503 = getelementptr double, ptr %122, i64 %.477.i18899.053740
-  %.2111.i19504 = load double, ptr %.2110.i19503, align 8, !noalias !624
-  %.2113.i19505 = fcmp ogt double %.2111.i19504, 0.000000e+00
-  br i1 %.2113.i19505, label %B1014.i, label %B984.i
+  %.1898.i19362 = add nsw i64 %active.2.i.053737, 1
+  %.2110.i19506 = getelementptr double, ptr %122, i64 %.477.i18902.053736
+  %.2111.i19507 = load double, ptr %.2110.i19506, align 8, !noalias !624
+  %.2113.i19508 = fcmp ogt double %.2111.i19507, 0.000000e+00
+  br i1 %.2113.i19508, label %B1014.i, label %B984.i
 
 B984.i:                                           ; preds = %B844.i
-  %.2007.i19453 = mul i64 %.1892.i19355, %arg.solver.6.3.5.1
-  %.2011.i19457 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.2007.i19453
-  %.2012.i19458 = load i64, ptr %.2011.i19457, align 8, !noalias !624
-  %.2023.i18935.0 = and i64 %.2012.i19458, 127
-  %.2053.i19465 = sub nsw i64 128, %.2023.i18935.0
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.2053.i19465, i64 %.767.i19169)
-  %.2157.i19517 = sitofp i64 %.11.i.i to double
+  %.2007.i19456 = mul i64 %.1892.i19358, %arg.solver.6.3.5.1
+  %.2011.i19460 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.2007.i19456
+  %.2012.i19461 = load i64, ptr %.2011.i19460, align 8, !noalias !624
+  %.2023.i18938.0 = and i64 %.2012.i19461, 127
+  %.2053.i19468 = sub nsw i64 128, %.2023.i18938.0
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.2053.i19468, i64 %.767.i19172)
+  %.2157.i19520 = sitofp i64 %.11.i.i to double
   br label %B1014.i
 
 B1014.i:                                          ; preds = %B844.i, %B984.i
-  %"$phi1014.1.2.i.3" = phi double [ %.2157.i19517, %B984.i ], [ 1.000000e+00, %B844.i ]
-  %.2220.i19570 = getelementptr double, ptr %123, i64 %.477.i18899.053740
-  store double %"$phi1014.1.2.i.3", ptr %.2220.i19570, align 8, !noalias !624
-  %.474.i957.i = getelementptr double, ptr %124, i64 %.477.i18899.053740
-  %.475.i.i19888 = load double, ptr %.474.i957.i, align 8, !noalias !650
-  %.529.i1001.i = getelementptr double, ptr %125, i64 %.477.i18899.053740
-  store double %.475.i.i19888, ptr %.529.i1001.i, align 8, !noalias !650
-  %.583.i.i19896 = getelementptr i64, ptr %126, i64 %.477.i18899.053740
-  %.584.i1040.i = load i64, ptr %.583.i.i19896, align 8, !noalias !650
+  %"$phi1014.1.2.i.3" = phi double [ %.2157.i19520, %B984.i ], [ 1.000000e+00, %B844.i ]
+  %.2220.i19573 = getelementptr double, ptr %123, i64 %.477.i18902.053736
+  store double %"$phi1014.1.2.i.3", ptr %.2220.i19573, align 8, !noalias !624
+  %.474.i957.i = getelementptr double, ptr %124, i64 %.477.i18902.053736
+  %.475.i.i19891 = load double, ptr %.474.i957.i, align 8, !noalias !650
+  %.529.i1001.i = getelementptr double, ptr %125, i64 %.477.i18902.053736
+  store double %.475.i.i19891, ptr %.529.i1001.i, align 8, !noalias !650
+  %.583.i.i19899 = getelementptr i64, ptr %126, i64 %.477.i18902.053736
+  %.584.i1040.i = load i64, ptr %.583.i.i19899, align 8, !noalias !650
   %.600.i1048.i = icmp slt i64 %.584.i1040.i, %arg.solver.5.5.0
   br i1 %.600.i1048.i, label %B160.i.i, label %B1073.i
 
 B160.i.i:                                         ; preds = %B1014.i
-  %.619.i.i19906 = icmp slt i64 %.584.i1040.i, 0
-  %.620.i1060.i = select i1 %.619.i.i19906, i64 %arg.solver.5.5.0, i64 0
+  %.619.i.i19909 = icmp slt i64 %.584.i1040.i, 0
+  %.620.i1060.i = select i1 %.619.i.i19909, i64 %arg.solver.5.5.0, i64 0
   %260 = getelementptr double, ptr %arg.solver.5.4, i64 %.584.i1040.i
   %.634.i1070.i = getelementptr double, ptr %260, i64 %.620.i1060.i
-  %.635.i.i19910 = load double, ptr %.634.i1070.i, align 8, !noalias !650
-  %.692.i.i19920 = load double, ptr %.474.i957.i, align 8, !noalias !650
-  %.10.i.i1111.i = fcmp olt double %.692.i.i19920, %.635.i.i19910
-  %.11.i.i1112.i = select i1 %.10.i.i1111.i, double %.692.i.i19920, double %.635.i.i19910
+  %.635.i.i19913 = load double, ptr %.634.i1070.i, align 8, !noalias !650
+  %.692.i.i19923 = load double, ptr %.474.i957.i, align 8, !noalias !650
+  %.10.i.i1111.i = fcmp olt double %.692.i.i19923, %.635.i.i19913
+  %.11.i.i1112.i = select i1 %.10.i.i1111.i, double %.692.i.i19923, double %.635.i.i19913
   store double %.11.i.i1112.i, ptr %.529.i1001.i, align 8, !noalias !650
   br label %B1073.i
 
 B1073.i:                                          ; preds = %B806.i, %B1014.i, %B160.i.i, %B156.if.i
-  %active.3.i.1 = phi i64 [ %active.2.i.053741, %B156.if.i ], [ %active.2.i.053741, %B806.i ], [ %.1898.i19359, %B1014.i ], [ %.1898.i19359, %B160.i.i ]
-  %stiff.3.i.1 = phi i1 [ %stiff.2.i.053742, %B156.if.i ], [ %stiff.4.i.2, %B806.i ], [ %stiff.4.i.2, %B1014.i ], [ %stiff.4.i.2, %B160.i.i ]
-  %.536.i19000 = icmp sgt i64 %.480.i18900.053739, 1
-  br i1 %.536.i19000, label %B156.if.i, label %B1022.endif.endif.loopexit
+  %active.3.i.1 = phi i64 [ %active.2.i.053737, %B156.if.i ], [ %active.2.i.053737, %B806.i ], [ %.1898.i19362, %B1014.i ], [ %.1898.i19362, %B160.i.i ]
+  %stiff.3.i.1 = phi i1 [ %stiff.2.i.053738, %B156.if.i ], [ %stiff.4.i.2, %B806.i ], [ %stiff.4.i.2, %B1014.i ], [ %stiff.4.i.2, %B160.i.i ]
+  %.536.i19003 = icmp sgt i64 %.480.i18903.053735, 1
+  br i1 %.536.i19003, label %B156.if.i, label %B1022.endif.endif.loopexit
 
 B156.if.i:                                        ; preds = %B1018, %B1073.i
-  %stiff.2.i.053742 = phi i1 [ %stiff.3.i.1, %B1073.i ], [ false, %B1018 ]
-  %active.2.i.053741 = phi i64 [ %active.3.i.1, %B1073.i ], [ 0, %B1018 ]
-  %.477.i18899.053740 = phi i64 [ %.549.i23824, %B1073.i ], [ 0, %B1018 ]
-  %.480.i18900.053739 = phi i64 [ %.545.i23821, %B1073.i ], [ %storemerge, %B1018 ]
-  %.545.i23821 = add nsw i64 %.480.i18900.053739, -1
-  %.549.i23824 = add nsw i64 %.477.i18899.053740, 1
-  %.630.i19060 = getelementptr i64, ptr %arg.solver.8.4, i64 %.477.i18899.053740
-  %.631.i19061 = load i64, ptr %.630.i19060, align 8, !noalias !624
-  %.636.i19064 = icmp slt i64 %.631.i19061, 0
-  br i1 %.636.i19064, label %B1073.i, label %B204.i
+  %stiff.2.i.053738 = phi i1 [ %stiff.3.i.1, %B1073.i ], [ false, %B1018 ]
+  %active.2.i.053737 = phi i64 [ %active.3.i.1, %B1073.i ], [ 0, %B1018 ]
+  %.477.i18902.053736 = phi i64 [ %.549.i23827, %B1073.i ], [ 0, %B1018 ]
+  %.480.i18903.053735 = phi i64 [ %.545.i23824, %B1073.i ], [ %storemerge, %B1018 ]
+  %.545.i23824 = add nsw i64 %.480.i18903.053735, -1
+  %.549.i23827 = add nsw i64 %.477.i18902.053736, 1
+  %.630.i19063 = getelementptr i64, ptr %arg.solver.8.4, i64 %.477.i18902.053736
+  %.631.i19064 = load i64, ptr %.630.i19063, align 8, !noalias !624
+  %.636.i19067 = icmp slt i64 %.631.i19064, 0
+  br i1 %.636.i19067, label %B1073.i, label %B204.i
 
 B1072:                                            ; preds = %B1018, %B1022.endif.endif.loopexit
   %budget.4.2 = phi i64 [ %.903, %B1018 ], [ %313, %B1022.endif.endif.loopexit ]
@@ -6196,85 +6196,85 @@ B130.if.i.lr.ph:                                  ; preds = %B1098
   %261 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53074
   %.idx53075 = mul i64 %arg.solver.7.5.1, 200
   %262 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53075
-  %.1044.i24749 = add nsw i64 %arg.solver.1.2, -1
+  %.1044.i24752 = add nsw i64 %arg.solver.1.2, -1
   %.idx53076 = mul i64 %arg.solver.7.5.1, 176
   %263 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53076
   br label %B130.if.i
 
 B176.i:                                           ; preds = %B130.if.i
-  %.665.i24440 = getelementptr double, ptr %261, i64 %.452.i24247.053750
-  %.666.i24441 = load double, ptr %.665.i24440, align 8, !noalias !654
-  %.5.i.i24442 = fptosi double %.666.i24441 to i64
-  %.744.i24493 = getelementptr double, ptr %262, i64 %.452.i24247.053750
-  %.745.i24494 = load double, ptr %.744.i24493, align 8, !noalias !654
-  %.5.i1.i = fptosi double %.745.i24494 to i64
-  %.819.i24543 = mul i64 %.605.i24387, %arg.solver.6.3.5.1
-  %.823.i24547 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i24543
-  %.824.i24548 = load i64, ptr %.823.i24547, align 8, !noalias !654
-  %.825.i24549 = add nsw i64 %.824.i24548, %.5.i.i24442
-  store i64 %.825.i24549, ptr %.823.i24547, align 8, !noalias !654
-  %.931.i24646 = getelementptr i8, ptr %.823.i24547, i64 24
-  %.932.i24647 = load i64, ptr %.931.i24646, align 8, !noalias !654
-  %.933.i24648 = add nsw i64 %.932.i24647, %.5.i1.i
-  store i64 %.933.i24648, ptr %.931.i24646, align 8, !noalias !654
-  %.1041.i24746 = getelementptr i8, ptr %.823.i24547, i64 8
-  %.1042.i24747 = load i64, ptr %.1041.i24746, align 8, !noalias !654
-  %.1045.i24750 = add nsw i64 %.5.i1.i, %.5.i.i24442
-  %.1046.i24751 = mul nsw i64 %.1045.i24750, %.1044.i24749
-  %.1047.i24752 = add nsw i64 %.1046.i24751, %.5.i.i24442
-  %.1048.i24753 = add nsw i64 %.1047.i24752, %.1042.i24747
-  store i64 %.1048.i24753, ptr %.1041.i24746, align 8, !noalias !654
-  store double 0.000000e+00, ptr %.665.i24440, align 8, !noalias !654
-  store double 0.000000e+00, ptr %.744.i24493, align 8, !noalias !654
-  %.1266.i24945 = getelementptr double, ptr %263, i64 %.452.i24247.053750
-  %.1267.i24946 = load double, ptr %.1266.i24945, align 8, !noalias !654
-  %.1269.i24948 = sitofp i64 %.1045.i24750 to double
-  %.1270.i24949 = fsub double %.1267.i24946, %.1269.i24948
-  store double %.1270.i24949, ptr %.1266.i24945, align 8, !noalias !654
+  %.665.i24443 = getelementptr double, ptr %261, i64 %.452.i24250.053746
+  %.666.i24444 = load double, ptr %.665.i24443, align 8, !noalias !654
+  %.5.i.i24445 = fptosi double %.666.i24444 to i64
+  %.744.i24496 = getelementptr double, ptr %262, i64 %.452.i24250.053746
+  %.745.i24497 = load double, ptr %.744.i24496, align 8, !noalias !654
+  %.5.i1.i = fptosi double %.745.i24497 to i64
+  %.819.i24546 = mul i64 %.605.i24390, %arg.solver.6.3.5.1
+  %.823.i24550 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i24546
+  %.824.i24551 = load i64, ptr %.823.i24550, align 8, !noalias !654
+  %.825.i24552 = add nsw i64 %.824.i24551, %.5.i.i24445
+  store i64 %.825.i24552, ptr %.823.i24550, align 8, !noalias !654
+  %.931.i24649 = getelementptr i8, ptr %.823.i24550, i64 24
+  %.932.i24650 = load i64, ptr %.931.i24649, align 8, !noalias !654
+  %.933.i24651 = add nsw i64 %.932.i24650, %.5.i1.i
+  store i64 %.933.i24651, ptr %.931.i24649, align 8, !noalias !654
+  %.1041.i24749 = getelementptr i8, ptr %.823.i24550, i64 8
+  %.1042.i24750 = load i64, ptr %.1041.i24749, align 8, !noalias !654
+  %.1045.i24753 = add nsw i64 %.5.i1.i, %.5.i.i24445
+  %.1046.i24754 = mul nsw i64 %.1045.i24753, %.1044.i24752
+  %.1047.i24755 = add nsw i64 %.1046.i24754, %.5.i.i24445
+  %.1048.i24756 = add nsw i64 %.1047.i24755, %.1042.i24750
+  store i64 %.1048.i24756, ptr %.1041.i24749, align 8, !noalias !654
+  store double 0.000000e+00, ptr %.665.i24443, align 8, !noalias !654
+  store double 0.000000e+00, ptr %.744.i24496, align 8, !noalias !654
+  %.1266.i24948 = getelementptr double, ptr %263, i64 %.452.i24250.053746
+  %.1267.i24949 = load double, ptr %.1266.i24948, align 8, !noalias !654
+  %.1269.i24951 = sitofp i64 %.1045.i24753 to double
+  %.1270.i24952 = fsub double %.1267.i24949, %.1269.i24951
+  store double %.1270.i24952, ptr %.1266.i24948, align 8, !noalias !654
   br label %B550.i
 
 B550.i:                                           ; preds = %B176.i, %B130.if.i
-  %.510.i24321 = icmp sgt i64 %.455.i24248.053749, 1
-  br i1 %.510.i24321, label %B130.if.i, label %B1098.endif
+  %.510.i24324 = icmp sgt i64 %.455.i24251.053745, 1
+  br i1 %.510.i24324, label %B130.if.i, label %B1098.endif
 
 B130.if.i:                                        ; preds = %B130.if.i.lr.ph, %B550.i
-  %.452.i24247.053750 = phi i64 [ 0, %B130.if.i.lr.ph ], [ %.523.i25003, %B550.i ]
-  %.455.i24248.053749 = phi i64 [ %storemerge, %B130.if.i.lr.ph ], [ %.519.i25000, %B550.i ]
-  %.519.i25000 = add nsw i64 %.455.i24248.053749, -1
-  %.523.i25003 = add nsw i64 %.452.i24247.053750, 1
-  %264 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i24247.053750
-  %.605.i24387 = load i64, ptr %264, align 8, !noalias !654
-  %.610.i24390 = icmp sgt i64 %.605.i24387, -1
-  br i1 %.610.i24390, label %B176.i, label %B550.i
+  %.452.i24250.053746 = phi i64 [ 0, %B130.if.i.lr.ph ], [ %.523.i25006, %B550.i ]
+  %.455.i24251.053745 = phi i64 [ %storemerge, %B130.if.i.lr.ph ], [ %.519.i25003, %B550.i ]
+  %.519.i25003 = add nsw i64 %.455.i24251.053745, -1
+  %.523.i25006 = add nsw i64 %.452.i24250.053746, 1
+  %264 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i24250.053746
+  %.605.i24390 = load i64, ptr %264, align 8, !noalias !654
+  %.610.i24393 = icmp sgt i64 %.605.i24390, -1
+  br i1 %.610.i24393, label %B176.i, label %B550.i
 
 common.ret:                                       ; preds = %B644.endif.if, %B1098.endif
-  %common.ret.op = phi i32 [ 0, %B1098.endif ], [ %.185814710, %B644.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B1098.endif ], [ %.185814711, %B644.endif.if ]
   ret i32 %common.ret.op
 
 B156.if:                                          ; preds = %B156.if.lr.ph, %B230
-  %active.3.053689 = phi i64 [ 0, %B156.if.lr.ph ], [ %.858, %B230 ]
-  %.488.053688 = phi i64 [ %storemerge, %B156.if.lr.ph ], [ %.552, %B230 ]
-  %.485.053687 = phi i64 [ 0, %B156.if.lr.ph ], [ %.556, %B230 ]
-  %.552 = add nsw i64 %.488.053688, -1
-  %.556 = add nsw i64 %.485.053687, 1
-  %265 = getelementptr i64, ptr %arg.solver.8.4, i64 %.485.053687
+  %active.3.053685 = phi i64 [ 0, %B156.if.lr.ph ], [ %.858, %B230 ]
+  %.488.053684 = phi i64 [ %storemerge, %B156.if.lr.ph ], [ %.552, %B230 ]
+  %.485.053683 = phi i64 [ 0, %B156.if.lr.ph ], [ %.556, %B230 ]
+  %.552 = add nsw i64 %.488.053684, -1
+  %.556 = add nsw i64 %.485.053683, 1
+  %265 = getelementptr i64, ptr %arg.solver.8.4, i64 %.485.053683
   %.638 = load i64, ptr %265, align 8
   %.639 = icmp slt i64 %.638, 0
   br i1 %.639, label %B198, label %B230
 
 B106.i:                                           ; preds = %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
-  %.460.i.i4484 = load i64, ptr %arg.solver.0.4, align 8, !noalias !658
-  %.501.i.i4495 = inttoptr i64 %.460.i.i4484 to ptr
-  tail call void %.501.i.i4495(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i4494), !noalias !658
+  %.460.i.i4483 = load i64, ptr %arg.solver.0.4, align 8, !noalias !658
+  %.501.i.i4494 = inttoptr i64 %.460.i.i4483 to ptr
+  tail call void %.501.i.i4494(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i4493), !noalias !658
   br label %B184.i
 
 B184.i:                                           ; preds = %B106.i, %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
-  br i1 %.781.i1282, label %B206.i, label %B236.i1283
+  br i1 %.781.i1282, label %B206.i, label %B236.i
 
 B206.i:                                           ; preds = %B184.i
-  %.490.i.i3334 = load double, ptr %.1111, align 8, !noalias !661
-  %.491.i.i3335 = fcmp olt double %.490.i.i3334, 5.000000e-01
-  br i1 %.491.i.i3335, label %B114.i.i, label %B144.i.i3336
+  %.490.i.i3333 = load double, ptr %.1111, align 8, !noalias !661
+  %.491.i.i3334 = fcmp olt double %.490.i.i3333, 5.000000e-01
+  br i1 %.491.i.i3334, label %B114.i.i, label %B144.i.i3335
 
 B114.i.i:                                         ; preds = %B206.i
   br i1 %.5095283.not.i, label %B172.i, label %B86.if.i
@@ -6284,22 +6284,22 @@ B172.i:                                           ; preds = %B86.if.i, %B114.i.i
 
 B328.loopexit.i:                                  ; preds = %B699.i, %B330.endif.endif.i
   %exitcond5309.not.i = icmp eq i64 %.992.05303.i, %38
-  br i1 %exitcond5309.not.i, label %B144.i.i3336, label %B328.if.i
+  br i1 %exitcond5309.not.i, label %B144.i.i3335, label %B328.if.i
 
 B332.i.i:                                         ; preds = %B150.if.i.i, %B328.if.i
   %.894.i.i = load i64, ptr %.893.i.i, align 8, !noalias !665
   %.898.i.i = icmp eq i64 %.894.i.i, %.992.05303.i
-  br i1 %.898.i.i, label %B356.i.i, label %B394.i.i53570
+  br i1 %.898.i.i, label %B356.i.i, label %B394.i.i53568
 
 B356.i.i:                                         ; preds = %B332.i.i
   %.955.i.i = load double, ptr %.954.i.i, align 8, !noalias !665
   %.958.i.i = fmul double %.955.i.i, 1.000000e-03
-  br label %B394.i.i53570
+  br label %B394.i.i53568
 
-B394.i.i53570:                                    ; preds = %B356.i.i, %B332.i.i
+B394.i.i53568:                                    ; preds = %B356.i.i, %B332.i.i
   %"$phi394.0.2.i.0.i" = phi double [ %.958.i.i, %B356.i.i ], [ 0.000000e+00, %B332.i.i ]
   store double %"$phi394.0.2.i.0.i", ptr %.998.i.i, align 8, !noalias !665
-  br i1 %.5095283.not.i, label %B214.i.1.critedge.i, label %B130.if.i.i53571
+  br i1 %.5095283.not.i, label %B214.i.1.critedge.i, label %B130.if.i.i53569
 
 B150.if.i.i:                                      ; preds = %B328.if.i, %B150.if.i.i
   %.535.i.05287.i = phi i64 [ %.606.i.i, %B150.if.i.i ], [ 0, %B328.if.i ]
@@ -6308,10 +6308,10 @@ B150.if.i.i:                                      ; preds = %B328.if.i, %B150.if
   %.709.i.i = getelementptr double, ptr %arg.solver.11.4, i64 %.705.i.i
   %.710.i.i = load double, ptr %.709.i.i, align 8, !noalias !665
   %.711.i.i = tail call double @llvm.fabs.f64(double %.710.i.i)
-  %.10.i.i.i53568 = fcmp ogt double %.507.i.i53567, %.711.i.i
-  %.11.i.i.i53569 = select i1 %.10.i.i.i53568, double %.507.i.i53567, double %.711.i.i
-  %.746.i.i = fcmp ogt double %.11.i.i.i53569, 0.000000e+00
-  %266 = fmul double %.11.i.i.i53569, 1.200000e-05
+  %.10.i.i.i53566 = fcmp ogt double %.507.i.i53565, %.711.i.i
+  %.11.i.i.i53567 = select i1 %.10.i.i.i53566, double %.507.i.i53565, double %.711.i.i
+  %.746.i.i = fcmp ogt double %.11.i.i.i53567, 0.000000e+00
+  %266 = fmul double %.11.i.i.i53567, 1.200000e-05
   %"$phi286.2.2.i.1.i" = select i1 %.746.i.i, double %266, double 1.200000e-05
   %267 = getelementptr i64, ptr %arg.solver.15.5.4, i64 %.535.i.05287.i
   %.803.i.i = load i64, ptr %267, align 8, !noalias !665
@@ -6322,12 +6322,12 @@ B150.if.i.i:                                      ; preds = %B328.if.i, %B150.if
   %exitcond5305.not.i = icmp eq i64 %arg.solver.1.1, %.606.i.i
   br i1 %exitcond5305.not.i, label %B332.i.i, label %B150.if.i.i
 
-B624.i53580:                                      ; preds = %B480.if.i
+B624.i53576:                                      ; preds = %B480.if.i
   %.1849.i = getelementptr double, ptr %37, i64 %.1697.i
   store double %.1737..i, ptr %.1849.i, align 8, !noalias !671
   br label %B699.i
 
-B652.i53579:                                      ; preds = %B480.if.i
+B652.i:                                           ; preds = %B480.if.i
   %.1874.i = select i1 %.1572.i, i64 %arg.solver.15.9.5.0, i64 0
   %269 = getelementptr i64, ptr %arg.solver.15.9.4, i64 %.1460.05298.i
   %.1888.i = getelementptr i64, ptr %269, i64 %.1874.i
@@ -6339,7 +6339,7 @@ B652.i53579:                                      ; preds = %B480.if.i
   store double %.1737..i, ptr %.1920.i, align 8, !noalias !671
   br label %B699.i
 
-B699.i:                                           ; preds = %B652.i53579, %B624.i53580
+B699.i:                                           ; preds = %B652.i, %B624.i53576
   %.1516.i = icmp sgt i64 %.1463.05299.i, 1
   br i1 %.1516.i, label %B480.if.i, label %B328.loopexit.i
 
@@ -6353,15 +6353,15 @@ B86.if.i:                                         ; preds = %B114.i.i, %B86.if.i
   store double %.621.i, ptr %.695.i, align 8, !noalias !671
   %.770.i = getelementptr double, ptr %31, i64 %.616.i
   store double 0.000000e+00, ptr %.770.i, align 8, !noalias !671
-  %exitcond.not.i53560 = icmp eq i64 %arg.solver.1.1, %.522.i
-  br i1 %exitcond.not.i53560, label %B172.i, label %B86.if.i
+  %exitcond.not.i53558 = icmp eq i64 %arg.solver.1.1, %.522.i
+  br i1 %exitcond.not.i53558, label %B172.i, label %B86.if.i
 
 B172.endif.i:                                     ; preds = %B172.else.endif.endif.endif.if.i, %B172.else.endif.endif.endif.i
   %.812.sroa.13.0.i = phi i64 [ %arg.solver.10.0.5.0, %B172.else.endif.endif.endif.if.i ], [ %.812.sroa.13.1.i, %B172.else.endif.endif.endif.i ]
   %.900.i = sub i64 %.812.sroa.13.0.i, %.812.sroa.0.3.i
   %.909.i = tail call i64 @llvm.smax.i64(i64 %.900.i, i64 0)
   %.925.i = getelementptr double, ptr %arg.solver.10.0.4, i64 %.812.sroa.0.3.i
-  br i1 %.10485302.i, label %B328.if.lr.ph.i, label %B144.i.i3336
+  br i1 %.10485302.i, label %B328.if.lr.ph.i, label %B144.i.i3335
 
 B328.if.lr.ph.i:                                  ; preds = %B172.endif.i
   %.984.i.i = select i1 %.822.i, i64 %.909.i, i64 0
@@ -6387,7 +6387,7 @@ B172.else.endif.endif.if.i:                       ; preds = %B172.else.endif.end
   br label %B172.else.endif.endif.endif.i
 
 B172.else.endif.endif.endif.i:                    ; preds = %B172.else.endif.endif.if.i, %B172.else.endif.endif.i
-  %.812.sroa.13.1.i = phi i64 [ 0, %B172.else.endif.endif.if.i ], [ %.841.i53562, %B172.else.endif.endif.i ]
+  %.812.sroa.13.1.i = phi i64 [ 0, %B172.else.endif.endif.if.i ], [ %.841.i53560, %B172.else.endif.endif.i ]
   br i1 %.849.not.i, label %B172.endif.i, label %B172.else.endif.endif.endif.if.i, !prof !100
 
 B172.else.endif.endif.endif.if.i:                 ; preds = %B172.else.endif.endif.endif.i
@@ -6398,18 +6398,18 @@ B328.if.i:                                        ; preds = %B328.if.lr.ph.i, %B
   %.1061.i = add nsw i64 %.992.05303.i, 1
   %.472.i.i = load double, ptr %.471.i.i, align 8, !noalias !665
   %.503.i.i = load double, ptr %arg.solver.2.4, align 8, !noalias !665
-  %.507.i.i53567 = fdiv double %.472.i.i, %.503.i.i
+  %.507.i.i53565 = fdiv double %.472.i.i, %.503.i.i
   br i1 %.5095283.not.i, label %B332.i.i, label %B150.if.i.i
 
-B214.i.i:                                         ; preds = %B130.if.i.i53571
+B214.i.i:                                         ; preds = %B130.if.i.i53569
   %.925.i514.i = load double, ptr %arg.solver.7.4, align 8, !noalias !672
   %.956.i532.i = load double, ptr %.998.i.i, align 8, !noalias !672
   %.958.i533.i = fmul double %.956.i532.i, 5.000000e-01
   %.961.i.i = fadd double %.925.i514.i, %.958.i533.i
   store double %.961.i.i, ptr %.1014.i.i, align 8, !noalias !672
-  %.460.i.i.i53573 = load i64, ptr %arg.solver.0.4, align 8, !noalias !676
-  %.501.i.i.i53575 = inttoptr i64 %.460.i.i.i53573 to ptr
-  tail call void %.501.i.i.i53575(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53565, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i53574), !noalias !676
+  %.460.i.i.i53571 = load i64, ptr %arg.solver.0.4, align 8, !noalias !676
+  %.501.i.i.i53573 = inttoptr i64 %.460.i.i.i53571 to ptr
+  tail call void %.501.i.i.i53573(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53563, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i53572), !noalias !676
   br label %B130.if.i.1.i
 
 B130.if.i.1.i:                                    ; preds = %B130.if.i.1.i, %B214.i.i
@@ -6427,14 +6427,14 @@ B130.if.i.1.i:                                    ; preds = %B130.if.i.1.i, %B21
   %exitcond5306.1.not.i = icmp eq i64 %arg.solver.1.1, %.659.i647.1.i
   br i1 %exitcond5306.1.not.i, label %B214.i.1.i, label %B130.if.i.1.i
 
-B214.i.1.critedge.i:                              ; preds = %B394.i.i53570
+B214.i.1.critedge.i:                              ; preds = %B394.i.i53568
   %.925.i514.c.i = load double, ptr %arg.solver.7.4, align 8, !noalias !672
   %.958.i533.c.i = fmul double %"$phi394.0.2.i.0.i", 5.000000e-01
   %.961.i.c.i = fadd double %.958.i533.c.i, %.925.i514.c.i
   store double %.961.i.c.i, ptr %.1014.i.i, align 8, !noalias !672
   %.460.i.i.c.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !676
   %.501.i.i.c.i = inttoptr i64 %.460.i.i.c.i to ptr
-  tail call void %.501.i.i.c.i(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53565, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.c.i), !noalias !676
+  tail call void %.501.i.i.c.i(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53563, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.c.i), !noalias !676
   br label %B214.i.1.i
 
 B214.i.1.i:                                       ; preds = %B130.if.i.1.i, %B214.i.1.critedge.i
@@ -6445,10 +6445,10 @@ B214.i.1.i:                                       ; preds = %B130.if.i.1.i, %B21
   store double %274, ptr %.1014.i.i, align 8, !noalias !672
   %.460.i.i.1.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !676
   %.501.i.i.1.i = inttoptr i64 %.460.i.i.1.i to ptr
-  tail call void %.501.i.i.1.i(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53565, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.1.i), !noalias !676
+  tail call void %.501.i.i.1.i(ptr nonnull %.1014.i.i, ptr %.475.i.i.i53563, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.1.i), !noalias !676
   br i1 %.5095283.not.i, label %B330.endif.endif.i, label %B404.if.i.i
 
-B550.i.i53581:                                    ; preds = %B404.if.i.i
+B550.i.i53577:                                    ; preds = %B404.if.i.i
   %.1683.i.i = fsub double %.1592.i.i, %.1669.i.i
   br label %B653.i.i
 
@@ -6459,26 +6459,26 @@ B584.i.i:                                         ; preds = %B404.if.i.i
   %.1849.i.i = fmul double %.1846.i.i, 2.000000e+00
   br label %B653.i.i
 
-B653.i.i:                                         ; preds = %B584.i.i, %B550.i.i53581
-  %storemerge5276.i = phi double [ %.1849.i.i, %B584.i.i ], [ %.1683.i.i, %B550.i.i53581 ]
+B653.i.i:                                         ; preds = %B584.i.i, %B550.i.i53577
+  %storemerge5276.i = phi double [ %.1849.i.i, %B584.i.i ], [ %.1683.i.i, %B550.i.i53577 ]
   store double %storemerge5276.i, ptr %.1591.i.i, align 8, !noalias !672
   %exitcond5308.not.i = icmp eq i64 %arg.solver.1.1, %.1337.i.i
   br i1 %exitcond5308.not.i, label %B330.endif.endif.i, label %B404.if.i.i
 
-B130.if.i.i53571:                                 ; preds = %B394.i.i53570, %B130.if.i.i53571
-  %.590.i429.05290.i = phi i64 [ %.659.i647.i, %B130.if.i.i53571 ], [ 0, %B394.i.i53570 ]
+B130.if.i.i53569:                                 ; preds = %B394.i.i53568, %B130.if.i.i53569
+  %.590.i429.05290.i = phi i64 [ %.659.i647.i, %B130.if.i.i53569 ], [ 0, %B394.i.i53568 ]
   %.659.i647.i = add nsw i64 %.590.i429.05290.i, 1
-  %.753.i.i53572 = mul i64 %.590.i429.05290.i, %arg.solver.11.5.2
-  %.757.i.i = getelementptr double, ptr %arg.solver.11.4, i64 %.753.i.i53572
+  %.753.i.i53570 = mul i64 %.590.i429.05290.i, %arg.solver.11.5.2
+  %.757.i.i = getelementptr double, ptr %arg.solver.11.4, i64 %.753.i.i53570
   %.758.i582.i = load double, ptr %.757.i.i, align 8, !noalias !672
   %275 = getelementptr double, ptr %.925.i, i64 %.590.i429.05290.i
   %.788.i598.i = load double, ptr %275, align 8, !noalias !672
   %.790.i600.i = fmul double %.788.i598.i, 5.000000e-01
   %.791.i.i = fadd double %.758.i582.i, %.790.i600.i
-  %.865.i641.i = getelementptr double, ptr %33, i64 %.753.i.i53572
+  %.865.i641.i = getelementptr double, ptr %33, i64 %.753.i.i53570
   store double %.791.i.i, ptr %.865.i641.i, align 8, !noalias !672
   %exitcond5306.not.i = icmp eq i64 %arg.solver.1.1, %.659.i647.i
-  br i1 %exitcond5306.not.i, label %B214.i.i, label %B130.if.i.i53571
+  br i1 %exitcond5306.not.i, label %B214.i.i, label %B130.if.i.i53569
 
 B404.if.i.i:                                      ; preds = %B214.i.1.i, %B653.i.i
   %.1268.i.05295.i = phi i64 [ %.1337.i.i, %B653.i.i ], [ 0, %B214.i.1.i ]
@@ -6494,7 +6494,7 @@ B404.if.i.i:                                      ; preds = %B214.i.1.i, %B653.i
   %.1669.i.i = load double, ptr %.1668.i.i, align 8, !noalias !672
   %.1678.i.i = fsub double %.1669.i.i, %.1669.i.i
   %.1679.i.i = fcmp oeq double %.1678.i.i, 0.000000e+00
-  br i1 %.1679.i.i, label %B550.i.i53581, label %B584.i.i
+  br i1 %.1679.i.i, label %B550.i.i53577, label %B584.i.i
 
 B330.endif.endif.i:                               ; preds = %B653.i.i, %B214.i.1.i
   %276 = getelementptr i64, ptr %arg.solver.15.6.4, i64 %.992.05303.i
@@ -6511,13 +6511,13 @@ B480.if.i:                                        ; preds = %B330.endif.endif.i,
   %.1525.i = add nsw i64 %.1463.05299.i, -1
   %.1529.i = add i64 %.1460.05298.i, 1
   %.1572.i = icmp slt i64 %.1460.05298.i, 0
-  %.1573.i53576 = select i1 %.1572.i, i64 %arg.solver.15.7.5.0, i64 0
+  %.1573.i53574 = select i1 %.1572.i, i64 %arg.solver.15.7.5.0, i64 0
   %278 = getelementptr i64, ptr %arg.solver.15.7.4, i64 %.1460.05298.i
-  %.1587.i = getelementptr i64, ptr %278, i64 %.1573.i53576
+  %.1587.i = getelementptr i64, ptr %278, i64 %.1573.i53574
   %.1588.i = load i64, ptr %.1587.i, align 8, !noalias !671
-  %.1605.i53577 = select i1 %.1572.i, i64 %arg.solver.15.8.5.0, i64 0
+  %.1605.i53575 = select i1 %.1572.i, i64 %arg.solver.15.8.5.0, i64 0
   %279 = getelementptr i64, ptr %arg.solver.15.8.4, i64 %.1460.05298.i
-  %.1619.i = getelementptr i64, ptr %279, i64 %.1605.i53577
+  %.1619.i = getelementptr i64, ptr %279, i64 %.1605.i53575
   %.1620.i = load i64, ptr %.1619.i, align 8, !noalias !671
   %.1666.i = icmp slt i64 %.1588.i, 0
   %.1667.i = select i1 %.1666.i, i64 %arg.solver.11.5.1, i64 0
@@ -6531,33 +6531,33 @@ B480.if.i:                                        ; preds = %B330.endif.endif.i,
   %.1732.i = getelementptr double, ptr %280, i64 %.1718.i
   %.1733.i = load double, ptr %.1732.i, align 8, !noalias !671
   %.1737.i = fdiv double %.1702.i, %.1733.i
-  %.1743.i53578 = fsub double %.1737.i, %.1737.i
-  %.1744.i = fcmp oeq double %.1743.i53578, 0.000000e+00
+  %.1743.i = fsub double %.1737.i, %.1737.i
+  %.1744.i = fcmp oeq double %.1743.i, 0.000000e+00
   %.1737..i = select i1 %.1744.i, double %.1737.i, double 0.000000e+00
   %.1766.i = icmp eq i64 %.1620.i, %arg.solver.1.1
-  br i1 %.1766.i, label %B624.i53580, label %B652.i53579
+  br i1 %.1766.i, label %B624.i53576, label %B652.i
 
-B144.i.i3336:                                     ; preds = %B328.loopexit.i, %B172.endif.i, %B206.i
-  br i1 %.679.i.i, label %B174.if.i.i, label %B236.i1283
+B144.i.i3335:                                     ; preds = %B328.loopexit.i, %B172.endif.i, %B206.i
+  br i1 %.679.i.i, label %B174.if.i.i, label %B236.i
 
-B364.i.i3471:                                     ; preds = %B290.if.i.i, %B174.if.i.i
-  %.1027.i.i3480 = mul i64 %.665.i.i10.053703, %.711.i.i12.sroa.0.053103
-  %.1042.i.i3488 = icmp slt i64 %.1027.i.i3480, 0
-  %.1043.i.i3489 = select i1 %.1042.i.i3488, i64 %arg.solver.15.1.5.0, i64 0
-  %281 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1027.i.i3480
-  %.1057.i.i3499 = getelementptr double, ptr %281, i64 %.1043.i.i3489
-  %.1058.i.i3500 = load double, ptr %.1057.i.i3499, align 8, !noalias !661
-  %.1112.i.i3527 = load double, ptr %.1111.i.i3526, align 8, !noalias !661
-  %.1113.i.i3528 = fadd double %.1058.i.i3500, %.1112.i.i3527
-  store double %.1113.i.i3528, ptr %.1057.i.i3499, align 8, !noalias !661
-  %exitcond53817.not = icmp eq i64 %arg.solver.1.1, %.734.i.i3609
-  br i1 %exitcond53817.not, label %B36.if.i, label %B174.if.i.i
+B364.i.i3470:                                     ; preds = %B290.if.i.i, %B174.if.i.i
+  %.1027.i.i3479 = mul i64 %.665.i.i10.053699, %.711.i.i12.sroa.0.053103
+  %.1042.i.i3487 = icmp slt i64 %.1027.i.i3479, 0
+  %.1043.i.i3488 = select i1 %.1042.i.i3487, i64 %arg.solver.15.1.5.0, i64 0
+  %281 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1027.i.i3479
+  %.1057.i.i3498 = getelementptr double, ptr %281, i64 %.1043.i.i3488
+  %.1058.i.i3499 = load double, ptr %.1057.i.i3498, align 8, !noalias !661
+  %.1112.i.i3526 = load double, ptr %.1111.i.i3525, align 8, !noalias !661
+  %.1113.i.i3527 = fadd double %.1058.i.i3499, %.1112.i.i3526
+  store double %.1113.i.i3527, ptr %.1057.i.i3498, align 8, !noalias !661
+  %exitcond53813.not = icmp eq i64 %arg.solver.1.1, %.734.i.i3608
+  br i1 %exitcond53813.not, label %B36.if.i, label %B174.if.i.i
 
 B34.loopexit.i:                                   ; preds = %B790.i, %B528.i
-  %exitcond.not.i53592 = icmp eq i64 %.131.i, %arg.solver.1.1
-  br i1 %exitcond.not.i53592, label %B236.i1283, label %B36.if.i
+  %exitcond.not.i53588 = icmp eq i64 %.131.i, %arg.solver.1.1
+  br i1 %exitcond.not.i53588, label %B236.i, label %B36.if.i
 
-B348.i53583:                                      ; preds = %B234.if.i, %B36.if.i
+B348.i53579:                                      ; preds = %B234.if.i, %B36.if.i
   %p.2.1.lcssa.i = phi i64 [ %.59.0509.i, %B36.if.i ], [ %p.3.2.i, %B234.if.i ]
   %282 = getelementptr i64, ptr %arg.solver.15.2.4, i64 %.59.0509.i
   store i64 %p.2.1.lcssa.i, ptr %282, align 8, !noalias !679
@@ -6572,7 +6572,7 @@ B348.i53583:                                      ; preds = %B234.if.i, %B36.if.
   store double %.610.i, ptr %.576.i, align 8, !noalias !679
   br i1 %.362493.not.i, label %B528.i, label %B466.if.i
 
-B528.i:                                           ; preds = %B466.if.i, %B348.i53583
+B528.i:                                           ; preds = %B466.if.i, %B348.i53579
   %.942.i = sub i64 %.11.i492.i, %.131.i
   %.985504.not.i = icmp slt i64 %.942.i, 1
   br i1 %.985504.not.i, label %B34.loopexit.i, label %B566.if.i
@@ -6581,21 +6581,21 @@ B790.i:                                           ; preds = %B716.if.i, %B566.if
   %.985.i = icmp sgt i64 %.932.0506.i, 1
   br i1 %.985.i, label %B566.if.i, label %B34.loopexit.i
 
-B36.if.i:                                         ; preds = %B364.i.i3471, %B34.loopexit.i
-  %.59.0509.i = phi i64 [ %.131.i, %B34.loopexit.i ], [ 0, %B364.i.i3471 ]
+B36.if.i:                                         ; preds = %B364.i.i3470, %B34.loopexit.i
+  %.59.0509.i = phi i64 [ %.131.i, %B34.loopexit.i ], [ 0, %B364.i.i3470 ]
   %.131.i = add nsw i64 %.59.0509.i, 1
   %.161.i = mul nsw i64 %.59.0509.i, %arg.solver.1.1
   %.164.i = add nsw i64 %.59.0509.i, %arg.solver.15.3.0
   %.165.i = add nsw i64 %.164.i, 1
-  %.11.i.i53582 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i, i64 %arg.solver.1.1)
+  %.11.i.i53578 = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.165.i, i64 %arg.solver.1.1)
   %.200.i = add i64 %.199.i, %.164.i
   %.11.i492.i = tail call i64 @llvm.smin.i64(i64 range(i64 -9223372036854775807, -9223372036854775808) %.200.i, i64 %arg.solver.1.1)
   %284 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.161.i
   %285 = getelementptr double, ptr %284, i64 %.59.0509.i
-  %.319.i = sub i64 %.11.i.i53582, %.131.i
+  %.319.i = sub i64 %.11.i.i53578, %.131.i
   %storemerge488.i = tail call i64 @llvm.smax.i64(i64 %.319.i, i64 0)
   %.362493.not.i = icmp slt i64 %.319.i, 1
-  br i1 %.362493.not.i, label %B348.i53583, label %B234.if.preheader.i
+  br i1 %.362493.not.i, label %B348.i53579, label %B234.if.preheader.i
 
 B234.if.preheader.i:                              ; preds = %B36.if.i
   %.271.i = load double, ptr %285, align 8, !noalias !679
@@ -6620,22 +6620,22 @@ B234.if.i:                                        ; preds = %B234.if.i, %B234.if
   %largest.3.2.i = select i1 %.448.i, double %.446.i, double %largest.2.1496.i
   %p.3.2.i = select i1 %.448.i, i64 %.306.0494.i, i64 %p.2.1497.i
   %.362.i = icmp sgt i64 %.309.0495.i, 1
-  br i1 %.362.i, label %B234.if.i, label %B348.i53583
+  br i1 %.362.i, label %B234.if.i, label %B348.i53579
 
-B466.if.i:                                        ; preds = %B348.i53583, %B466.if.i
-  %.706.0500.i = phi i64 [ %.768.i53584, %B466.if.i ], [ %storemerge488.i, %B348.i53583 ]
-  %.703.0499.i = phi i64 [ %.772.i, %B466.if.i ], [ %.131.i, %B348.i53583 ]
-  %.768.i53584 = add nsw i64 %.706.0500.i, -1
+B466.if.i:                                        ; preds = %B348.i53579, %B466.if.i
+  %.706.0500.i = phi i64 [ %.768.i53580, %B466.if.i ], [ %storemerge488.i, %B348.i53579 ]
+  %.703.0499.i = phi i64 [ %.772.i, %B466.if.i ], [ %.131.i, %B348.i53579 ]
+  %.768.i53580 = add nsw i64 %.706.0500.i, -1
   %.772.i = add i64 %.703.0499.i, 1
   %.798.i = add nsw i64 %.703.0499.i, %.161.i
   %.812.i = icmp slt i64 %.798.i, 0
   %.813.i = select i1 %.812.i, i64 %arg.solver.15.1.5.0, i64 0
   %287 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.798.i
-  %.827.i53585 = getelementptr double, ptr %287, i64 %.813.i
-  %.828.i = load double, ptr %.827.i53585, align 8, !noalias !679
+  %.827.i53581 = getelementptr double, ptr %287, i64 %.813.i
+  %.828.i = load double, ptr %.827.i53581, align 8, !noalias !679
   %.861.i = load double, ptr %285, align 8, !noalias !679
   %.865.i = fdiv double %.828.i, %.861.i
-  store double %.865.i, ptr %.827.i53585, align 8, !noalias !679
+  store double %.865.i, ptr %.827.i53581, align 8, !noalias !679
   %.759.i = icmp sgt i64 %.706.0500.i, 1
   br i1 %.759.i, label %B466.if.i, label %B528.i
 
@@ -6647,33 +6647,33 @@ B566.if.i:                                        ; preds = %B528.i, %B790.i
   %288 = mul nsw i64 %.929.0505.i, %arg.solver.1.1
   %.1030.i = add nsw i64 %288, %p.2.1.lcssa.i
   %.1044.i = icmp slt i64 %.1030.i, 0
-  %.1045.i53586 = select i1 %.1044.i, i64 %arg.solver.15.1.5.0, i64 0
+  %.1045.i53582 = select i1 %.1044.i, i64 %arg.solver.15.1.5.0, i64 0
   %289 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1030.i
-  %.1059.i = getelementptr double, ptr %289, i64 %.1045.i53586
+  %.1059.i = getelementptr double, ptr %289, i64 %.1045.i53582
   %.1060.i = load double, ptr %.1059.i, align 8, !noalias !679
   %.1068.i = add nsw i64 %288, %.59.0509.i
-  %.1082.i53587 = icmp slt i64 %.1068.i, 0
-  %.1083.i53588 = select i1 %.1082.i53587, i64 %arg.solver.15.1.5.0, i64 0
+  %.1082.i53583 = icmp slt i64 %.1068.i, 0
+  %.1083.i53584 = select i1 %.1082.i53583, i64 %arg.solver.15.1.5.0, i64 0
   %290 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1068.i
-  %.1097.i = getelementptr double, ptr %290, i64 %.1083.i53588
+  %.1097.i = getelementptr double, ptr %290, i64 %.1083.i53584
   %.1098.i = load double, ptr %.1097.i, align 8, !noalias !679
   store double %.1098.i, ptr %.1059.i, align 8, !noalias !679
   store double %.1060.i, ptr %.1097.i, align 8, !noalias !679
   %.1171.i = fcmp oeq double %.1060.i, 0.000000e+00
-  %brmerge.i53589 = or i1 %.362493.not.i, %.1171.i
-  br i1 %brmerge.i53589, label %B790.i, label %B716.if.i
+  %brmerge.i53585 = or i1 %.362493.not.i, %.1171.i
+  br i1 %brmerge.i53585, label %B790.i, label %B716.if.i
 
 B716.if.i:                                        ; preds = %B566.if.i, %B716.if.i
   %.1202.0503.i = phi i64 [ %.1264.i, %B716.if.i ], [ %storemerge488.i, %B566.if.i ]
   %.1199.0502.i = phi i64 [ %.1268.i, %B716.if.i ], [ %.131.i, %B566.if.i ]
   %.1264.i = add nsw i64 %.1202.0503.i, -1
   %.1268.i = add i64 %.1199.0502.i, 1
-  %.1296.i53590 = add nsw i64 %.1199.0502.i, %288
-  %.1310.i = icmp slt i64 %.1296.i53590, 0
+  %.1296.i53586 = add nsw i64 %.1199.0502.i, %288
+  %.1310.i = icmp slt i64 %.1296.i53586, 0
   %.1311.i = select i1 %.1310.i, i64 %arg.solver.15.1.5.0, i64 0
-  %291 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1296.i53590
-  %.1325.i53591 = getelementptr double, ptr %291, i64 %.1311.i
-  %.1326.i = load double, ptr %.1325.i53591, align 8, !noalias !679
+  %291 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1296.i53586
+  %.1325.i = getelementptr double, ptr %291, i64 %.1311.i
+  %.1326.i53587 = load double, ptr %.1325.i, align 8, !noalias !679
   %.1328.i = add nsw i64 %.1199.0502.i, %.161.i
   %.1342.i = icmp slt i64 %.1328.i, 0
   %.1343.i = select i1 %.1342.i, i64 %arg.solver.15.1.5.0, i64 0
@@ -6681,50 +6681,50 @@ B716.if.i:                                        ; preds = %B566.if.i, %B716.if
   %.1357.i = getelementptr double, ptr %292, i64 %.1343.i
   %.1358.i = load double, ptr %.1357.i, align 8, !noalias !679
   %.1360.i = fmul double %.1060.i, %.1358.i
-  %.1361.i = fsub double %.1326.i, %.1360.i
-  store double %.1361.i, ptr %.1325.i53591, align 8, !noalias !679
+  %.1361.i = fsub double %.1326.i53587, %.1360.i
+  store double %.1361.i, ptr %.1325.i, align 8, !noalias !679
   %.1255.i = icmp sgt i64 %.1202.0503.i, 1
   br i1 %.1255.i, label %B716.if.i, label %B790.i
 
-B174.if.i.i:                                      ; preds = %B144.i.i3336, %B364.i.i3471
-  %.665.i.i10.053703 = phi i64 [ %.734.i.i3609, %B364.i.i3471 ], [ 0, %B144.i.i3336 ]
-  %.734.i.i3609 = add nsw i64 %.665.i.i10.053703, 1
-  %.766.i.i3420 = sub i64 %.665.i.i10.053703, %39
-  %.11.i.i.i = tail call i64 @llvm.smax.i64(i64 %.766.i.i3420, i64 0)
-  %.798.i.i3428 = add i64 %.797.i.i3427, %.665.i.i10.053703
-  %.11.i4.i.i = tail call i64 @llvm.smin.i64(i64 %.798.i.i3428, i64 %arg.solver.1.1)
-  %.864.i.i3445 = sub i64 %.11.i4.i.i, %.11.i.i.i
-  %.907.i.i346453699.not = icmp slt i64 %.864.i.i3445, 1
-  br i1 %.907.i.i346453699.not, label %B364.i.i3471, label %B290.if.i.i.lr.ph
+B174.if.i.i:                                      ; preds = %B144.i.i3335, %B364.i.i3470
+  %.665.i.i10.053699 = phi i64 [ %.734.i.i3608, %B364.i.i3470 ], [ 0, %B144.i.i3335 ]
+  %.734.i.i3608 = add nsw i64 %.665.i.i10.053699, 1
+  %.766.i.i3419 = sub i64 %.665.i.i10.053699, %39
+  %.11.i.i.i = tail call i64 @llvm.smax.i64(i64 %.766.i.i3419, i64 0)
+  %.798.i.i3427 = add i64 %.797.i.i3426, %.665.i.i10.053699
+  %.11.i4.i.i = tail call i64 @llvm.smin.i64(i64 %.798.i.i3427, i64 %arg.solver.1.1)
+  %.864.i.i3444 = sub i64 %.11.i4.i.i, %.11.i.i.i
+  %.907.i.i346353695.not = icmp slt i64 %.864.i.i3444, 1
+  br i1 %.907.i.i346353695.not, label %B364.i.i3470, label %B290.if.i.i.lr.ph
 
 B290.if.i.i.lr.ph:                                ; preds = %B174.if.i.i
-  %.949.i.i3549 = mul nsw i64 %.665.i.i10.053703, %arg.solver.1.1
+  %.949.i.i3548 = mul nsw i64 %.665.i.i10.053699, %arg.solver.1.1
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.i.i.lr.ph, %B290.if.i.i
-  %.854.i.i24.053701 = phi i64 [ %.864.i.i3445, %B290.if.i.i.lr.ph ], [ %.916.i.i3594, %B290.if.i.i ]
-  %.851.i.i23.053700 = phi i64 [ %.11.i.i.i, %B290.if.i.i.lr.ph ], [ %.920.i.i3597, %B290.if.i.i ]
-  %.916.i.i3594 = add nsw i64 %.854.i.i24.053701, -1
-  %.920.i.i3597 = add i64 %.851.i.i23.053700, 1
-  %.950.i.i3550 = add nsw i64 %.851.i.i23.053700, %.949.i.i3549
-  %.963.i.i3556 = icmp slt i64 %.950.i.i3550, 0
-  %.964.i.i3557 = select i1 %.963.i.i3556, i64 %arg.solver.15.0.5.0, i64 0
-  %293 = getelementptr double, ptr %arg.solver.15.0.4, i64 %.950.i.i3550
-  %.978.i.i3567 = getelementptr double, ptr %293, i64 %.964.i.i3557
-  %.979.i.i3568 = load double, ptr %.978.i.i3567, align 8, !noalias !661
-  %.980.i.i3569 = fneg double %.979.i.i3568
-  %.1000.i.i3581 = select i1 %.963.i.i3556, i64 %arg.solver.15.1.5.0, i64 0
-  %294 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.950.i.i3550
-  %.1014.i.i3591 = getelementptr double, ptr %294, i64 %.1000.i.i3581
-  store double %.980.i.i3569, ptr %.1014.i.i3591, align 8, !noalias !661
-  %.907.i.i3464 = icmp sgt i64 %.854.i.i24.053701, 1
-  br i1 %.907.i.i3464, label %B290.if.i.i, label %B364.i.i3471
+  %.854.i.i24.053697 = phi i64 [ %.864.i.i3444, %B290.if.i.i.lr.ph ], [ %.916.i.i3593, %B290.if.i.i ]
+  %.851.i.i23.053696 = phi i64 [ %.11.i.i.i, %B290.if.i.i.lr.ph ], [ %.920.i.i3596, %B290.if.i.i ]
+  %.916.i.i3593 = add nsw i64 %.854.i.i24.053697, -1
+  %.920.i.i3596 = add i64 %.851.i.i23.053696, 1
+  %.950.i.i3549 = add nsw i64 %.851.i.i23.053696, %.949.i.i3548
+  %.963.i.i3555 = icmp slt i64 %.950.i.i3549, 0
+  %.964.i.i3556 = select i1 %.963.i.i3555, i64 %arg.solver.15.0.5.0, i64 0
+  %293 = getelementptr double, ptr %arg.solver.15.0.4, i64 %.950.i.i3549
+  %.978.i.i3566 = getelementptr double, ptr %293, i64 %.964.i.i3556
+  %.979.i.i3567 = load double, ptr %.978.i.i3566, align 8, !noalias !661
+  %.980.i.i3568 = fneg double %.979.i.i3567
+  %.1000.i.i3580 = select i1 %.963.i.i3555, i64 %arg.solver.15.1.5.0, i64 0
+  %294 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.950.i.i3549
+  %.1014.i.i3590 = getelementptr double, ptr %294, i64 %.1000.i.i3580
+  store double %.980.i.i3568, ptr %.1014.i.i3590, align 8, !noalias !661
+  %.907.i.i3463 = icmp sgt i64 %.854.i.i24.053697, 1
+  br i1 %.907.i.i3463, label %B290.if.i.i, label %B364.i.i3470
 
-B236.i1283:                                       ; preds = %B34.loopexit.i, %B144.i.i3336, %B184.i
-  br i1 %.1005.i131353705.not, label %B460.i, label %B268.if.i
+B236.i:                                           ; preds = %B34.loopexit.i, %B144.i.i3335, %B184.i
+  br i1 %.1005.i131253701.not, label %B460.i, label %B268.if.i
 
 B106.if.lr.ph.i:                                  ; preds = %B268.if.i
-  %.629.i = mul i64 %.1018.i2923, %.627.i53594
+  %.629.i = mul i64 %.1018.i2922, %.627.i53590
   %295 = getelementptr double, ptr %arg.solver.11.4, i64 %.629.i
   br label %B106.if.i
 
@@ -6733,12 +6733,12 @@ B34.i.loopexit.i:                                 ; preds = %B198.if.i.i, %B34.i
   br i1 %exitcond1961.not.i, label %B314.if.i.i, label %B34.if.i.i
 
 B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.if.i.i
-  %.683.i.i53611 = icmp sgt i64 %.627.i.01957.in.i, 1
-  br i1 %.683.i.i53611, label %B314.if.i.i, label %B360.if.lr.ph.i
+  %.683.i.i53607 = icmp sgt i64 %.627.i.01957.in.i, 1
+  br i1 %.683.i.i53607, label %B314.if.i.i, label %B360.if.lr.ph.i
 
 B360.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.1168.i53616 = mul i64 %.1018.i2923, %.1089.i
-  %296 = getelementptr double, ptr %arg.solver.11.4, i64 %.1168.i53616
+  %.1168.i53612 = mul i64 %.1018.i2922, %.1089.i
+  %296 = getelementptr double, ptr %arg.solver.11.4, i64 %.1168.i53612
   br label %B360.if.i
 
 B34.if.i.i:                                       ; preds = %B106.if.i, %B34.i.loopexit.i
@@ -6757,32 +6757,32 @@ B34.if.i.i:                                       ; preds = %B106.if.i, %B34.i.l
   store double %.270.i.i, ptr %.233.i.i, align 8, !noalias !682
   store double %.234.i.i, ptr %gep, align 8, !noalias !682
   %.340.i.i = add i64 %.339.i.i, %.73.i.01949.i
-  %.11.i.i.i53599 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.solver.1.1)
-  %.406.i.i = sub i64 %.11.i.i.i53599, %.144.i.i
+  %.11.i.i.i53595 = tail call i64 @llvm.smin.i64(i64 %.340.i.i, i64 %arg.solver.1.1)
+  %.406.i.i = sub i64 %.11.i.i.i53595, %.144.i.i
   %.449.i1945.not.i = icmp slt i64 %.406.i.i, 1
   br i1 %.449.i1945.not.i, label %B34.i.loopexit.i, label %B198.if.i.lr.ph.i
 
 B198.if.i.lr.ph.i:                                ; preds = %B34.if.i.i
-  %.521.i.i53600 = mul nsw i64 %.73.i.01949.i, %arg.solver.1.1
+  %.521.i.i53596 = mul nsw i64 %.73.i.01949.i, %arg.solver.1.1
   br label %B198.if.i.i
 
 B198.if.i.i:                                      ; preds = %B198.if.i.i, %B198.if.i.lr.ph.i
   %.396.i.01947.i = phi i64 [ %.406.i.i, %B198.if.i.lr.ph.i ], [ %.458.i.i, %B198.if.i.i ]
-  %.393.i.01946.i = phi i64 [ %.144.i.i, %B198.if.i.lr.ph.i ], [ %.462.i.i53601, %B198.if.i.i ]
+  %.393.i.01946.i = phi i64 [ %.144.i.i, %B198.if.i.lr.ph.i ], [ %.462.i.i53597, %B198.if.i.i ]
   %.458.i.i = add nsw i64 %.396.i.01947.i, -1
-  %.462.i.i53601 = add i64 %.393.i.01946.i, 1
+  %.462.i.i53597 = add i64 %.393.i.01946.i, 1
   %.488.i.i = add nsw i64 %.393.i.01946.i, %.835.i
   %.502.i.i = icmp slt i64 %.488.i.i, 0
-  %.503.i.i53602 = select i1 %.502.i.i, i64 %arg.solver.10.0.5.0, i64 0
+  %.503.i.i53598 = select i1 %.502.i.i, i64 %arg.solver.10.0.5.0, i64 0
   %299 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.488.i.i
-  %.517.i.i = getelementptr double, ptr %299, i64 %.503.i.i53602
+  %.517.i.i = getelementptr double, ptr %299, i64 %.503.i.i53598
   %.518.i.i = load double, ptr %.517.i.i, align 8, !noalias !682
-  %.522.i.i = add nsw i64 %.393.i.01946.i, %.521.i.i53600
+  %.522.i.i = add nsw i64 %.393.i.01946.i, %.521.i.i53596
   %.536.i.i = icmp slt i64 %.522.i.i, 0
   %.537.i.i = select i1 %.536.i.i, i64 %arg.solver.15.1.5.0, i64 0
   %300 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.522.i.i
-  %.551.i.i53603 = getelementptr double, ptr %300, i64 %.537.i.i
-  %.552.i.i = load double, ptr %.551.i.i53603, align 8, !noalias !682
+  %.551.i.i53599 = getelementptr double, ptr %300, i64 %.537.i.i
+  %.552.i.i = load double, ptr %.551.i.i53599, align 8, !noalias !682
   %.554.i.i = fmul double %.234.i.i, %.552.i.i
   %.555.i.i = fsub double %.518.i.i, %.554.i.i
   store double %.555.i.i, ptr %.517.i.i, align 8, !noalias !682
@@ -6798,33 +6798,33 @@ B314.if.i.i:                                      ; preds = %B34.i.loopexit.i, %
   %301 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.726.i.i
   %.755.i.i = getelementptr double, ptr %301, i64 %.741.i.i
   %.756.i.i = load double, ptr %.755.i.i, align 8, !noalias !682
-  %.759.i.i53604 = mul nsw i64 %.627.i.01957.i, %arg.solver.1.1
-  %.761.i.i = add nsw i64 %.759.i.i53604, %.627.i.01957.i
+  %.759.i.i53600 = mul nsw i64 %.627.i.01957.i, %arg.solver.1.1
+  %.761.i.i = add nsw i64 %.759.i.i53600, %.627.i.01957.i
   %.775.i.i = icmp slt i64 %.761.i.i, 0
   %.776.i.i = select i1 %.775.i.i, i64 %arg.solver.15.1.5.0, i64 0
   %302 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.761.i.i
   %.790.i.i = getelementptr double, ptr %302, i64 %.776.i.i
-  %.791.i.i53605 = load double, ptr %.790.i.i, align 8, !noalias !682
-  %.795.i.i = fdiv double %.756.i.i, %.791.i.i53605
+  %.791.i.i53601 = load double, ptr %.790.i.i, align 8, !noalias !682
+  %.795.i.i = fdiv double %.756.i.i, %.791.i.i53601
   store double %.795.i.i, ptr %.755.i.i, align 8, !noalias !682
   %.866.i.i = sub i64 %.627.i.01957.i, %42
-  %.11.i4.i.i53606 = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
-  %.932.i.i53607 = sub i64 %.627.i.01957.i, %.11.i4.i.i53606
-  %.975.i1951.not.i = icmp slt i64 %.932.i.i53607, 1
+  %.11.i4.i.i53602 = tail call i64 @llvm.smax.i64(i64 %.866.i.i, i64 0)
+  %.932.i.i53603 = sub i64 %.627.i.01957.i, %.11.i4.i.i53602
+  %.975.i1951.not.i = icmp slt i64 %.932.i.i53603, 1
   br i1 %.975.i1951.not.i, label %B314.i.loopexit.i, label %B474.if.i.i
 
 B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.if.i.i
-  %.922.i.01953.i = phi i64 [ %.984.i.i53608, %B474.if.i.i ], [ %.932.i.i53607, %B314.if.i.i ]
-  %.919.i.01952.i = phi i64 [ %.988.i.i, %B474.if.i.i ], [ %.11.i4.i.i53606, %B314.if.i.i ]
-  %.984.i.i53608 = add nsw i64 %.922.i.01953.i, -1
+  %.922.i.01953.i = phi i64 [ %.984.i.i53604, %B474.if.i.i ], [ %.932.i.i53603, %B314.if.i.i ]
+  %.919.i.01952.i = phi i64 [ %.988.i.i, %B474.if.i.i ], [ %.11.i4.i.i53602, %B314.if.i.i ]
+  %.984.i.i53604 = add nsw i64 %.922.i.01953.i, -1
   %.988.i.i = add i64 %.919.i.01952.i, 1
-  %.1014.i.i53609 = add nsw i64 %.919.i.01952.i, %.835.i
-  %.1028.i.i53610 = icmp slt i64 %.1014.i.i53609, 0
-  %.1029.i.i = select i1 %.1028.i.i53610, i64 %arg.solver.10.0.5.0, i64 0
-  %303 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.1014.i.i53609
+  %.1014.i.i53605 = add nsw i64 %.919.i.01952.i, %.835.i
+  %.1028.i.i53606 = icmp slt i64 %.1014.i.i53605, 0
+  %.1029.i.i = select i1 %.1028.i.i53606, i64 %arg.solver.10.0.5.0, i64 0
+  %303 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.1014.i.i53605
   %.1043.i.i = getelementptr double, ptr %303, i64 %.1029.i.i
   %.1044.i.i = load double, ptr %.1043.i.i, align 8, !noalias !682
-  %.1048.i.i = add nsw i64 %.919.i.01952.i, %.759.i.i53604
+  %.1048.i.i = add nsw i64 %.919.i.01952.i, %.759.i.i53600
   %.1062.i.i = icmp slt i64 %.1048.i.i, 0
   %.1063.i.i = select i1 %.1062.i.i, i64 %arg.solver.15.1.5.0, i64 0
   %304 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1048.i.i
@@ -6839,73 +6839,73 @@ B474.if.i.i:                                      ; preds = %B314.if.i.i, %B474.
 B106.if.i:                                        ; preds = %B106.if.i, %B106.if.lr.ph.i
   %.464.01943.i = phi i64 [ 0, %B106.if.lr.ph.i ], [ %.535.i, %B106.if.i ]
   %.535.i = add nsw i64 %.464.01943.i, 1
-  %.631.i53595 = mul i64 %.464.01943.i, %arg.solver.11.5.2
-  %.635.i = getelementptr double, ptr %295, i64 %.631.i53595
+  %.631.i53591 = mul i64 %.464.01943.i, %arg.solver.11.5.2
+  %.635.i = getelementptr double, ptr %295, i64 %.631.i53591
   %.636.i = load double, ptr %.635.i, align 8, !noalias !688
-  %.710.i53596 = getelementptr double, ptr %40, i64 %.631.i53595
-  %.711.i = load double, ptr %.710.i53596, align 8, !noalias !688
+  %.710.i53592 = getelementptr double, ptr %40, i64 %.631.i53591
+  %.711.i = load double, ptr %.710.i53592, align 8, !noalias !688
   %.712.i = fadd double %.636.i, %.711.i
   %305 = getelementptr i64, ptr %arg.solver.15.4.4, i64 %.464.01943.i
   %.743.i = load i64, ptr %305, align 8, !noalias !688
   %.782.i = icmp slt i64 %.743.i, 0
   %.783.i = select i1 %.782.i, i64 %arg.solver.11.5.1, i64 0
   %.784.i = add i64 %.783.i, %.743.i
-  %.813.i53597 = mul i64 %.784.i, %arg.solver.11.5.2
-  %.817.i = getelementptr double, ptr %41, i64 %.813.i53597
+  %.813.i53593 = mul i64 %.784.i, %arg.solver.11.5.2
+  %.817.i = getelementptr double, ptr %41, i64 %.813.i53593
   store double %.712.i, ptr %.817.i, align 8, !noalias !688
-  %exitcond.not.i53598 = icmp eq i64 %arg.solver.1.1, %.535.i
-  br i1 %exitcond.not.i53598, label %B34.if.i.i, label %B106.if.i
+  %exitcond.not.i53594 = icmp eq i64 %arg.solver.1.1, %.535.i
+  br i1 %exitcond.not.i53594, label %B34.if.i.i, label %B106.if.i
 
 B360.if.i:                                        ; preds = %B360.if.i, %B360.if.lr.ph.i
-  %.899.01959.i = phi i64 [ 0, %B360.if.lr.ph.i ], [ %.968.i53617, %B360.if.i ]
-  %.968.i53617 = add nsw i64 %.899.01959.i, 1
+  %.899.01959.i = phi i64 [ 0, %B360.if.lr.ph.i ], [ %.968.i53613, %B360.if.i ]
+  %.968.i53613 = add nsw i64 %.899.01959.i, 1
   %306 = getelementptr i64, ptr %arg.solver.15.4.4, i64 %.899.01959.i
   %.1023.i = load i64, ptr %306, align 8, !noalias !688
   %.1062.i = icmp slt i64 %.1023.i, 0
   %.1063.i = select i1 %.1062.i, i64 %arg.solver.11.5.1, i64 0
   %.1064.i = add i64 %.1063.i, %.1023.i
   %.1093.i = mul i64 %.1064.i, %arg.solver.11.5.2
-  %.1097.i53618 = getelementptr double, ptr %43, i64 %.1093.i
-  %.1098.i53619 = load double, ptr %.1097.i53618, align 8, !noalias !688
-  %.1170.i53620 = mul i64 %.899.01959.i, %arg.solver.11.5.2
-  %.1174.i = getelementptr double, ptr %296, i64 %.1170.i53620
-  store double %.1098.i53619, ptr %.1174.i, align 8, !noalias !688
-  %exitcond1962.not.i = icmp eq i64 %arg.solver.1.1, %.968.i53617
+  %.1097.i53614 = getelementptr double, ptr %43, i64 %.1093.i
+  %.1098.i53615 = load double, ptr %.1097.i53614, align 8, !noalias !688
+  %.1170.i53616 = mul i64 %.899.01959.i, %arg.solver.11.5.2
+  %.1174.i = getelementptr double, ptr %296, i64 %.1170.i53616
+  store double %.1098.i53615, ptr %.1174.i, align 8, !noalias !688
+  %exitcond1962.not.i = icmp eq i64 %arg.solver.1.1, %.968.i53613
   br i1 %exitcond1962.not.i, label %B458.i, label %B360.if.i
 
 B458.i:                                           ; preds = %B360.if.i, %B268.if.i
-  %exitcond53818.not = icmp eq i64 %.949.i.053706, %storemerge53059
-  br i1 %exitcond53818.not, label %B460.i, label %B268.if.i
+  %exitcond53814.not = icmp eq i64 %.949.i.053702, %storemerge53059
+  br i1 %exitcond53814.not, label %B460.i, label %B268.if.i
 
-B460.i:                                           ; preds = %B458.i, %B236.i1283
+B460.i:                                           ; preds = %B458.i, %B236.i
   %.445.i2247.i = load i64, ptr %.444.i2246.i, align 8, !noalias !689
   %.486.i2263.i = inttoptr i64 %.445.i2247.i to ptr
   tail call void %.486.i2263.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !689
   br i1 %.499, label %B594, label %B504.if
 
-B268.if.i:                                        ; preds = %B236.i1283, %B458.i
-  %.949.i.053706 = phi i64 [ %.1018.i2923, %B458.i ], [ 1, %B236.i1283 ]
-  %.1018.i2923 = add i64 %.949.i.053706, 1
-  %307 = getelementptr i64, ptr %arg.solver.0.4, i64 %.949.i.053706
+B268.if.i:                                        ; preds = %B236.i, %B458.i
+  %.949.i.053702 = phi i64 [ %.1018.i2922, %B458.i ], [ 1, %B236.i ]
+  %.1018.i2922 = add i64 %.949.i.053702, 1
+  %307 = getelementptr i64, ptr %arg.solver.0.4, i64 %.949.i.053702
   %308 = getelementptr i8, ptr %307, i64 112
   %.445.i1318.i = load i64, ptr %308, align 8, !noalias !692
   %.486.i1334.i = inttoptr i64 %.445.i1318.i to ptr
   tail call void %.486.i1334.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !692
   %.460.i1788.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !695
-  %.462.i1790.i = mul nsw i64 %.1018.i2923, %.430.i1766.i
+  %.462.i1790.i = mul nsw i64 %.1018.i2922, %.430.i1766.i
   %.500.i1804.i = getelementptr double, ptr %arg.solver.10.0.4, i64 %.462.i1790.i
   %.501.i1805.i = inttoptr i64 %.460.i1788.i to ptr
-  tail call void %.501.i1805.i(ptr %.1229.i2092, ptr %.475.i1795.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i1804.i), !noalias !695
-  br i1 %or.cond53626.not, label %B106.if.lr.ph.i, label %B458.i
+  tail call void %.501.i1805.i(ptr %.1229.i2091, ptr %.475.i1795.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i1804.i), !noalias !695
+  br i1 %or.cond53622.not, label %B106.if.lr.ph.i, label %B458.i
 
 B504.if:                                          ; preds = %B460.i, %B590
-  %due.2.153712 = phi i1 [ %"$phi590.1.2.2", %B590 ], [ %not..1043, %B460.i ]
-  %accepted.2.153711 = phi i1 [ %"$phi548.1.2.2", %B590 ], [ false, %B460.i ]
-  %.1316.053710 = phi i64 [ %.1378, %B590 ], [ %storemerge, %B460.i ]
-  %.1313.053709 = phi i64 [ %.1382, %B590 ], [ 0, %B460.i ]
-  %.1378 = add nsw i64 %.1316.053710, -1
-  %.1382 = add nsw i64 %.1313.053709, 1
-  br i1 %accepted.2.153711, label %B548, label %B512
+  %due.2.153708 = phi i1 [ %"$phi590.1.2.2", %B590 ], [ %not..1043, %B460.i ]
+  %accepted.2.153707 = phi i1 [ %"$phi548.1.2.2", %B590 ], [ false, %B460.i ]
+  %.1316.053706 = phi i64 [ %.1378, %B590 ], [ %storemerge, %B460.i ]
+  %.1313.053705 = phi i64 [ %.1382, %B590 ], [ 0, %B460.i ]
+  %.1378 = add nsw i64 %.1316.053706, -1
+  %.1382 = add nsw i64 %.1313.053705, 1
+  br i1 %accepted.2.153707, label %B548, label %B512
 
 B608.endif.loopexit:                              ; preds = %B690.i
   %309 = xor i1 %between.4.i.1, true
@@ -6920,8 +6920,8 @@ B644.endif.if:                                    ; preds = %_ZN5pages12time_ste
 B644.endif.endif:                                 ; preds = %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f
   %312 = select i1 %due.2.1.lcssa, i1 %accepted.2.1.lcssa, i1 false
   %.not = xor i1 %312, true
-  %brmerge53751 = or i1 %.499, %.not
-  br i1 %brmerge53751, label %B722, label %B126.if.i
+  %brmerge53747 = or i1 %.499, %.not
+  br i1 %brmerge53747, label %B722, label %B126.if.i
 
 B1022.endif.endif.loopexit:                       ; preds = %B1073.i
   %313 = select i1 %stiff.3.i.1, i64 0, i64 %.903
