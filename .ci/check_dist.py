@@ -28,7 +28,9 @@ def differ(kind, found, wanted):
 
 def main():
     """Compare, render, and end with 1 where something is wrong."""
-    here = subprocess.run(["git", "ls-files"], capture_output=True, text=True, check=True)
+    here = subprocess.run(
+        ["git", "ls-files"], capture_output=True, text=True, check=True
+    )
     files = set(here.stdout.splitlines())
     [wheel], [sdist] = Path("dist").glob("*.whl"), Path("dist").glob("*.tar.gz")
     with zipfile.ZipFile(wheel) as opened:
@@ -38,7 +40,9 @@ def main():
         source = {name.split("/", 1)[1] for name in inside}
     source = {name for name in source - MADE if ".egg-info/" not in name}
     wrong = differ("the wheel", packed, {n for n in files if n.startswith(OURS)})
-    wrong |= differ("the sdist", source, {n for n in files if not n.startswith(ONLY_HERE)})
+    wrong |= differ(
+        "the sdist", source, {n for n in files if not n.startswith(ONLY_HERE)}
+    )
     [made] = Stage0Recipe.from_file("conda-recipe/recipe.yaml").render()
     recipe = made.recipe.to_dict()["package"]
     print(f"{wheel}: {len(packed)} files; {sdist}: {len(source)}; conda: {recipe}")

@@ -41,20 +41,29 @@ def read_adcp(path: Path) -> dict[int, np.ndarray]:
     """Return the current (2,) of each dive, east and north, m/s."""
     with path.open() as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return {int(r["dive"]): np.array([float(r["u_east"]), float(r["v_north"])]) for r in rows}
+        return {
+            int(r["dive"]): np.array([float(r["u_east"]), float(r["v_north"])])
+            for r in rows
+        }
 
 
-def compared(dives: Sequence[clpt.gliders.Dive], adcp: dict[int, np.ndarray]) -> Comparison:
+def compared(
+    dives: Sequence[clpt.gliders.Dive], adcp: dict[int, np.ndarray]
+) -> Comparison:
     """Replay dives and compare what was learned with the ADCP's currents."""
     steps = clpt.replay.replay_dives(dives).steps
     reckoned = np.array([(s.dive.dr_east, s.dive.dr_north) for s in steps])
     swum = [
-        np.array([s.dive.gps_east, s.dive.gps_north]) - adcp[s.dive.number] * s.dive.duration
+        np.array([s.dive.gps_east, s.dive.gps_north])
+        - adcp[s.dive.number] * s.dive.duration
         for s in steps
     ]
     late = steps[SETTLED:]
     off = [step.current - adcp[step.dive.number] for step in late]
-    own = [np.array([s.dive.dac_east, s.dive.dac_north], float) - adcp[s.dive.number] for s in late]
+    own = [
+        np.array([s.dive.dac_east, s.dive.dac_north], float) - adcp[s.dive.number]
+        for s in late
+    ]
     return Comparison(
         steps[-1].speed,
         steps[-1].speed_error,

@@ -48,7 +48,9 @@ def record(dives: list[Dive]) -> np.ndarray:
     replay, found = replay_dives(dives[:1]), []
     with progress_bar("aiming", len(dives) - 1) as report:
         for k, (before, dive) in enumerate(pairwise(dives)):
-            found.append([_flown(replay, before, dive, true, a) for a in np.radians(BEARINGS)])
+            found.append(
+                [_flown(replay, before, dive, true, a) for a in np.radians(BEARINGS)]
+            )
             replay.step(dive)
             report(k + 1)
     return np.array(found)
@@ -74,7 +76,9 @@ def current_of(dive: Dive, own: np.ndarray) -> np.ndarray:
     )
 
 
-def _flown(replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: float) -> list[float]:
+def _flown(
+    replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: float
+) -> list[float]:
     """Fly one dive to waypoints on one bearing, as `record` has it."""
     flown, current = np.array([dive.dr_east, dive.dr_north]), current_of(dive, true)
     known = own_errors(replay)
@@ -89,7 +93,9 @@ def _flown(replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: fl
     for away, ends in ((full / 2, near), (FAR, far)):
         target = place_from(*start[1:], *(away * line))
         speed = full / dive.duration
-        (leg,) = aims(replay, [target], speed, dive.duration, variation=0.0, start=start)
+        (leg,) = aims(
+            replay, [target], speed, dive.duration, variation=0.0, start=start
+        )
         plan, crab = leg.ahead.plan, leg.crab or 0.0
         real = aimed_off(away * line, drift, full * np.sqrt(np.linalg.det(known)))
         ways = min(away, full) * line, np.linalg.solve(known, real)
@@ -104,7 +110,9 @@ def _flown(replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: fl
 
 
 def main(
-    files: Annotated[list[Path] | None, typer.Argument(help="Records, one each.")] = None,
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="Records, one each.")
+    ] = None,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/aiming"),
 ) -> None:
     """Leave aiming.md and aiming.png."""
@@ -129,12 +137,23 @@ def main(
 
 def _drawn(found: dict[str, np.ndarray]) -> "Figure":
     """Draw the share of dives that end within a distance, by pilot."""
-    figure, axes = new_figure(2.2 + 2.6 * len(found), 3.6, ncols=len(found), squeeze=False)
+    figure, axes = new_figure(
+        2.2 + 2.6 * len(found), 3.6, ncols=len(found), squeeze=False
+    )
     for ax, (name, sizes) in zip(axes[0], found.items(), strict=True):
-        for column, (style, colour) in enumerate((("--", ORANGE), (":", "black"), ("-", BLUE))):
+        for column, (style, colour) in enumerate(
+            (("--", ORANGE), (":", "black"), ("-", BLUE))
+        ):
             distance = np.sort(sizes[..., column].ravel()) / 1000
             share = np.arange(1, len(distance) + 1) / len(distance)
-            ax.step(distance, 100 * share, style, color=colour, label=PILOTS[column], where="post")
+            ax.step(
+                distance,
+                100 * share,
+                style,
+                color=colour,
+                label=PILOTS[column],
+                where="post",
+            )
         ax.axhline(50, color="black", lw=0.5)
         ax.set(xlabel="distance to the waypoint (km)", xlim=(0, None), ylim=(0, 100))
         ax.set_title(name, loc="left", fontsize=10)

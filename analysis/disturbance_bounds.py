@@ -30,7 +30,9 @@ from .mean_square import mean_square_bound
 from .study import BLUE, COLOURS, GREEN, ORANGE, RED, leave, new_figure, progress_bar
 from .worst_disturbance import worst_disturbance
 
-RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+RESONANT = (
+    3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+)
 AMPLITUDES = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2)  # m/s
 FREQUENCIES = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, RESONANT, 4.0, 4.5, 5.0, 6.0, 8.0)  # rad/s
 AMPLITUDE = 0.05  # m/s, of the sweep over the frequency
@@ -53,14 +55,20 @@ class Row(NamedTuple):
 
 def row(amplitude: float, frequency: float, gain: float) -> Row:
     """Run one disturbance and measure it; gain is the worst |e|/Dmax."""
-    wave = {"kind": "square", "amplitude": [amplitude, 0.0], "period": 2 * np.pi / frequency}
+    wave = {
+        "kind": "square",
+        "amplitude": [amplitude, 0.0],
+        "period": 2 * np.pi / frequency,
+    }
     step = min(np.pi / frequency / 50, 0.02)
     scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(
         {"flow.disturbance": wave, "run.duration": END, "run.output_step": step}
     )
     run = clpt.simulate(scenario)
     found = clpt.theory.printed_bound(scenario, run, START)
-    windows = [clpt.theory.certificate(run, WINDOW, start) for start in (START, END - WINDOW)]
+    windows = [
+        clpt.theory.certificate(run, WINDOW, start) for start in (START, END - WINDOW)
+    ]
     guaranteed, exact = (
         clpt.theory.ultimate_bound(
             WINDOW, amplitude, min(getattr(window, name) for window in windows)
@@ -117,9 +125,19 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row]) -> Any:
         ),
     )
     for (rows, x, label, title), (above, below) in zip(sweeps, axes.T, strict=True):
-        above.plot(x, [r.peak / r.claimed for r in rows], "o-", color=BLUE, markersize=4)
-        above.plot(x, [r.rms / r.claimed for r in rows], "^:", color=GREEN, markersize=4)
-        above.plot(x, [r.worst / r.claimed for r in rows], "D--", color=COLOURS[4], markersize=3)
+        above.plot(
+            x, [r.peak / r.claimed for r in rows], "o-", color=BLUE, markersize=4
+        )
+        above.plot(
+            x, [r.rms / r.claimed for r in rows], "^:", color=GREEN, markersize=4
+        )
+        above.plot(
+            x,
+            [r.worst / r.claimed for r in rows],
+            "D--",
+            color=COLOURS[4],
+            markersize=3,
+        )
         above.axhline(1.0, color=RED, linestyle="--", linewidth=1.4)
         for values, style, colour, name in (
             (
@@ -128,7 +146,12 @@ def figure(by_amplitude: list[Row], by_frequency: list[Row]) -> Any:
                 "black",
                 r"corrected bound on max|e|, guaranteed $\rho$",
             ),
-            ([r.exact for r in rows], "s-.", ORANGE, "corrected bound on max|e|, exact drop"),
+            (
+                [r.exact for r in rows],
+                "s-.",
+                ORANGE,
+                "corrected bound on max|e|, exact drop",
+            ),
             (
                 [r.worst for r in rows],
                 "D--",
@@ -173,7 +196,9 @@ def main(
 ) -> None:
     """Run both sweeps; leave disturbance_bounds.md and disturbance_bounds.png."""
     cases = list(
-        dict.fromkeys([(a, RESONANT) for a in AMPLITUDES] + [(AMPLITUDE, f) for f in FREQUENCIES])
+        dict.fromkeys(
+            [(a, RESONANT) for a in AMPLITUDES] + [(AMPLITUDE, f) for f in FREQUENCIES]
+        )
     )
     rows: list[Row] = []
     with progress_bar("bounds under a disturbance", len(cases)) as report:
@@ -183,7 +208,9 @@ def main(
             report(len(rows))
     drawn = figure(
         [r for r in rows if r.frequency == RESONANT],
-        sorted((r for r in rows if r.amplitude == AMPLITUDE), key=lambda r: r.frequency),
+        sorted(
+            (r for r in rows if r.amplitude == AMPLITUDE), key=lambda r: r.frequency
+        ),
     )
     leave(out, "disturbance_bounds", table(rows), drawn)
     typer.echo(table(rows))

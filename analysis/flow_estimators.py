@@ -21,7 +21,11 @@ from .study import BLUE, GREEN, RED, leave, new_figure, progress_bar
 
 FUNCTIONS = {"steady": None, "steady and gaussians of 20 km": 20e3}
 METHODS = ("least-squares", "kalman", "tomography")
-BEFORE = {"no flow": "no_flow", "previous dive's current": "previous_dive", "replay": "adaptive"}
+BEFORE = {
+    "no flow": "no_flow",
+    "previous dive's current": "previous_dive",
+    "replay": "adaptive",
+}
 
 
 def forecast_misses(
@@ -31,8 +35,12 @@ def forecast_misses(
     missed = []
     for k in range(1, len(dives)):
         basis, prior = clpt.estimation.dive_basis(dives[: k + 1], width)
-        found = clpt.estimation.flow_estimate(dives[:k], method, basis=basis, prior=prior)
-        left = np.array([dives[k].miss_east, dives[k].miss_north]) - found.miss(dives[k])
+        found = clpt.estimation.flow_estimate(
+            dives[:k], method, basis=basis, prior=prior
+        )
+        left = np.array([dives[k].miss_east, dives[k].miss_north]) - found.miss(
+            dives[k]
+        )
         missed.append(np.hypot(*left))
     return np.array(missed)
 
@@ -43,16 +51,22 @@ def rms(values: np.ndarray) -> float:
 
 
 def main(
-    files: Annotated[list[Path] | None, typer.Argument(help="As for clpt replay.")] = None,
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="As for clpt replay.")
+    ] = None,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/flow_estimators"),
 ) -> None:
     """Leave flow_estimators.md and flow_estimators.png."""
     read = clpt.gliders.read_dives(files)[0] if files else clpt.gliders.sample_dives()
     dives, _ = clpt.gliders.usable(read)
     if len(dives) < 5:
-        raise clpt.DataError(f"{len(dives)} dives can be used; the study needs 5 at least")
+        raise clpt.DataError(
+            f"{len(dives)} dives can be used; the study needs 5 at least"
+        )
     replay = clpt.replay.replay_dives(dives)
-    dives = [step.dive for step in replay.steps]  # a wild fix is settled by the next dive's start
+    dives = [
+        step.dive for step in replay.steps
+    ]  # a wild fix is settled by the next dive's start
     missed = {
         name: np.array([step.clpe[key] for step in replay.steps[1:]])
         for name, key in BEFORE.items()
@@ -60,10 +74,17 @@ def main(
     cases = [(method, label) for label in FUNCTIONS for method in METHODS]
     with progress_bar("forecasting", len(cases)) as report:
         for done, (method, label) in enumerate(cases, 1):
-            missed[f"{method}, {label}"] = forecast_misses(dives, method, FUNCTIONS[label])
+            missed[f"{method}, {label}"] = forecast_misses(
+                dives, method, FUNCTIONS[label]
+            )
             report(done)
-    lines = ["| forecast | after the first dive, m | after the third dive, m |", "|---|---|---|"]
-    lines += [f"| {name} | {rms(m):.0f} | {rms(m[2:]):.0f} |" for name, m in missed.items()]
+    lines = [
+        "| forecast | after the first dive, m | after the third dive, m |",
+        "|---|---|---|",
+    ]
+    lines += [
+        f"| {name} | {rms(m):.0f} | {rms(m[2:]):.0f} |" for name, m in missed.items()
+    ]
     leave(out, "flow_estimators", "\n".join(lines) + "\n", picture(dives, missed))
     typer.echo("\n".join(lines))
 
@@ -79,7 +100,9 @@ def picture(dives, missed):
     for method, colour, mark in marks:
         values = missed[f"{method}, {label}"] / 1000
         ax.plot(number, values, mark, color=colour, ms=5, alpha=0.8, label=method)
-    ax.set(xlabel="dive", ylabel="miss of the forecast (km)", title=f"Functions: {label}")
+    ax.set(
+        xlabel="dive", ylabel="miss of the forecast (km)", title=f"Functions: {label}"
+    )
     ax.set_ylim(bottom=0)
     figure.legend(loc="outside lower center", ncols=5, fontsize=8, frameon=False)
     return figure

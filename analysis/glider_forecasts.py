@@ -33,21 +33,38 @@ SEAS = {
     ),
     "scatters by 5 cm/s": Sea(scatter=0.05, heading="any"),
     "steady, speed 10 %": Sea(speed_sd=0.1),
-    "quiet ocean": Sea(eddying=((0.05, 5 * DAY, 1), (0.02, 18000.0, 1)), speed_sd=0.07, dives=40),
+    "quiet ocean": Sea(
+        eddying=((0.05, 5 * DAY, 1), (0.02, 18000.0, 1)), speed_sd=0.07, dives=40
+    ),
     "eddying ocean": Sea(
-        eddying=((0.2, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.07, compass_sd=0.02, dives=40
+        eddying=((0.2, 3 * DAY, 1), WAVES),
+        inertial=SWING,
+        speed_sd=0.07,
+        compass_sd=0.02,
+        dives=40,
     ),
     "the same, 8 h dives": Sea(
-        eddying=((0.15, 3 * DAY, 1), WAVES), inertial=SWING, speed_sd=0.05, hours=8.0, dives=40
+        eddying=((0.15, 3 * DAY, 1), WAVES),
+        inertial=SWING,
+        speed_sd=0.05,
+        hours=8.0,
+        dives=40,
     ),
     "smooth eddies": Sea(
-        eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)), speed_sd=0.05, heading="wander", dives=40
+        eddying=((0.2, 2 * DAY, 2), (0.02, 14400.0, 1)),
+        speed_sd=0.05,
+        heading="wander",
+        dives=40,
     ),
     "across an eddy": Sea(
         eddy=(0.5, 25e3), eddying=((0.02, 14400.0, 1),), speed_sd=0.05, heading="one"
     ),
     "across a jet": Sea(
-        jet=(1.4, 30e3), eddying=((0.03, 14400.0, 1),), speed_sd=0.05, heading="one", hours=5.0
+        jet=(1.4, 30e3),
+        eddying=((0.03, 14400.0, 1),),
+        speed_sd=0.05,
+        heading="one",
+        hours=5.0,
     ),
     "shelf, M2": Sea(
         eddying=((0.07, 2 * DAY, 1), (0.02, 14400.0, 1)),
@@ -65,7 +82,10 @@ SEAS = {
         dives=60,
     ),
     "after a storm": Sea(
-        eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)), inertial=STORM, speed_sd=0.05, dives=40
+        eddying=((0.08, 3 * DAY, 1), (0.015, 14400.0, 1)),
+        inertial=STORM,
+        speed_sd=0.05,
+        dives=40,
     ),
     "fourteen dives only": Sea(
         eddying=((0.12, 3 * DAY, 1), WAVES),
@@ -127,7 +147,9 @@ def main(
     ]
     for name, rows in records.items():
         watched = sum(row["watched"] for row in rows)
-        soon, caught = (100 * np.mean([row[key] for row in rows]) for key in ("soon", "caught"))
+        soon, caught = (
+            100 * np.mean([row[key] for row in rows]) for key in ("soon", "caught")
+        )
         lines.append(
             f"| {name} | "
             + " | ".join(f"{geometric([row[e] for row in rows]):.2f}" for e in MARKS)
@@ -143,7 +165,9 @@ def main(
         f"{100 * inside:.0f} % | - | - | - |"
     )
     every = [row for rows in records.values() for row in rows]
-    flags = 100 * sum(row["flags"] for row in every) / sum(row["watched"] for row in every)
+    flags = (
+        100 * sum(row["flags"] for row in every) / sum(row["watched"] for row in every)
+    )
     lines.append(f"\nOver all seas {flags:.2f} flags in 100 healthy dives.")
     for e in MARKS:
         means = [geometric([row[e] for row in rows]) for rows in records.values()]
@@ -169,9 +193,18 @@ def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -
             label=None if k else "kalman, each vehicle",
         )
     for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
-        means = [geometric([row[estimator] for row in rows]) for rows in records.values()]
+        means = [
+            geometric([row[estimator] for row in rows]) for rows in records.values()
+        ]
         place = np.arange(len(names)) + 0.18 * (j - 1)
-        ax.plot([*means, ratio(real[estimator])], place, mark, color=colour, ms=5, label=estimator)
+        ax.plot(
+            [*means, ratio(real[estimator])],
+            place,
+            mark,
+            color=colour,
+            ms=5,
+            label=estimator,
+        )
     ax.axvline(1, color="black", lw=0.8)
     ax.set(
         yticks=range(len(names)),

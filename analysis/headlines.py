@@ -52,7 +52,9 @@ class Headline(NamedTuple):
 def headline(replay: Replay, dive: Dive) -> Headline:
     """Return the headline of a replay, judged by the dive that came."""
     said = next_dive(replay).as_dict()
-    east, north = displacement(said["latitude"], said["longitude"], dive.lat_gpse, dive.lon_gpse)
+    east, north = displacement(
+        said["latitude"], said["longitude"], dive.lat_gpse, dive.lon_gpse
+    )
     turn = np.radians(said["ellipse_90_bearing"])
     long, short = said["ellipse_90_long"], said["ellipse_90_short"]
     along = east * np.sin(turn) + north * np.cos(turn)
@@ -85,7 +87,9 @@ def afloat(dives: list[Dive]) -> list[Dive]:
     for dive in dives:
         end = place_from(*place, dive.gps_east, dive.gps_north)
         start, after = (dive.t_gps2, *place), (dive.t_gpse, *end)
-        found.append(make_dive(dive.number, start, after, (dive.dr_east, dive.dr_north)))
+        found.append(
+            make_dive(dive.number, start, after, (dive.dr_east, dive.dr_north))
+        )
         place = end
     return found
 
@@ -110,7 +114,9 @@ def line(name: str, found: np.ndarray) -> str:
 
 
 def main(
-    files: Annotated[list[Path] | None, typer.Argument(help="Records, one each.")] = None,
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="Records, one each.")
+    ] = None,
     seas: Annotated[int, typer.Option(help="Made vehicles in each sea.")] = 0,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
 ) -> None:
@@ -134,7 +140,11 @@ def main(
         share = 100 * (np.arange(len(rows)) + 1) / len(rows)
         ax.step(np.sort(rows[:, 0]), share, where="post", label=name)
     ax.plot([0, 1, 1], [90, 90, 0], color=GREY, linestyle="--", label="said")
-    ax.set(xlabel="miss, of the 90 % ellipse", ylabel="surfacings within (%)", ylim=(0, 100))
+    ax.set(
+        xlabel="miss, of the 90 % ellipse",
+        ylabel="surfacings within (%)",
+        ylim=(0, 100),
+    )
     ax.legend(frameon=False, fontsize=8)
     leave(out, "headlines", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))

@@ -22,14 +22,23 @@ from clpt_control.simulation import explained_variance
 
 from .study import BLUE, GREY, ORANGE, leave, make_folder, new_figure, progress_bar
 
-BOX = (40.9, 41.55, -69.9, -69.0)  # Nantucket Shoals: 27 functions span 0.80 of its variance
+BOX = (
+    40.9,
+    41.55,
+    -69.9,
+    -69.0,
+)  # Nantucket Shoals: 27 functions span 0.80 of its variance
 LATE = (18.0, 23.0)  # h
 FIXES = {"localization": {"interval": 5.0}}
 PAPER: dict[str, dict[str, Any]] = {  # condition -> keys of the paper's scenario
     "as assumed": {},
     "noise 0.02": {"localization": {"noise": 0.02, "noise_period": 1.0}},
     "disturbance 0.05": {
-        "flow.disturbance": {"kind": "square", "amplitude": [0.05, 0.05], "period": 1.7951958}
+        "flow.disturbance": {
+            "kind": "square",
+            "amplitude": [0.05, 0.05],
+            "period": 1.7951958,
+        }
     },
     "unmodelled flow 0.1": {
         "flow.disturbance": {"kind": "sine", "amplitude": [0.1, -0.1], "period": 37.0}
@@ -54,7 +63,9 @@ class Told(NamedTuple):
     clpe: np.ndarray  # shape (3,), m
 
 
-def candidates(scenario: clpt.Scenario, adapted: bool = False) -> dict[str, dict[str, Any]]:
+def candidates(
+    scenario: clpt.Scenario, adapted: bool = False
+) -> dict[str, dict[str, Any]]:
     """Return keys of the paper's law as printed, then of each that learns, gains held or not."""
     car, keys = scenario.vehicle, {PRINTED: dict[str, Any]()}
     held = {
@@ -76,7 +87,9 @@ def candidates(scenario: clpt.Scenario, adapted: bool = False) -> dict[str, dict
     return keys
 
 
-def on_papers_scenario(scenario: clpt.Scenario, keys: dict[str, Any], members: int) -> Told:
+def on_papers_scenario(
+    scenario: clpt.Scenario, keys: dict[str, Any], members: int
+) -> Told:
     """Run an ensemble of two cycles under a condition."""
     scenario = scenario.with_values({**keys, "run.duration": 400})
     vary = ["flow.parameters~normal:0.2", "vehicle.position~normal:1.0"]
@@ -84,7 +97,12 @@ def on_papers_scenario(scenario: clpt.Scenario, keys: dict[str, Any], members: i
         vary.append(f"localization.seed={list(range(members))}")
     found = clpt.run_ensemble(scenario, vary, members, design="random", times=[200.0])
     error = found.flow_parameter_error.values[:, 0]
-    return Told(*(np.nanpercentile(v, [50, 10, 90]) for v in (error, found.clpe_rms.values[:, 1])))
+    return Told(
+        *(
+            np.nanpercentile(v, [50, 10, 90])
+            for v in (error, found.clpe_rms.values[:, 1])
+        )
+    )
 
 
 def on_measured_current(
@@ -103,7 +121,13 @@ def judged(
 ) -> list[list[str]]:
     """Return rows of a table: a law, then what `one` says of each condition, or a dash."""
     return [
-        [law, *(one(found[name]) if found.get(name) is not None else "-" for name in conditions)]
+        [
+            law,
+            *(
+                one(found[name]) if found.get(name) is not None else "-"
+                for name in conditions
+            ),
+        ]
         for law, found in told.items()
     ]
 
@@ -111,7 +135,9 @@ def judged(
 def table(title: str, conditions: dict[str, Any], rows: list[list[str]]) -> str:
     """Return a table as Markdown."""
     heads = ["law", *conditions]
-    lines = [f"| {' | '.join(cells)} |" for cells in (heads, ["---"] * len(heads), *rows)]
+    lines = [
+        f"| {' | '.join(cells)} |" for cells in (heads, ["---"] * len(heads), *rows)
+    ]
     return "\n".join([title, "", *lines, ""])
 
 
@@ -130,8 +156,13 @@ def figure(told: dict[str, dict[str, Told | None]]) -> Any:
             found = told[name][condition]
             if found is not None:
                 colour = ORANGE if name == PRINTED else BLUE
-                ax.plot(found.error[1:], [row, row], color=colour, linewidth=2, alpha=0.5)
-                shown, mark = max(found.error[0], LEAST), "o" if found.error[0] > LEAST else "<"
+                ax.plot(
+                    found.error[1:], [row, row], color=colour, linewidth=2, alpha=0.5
+                )
+                shown, mark = (
+                    max(found.error[0], LEAST),
+                    "o" if found.error[0] > LEAST else "<",
+                )
                 ax.plot(shown, row, mark, color=colour, markersize=5)
         ax.set(xscale="log", xlim=(LEAST / 3, 3), xlabel="error (m/s)")
         ax.set_title(condition, fontsize=9)
@@ -142,9 +173,15 @@ def figure(told: dict[str, dict[str, Told | None]]) -> Any:
 
 
 def main(
-    currents: Annotated[Path | None, typer.Argument(help="Gridded currents, NetCDF.")] = None,
-    members: Annotated[int, typer.Option(help="Members of each ensemble.", min=2)] = 100,
-    adapted: Annotated[bool, typer.Option("--adapted", help="Adapt K and Gamma too.")] = False,
+    currents: Annotated[
+        Path | None, typer.Argument(help="Gridded currents, NetCDF.")
+    ] = None,
+    members: Annotated[
+        int, typer.Option(help="Members of each ensemble.", min=2)
+    ] = 100,
+    adapted: Annotated[
+        bool, typer.Option("--adapted", help="Adapt K and Gamma too.")
+    ] = False,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/laws"),
 ) -> None:
     """Leave laws.md and laws.png."""
@@ -152,7 +189,9 @@ def main(
     why: dict[str, list[str]] = {}  # a refusal, and where it was met
     pages = []
 
-    def asked(study: Any, scenario: clpt.Scenario, conditions: dict[str, Any], *more: Any) -> Any:
+    def asked(
+        study: Any, scenario: clpt.Scenario, conditions: dict[str, Any], *more: Any
+    ) -> Any:
         told: dict[str, dict[str, Any]] = {}
         laws = candidates(scenario, adapted)
         with progress_bar("laws", len(laws) * len(conditions)) as report:
@@ -163,7 +202,9 @@ def main(
                         told[name][condition] = study(scenario, {**law, **keys}, *more)
                     except clpt.ClptError as error:
                         told[name][condition] = None
-                        said = str(error).replace(f'"{law.get("learning.law")}"', "NAME")
+                        said = str(error).replace(
+                            f'"{law.get("learning.law")}"', "NAME"
+                        )
                         why.setdefault(f"{condition}: {said}", []).append(name)
                     report(sum(map(len, told.values())))
         return told
@@ -175,7 +216,12 @@ def main(
     drawn = figure(told)
     if currents is not None:
         fit = fit_scenario(
-            currents, BOX, rows=3, columns=3, width_km=15.0, constituents=("steady", "M2")
+            currents,
+            BOX,
+            rows=3,
+            columns=3,
+            width_km=15.0,
+            constituents=("steady", "M2"),
         )
         lap = asked(on_measured_current, save_fit(fit, folder / "measured.toml"), SEA)
         rows = judged(lap, SEA, lambda t: f"{t[0]:.3f}, {t[1]:.3f}, {t[2]:.2f}")

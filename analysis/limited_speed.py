@@ -40,10 +40,16 @@ def figure(base: clpt.Scenario, runs: dict, free: Any) -> Any:
         run = runs[SHOWN, hedging].fine
         plain = {**line, "marker": None, "linewidth": 0.9}
         top.semilogy(run.time, run.lyapunov, **plain)
-        last = [runs[speed, hedging].summary["clpe_rms_per_cycle"][-1] for speed in SPEEDS]
+        last = [
+            runs[speed, hedging].summary["clpe_rms_per_cycle"][-1] for speed in SPEEDS
+        ]
         bottom.semilogy(SPEEDS, last, markersize=5, **line)
-    top.semilogy(free.fine.time, free.fine.lyapunov, color=GREY, ls=":", label="no limit")
-    bottom.axhline(free.summary["clpe_rms_per_cycle"][-1], color=GREY, ls=":", label="no limit")
+    top.semilogy(
+        free.fine.time, free.fine.lyapunov, color=GREY, ls=":", label="no limit"
+    )
+    bottom.axhline(
+        free.summary["clpe_rms_per_cycle"][-1], color=GREY, ls=":", label="no limit"
+    )
     units = base.units
     top.set(xlabel=f"time ({units.time})", ylabel=f"V ({units.length}²)")
     title = f"V of a vehicle with at most {SHOWN:g} {units.length}/{units.time}"
@@ -56,7 +62,9 @@ def figure(base: clpt.Scenario, runs: dict, free: Any) -> Any:
 
 
 def main(
-    law: Annotated[str, typer.Option(help="The law, by its name in `clpt laws`.")] = "learned-flow",
+    law: Annotated[
+        str, typer.Option(help="The law, by its name in `clpt laws`.")
+    ] = "learned-flow",
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/limited_speed"),
 ) -> None:
     """Run every limit; leave limited_speed.md and limited_speed.png."""

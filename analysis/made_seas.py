@@ -64,7 +64,9 @@ def headings(rng: np.random.Generator, count: int, kind: str) -> np.ndarray:
     }[kind]
 
 
-def remembered(rng: np.random.Generator, size: float, memory: float, order: int, n: int):
+def remembered(
+    rng: np.random.Generator, size: float, memory: float, order: int, n: int
+):
     """Return n ticks of an Ornstein-Uhlenbeck current, order 1 or 2."""
     keep = math.exp(-TICK / memory)
     kicks = rng.normal(size=(n, 2))
@@ -93,7 +95,9 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
         u += remembered(rng, size, memory, order, n)
     for name, size in sea.tides:
         turn = 2 * np.pi / period(name, "s") * time + rng.uniform(0, 2 * np.pi)
-        u += size * np.stack([np.cos(turn), rng.uniform(-0.7, 0.7) * np.sin(turn)], axis=1)
+        u += size * np.stack(
+            [np.cos(turn), rng.uniform(-0.7, 0.7) * np.sin(turn)], axis=1
+        )
     if sea.inertial:  # what turns clockwise and is forgotten: a complex OU current
         slow = remembered(rng, *sea.inertial, 1, n)
         turn = 2 * ROTATION * np.sin(np.radians(LATITUDE)) * time
@@ -131,11 +135,24 @@ def made_dives(sea: Sea, seed: int, lost: float = 0.0, since: int = 0) -> list[D
             flow = np.array([np.interp(t, ticks, u[:, j]) for j in (0, 1)])
             if sea.eddy:
                 r = x / sea.eddy[1] - center
-                flow += sea.eddy[0] * math.exp(0.5 - 0.5 * r @ r) * np.array([-r[1], r[0]])
+                flow += (
+                    sea.eddy[0] * math.exp(0.5 - 0.5 * r @ r) * np.array([-r[1], r[0]])
+                )
             if sea.jet:
-                flow += sea.jet[0] * math.exp(-0.5 * (x @ aside / sea.jet[1] - 0.8) ** 2) * ahead
+                flow += (
+                    sea.jet[0]
+                    * math.exp(-0.5 * (x @ aside / sea.jet[1] - 0.8) ** 2)
+                    * ahead
+                )
             x = x + (water + flow) * T[k] / steps
-        moved = x - here + FIX * rng.normal(size=2) + sea.scatter * T[k] * rng.normal(size=2)
+        moved = (
+            x
+            - here
+            + FIX * rng.normal(size=2)
+            + sea.scatter * T[k] * rng.normal(size=2)
+        )
         t = 1.6e9 + start[k]
-        dives.append(Dive(k, t, LATITUDE, LONGITUDE, t + T[k], LATITUDE, LONGITUDE, *moved, *dr))
+        dives.append(
+            Dive(k, t, LATITUDE, LONGITUDE, t + T[k], LATITUDE, LONGITUDE, *moved, *dr)
+        )
     return dives

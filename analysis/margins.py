@@ -55,7 +55,9 @@ def largest_clpe(scenario: clpt.Scenario, kind: str, size: float) -> float:
 def margin(scenario: clpt.Scenario, kind: str) -> float:
     """Return the largest lag, delay or sampling interval that is borne; inf: all up to `MOST`."""
     start = np.add(scenario.vehicle.position, [OFF, -OFF])
-    scenario = clpt.theory.started_true(scenario).with_values({"learning.position": start})
+    scenario = clpt.theory.started_true(scenario).with_values(
+        {"learning.position": start}
+    )
     limit = max(LOST, TIMES * largest_clpe(scenario, kind, 0.0))
     lost = LEAST
     while lost <= MOST and largest_clpe(scenario, kind, lost) <= limit:
@@ -80,9 +82,13 @@ def closed_form(kind: str, k: float, g: float) -> float:
     return float(np.arctan2(k, s) / s) if kind == "delay" else k / g
 
 
-def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins")) -> None:
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"),
+) -> None:
     """Leave margins.md and margins.png."""
-    paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.25})
+    paper = clpt.paper_scenario().with_values(
+        {"run.duration": 200, "run.output_step": 0.25}
+    )
     laws = [
         law
         for law in clpt.blocks.table_of_laws().values()
@@ -96,20 +102,29 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/margins"
             for kind in KINDS:
                 try:
                     found[law.name].append(margin(scenario, kind))
-                except clpt.DiagramError:  # a law with jumps of its own cannot be sampled
+                except (
+                    clpt.DiagramError
+                ):  # a law with jumps of its own cannot be sampled
                     found[law.name].append(np.nan)
                 report(sum(map(len, found.values())))
     words = {"inf": "-", "nan": "not sampled"}
     cells = [
-        f"| `{name}` | " + " | ".join(words.get(m, m) for m in map("{:.3f}".format, row)) + " |"
+        f"| `{name}` | "
+        + " | ".join(words.get(m, m) for m in map("{:.3f}".format, row))
+        + " |"
         for name, row in found.items()
     ]
-    head = ["| law | lag (s) | delay (s) | sampling interval (s) |", "|---|---|---|---|"]
+    head = [
+        "| law | lag (s) | delay (s) | sampling interval (s) |",
+        "|---|---|---|---|",
+    ]
     figure, axes = new_figure(7, 4)
     for k, column in enumerate(np.transpose(list(found.values()))):
         at = np.arange(len(found)) + (k - 1) / 5
         mark = "os^"[k]
-        axes.semilogy(at, np.minimum(column, MOST), mark, color=COLOURS[k], label=KINDS[k])
+        axes.semilogy(
+            at, np.minimum(column, MOST), mark, color=COLOURS[k], label=KINDS[k]
+        )
     axes.axhline(MOST, color=GREY, linewidth=0.8)
     axes.text(0, 1.1 * MOST, "all looked at is borne", va="bottom", color=GREY)
     axes.set_xticks(range(len(found)), found, rotation=60, ha="right")

@@ -46,7 +46,11 @@ class MeanSquare(NamedTuple):
 
 
 def mean_square_sides(
-    times: np.ndarray, e: np.ndarray, delta: np.ndarray, V0: float | np.ndarray, k: float
+    times: np.ndarray,
+    e: np.ndarray,
+    delta: np.ndarray,
+    V0: float | np.ndarray,
+    k: float,
 ) -> MeanSquare:
     """Integrate e and Delta (nt, ..., n) by the trapezoid rule over the times (nt,)."""
     left, power = (
@@ -63,21 +67,37 @@ def mean_square_bound(run: xarray.Dataset, scenario: clpt.Scenario) -> MeanSquar
     return mean_square_sides(found.times, e, delta, float(run.lyapunov[0]), found.k)
 
 
-def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/mean_square")) -> None:
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/mean_square"),
+) -> None:
     """Leave mean_square.md and mean_square.png."""
     figure, ax = new_figure()
-    lines = ["| period (s) | rms(e) k / rms(Delta) | sides, at most | holds |", "|---|---|---|---|"]
+    lines = [
+        "| period (s) | rms(e) k / rms(Delta) | sides, at most | holds |",
+        "|---|---|---|---|",
+    ]
     for period in PERIODS:
         wave = {"kind": "square", "amplitude": [AMPLITUDE, 0.0], "period": period}
-        values = {"flow.disturbance": wave, "run.duration": 400, "run.output_step": 0.02}
+        values = {
+            "flow.disturbance": wave,
+            "run.duration": 400,
+            "run.output_step": 0.02,
+        }
         scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(values)
         run = clpt.simulate(scenario)
         found = mean_square_bound(run, scenario)
         share = float(np.sqrt(found.left[-1] / found.right[-1]))
-        lines.append(f"| {period:g} | {share:.3f} | {found.tightness:.3f} | {found.holds} |")
+        lines.append(
+            f"| {period:g} | {share:.3f} | {found.tightness:.3f} | {found.holds} |"
+        )
         ax.plot(run.time, found.left, label=f"left side, period {period:g} s")
     ax.plot(run.time, found.right, "k--", label="right side")
-    ax.set(xlabel="time (s)", ylabel="from 0 to then (m² s)", yscale="log", ylim=(1e-4, None))
+    ax.set(
+        xlabel="time (s)",
+        ylabel="from 0 to then (m² s)",
+        yscale="log",
+        ylim=(1e-4, None),
+    )
     ax.legend(frameon=False, fontsize=8)
     leave(out, "mean_square", "\n".join(lines) + "\n", figure)
     typer.echo("\n".join(lines))

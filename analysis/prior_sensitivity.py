@@ -46,7 +46,9 @@ def ratio(dives: list[Dive], priors: Priors) -> float:
 
 
 def main(
-    files: Annotated[list[Path] | None, typer.Argument(help="Records, one each.")] = None,
+    files: Annotated[
+        list[Path] | None, typer.Argument(help="Records, one each.")
+    ] = None,
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/prior_sensitivity"),
 ) -> None:
     """Leave prior_sensitivity.md and prior_sensitivity.png."""
@@ -57,22 +59,39 @@ def main(
     with progress_bar("replaying", len(FACTORS) * len(PRIORS)) as report:
         for k, (name, factor) in enumerate(product(PRIORS, FACTORS)):
             priors = changed(name, factor)
-            found[name, factor] = np.array([ratio(dives, priors) for dives in records.values()])
+            found[name, factor] = np.array(
+                [ratio(dives, priors) for dives in records.values()]
+            )
             report(k + 1)
-    lines = [f"| prior | factor | {' | '.join(records)} |", "|---|---|" + "---|" * len(records)]
+    lines = [
+        f"| prior | factor | {' | '.join(records)} |",
+        "|---|---|" + "---|" * len(records),
+    ]
     for (name, factor), row in {("as they are", 1.0): base, **found}.items():
-        lines.append(f"| {name} | {factor:.3g} | " + " | ".join(f"{r:.3f}" for r in row) + " |")
+        lines.append(
+            f"| {name} | {factor:.3g} | " + " | ".join(f"{r:.3f}" for r in row) + " |"
+        )
     every = np.array(list(found.values()))
     for k, name in enumerate(records):
         lines.append(f"\n{name}: {every[:, k].min():.3f} to {every[:, k].max():.3f}")
-    figure, axes = new_figure(2.2 + 2.4 * len(records), 4.6, ncols=len(records), sharey=True)
+    figure, axes = new_figure(
+        2.2 + 2.4 * len(records), 4.6, ncols=len(records), sharey=True
+    )
     for k, (name, ax) in enumerate(zip(records, np.atleast_1d(axes), strict=True)):
         for j, prior in enumerate(PRIORS):
             pair = [row[k] for (which, _), row in found.items() if which == prior]
             ax.plot(pair, [j, j], "-", color=GREY, lw=1)
-            ax.plot(pair[:1], [j], "v", color=BLUE, ms=5, label=None if j else "smaller")
             ax.plot(
-                pair[1:], [j], "^", color=BLUE, ms=5, mfc="white", label=None if j else "larger"
+                pair[:1], [j], "v", color=BLUE, ms=5, label=None if j else "smaller"
+            )
+            ax.plot(
+                pair[1:],
+                [j],
+                "^",
+                color=BLUE,
+                ms=5,
+                mfc="white",
+                label=None if j else "larger",
             )
         ax.axvline(base[k], color="black", lw=0.8)
         ax.set(xlabel="CLPE rms over the previous dive's", yticks=range(len(PRIORS)))

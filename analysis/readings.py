@@ -26,7 +26,9 @@ UNITS = {"periods in s": 1.0, "periods in h": 3600.0}
 def reading(kernel: str, seconds: float) -> dict[str, Any]:
     """Run one reading and judge it."""
     paper = clpt.paper_scenario()
-    scenario = paper.with_values({"basis.kernel": kernel, "basis.periods": seconds * paper.periods})
+    scenario = paper.with_values(
+        {"basis.kernel": kernel, "basis.periods": seconds * paper.periods}
+    )
     summary = run_and_report(scenario).summary
     true = clpt.theory.started_true(scenario)
     eigenvalues = clpt.theory.gramian(true, 200.0, 200.0).eigenvalues
@@ -81,7 +83,13 @@ def figure(rows: list[dict[str, Any]]) -> Any:
             label=f"{row['kernel']}, {row['unit']}: " + _eigenvalue(row["kappa_1"]),
         )
     ax.axhline(0.05, color="black", linewidth=0.8, linestyle=":")
-    ax.annotate("criterion 0.05", (10, 0.05), xytext=(0, 3), textcoords="offset points", fontsize=8)
+    ax.annotate(
+        "criterion 0.05",
+        (10, 0.05),
+        xytext=(0, 3),
+        textcoords="offset points",
+        fontsize=8,
+    )
     ax.set(xlabel="time (s)", ylabel="largest flow parameter error (m/s)")
     ax.legend(
         title="reading: smallest Gramian eigenvalue (m$^2$ s)",
@@ -94,7 +102,9 @@ def figure(rows: list[dict[str, Any]]) -> Any:
     return picture
 
 
-def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/readings")) -> None:
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/readings"),
+) -> None:
     """Run all readings; leave readings.md and readings.png."""
     rows = []
     with progress_bar("readings of Eq. (5)", len(KERNELS) * len(UNITS)) as report:
@@ -104,7 +114,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/readings
                 report(len(rows))
     leave(out, "readings", table(rows), figure(rows))
     typer.echo(table(rows))
-    best = [row for row in rows if all(verdict != "fails" for verdict in row["verdicts"])]
+    best = [
+        row for row in rows if all(verdict != "fails" for verdict in row["verdicts"])
+    ]
     learned = ", ".join(f"{row['kernel']} with {row['unit']}" for row in best) or "none"
     typer.echo(f"Readings in which every claim holds by the end: {learned}")
 

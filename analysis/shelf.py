@@ -47,7 +47,9 @@ def saturation():
 
 def dead_zone():
     """A gap."""
-    return static(parts.dead_zone(-1, 1), np.sign(RAMP) * np.maximum(np.abs(RAMP) - 1, 0))
+    return static(
+        parts.dead_zone(-1, 1), np.sign(RAMP) * np.maximum(np.abs(RAMP) - 1, 0)
+    )
 
 
 def lookup_table():
@@ -84,7 +86,9 @@ def relay():
 def lag():
     """A lag of first order."""
     _, y = ran(parts.lag(2.0), [1.5])
-    return [(T, 0 * T + 1.5, "k:"), (T, y, "C0")], np.abs(y - 1.5 * (1 - np.exp(-T / 2))).max()
+    return [(T, 0 * T + 1.5, "k:"), (T, y, "C0")], np.abs(
+        y - 1.5 * (1 - np.exp(-T / 2))
+    ).max()
 
 
 def delay():
@@ -92,14 +96,21 @@ def delay():
     _, y = ran(parts.delay(2.0, 6), [WAVE])
     times, exact = ran(parts.delay(2.0, dt=0.25), [WAVE])
     late = np.interp(times - 2.0, T, WAVE, left=0.0)
-    return [(T, WAVE, "k:"), (T, y, "C0"), (times, exact, "C1.")], np.abs(exact - late).max()
+    return [(T, WAVE, "k:"), (T, y, "C0"), (times, exact, "C1.")], np.abs(
+        exact - late
+    ).max()
 
 
 def hold():
     """A sample, held."""
-    y = ran(clpt.connect([parts.hold(0.8), parts.lag(1.0, u="y", y="v")], external="u"), [WAVE])[1]
+    y = ran(
+        clpt.connect([parts.hold(0.8), parts.lag(1.0, u="y", y="v")], external="u"),
+        [WAVE],
+    )[1]
     k = np.floor(T / 0.8 + 1e-9)
-    return [(T, WAVE, "k:"), (T, y, "C0")], np.abs(y - np.interp(0.8 * k, T, WAVE)).max()
+    return [(T, WAVE, "k:"), (T, y, "C0")], np.abs(
+        y - np.interp(0.8 * k, T, WAVE)
+    ).max()
 
 
 def pid():
@@ -113,7 +124,9 @@ def pid():
     return lines, None
 
 
-PLANT = control.ss([[0, 1], [-1, -0.2]], [[0], [1]], [[1, 0]], 0, inputs="u", outputs="y", name="p")
+PLANT = control.ss(
+    [[0, 1], [-1, -0.2]], [[0], [1]], [[1, 0]], 0, inputs="u", outputs="y", name="p"
+)
 
 
 def observer():
@@ -123,16 +136,22 @@ def observer():
     run = clpt.simulate(loop, T, [0 * T], [1.0, 1.0, 0, 0], **TIGHT)
     error = run.states.values[:, 1] - run.x_hat.values[:, 1]
     M = PLANT.A - L @ PLANT.C
-    exact = control.initial_response(control.ss(M, PLANT.B, [[0, 1]], 0), T, [1.0, 1.0]).y
+    exact = control.initial_response(
+        control.ss(M, PLANT.B, [[0, 1]], 0), T, [1.0, 1.0]
+    ).y
     lines = [(T, run.states.values[:, 1], "k:"), (T, run.x_hat.values[:, 1], "C0")]
     return lines, np.abs(error - exact.squeeze()).max()
 
 
 def kalman_filter():
     """A value seen with noise, and how sure the filter is of it."""
-    n = clpt.simulate(parts.noise(0.5, 0.1, seed=1), np.arange(100) * 0.1 + 0.05).n.values
+    n = clpt.simulate(
+        parts.noise(0.5, 0.1, seed=1), np.arange(100) * 0.1 + 0.05
+    ).n.values
     seen = np.interp(T, np.arange(100) * 0.1, 1.0 + n)
-    filter = parts.kalman_filter(control.ss(1, 1, 1, 0, 0.1), [[4e-3]], [[0.25]], [[1.0]])
+    filter = parts.kalman_filter(
+        control.ss(1, 1, 1, 0, 0.1), [[4e-3]], [[0.25]], [[1.0]]
+    )
     times, x = ran(filter, [0.0, seen], name="x_hat")
     _, P = ran(filter, [0.0, seen], name="P")
     _, settled, _ = control.dlqe([[1.0]], [[1.0]], [[1.0]], [[4e-3]], [[0.25]])
@@ -173,7 +192,18 @@ def thrusters():
 
 
 PANELS: tuple[Any, ...] = (
-    *(saturation, dead_zone, lookup_table, rate_limit, backlash, relay, lag, delay, hold, pid),
+    *(
+        saturation,
+        dead_zone,
+        lookup_table,
+        rate_limit,
+        backlash,
+        relay,
+        lag,
+        delay,
+        hold,
+        pid,
+    ),
     *(observer, kalman_filter, noise, point_vehicle, planar_vehicle, thrusters),
 )
 
@@ -184,7 +214,10 @@ def main(out="shelf"):
     folder = Path(out)
     folder.mkdir(parents=True, exist_ok=True)
     figure, axes = plt.subplots(4, 4, figsize=(9, 8))
-    rows = ["| part | drawn | largest difference from its closed form |", "|---|---|---|"]
+    rows = [
+        "| part | drawn | largest difference from its closed form |",
+        "|---|---|---|",
+    ]
     for panel, ax in zip(PANELS, axes.flat, strict=True):
         lines, off = panel()
         for x, y, style in lines:
@@ -205,5 +238,7 @@ def main(out="shelf"):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--out", default="shelf", help="folder for the table and the figure")
+    parser.add_argument(
+        "--out", default="shelf", help="folder for the table and the figure"
+    )
     main(parser.parse_args().out)

@@ -36,7 +36,9 @@ def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpa
     return control.linearize(loop, state, zc, t=TIME, copy_names=True)
 
 
-def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6) -> np.ndarray:
+def flow_gradient(
+    scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6
+) -> np.ndarray:
     """Return (theta - alpha_M) dphi/dx at the vehicle by central differences."""
     left = np.array(scenario.flow.parameters) - np.array(scenario.model_parameters)
     places = state[:2] + step * np.vstack([np.eye(2), -np.eye(2)])
@@ -44,7 +46,9 @@ def flow_gradient(scenario: clpt.Scenario, state: np.ndarray, step: float = 1e-6
     return (flow[:2] - flow[2:]).T / (2 * step)
 
 
-def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_response")) -> None:
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_response"),
+) -> None:
     """Leave step_response.md and step_response.png."""
     scenario = clpt.theory.started_true(clpt.paper_scenario())
     state = operating_point(scenario)
@@ -56,7 +60,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
     x1, e1 = names.index("x[0]"), names.index("e[0]")
     t = np.linspace(0.0, 10.0, 501)
 
-    KD, GammaD = (np.diag(g) for g in (scenario.vehicle.feedback, scenario.vehicle.feedforward))
+    KD, GammaD = (
+        np.diag(g) for g in (scenario.vehicle.feedback, scenario.vehicle.feedforward)
+    )
     A = flow_gradient(scenario, state) - KD
     theory = control.ss(A, GammaD, np.eye(2), 0)
     frozen = control.ss(-KD, GammaD, np.eye(2), 0)
@@ -74,7 +80,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
         "the same in theory, Eq. (9)": answers["x theory"][-1],
         "largest difference of the two responses": away,
         "largest |zc -> e|, learner true": np.abs(answers["e"]).max(),
-        f"largest |zc -> e|, Gamma {WRONG_BY} too small": np.abs(answers["e mistaken"]).max(),
+        f"largest |zc -> e|, Gamma {WRONG_BY} too small": np.abs(
+            answers["e mistaken"]
+        ).max(),
         "initial slope of it (theory: GammaD - Gamma)": answers["e mistaken"][1] / t[1],
     }
     text = "| quantity | value |\n|---|---|\n" + "".join(
@@ -82,7 +90,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
     )
     picture, (top, bottom) = new_figure(6.4, 5.4, nrows=2, sharex=True)
     top.plot(t, answers["x"], color=BLUE, linewidth=2, label="linearised diagram")
-    top.plot(t, answers["x theory"], color="black", linestyle=":", label="theory, Eq. (9)")
+    top.plot(
+        t, answers["x theory"], color="black", linestyle=":", label="theory, Eq. (9)"
+    )
     top.plot(
         t,
         answers["x without flow"],
@@ -98,7 +108,9 @@ def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_res
         fontsize=10,
     )
     top.legend(frameon=False, fontsize=8)
-    bottom.plot(t, answers["e"], color=BLUE, linewidth=2, label="learner at the true parameters")
+    bottom.plot(
+        t, answers["e"], color=BLUE, linewidth=2, label="learner at the true parameters"
+    )
     bottom.plot(
         t,
         answers["e mistaken"],

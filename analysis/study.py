@@ -20,7 +20,9 @@ GREY = "#666666"
 EARTH = pyproj.Geod(ellps="WGS84")
 
 
-def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> tuple[Figure, Any]:
+def new_figure(
+    width: float = 6.4, height: float = 4.2, **subplots: Any
+) -> tuple[Figure, Any]:
     """Return a figure (inches) and its axes."""
     with plt.style.context(HOUSE):
         figure = Figure(figsize=(width, height))
@@ -48,13 +50,17 @@ def progress_bar(what: str, total: float) -> Iterator[Callable[[float], None]]:
         yield lambda done: bar.update(task, completed=done)
 
 
-def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:
+def displacement(
+    lat1: float, lon1: float, lat2: float, lon2: float
+) -> tuple[float, float]:
     """Return the way east and north (m) from one place to another (degrees)."""
     azimuth, _, length = EARTH.inv(lon1, lat1, lon2, lat2)
     return length * np.sin(np.radians(azimuth)), length * np.cos(np.radians(azimuth))
 
 
-def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
+def place_from(
+    lat: float, lon: float, east: float, north: float
+) -> tuple[float, float]:
     """Return the place (degrees) at the end of a way (m) from a place."""
     azimuth = np.degrees(np.arctan2(east, north))
     lon2, lat2, _ = EARTH.fwd(lon, lat, azimuth, np.hypot(east, north))

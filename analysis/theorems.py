@@ -50,7 +50,13 @@ def page(proofs: Mapping[str, Any], listed: Sequence[Any]) -> str:
         "|---|---|---|---|---|",
     ]
     lines += [
-        row(m.equation, m.printed, m.corrected, m.check, "yes" if m.confirmed else "**no**")
+        row(
+            m.equation,
+            m.printed,
+            m.corrected,
+            m.check,
+            "yes" if m.confirmed else "**no**",
+        )
         for m in listed
     ]
     return "\n".join(lines) + "\n"
@@ -90,11 +96,15 @@ def figure(found: Any) -> Any:
     )
     top.set_title(f"Eq. {found.equation} {verdict}", loc="left", fontsize=10)
     handles = bottom.get_legend_handles_labels()
-    picture.legend(*handles, fontsize=8, frameon=False, loc="outside lower center", ncols=4)
+    picture.legend(
+        *handles, fontsize=8, frameon=False, loc="outside lower center", ncols=4
+    )
     return picture
 
 
-def main(out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/theorems")) -> None:
+def main(
+    out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/theorems"),
+) -> None:
     """Leave theorems.md and theorems.png."""
     with progress_bar("proving", 4.0) as report:
         proofs = clpt.theory.audit(progress=report)

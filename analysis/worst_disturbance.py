@@ -75,11 +75,17 @@ def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.n
     names = ("phi_x", "predicted_position", "reference")
     phi, z, zc = (run[name].values[1:] for name in names)
     KD = np.array(calm.vehicle.feedback)
-    return clpt.theory.error_matrices(phi, z, zc, KD, calm.learning.used_gains.parameters)
+    return clpt.theory.error_matrices(
+        phi, z, zc, KD, calm.learning.used_gains.parameters
+    )
 
 
 def worst_disturbance(
-    scenario: clpt.Scenario, start: float, end: float, step: float = 0.04, every: float = 1.0
+    scenario: clpt.Scenario,
+    start: float,
+    end: float,
+    step: float = 0.04,
+    every: float = 1.0,
 ) -> WorstDisturbance:
     """Return the gains from start to end, each `every`; Delta acts from 0.
 
@@ -101,9 +107,14 @@ def main(
     paper = clpt.paper_scenario()
     found = worst_disturbance(paper, 0.0, end)
     claimed = 1 / np.array(paper.vehicle.feedback)  # s, Eq. (33)
-    lines = ["| axis | worst abs(e)/Dmax (s) | claimed, Eq. (33) (s) |", "|---|---|---|"]
+    lines = [
+        "| axis | worst abs(e)/Dmax (s) | claimed, Eq. (33) (s) |",
+        "|---|---|---|",
+    ]
     rows = zip(found.peaks, claimed, strict=True)
-    lines += [f"| x{k} | {peak:.3f} | {one:g} |" for k, (peak, one) in enumerate(rows, 1)]
+    lines += [
+        f"| x{k} | {peak:.3f} | {one:g} |" for k, (peak, one) in enumerate(rows, 1)
+    ]
     figure, ax = new_figure()
     for k, gains in enumerate(found.gains, 1):
         ax.plot(found.times, gains, label=f"x{k}")

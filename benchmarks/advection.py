@@ -35,7 +35,9 @@ def current() -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
 def starts(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the particles' first positions, metres."""
     draw = np.random.default_rng(3)
-    return draw.uniform(0.1 * SIDE, 0.9 * SIDE, count), draw.uniform(0.1 * SIDE, 0.9 * SIDE, count)
+    return draw.uniform(0.1 * SIDE, 0.9 * SIDE, count), draw.uniform(
+        0.1 * SIDE, 0.9 * SIDE, count
+    )
 
 
 class _Grid(ctypes.Structure):

@@ -35,11 +35,17 @@ def particles(chosen: list[str], count: int, rounds: int, say) -> list[dict]:
 def main(arguments: list[str] | None = None) -> int:
     """Run the benchmarks; return the exit status."""
     names = [*ENGINES, "parcels"]
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.bench", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.bench", description=__doc__
+    )
     parser.add_argument("--quick", action="store_true", help="about a minute")
     parser.add_argument("--engines", default=",".join(names), help=", ".join(names))
-    parser.add_argument("--sections", default=",".join(SECTIONS), help=", ".join(SECTIONS))
-    parser.add_argument("--out", type=Path, default=ROOT / "docs", help="folder of the tables")
+    parser.add_argument(
+        "--sections", default=",".join(SECTIONS), help=", ".join(SECTIONS)
+    )
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "docs", help="folder of the tables"
+    )
     options = parser.parse_args(arguments)
     wanted, sections = options.engines.split(","), options.sections.split(",")
     unknown = sorted(set(wanted) - set(names)) + sorted(set(sections) - set(SECTIONS))
@@ -75,7 +81,9 @@ def main(arguments: list[str] | None = None) -> int:
         results["growth"] = ensemble.grow(chosen, sizes, longest, say)
     if "particles" in sections:
         able = [n for n in wanted if n == "parcels" or n in chosen]
-        results["particles"] = particles(able, 200 if quick else 5000, 1 if quick else 5, say)
+        results["particles"] = particles(
+            able, 200 if quick else 5000, 1 if quick else 5, say
+        )
     results["left_out"] += list(dict.fromkeys(FAILURES))
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "performance.json").write_text(json.dumps(results, indent=1) + "\n")

@@ -20,7 +20,9 @@ class _Problem(ctypes.Structure):
 
 
 class _Counts(ctypes.Structure):
-    _fields_ = tuple((name, c_int64) for name in ("steps", "rejected", "evaluations", "status"))
+    _fields_ = tuple(
+        (name, c_int64) for name in ("steps", "rejected", "evaluations", "status")
+    )
 
 
 def _pointer(array: np.ndarray):
@@ -48,7 +50,9 @@ class Program:
         w1, w2 = np.ascontiguousarray(scenario.waypoints.T)
         run, dwell = scenario.run, scenario.reference.dwell
         points = _pointer(w1), _pointer(w2)
-        problem = _Problem(len(w1), record, dwell, run.duration, run.rtol, run.atol, *points)
+        problem = _Problem(
+            len(w1), record, dwell, run.duration, run.rtol, run.atol, *points
+        )
         states = np.array(states, dtype=float, order="C")
         parameters = np.ascontiguousarray(parameters)
         kept = np.empty((max(record, 1), states.shape[1]))
@@ -68,7 +72,9 @@ class Program:
     def run(self, case: Case) -> tuple[np.ndarray, float]:
         """Run one case; return states at its times, and seconds."""
         x0, own = start(case.scenario), flat_parameters(case.scenario)
-        states, seconds = self.members(case.scenario, own[None], x0[None], len(case.times) - 1)
+        states, seconds = self.members(
+            case.scenario, own[None], x0[None], len(case.times) - 1
+        )
         return np.vstack([x0, states]), seconds
 
 

@@ -49,7 +49,9 @@ def many(N: int, end: float = 2000.0, seed: int = 1) -> Case:
     }
     if N == 3:
         return _case("N = 3", clpt.paper_scenario().with_values({"run.duration": end}))
-    document = clpt.paper_scenario().model_dump(exclude_none=True, exclude_defaults=True)
+    document = clpt.paper_scenario().model_dump(
+        exclude_none=True, exclude_defaults=True
+    )
     for key, value in values.items():
         table, name = key.split(".")
         document.setdefault(table, {})[name] = value
@@ -58,7 +60,9 @@ def many(N: int, end: float = 2000.0, seed: int = 1) -> Case:
 
 def _case(name: str, scenario: clpt.Scenario) -> Case:
     end = scenario.run.duration
-    ends = scenario.reference.dwell * np.arange(1, np.ceil(end / scenario.reference.dwell) + 1)
+    ends = scenario.reference.dwell * np.arange(
+        1, np.ceil(end / scenario.reference.dwell) + 1
+    )
     return Case(name, scenario, np.concatenate([[0.0], np.minimum(ends, end)]))
 
 
@@ -81,14 +85,18 @@ def flat_parameters(scenario: clpt.Scenario) -> np.ndarray:
     )
 
 
-def members(scenario: clpt.Scenario, chunk: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+def members(
+    scenario: clpt.Scenario, chunk: int, count: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return parameters (count, 9 N + 5) and initial states (count, 2 N + 8) of members.
 
     They differ in theta (10 percent), the gain (0.4 to 1.2), and x(0), z(0) (within 1); each
     chunk has its own random stream.
     """
     draw, N = np.random.default_rng([7, chunk]), scenario.basis.N
-    numbers = draw.uniform(-1, 1, (count, 2 * N + 5))  # a member's do not depend on count
+    numbers = draw.uniform(
+        -1, 1, (count, 2 * N + 5)
+    )  # a member's do not depend on count
     parameters = np.tile(flat_parameters(scenario), (count, 1))
     parameters[:, 5 * N : 7 * N] *= 1 + 0.1 * numbers[:, : 2 * N]
     parameters[:, -1] = 0.8 + 0.4 * numbers[:, 2 * N]

@@ -22,7 +22,10 @@ def _stretch(scenario):
 
     def derivative(t, y, arguments):
         zc, theta, gain = arguments
-        own = {("true_flow", "theta"): boxed(theta).reshape(2, N), ("adaptation", "gain"): gain}
+        own = {
+            ("true_flow", "theta"): boxed(theta).reshape(2, N),
+            ("adaptation", "gain"): gain,
+        }
         found = rates(diagram, t, y, FUNCTIONS, {"reference": zc}, own)
         return jnp.stack([jnp.asarray(f) for f in found])
 
@@ -63,7 +66,10 @@ def prepare(case: Case):
     """Prepare one run, compiled before it is timed."""
     scenario = case.scenario
     x0 = initial_state(scenario)
-    theta, gain = jnp.ravel(jnp.asarray(scenario.flow.parameters)), scenario.learning.gain
+    theta, gain = (
+        jnp.ravel(jnp.asarray(scenario.flow.parameters)),
+        scenario.learning.gain,
+    )
     whole = jax.jit(_whole(scenario, case.times))
 
     def run():

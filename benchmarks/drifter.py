@@ -38,7 +38,10 @@ def drift(t, x, u, p):
     row = p.shape[2]
     sheet = p.shape[1] * row
     corner = cell[0] * sheet + cell[1] * row + cell[2]
-    planes = [[plane(f, at, row, s2, s1) for at in (corner, corner + sheet)] for f in (p.u, p.v)]
+    planes = [
+        [plane(f, at, row, s2, s1) for at in (corner, corner + sheet)]
+        for f in (p.u, p.v)
+    ]
     return [mix(*ends, st) for ends in planes]
 
 
@@ -52,12 +55,18 @@ def drifter(time: np.ndarray, axis: np.ndarray, u: np.ndarray, v: np.ndarray) ->
         "u": u.ravel(),  # flow along x1 and x2, time slowest
         "v": v.ravel(),
     }
-    return Block("drifter", update=drift, states={"x": 2}, parameters=parameters, opaque=True)
+    return Block(
+        "drifter", update=drift, states={"x": 2}, parameters=parameters, opaque=True
+    )
 
 
-def advect(time, axis, u, v, x1, x2, step: float, steps: int) -> tuple[np.ndarray, float]:
+def advect(
+    time, axis, u, v, x1, x2, step: float, steps: int
+) -> tuple[np.ndarray, float]:
     """Move passive particles by RK4; return final positions (2, n) and seconds."""
-    native = clpt.native.compile(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
+    native = clpt.native.compile(
+        clpt.connect([drifter(time, axis, u, v)], name="drifter")
+    )
     starts = np.column_stack([x1, x2])
     ends = np.array([0.0, step * steps])
     native.run_many(starts[:2], ends, step=step)

@@ -34,7 +34,9 @@ class Engine:
     prepare: Callable[[Case], Callable[[], tuple[np.ndarray, float]]]
     members: Callable[[Any], Callable] | None = None
     needs: str = ""  # module without which it is left out; "cc": a C compiler
-    waypoints: int | None = None  # too slow for a whole run: so many waypoints are timed
+    waypoints: int | None = (
+        None  # too slow for a whole run: so many waypoints are timed
+    )
     largest: int = 500  # most basis functions that it is asked to run
     note: str = ""  # what a reader of its figures must know
 
@@ -58,7 +60,9 @@ def _from(module: str, name: str) -> Callable:
     """Return a function of a module that is imported when it is first called."""
 
     def call(*arguments):
-        return getattr(importlib.import_module(f"benchmarks.{module}"), name)(*arguments)
+        return getattr(importlib.import_module(f"benchmarks.{module}"), name)(
+            *arguments
+        )
 
     return call
 
@@ -84,7 +88,9 @@ ENGINES = {
         _from("own_engines", "members"),
     ),
     "simulate": Engine(
-        "clpt-control, simulate() to a Dataset", _from("own_engines", "simulate"), largest=50
+        "clpt-control, simulate() to a Dataset",
+        _from("own_engines", "simulate"),
+        largest=50,
     ),
     "python": Engine(
         "clpt-control, blocks in Python", _from("own_engines", "in_python"), largest=3

@@ -56,7 +56,9 @@ def _error(scenario, final: np.ndarray) -> float | None:
     return float(np.max(np.abs(final - exact)))
 
 
-def compare(chosen: list[str], count: int, rounds: int, say: Callable[[str], None]) -> list[dict]:
+def compare(
+    chosen: list[str], count: int, rounds: int, say: Callable[[str], None]
+) -> list[dict]:
     """Run one size in turn; return a row for each engine that can."""
     titles = {name: ENGINES[name].title for name in chosen if ENGINES[name].members}
     return in_turn("benchmarks.ensemble", titles, count, rounds, say)
@@ -70,7 +72,10 @@ def grow(
     rates: dict[str, float] = {}
     for count in sizes:
         for name in chosen:
-            if ENGINES[name].members is None or count / rates.get(name, np.inf) > longest:
+            if (
+                ENGINES[name].members is None
+                or count / rates.get(name, np.inf) > longest
+            ):
                 continue
             say(f"{count} members: {ENGINES[name].title}")
             found = alone("benchmarks.ensemble", name, count)

@@ -12,7 +12,12 @@ from .traced import rates
 
 # The derivatives of |x - c| are not finite at x = c, where the paper's run starts.
 KINK = 1e-24
-FUNCTIONS = {"exp": hy.exp, "cos": hy.cos, "sin": hy.sin, "sqrt": lambda a: hy.sqrt(a + KINK)}
+FUNCTIONS = {
+    "exp": hy.exp,
+    "cos": hy.cos,
+    "sin": hy.sin,
+    "sqrt": lambda a: hy.sqrt(a + KINK),
+}
 
 
 def system(scenario, parameters=None) -> list:
@@ -29,7 +34,11 @@ def prepare(case: Case):
     scenario = case.scenario
     x0, points = initial_state(scenario), scenario.waypoints
     solver = hy.taylor_adaptive(
-        system(scenario), x0, tol=scenario.run.rtol, compact_mode=case.N > 10, pars=[0.0, 0.0]
+        system(scenario),
+        x0,
+        tol=scenario.run.rtol,
+        compact_mode=case.N > 10,
+        pars=[0.0, 0.0],
     )
 
     def whole() -> np.ndarray:

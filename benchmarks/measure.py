@@ -84,7 +84,11 @@ def alone(module: str, *arguments, timeout: float = 1800) -> dict | None:
 
 
 def in_turn(
-    module: str, titles: dict[str, str], count: int, rounds: int, say: Callable[[str], None]
+    module: str,
+    titles: dict[str, str],
+    count: int,
+    rounds: int,
+    say: Callable[[str], None],
 ) -> list[dict]:
     """Run engines in turn, each time in a process of its own.
 
@@ -119,11 +123,18 @@ def machine() -> str:
     path = Path("/proc/cpuinfo")
     if path.exists():
         lines = path.read_text().splitlines()
-        found = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+        found = [
+            line.split(":", 1)[1].strip()
+            for line in lines
+            if line.startswith("model name")
+        ]
         model = found[0] if found else model
         if any("avx512f" in line for line in lines):
             model += " (AVX-512)"
-    parts = [f"{os.cpu_count()} cores of {model}", f"Python {platform.python_version()}"]
+    parts = [
+        f"{os.cpu_count()} cores of {model}",
+        f"Python {platform.python_version()}",
+    ]
     for name in ("numpy", "scipy", "numba", "control", "diffrax", "heyoka", "parcels"):
         try:
             parts.append(f"{name} {version(name)}")
@@ -131,7 +142,9 @@ def machine() -> str:
             continue
     cc = compiler()
     if cc is not None:
-        text = subprocess.run([cc, "-dumpfullversion"], capture_output=True, text=True, check=False)
+        text = subprocess.run(
+            [cc, "-dumpfullversion"], capture_output=True, text=True, check=False
+        )
         flags = " ".join(f for f in FLAGS if f.startswith(("-O", "-m", "-fno")))
         parts.append(f"C compiler {Path(cc).name} {text.stdout.strip()} {flags}")
     return ", ".join(parts)

@@ -20,7 +20,9 @@ def prepare(case: Case):
     native = clpt.native.compile(clpt.closed_loop(scenario))
 
     def go() -> tuple[np.ndarray, float]:
-        solution, seconds = timed(lambda: native.run(x0, case.times, rtol=run.rtol, atol=run.atol))
+        solution, seconds = timed(
+            lambda: native.run(x0, case.times, rtol=run.rtol, atol=run.atol)
+        )
         return solution.x, seconds
 
     go()
@@ -69,7 +71,9 @@ def in_python(case: Case):
     x0 = initial_state(case.scenario)
 
     def go():
-        solution, seconds = timed(lambda: one.run(x0, case.times, rtol=run.rtol, atol=run.atol))
+        solution, seconds = timed(
+            lambda: one.run(x0, case.times, rtol=run.rtol, atol=run.atol)
+        )
         return solution.x, seconds
 
     return go

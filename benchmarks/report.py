@@ -67,7 +67,8 @@ def _paper(rows: list[dict]) -> str:
     notes = [row["note"] for row in rows if row["note"]]
     cells = [
         [
-            row["title"] + (f" [{notes.index(row['note']) + 1}]" if row["note"] else ""),
+            row["title"]
+            + (f" [{notes.index(row['note']) + 1}]" if row["note"] else ""),
             _number(1e3 * row["median"], ".3g"),
             _number(1e3 * row["minimum"], ".3g"),
             _number(row.get("ratio"), ".3g"),
@@ -76,7 +77,9 @@ def _paper(rows: list[dict]) -> str:
         for row in rows
     ]
     header = ["engine", "median, ms", "minimum, ms", "ratio to C", "error"]
-    text = PAPER.format(rounds=max(row["rounds"] for row in rows)) + _table(header, cells)
+    text = PAPER.format(rounds=max(row["rounds"] for row in rows)) + _table(
+        header, cells
+    )
     return text + "".join(f"\n[{k}] {note}.\n" for k, note in enumerate(notes, 1))
 
 
@@ -108,13 +111,19 @@ def _particles(rows: list[dict]) -> str:
 
 
 def _cells(row: dict, patterns: dict[str, str]) -> list[str]:
-    return [row["title"], *(_number(row.get(key), form) for key, form in patterns.items())]
+    return [
+        row["title"],
+        *(_number(row.get(key), form) for key, form in patterns.items()),
+    ]
 
 
 def _growth(rows: list[dict]) -> str:
     sizes = sorted({row["members"] for row in rows})
     found = {
-        (r["title"], r["members"]): f"{_number(r['rate'], '.4g')}, {r['peak_mb']:.0f} MB"
+        (
+            r["title"],
+            r["members"],
+        ): f"{_number(r['rate'], '.4g')}, {r['peak_mb']:.0f} MB"
         for r in rows
     }
     cells = [
@@ -135,7 +144,11 @@ def markdown(results: dict) -> str:
         text += _paper(results["paper"])
     if any(results.get("basis", {}).values()):
         text += _basis(results)
-    for name, write in (("ensemble", _ensemble), ("growth", _growth), ("particles", _particles)):
+    for name, write in (
+        ("ensemble", _ensemble),
+        ("growth", _growth),
+        ("particles", _particles),
+    ):
         if results.get(name):
             text += write(results[name])
     return text + "\n![Times, growth with N and with members](performance.png)\n"
@@ -155,7 +168,9 @@ def figure(results: dict, path: Path) -> None:
     bars, basis, members = drawing.subplots(1, 3)
     rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
     shades = [OURS if row["title"].startswith("clpt") else "0.5" for row in rows]
-    times = [1e3 * row["median"] for row in rows]  # as points: a bar has no length on this axis
+    times = [
+        1e3 * row["median"] for row in rows
+    ]  # as points: a bar has no length on this axis
     bars.scatter(times, [row["title"] for row in rows], color=shades, zorder=3)
     bars.set(xscale="log", xlabel="time of a run (ms)", title="The paper's run")
     bars.grid(alpha=0.3)

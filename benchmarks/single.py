@@ -31,7 +31,9 @@ def shortened(case: Case, waypoints: int) -> Case:
     """Return the first waypoints of a case."""
     end = float(case.times[min(waypoints, len(case.times) - 1)])
     return Case(
-        case.name, case.scenario.with_values({"run.duration": end}), case.times[: waypoints + 1]
+        case.name,
+        case.scenario.with_values({"run.duration": end}),
+        case.times[: waypoints + 1],
     )
 
 
@@ -57,7 +59,11 @@ def tight(case: Case) -> np.ndarray:
 
 
 def measure(
-    case: Case, chosen: list[str], rounds: int, budget: float, say: Callable[[str], None]
+    case: Case,
+    chosen: list[str],
+    rounds: int,
+    budget: float,
+    say: Callable[[str], None],
 ) -> list[dict]:
     """Time the chosen engines on one case, in turn, an engine for at most `budget` seconds.
 
@@ -86,7 +92,12 @@ def measure(
                 f"{engine.waypoints} of {len(case.times) - 1} waypoints timed, "
                 f"scaled by their share of the evaluations ({scale:.3f})"
             )
-        rows[name] = {"engine": name, "title": engine.title, "error": error, "note": note}
+        rows[name] = {
+            "engine": name,
+            "title": engine.title,
+            "error": error,
+            "note": note,
+        }
         runs[name] = lambda run=run, scale=scale: run()[1] / scale
     for name, figures in interleave(runs, rounds, budget, say).items():
         rows[name] |= figures

@@ -27,7 +27,9 @@ def by_clpt(problem: Problem, method: str) -> Callable[[float], np.ndarray]:
 
     def run(rtol: float) -> np.ndarray:
         tolerances = {"rtol": rtol, "atol": rtol * problem.absolute}
-        return runner.run(problem.start, [0.0, problem.end], method=method, **tolerances).x[-1]
+        return runner.run(
+            problem.start, [0.0, problem.end], method=method, **tolerances
+        ).x[-1]
 
     return run
 
@@ -40,17 +42,24 @@ def by_scipy(problem: Problem, method: str) -> Callable[[float], np.ndarray]:
 
     def run(rtol: float) -> np.ndarray:
         tolerances = {"rtol": rtol, "atol": rtol * problem.absolute}
-        return solve_ivp(rates, (0.0, problem.end), problem.start, method, **tolerances).y[:, -1]
+        return solve_ivp(
+            rates, (0.0, problem.end), problem.start, method, **tolerances
+        ).y[:, -1]
 
     return run
 
 
 def main() -> None:
     """Print the table."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.stiff", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.stiff", description=__doc__
+    )
     parser.add_argument("--only", default="", help="part of a problem's name")
     chosen = parser.parse_args()
-    print("ms, and the error in tolerances, at rtol =", *(f"{rtol:13.0e}" for rtol in TOLERANCES))
+    print(
+        "ms, and the error in tolerances, at rtol =",
+        *(f"{rtol:13.0e}" for rtol in TOLERANCES),
+    )
     for name, problem in PROBLEMS.items():
         if chosen.only not in name:
             continue
@@ -60,7 +69,10 @@ def main() -> None:
             ("SciPy", by_scipy, "Radau"),
             ("SciPy", by_scipy, "BDF"),
         ):
-            print(f"{name:12s} {engine:6s} {method:8s}", *_row(problem, make(problem, method)))
+            print(
+                f"{name:12s} {engine:6s} {method:8s}",
+                *_row(problem, make(problem, method)),
+            )
 
 
 def _row(problem: Problem, run: Callable[[float], np.ndarray]) -> list[str]:

@@ -93,13 +93,18 @@ def rates(
         changed.setdefault(block, {})[field] = value
 
     def run(node, role) -> list:
-        u, own = inputs(node), {**node.system.parameters._asdict(), **changed.get(node.name, {})}
+        u, own = (
+            inputs(node),
+            {**node.system.parameters._asdict(), **changed.get(node.name, {})},
+        )
         leaf = leaf_values(node.system, 0.0, states[node.states], u, None)
         record = node.system.array_record(role)
         traced = Traced(record.operations, node.system.sizes)
         traced.functions = {**ARITHMETIC, **functions}
         traced.given = lambda group, name: (
-            leaf(group, name) if group in "xu" else held(t if group == "t" else own[name])
+            leaf(group, name)
+            if group in "xu"
+            else held(t if group == "t" else own[name])
         )
         return traced.outputs(record)
 

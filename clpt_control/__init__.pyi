@@ -31,7 +31,14 @@ from .errors import (
 )
 from .pages import report
 from .plots.drawing.figure import draw
-from .scenario import Scenario, Team, load_scenario, load_team, paper_scenario, save_scenario
+from .scenario import (
+    Scenario,
+    Team,
+    load_scenario,
+    load_team,
+    paper_scenario,
+    save_scenario,
+)
 from .simulation import (
     animate,
     closed_loop,

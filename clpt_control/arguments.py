@@ -50,7 +50,9 @@ NOUNS = {
     "Path": "a path",
     "PathLike": "a path",
 }
-NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")  # of annotations
+NO_WORDS = re.compile(
+    r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]"
+)  # of annotations
 EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "inputs": "{'e': 2}",
     "params": "{'adaptation.gain': 2.0}",
@@ -76,7 +78,9 @@ def public(target: Public) -> Public:
                 target.__annotations__[one] = "ArrayLike"
         call = _checking(target, target.__qualname__)
         # with the globals of its own module, in which doctest looks for it
-        function = FunctionType(call.__code__, target.__globals__, closure=call.__closure__)
+        function = FunctionType(
+            call.__code__, target.__globals__, closure=call.__closure__
+        )
         wrapped: Any = update_wrapper(function, target)
         return wrapped
     maker = "__init__" if "__init__" in vars(target) else "__new__"  # of a NamedTuple
@@ -98,7 +102,9 @@ def _checking(function: Any, name: str) -> Any:
             for one, kind in function.__annotations__.items():
                 kinds_by[one] = kinds_of(kind, function.__globals__)
         kinds = kinds_by.get(argument, (Any,))
-        if Any in kinds or (type(value) in SIMPLE and type(value) in kinds and value == value):
+        if Any in kinds or (
+            type(value) in SIMPLE and type(value) in kinds and value == value
+        ):
             return value  # at once: a dive has 25 numbers
         value = plain(value, kinds)
         if not fits(value, kinds):
@@ -129,7 +135,11 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
             kind = eval(kind, dict(names))
         except (NameError, AttributeError):
             parts = kind.split(" | ")
-            return sum((kinds_of(part, names) for part in parts), ()) if parts[1:] else (kind,)
+            return (
+                sum((kinds_of(part, names) for part in parts), ())
+                if parts[1:]
+                else (kind,)
+            )
     if kind == ArrayLike:  # the function says what its array holds
         return (Any,)
     if kind == OrNaN:
@@ -141,9 +151,14 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
 
 def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
-    if getattr(value, "ndim", None) == 0 and getattr(value, "dtype", EMPTY).kind in "iufb":
+    if (
+        getattr(value, "ndim", None) == 0
+        and getattr(value, "dtype", EMPTY).kind in "iufb"
+    ):
         return value.item() if {float, int, bool} & set(kinds) else value
-    if isinstance(value, Iterator) and any(get_origin(kind) is Iterable for kind in kinds):
+    if isinstance(value, Iterator) and any(
+        get_origin(kind) is Iterable for kind in kinds
+    ):
         return list(value)
     if isinstance(value, list) and any(get_origin(kind) is tuple for kind in kinds):
         return tuple(value)
@@ -167,16 +182,28 @@ def _is(value: Any, kind: Any) -> bool:
         return True
     if kind in (Seed, Count):
         least = 0 if kind == Seed else 1
-        return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
+        return (
+            isinstance(value, Integral)
+            and not isinstance(value, bool)
+            and int(value) >= least
+        )
     if kind == Positive:
         return _is(value, float) and 0 < value < np.inf
     if own in (float, int):
-        return isinstance(value, Real if own is float else Integral) and not isinstance(value, bool)
+        return isinstance(value, Real if own is float else Integral) and not isinstance(
+            value, bool
+        )
     if own is np.ndarray:  # of numbers
         return isinstance(value, own) and value.ndim > 0 and value.dtype.kind in "iuf"
-    if isinstance(own, str):  # such as "xarray.Dataset", of a module that may not be imported
+    if isinstance(
+        own, str
+    ):  # such as "xarray.Dataset", of a module that may not be imported
         *module, name = own.split(".")
-        same = [one.__module__.split(".") for one in type(value).__mro__ if one.__name__ == name]
+        same = [
+            one.__module__.split(".")
+            for one in type(value).__mro__
+            if one.__name__ == name
+        ]
         return any(one[: len(module)] == module for one in same)
     if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
         return _is_list(value, own, inner)
@@ -185,7 +212,9 @@ def _is(value: Any, kind: Any) -> bool:
         return listed and len(value) == len(inner) and all(map(_inner, value, inner))
     if own in (Mapping, dict) and inner and isinstance(value, own):
         return all(
-            _inner(one, k) for pair in value.items() for one, k in zip(pair, inner, strict=True)
+            _inner(one, k)
+            for pair in value.items()
+            for one, k in zip(pair, inner, strict=True)
         )
     return isinstance(value, own)
 
@@ -209,7 +238,10 @@ def _inner_kinds(kind: Any) -> Kinds:
 
 def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
     """Return whether a value is a list, or what is as good, of what the kind names."""
-    if isinstance(value, str | bytes | os.PathLike | Mapping) or getattr(value, "ndim", 1) == 0:
+    if (
+        isinstance(value, str | bytes | os.PathLike | Mapping)
+        or getattr(value, "ndim", 1) == 0
+    ):
         return False
     if not all(hasattr(value, name) for name in ("__iter__", "__len__")):
         return False
@@ -258,7 +290,10 @@ def hint(argument: str, value: Any, allowed: str) -> str:
         return f", such as {EXAMPLES[argument]}"
     if isinstance(value, str) and "[str" in allowed:
         return f"; give a list: [{value!r}]"
-    return next((f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS), "")
+    return next(
+        (f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS),
+        "",
+    )
 
 
 def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
@@ -270,7 +305,9 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
         found = np.asarray([] if value is None else value, dtype=float)
         sizes = found.shape[max(found.ndim - len(last), 0) :]
-        if all(one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)):
+        if all(
+            one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)
+        ):
             return found
     shape = f" of shape (..., {', '.join('n' if one is None else str(one) for one in last)})"
     raise ArgumentError(

@@ -3,4 +3,12 @@ from .engine.diagram.linearization import linearize
 from .engine.diagram.symbolic_equations import Equations, equations
 from .plots.drawing.figure import draw, mermaid
 
-__all__ = ["Diagram", "Equations", "connect", "draw", "equations", "linearize", "mermaid"]
+__all__ = [
+    "Diagram",
+    "Equations",
+    "connect",
+    "draw",
+    "equations",
+    "linearize",
+    "mermaid",
+]

@@ -10,7 +10,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 
-EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}  # all others: sea
+EXTRA = {
+    "dask": "ensemble",
+    "distributed": "ensemble",
+    "zarr": "ensemble",
+}  # all others: sea
 
 
 class ClptError(Exception):

@@ -24,7 +24,9 @@ def is_place(lat: Any, lon: Any) -> Any:
     return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False where not a number
 
 
-def displacement(lat1: float, lon1: float, lat2: float, lon2: float) -> tuple[float, float]:
+def displacement(
+    lat1: float, lon1: float, lat2: float, lon2: float
+) -> tuple[float, float]:
     """Return the displacement east and north (m) between two places (degrees).
 
     It is resolved at the first; NaN where one is no place on Earth.
@@ -44,7 +46,9 @@ def distance(lat1: float, lon1: float, lat2: float, lon2: float) -> float:
     return hypot(*displacement(lat1, lon1, lat2, lon2))
 
 
-def place_from(lat: float, lon: float, east: float, north: float) -> tuple[float, float]:
+def place_from(
+    lat: float, lon: float, east: float, north: float
+) -> tuple[float, float]:
     """Return the place (degrees) at the end of a displacement (m) from a place.
 
     NaN where anything is not finite.

@@ -54,7 +54,10 @@ def paragraphs(sentences: Sequence[str], style: str = "") -> str:
 
 def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Return a table whose first column names the rows; a wide one is moved sideways."""
-    styles = ["" if all(map(_is_number, cells)) else WORDS for cells in zip(*rows, strict=True)]
+    styles = [
+        "" if all(map(_is_number, cells)) else WORDS
+        for cells in zip(*rows, strict=True)
+    ]
     styles = styles or [""] * len(columns)
     heads = "".join(
         f'<th scope="col"{style}>{safe(name)}</th>'
@@ -64,7 +67,8 @@ def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -
     lines = []
     for first, *rest in rows:
         cells = "".join(
-            f"<td{style}>{safe(cell)}</td>" for cell, style in zip(rest, styles[1:], strict=True)
+            f"<td{style}>{safe(cell)}</td>"
+            for cell, style in zip(rest, styles[1:], strict=True)
         )
         lines.append(f'<tr><th scope="row">{safe(first)}</th>{cells}</tr>')
     return (
@@ -88,7 +92,9 @@ def listing(text: str) -> str:
     return f"<pre><code>{safe(text)}</code></pre>"
 
 
-def document(title: str, body: str, style: str, script: str = "", head: str = "") -> str:
+def document(
+    title: str, body: str, style: str, script: str = "", head: str = ""
+) -> str:
     """Return a page; `style` and `script` name files of the package, beside `page.css`."""
     styles = _asset("page.css") + _asset(style)
     policy = f"default-src 'none'; style-src {_hash(styles)}"
@@ -122,7 +128,11 @@ def _hash(text: str) -> str:
 
 def fragment(kind: str, name: object, *pieces: str) -> str:
     """Return what a notebook shows of a thing: its kind, its name, and pieces of HTML."""
-    head = f"<div><strong>{safe(kind)}</strong> {safe(shortened(name))}</div>" if kind else ""
+    head = (
+        f"<div><strong>{safe(kind)}</strong> {safe(shortened(name))}</div>"
+        if kind
+        else ""
+    )
     style = _asset("notebook.css").replace("\n", "")
     return f'<div class="clpt"><style>{style}</style>{head}{"".join(pieces)}</div>'
 

@@ -9,7 +9,15 @@ from typing import Any
 from .errors import DataError
 
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01, "mm": 0.001}
-SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+SECONDS = {
+    "s": 1.0,
+    "min": 60.0,
+    "h": 3600.0,
+    "d": 86400.0,
+    "ms": 1e-3,
+    "us": 1e-6,
+    "ns": 1e-9,
+}
 KNOT = 1852.0 / 3600.0  # m/s
 SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
     r"\s*(\w+)(?:\s*/\s*|\s+per\s+)(\w+)\s*|\s*(\w+)[\s.]+([a-z]+)\s*(?:\^|\*\*)?-1\s*",
@@ -18,8 +26,20 @@ SPEED = re.compile(  # m/s, m per s, m s-1, m.s-1, m s^-1, m s**-1
 UNITS = ("meter", "metre", "second")
 PREFIXES = {"": "", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n"}
 WORDS = {  # also in the plural
-    **{long + unit: short + unit[0] for long, short in PREFIXES.items() for unit in UNITS},
-    **{"sec": "s", "minute": "min", "hr": "h", "hour": "h", "day": "d", "kt": "knot", "kn": "knot"},
+    **{
+        long + unit: short + unit[0]
+        for long, short in PREFIXES.items()
+        for unit in UNITS
+    },
+    **{
+        "sec": "s",
+        "minute": "min",
+        "hr": "h",
+        "hour": "h",
+        "day": "d",
+        "kt": "knot",
+        "kn": "knot",
+    },
 }
 
 
@@ -63,7 +83,9 @@ def length_in_metres(unit: str, where: str) -> float:
     """
     size = METRES.get(_short(unit))
     if size is None:
-        raise DataError(f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'")
+        raise DataError(
+            f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'"
+        )
     return size
 
 
@@ -75,7 +97,9 @@ def time_in_seconds(unit: str, where: str) -> float:
     """
     size = SECONDS.get(_short(unit.split(" since ")[0]))
     if size is None:
-        raise DataError(f"{where} has units '{unit}'; must be such as 's', 'min', 'h' or 'd'")
+        raise DataError(
+            f"{where} has units '{unit}'; must be such as 's', 'min', 'h' or 'd'"
+        )
     return size
 
 
@@ -88,10 +112,14 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     if _short(unit) == "knot":
         return KNOT
     found = SPEED.fullmatch(unit)
-    length, time = (_short(word) for word in found.groups() if word) if found else ("", "")
+    length, time = (
+        (_short(word) for word in found.groups() if word) if found else ("", "")
+    )
     if length in METRES and time in SECONDS:
         return METRES[length] / SECONDS[time]
-    raise DataError(f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'")
+    raise DataError(
+        f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'"
+    )
 
 
 def seconds_since_1970(date: str) -> float:

@@ -21,7 +21,9 @@ LAGS = (0.1, 0.5, 1.0, 2.0)  # s
 TIMES = np.linspace(0, 60, 601)  # s
 ARM = 0.2  # m, of each thruster
 TURN = np.radians(90)
-MASS = np.array([[50.0, 0, 0], [0, 90, 2], [0, 2, 12]])  # kg, kg m, kg m^2, with added mass
+MASS = np.array(
+    [[50.0, 0, 0], [0, 90, 2], [0, 2, 12]]
+)  # kg, kg m, kg m^2, with added mass
 LINEAR, SQUARE = np.diag([10.0, 60, 8]), np.diag([20.0, 100, 20])
 CURRENT = (0.2, 0.0)  # m/s, along x and y
 
@@ -47,7 +49,9 @@ def loop(lag):
     return clpt.connect(
         [
             pilot,
-            parts.thrusters([(-0.7, -ARM), (-0.7, ARM)], [0, 0], low=-25, high=40, lag=lag),
+            parts.thrusters(
+                [(-0.7, -ARM), (-0.7, ARM)], [0, 0], low=-25, high=40, lag=lag
+            ),
             parts.planar_vehicle(MASS, LINEAR, SQUARE),
         ],
         external="flow",
@@ -59,7 +63,9 @@ def loop(lag):
 def main(path="auv.png"):
     """Run for each lag, print, draw."""
     figure, (track, heading) = plt.subplots(1, 2, figsize=(7.2, 3.6))
-    print("| lag (s) | overshoot (degrees) | within 2 degrees after (s) | surge at the end (m/s) |")
+    print(
+        "| lag (s) | overshoot (degrees) | within 2 degrees after (s) | surge at the end (m/s) |"
+    )
     print("|---|---|---|---|")
     for lag in LAGS:
         run = clpt.simulate(loop(lag), TIMES, list(CURRENT))
@@ -76,7 +82,9 @@ def main(path="auv.png"):
     heading.axhline(90, color="k", ls=":", lw=1)
     track.set(xlabel="x (m)", ylabel="y (m)", aspect="equal", title="first 25 s")
     heading.set(xlabel="time (s)", ylabel="heading (degrees)")
-    heading.legend(frameon=False, fontsize=8, title="lag of thrust", ncols=2, loc="lower right")
+    heading.legend(
+        frameon=False, fontsize=8, title="lag of thrust", ncols=2, loc="lower right"
+    )
     figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")

@@ -17,7 +17,9 @@ def main(folder="out", *files):
     """Replay, compare, write."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    dives, unread = clpt.gliders.read_dives(files) if files else (clpt.gliders.sample_dives(), [])
+    dives, unread = (
+        clpt.gliders.read_dives(files) if files else (clpt.gliders.sample_dives(), [])
+    )
     used, unused = clpt.gliders.usable(dives)
     for skipped in [*unread, *unused]:
         print(f"dive {skipped.dive} skipped: {skipped.why}")

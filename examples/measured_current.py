@@ -23,7 +23,11 @@ from clpt_control.simulation import explained_variance, flow_velocity
 
 BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h
-BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#555555"  # Okabe and Ito, safe for the colour-blind
+BLUE, ORANGE, GREY = (
+    "#0072B2",
+    "#D55E00",
+    "#555555",
+)  # Okabe and Ito, safe for the colour-blind
 
 
 def late_rms(run):
@@ -64,7 +68,9 @@ def draw(scenario, runs, path):
             zorder=4,
         )
     plane.quiverkey(arrows, 0.82, 0.05, 2.0, "2 km/h", labelpos="W", color=GREY)
-    plane.set(xlabel="x1, east of the origin (km)", ylabel="x2, north of the origin (km)")
+    plane.set(
+        xlabel="x1, east of the origin (km)", ylabel="x2, north of the origin (km)"
+    )
     plane.set_title("Current along the track, each half hour", fontsize=10)
     plane.set_aspect("equal")
     tips = np.vstack([track, track + learning.true_flow.values, scenario.waypoints])
@@ -114,9 +120,13 @@ def main(currents, folder="out"):
         f"{report['explained_variance']:.1%} of the variance; residual rms "
         f"{report['residual_rms']:.2f}, at most {report['residual_max']:.2f} km/h"
     )
-    print(f"{report['missing_fraction']:.1%} of the samples were missing and are filled")
+    print(
+        f"{report['missing_fraction']:.1%} of the samples were missing and are filled"
+    )
     runs = [
-        clpt.simulate(scenario.with_values({"learning.gain": gain, "run.output_step": 0.1}))
+        clpt.simulate(
+            scenario.with_values({"learning.gain": gain, "run.output_step": 0.1})
+        )
         for gain in (scenario.learning.gain, 0.0)
     ]
     rms = [late_rms(run) for run in runs]
@@ -135,7 +145,9 @@ def main(currents, folder="out"):
         f"{name} {runs[0][key].values[-1].round(2)}"
         for name, key in (("K", "feedback_gain"), ("Gamma", "feedforward_gain"))
     )
-    print(f"a small prediction error is not a right flow: the gains drifted from 1 to {gains}")
+    print(
+        f"a small prediction error is not a right flow: the gains drifted from 1 to {gains}"
+    )
     started = {"learning.parameters": [[-a for a in row] for row in report["theta"]]}
     told = scenario.with_values(started)
     run = clpt.simulate(told)

@@ -46,7 +46,13 @@ def loop(gain=1.0):
     numbers = {"a": 1.0, "b": 0.5}
     return clpt.connect(
         [
-            clpt.Block("plant", update=plant, inputs={"v": 1}, states={"y": 1}, parameters=numbers),
+            clpt.Block(
+                "plant",
+                update=plant,
+                inputs={"v": 1},
+                states={"y": 1},
+                parameters=numbers,
+            ),
             clpt.Block("model", update=model, inputs={"r": 1}, states={"ym": 1}),
             clpt.Block(
                 "adaptation",
@@ -85,11 +91,18 @@ def main(path="mrac.png"):
         )
         k_r, k_y = float(run.k_r[-1]), float(run.k_y[-1])
         print(f"| {gain:g} | {first:.3f} | {last:.4f} | {k_r:.2f} | {k_y:.2f} |")
-    over = {"adaptation.gain": np.geomspace(0.2, 5, 9), "plant.b": np.linspace(0.25, 1, 7)}
+    over = {
+        "adaptation.gain": np.geomspace(0.2, 5, 9),
+        "plant.b": np.linspace(0.25, 1, 7),
+    }
     swept = clpt.run_ensemble(loop(), over, timepts=TIMES, inputs=r).unstack()
-    figure, axes = plt.subplot_mosaic([["y", "sweep"], ["k", "sweep"]], figsize=(8.4, 4.6))
+    figure, axes = plt.subplot_mosaic(
+        [["y", "sweep"], ["k", "sweep"]], figsize=(8.4, 4.6)
+    )
     top, bottom = axes["y"], axes["k"]
-    swept.e_rms.plot.contourf(x="adaptation.gain", ax=axes["sweep"], xscale="log", cmap="viridis")
+    swept.e_rms.plot.contourf(
+        x="adaptation.gain", ax=axes["sweep"], xscale="log", cmap="viridis"
+    )
     top.plot(TIMES, next(iter(runs.values())).ym, "k--", lw=1, label="model")
     for gain, run in runs.items():
         top.plot(TIMES, run.y, lw=1, label=f"gain {gain:g}")
@@ -101,7 +114,13 @@ def main(path="mrac.png"):
     axes["sweep"].set_xticks(GAINS, [f"{gain:g}" for gain in GAINS])
     axes["sweep"].minorticks_off()
     bottom.set(ylabel="k_r (right: 4)", xlabel="time (s)")
-    top.legend(frameon=False, ncols=4, fontsize=7, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    top.legend(
+        frameon=False,
+        ncols=4,
+        fontsize=7,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+    )
     figure.savefig(Path(path))
     plt.close(figure)
     print(f"{path}: written")

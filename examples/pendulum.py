@@ -61,9 +61,15 @@ def loop(limit=20.0):
     top = clpt.linearize(pendulum(), np.zeros(4), np.zeros(3))
     A, B = top.A, top.B[:, :1]
     K, _, _ = control.lqr(A, B, np.diag([4.0, 20, 1, 1]), [[0.1]])
-    L, _, _ = control.lqe(A, np.eye(4), HELD, np.diag([0.1, 0.1, 10, 10]), 0.001 * np.eye(2))
+    L, _, _ = control.lqe(
+        A, np.eye(4), HELD, np.diag([0.1, 0.1, 10, 10]), 0.001 * np.eye(2)
+    )
     gain = clpt.Block(
-        "lqr", output=feedback, inputs={"x_hat": 4}, outputs={"wanted": 1}, parameters={"K": K}
+        "lqr",
+        output=feedback,
+        inputs={"x_hat": 4},
+        outputs={"wanted": 1},
+        parameters={"K": K},
     )
     return clpt.connect(
         [

@@ -38,7 +38,11 @@ def loop(kp, ki, kd, tracking=None, late=LATE):
             parts.pid(kp, ki, kd, **own, dt=DT, r="wanted", y="h", u="valve"),
             parts.delay(late, dt=DT, u="valve", y="inflow"),
             clpt.Block(
-                "tank", update=level, inputs={"inflow": 1}, states={"h": 1}, parameters=numbers
+                "tank",
+                update=level,
+                inputs={"inflow": 1},
+                states={"h": 1},
+                parameters=numbers,
             ),
         ],
         external="wanted",

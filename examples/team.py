@@ -20,7 +20,9 @@ STYLES = {"west": "--", "east": "-."}
 
 def largest_error(run):
     """Return the largest error of a flow parameter along a run."""
-    return abs(run.flow_parameters_estimate - run.flow_parameters).max(("axis", "basis"))
+    return abs(run.flow_parameters_estimate - run.flow_parameters).max(
+        ("axis", "basis")
+    )
 
 
 @plt.style.context("clpt_control.data.house")
@@ -50,24 +52,44 @@ def main(path="team.png"):
 def figure(team, run, alone):
     """Draw where the vehicles swim, and their largest errors alone and together."""
     drawn, (chart, errors) = plt.subplots(2, figsize=(6.4, 5.6))
-    basis, units, turn = team.first.basis, team.first.units, np.linspace(0, 2 * np.pi, 100)
+    basis, units, turn = (
+        team.first.basis,
+        team.first.units,
+        np.linspace(0, 2 * np.pi, 100),
+    )
     for center, width in sorted(set(zip(basis.centers, basis.widths, strict=True))):
-        ring = np.array(center)[:, None] + 2 * width * np.array([np.cos(turn), np.sin(turn)])
+        ring = np.array(center)[:, None] + 2 * width * np.array(
+            [np.cos(turn), np.sin(turn)]
+        )
         chart.fill(*ring, color=GREY, alpha=0.12)
     for name, own in alone.items():
         at = {"color": COLOURS[name], "linestyle": STYLES[name], "linewidth": 1.2}
         path = run.position.sel(vehicle=name).values
         chart.plot(*path.T, color=COLOURS[name], linewidth=0.6)
-        chart.plot(*team.members[name].waypoints.T, "o", color=COLOURS[name], markersize=4)
-        chart.annotate(name, path.mean(0), ha="center", va="center", color=COLOURS[name])
+        chart.plot(
+            *team.members[name].waypoints.T, "o", color=COLOURS[name], markersize=4
+        )
+        chart.annotate(
+            name, path.mean(0), ha="center", va="center", color=COLOURS[name]
+        )
         errors.semilogy(own.time, largest_error(own), label=f"{name} alone", **at)
     whole = largest_error(run).max("vehicle")
-    errors.semilogy(run.time, whole, color="black", linewidth=1.4, label="both, as a team")
+    errors.semilogy(
+        run.time, whole, color="black", linewidth=1.4, label="both, as a team"
+    )
     errors.axhline(1e-3, color=GREY, linewidth=0.8, linestyle=":")
-    chart.set(xlabel=f"east ({units.length})", ylabel=f"north ({units.length})", aspect="equal")
-    chart.set_title("Tracks, and where each flow function is seen (grey)", loc="left", fontsize=10)
+    chart.set(
+        xlabel=f"east ({units.length})",
+        ylabel=f"north ({units.length})",
+        aspect="equal",
+    )
+    chart.set_title(
+        "Tracks, and where each flow function is seen (grey)", loc="left", fontsize=10
+    )
     speed = f"{units.length}/{units.time}"
-    errors.set(xlabel=f"time ({units.time})", ylabel=f"largest error of theta ({speed})")
+    errors.set(
+        xlabel=f"time ({units.time})", ylabel=f"largest error of theta ({speed})"
+    )
     errors.set_xlim(0, team.run.duration)
     errors.legend(frameon=False, fontsize=8, loc="lower left")
     return drawn

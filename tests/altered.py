@@ -25,7 +25,11 @@ class Alter(ast.NodeTransformer):
         added = isinstance(getattr(node, "op", None), ast.Add | ast.Sub)
         if added and self.mine():  # of two, or to what is there
             node.op = ast.Sub() if isinstance(node.op, ast.Add) else ast.Add()
-        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub) and self.mine():
+        if (
+            isinstance(node, ast.UnaryOp)
+            and isinstance(node.op, ast.USub)
+            and self.mine()
+        ):
             return node.operand
         if not self.terms:
             return node
@@ -39,10 +43,18 @@ class Alter(ast.NodeTransformer):
 
 def altered(function, which, terms=False):
     """The code with one alteration, or None where there are fewer."""
-    (lines, first), change, space = inspect.getsourcelines(function), Alter(which, terms), {}
+    (lines, first), change, space = (
+        inspect.getsourcelines(function),
+        Alter(which, terms),
+        {},
+    )
     tree = change.visit(ast.parse(textwrap.dedent("".join(lines))))
     tree = ast.increment_lineno(ast.fix_missing_locations(tree), first - 1)
-    exec(compile(tree, function.__code__.co_filename, "exec"), dict(function.__globals__), space)
+    exec(
+        compile(tree, function.__code__.co_filename, "exec"),
+        dict(function.__globals__),
+        space,
+    )
     return space[function.__name__].__code__ if change.left < 0 else None
 
 

@@ -11,8 +11,12 @@ import pytest
 
 HERE = Path(__file__).parent
 for name in ("COLUMNS", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
-    os.environ.pop(name, None)  # what is printed is as wide and plain as in a pipe, everywhere
-os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")  # as `clpt prove` has it, before its import
+    os.environ.pop(
+        name, None
+    )  # what is printed is as wide and plain as in a pipe, everywhere
+os.environ.setdefault(
+    "SYMPY_CACHE_SIZE", "100000"
+)  # as `clpt prove` has it, before its import
 gc.disable()  # a seventh of the time is taken by looking for garbage, of which imports make none
 
 
@@ -63,7 +67,9 @@ def refused(clpt):
 
     def run(*arguments):
         outcome = clpt(*arguments)
-        assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1), outcome
+        assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1), (
+            outcome
+        )
         assert outcome.err.startswith("clpt: ")
         return outcome.err
 
@@ -88,7 +94,9 @@ def refused_for(refused):
 def here(request):
     """Each test of a command begins in an empty folder."""
     if request.path.parent.name == "cli":
-        request.getfixturevalue("monkeypatch").chdir(request.getfixturevalue("tmp_path"))
+        request.getfixturevalue("monkeypatch").chdir(
+            request.getfixturevalue("tmp_path")
+        )
 
 
 @pytest.fixture(autouse=True)
@@ -104,7 +112,9 @@ def undrawn(monkeypatch):
     """Figures are made and not drawn, which takes most of the time."""
     from matplotlib.figure import Figure
 
-    monkeypatch.setattr(Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn"))
+    monkeypatch.setattr(
+        Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn")
+    )
     for page in ("replay.replay_page", "replay.track_map", "pages.page"):
         monkeypatch.setattr(f"clpt_control.{page}.inline_svg", lambda *_: "")
 
@@ -126,7 +136,9 @@ def shared():
     """The folder of the measured files themselves, for what a drawn part cannot show."""
     folder = HERE.parent.parent / "shared" / "data"
     if not folder.is_dir():
-        pytest.skip("needs the whole measured files, which are too large for the repository")
+        pytest.skip(
+            "needs the whole measured files, which are too large for the repository"
+        )
     return folder
 
 

@@ -78,7 +78,9 @@ def _run(folder, words, out, err):
         os.chdir(folder)
         for place, number in ((out, 1), (err, 2)):
             os.dup2(os.open(place, os.O_CREAT | os.O_TRUNC | os.O_WRONLY), number)
-        sys.stdout, sys.stderr = (os.fdopen(number, "w", closefd=False) for number in (1, 2))
+        sys.stdout, sys.stderr = (
+            os.fdopen(number, "w", closefd=False) for number in (1, 2)
+        )
         sys.argv = ["clpt", *words.split(" ")]
         from clpt_control import progress
         from clpt_control.cli import main

@@ -58,7 +58,10 @@ USES = (
     f"{WATCH} | in/replay/state/dives.csv.json",
     f"{WATCH} | in/dives.csv",
 )
-BESIDE = {"f.toml": "field.nc", "fit.toml": "fit_field.nc"}  # what a file names is copied, too
+BESIDE = {
+    "f.toml": "field.nc",
+    "fit.toml": "fit_field.nc",
+}  # what a file names is copied, too
 OPTIONS = (  # words, options whose values are damaged
     ("run s.toml --out out.nc", "--format --figures"),
     ("excitation s.toml", "--window --start"),
@@ -73,7 +76,10 @@ OPTIONS = (  # words, options whose values are damaged
     ("fit grid.nc --out out.toml", "--rows --columns --width-km --units"),
     ("tides record.csv --constituents M2", "--constituents --latitude"),
     ("estimate run.nc", "--every --prior --noise --until"),
-    ("replay dives.csv --aim 41 -69", "--speed --hours --least-duration --variation --flow"),
+    (
+        "replay dives.csv --aim 41 -69",
+        "--speed --hours --least-duration --variation --flow",
+    ),
     (f"animate run.nc -o out.gif {FILM}", "--start --end --seconds --width"),
 )
 
@@ -96,7 +102,9 @@ def make_valid(folder):
     (folder / "team.toml").write_text(clpt.load_run(folder / "team.nc").attrs["team"])
     tank = clpt.Block(
         "tank",
-        update=lambda t, x, u, p: {"h": [p.a @ (u.q[0] - x.h), np.interp(x.h[0], [0, 1], p.a)]},
+        update=lambda t, x, u, p: {
+            "h": [p.a @ (u.q[0] - x.h), np.interp(x.h[0], [0, 1], p.a)]
+        },
         inputs={"q": 1},
         states={"h": 2},
         parameters={"a": np.array([0.5, 0.2])},
@@ -111,9 +119,15 @@ def make_valid(folder):
     write_table(folder / "record.csv", times(3), waves(times(3)))
     write_netcdf(folder / "record.nc", times(3), waves(times(3)))
     shutil.copy(MARACOOS, folder / "grid.nc")
-    lat, lon, hours = np.linspace(-44, -42, 4), np.linspace(7, 9.5, 5), np.arange(0.0, 60.0)
+    lat, lon, hours = (
+        np.linspace(-44, -42, 4),
+        np.linspace(7, 9.5, 5),
+        np.arange(0.0, 60.0),
+    )
     wave = 0.1 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((60, 4, 5))
-    model = gridded_current(wave + 0.05 * lat[:, None] / 43, wave, lat, lon, hours, since=SAMPLE)
+    model = gridded_current(
+        wave + 0.05 * lat[:, None] / 43, wave, lat, lon, hours, since=SAMPLE
+    )
     model.to_netcdf(folder / "model.nc")
     call("fit model.nc --rows 2 --columns 2 --width-km 60 --out fit.toml", folder)
     for name in ("basestation", "sg171", "og1", "sea035", "slocum_rosie"):
@@ -133,7 +147,11 @@ def make_valid(folder):
 
 def put(valid, folder, words):
     """Copy the valid files and folders that words name; return the first."""
-    named = [name for word in words.split() if (valid / (name := word.split("/")[0])).exists()]
+    named = [
+        name
+        for word in words.split()
+        if (valid / (name := word.split("/")[0])).exists()
+    ]
     for name in (*named, *(BESIDE[name] for name in named if name in BESIDE)):
         source = valid / name
         (shutil.copytree if source.is_dir() else shutil.copy)(source, folder / name)

@@ -12,15 +12,52 @@ import numpy as np
 import xarray
 
 NUMBERS = (
-    *("nan", "inf", "-inf", "1e308", "-1e308", "1e-300", "1e15", "-1", "0", "0.5", "1e9"),
-    *("99999999999999999999", "9" * 400, "-2147483649", "true", '"word"', "[]", "[[1]]", "{}", ""),
+    *(
+        "nan",
+        "inf",
+        "-inf",
+        "1e308",
+        "-1e308",
+        "1e-300",
+        "1e15",
+        "-1",
+        "0",
+        "0.5",
+        "1e9",
+    ),
+    *(
+        "99999999999999999999",
+        "9" * 400,
+        "-2147483649",
+        "true",
+        '"word"',
+        "[]",
+        "[[1]]",
+        "{}",
+        "",
+    ),
 )
 VALUES = (np.nan, np.inf, -np.inf, 1e308, -1e308, 1e-300, 1e15, -1.0, 0.0, 9.97e36, 1e9)
 WORDS = (
     *("", "x", "null", "\u00e9" * 300, " " * 4000, "9" * 5000),
     *("\x1b[31m", "a,b", "../../x", "\t"),
 )
-IN_JSON = (None, 0, -1, 10**9, 10**30, 1.5, "", "x", [], {}, [1], True, "NaN", "9" * 400)
+IN_JSON = (
+    None,
+    0,
+    -1,
+    10**9,
+    10**30,
+    1.5,
+    "",
+    "x",
+    [],
+    {},
+    [1],
+    True,
+    "NaN",
+    "9" * 400,
+)
 LONG = ("#" + "x" * 10**5, " " * 10**5, "# " + "a = " * 30000, "(" * 5000, "\t" * 4000)
 
 
@@ -46,13 +83,17 @@ def as_no_file(rng, path):
         shutil.rmtree(path)
     else:
         path.unlink()
-    kind = one_of(rng, ["fifo", "/dev/zero", "/dev/null", "/dev/tty", "folder", "gone", "nowhere"])
+    kind = one_of(
+        rng, ["fifo", "/dev/zero", "/dev/null", "/dev/tty", "folder", "gone", "nowhere"]
+    )
     if kind == "fifo":
         os.mkfifo(path)
     elif kind == "folder":
         path.mkdir()
     elif kind != "gone":
-        path.symlink_to(one_of(rng, [kind, path.name]))  # a device or nothing, or a loop
+        path.symlink_to(
+            one_of(rng, [kind, path.name])
+        )  # a device or nothing, or a loop
     return kind
 
 
@@ -67,8 +108,12 @@ BYTES = {  # of a draw, what is before a place and what is behind it
     "cut": lambda rng, before, behind: before,
     "one bit": lambda rng, before, behind: flipped(rng, before + behind, 1),
     "many bits": lambda rng, before, behind: flipped(rng, before + behind, 30),
-    "zeros": lambda rng, before, behind: before + bytes(len(behind[:200])) + behind[200:],
-    "more": lambda rng, before, behind: before + rng.bytes(int(rng.integers(1, 50))) + behind,
+    "zeros": lambda rng, before, behind: (
+        before + bytes(len(behind[:200])) + behind[200:]
+    ),
+    "more": lambda rng, before, behind: (
+        before + rng.bytes(int(rng.integers(1, 50))) + behind
+    ),
     "repeat": lambda rng, before, behind: before + behind[:3000] + behind,
     "empty": lambda rng, before, behind: b"",
 }
@@ -82,13 +127,18 @@ def bytes_changed(rng, path):
     return f"{kind} at {at}"
 
 
-FORMS = {"number": (r"-?\d+(\.\d+)?(e[-+]?\d+)?", NUMBERS), "word": (r"[A-Za-z_]+", WORDS)}
+FORMS = {
+    "number": (r"-?\d+(\.\d+)?(e[-+]?\d+)?", NUMBERS),
+    "word": (r"[A-Za-z_]+", WORDS),
+}
 
 
 def text_changed(rng, path):
     """Change numbers, words, lines or the encoding of a text."""
     text, encoding = path.read_text("utf-8", "replace"), "utf-8"
-    kind = said = one_of(rng, ["number", "number", "number", "word", "line", "long", "encoding"])
+    kind = said = one_of(
+        rng, ["number", "number", "number", "word", "line", "long", "encoding"]
+    )
     lines = text.splitlines(True)
     k, j = rng.integers(len(lines), size=2)
     if kind in FORMS:
@@ -97,7 +147,9 @@ def text_changed(rng, path):
         lines = [text[: one.start()], value, text[one.end() :]]
         said = f"{one[0]} at {one.start()} is {value[:20]!r}"
     elif kind == "line":
-        lines[k] = one_of(rng, ["", lines[j] + lines[k], lines[j]])  # gone, twice, exchanged
+        lines[k] = one_of(
+            rng, ["", lines[j] + lines[k], lines[j]]
+        )  # gone, twice, exchanged
     elif kind == "long":
         at = int(rng.integers(len(lines[k]) + 1))
         lines[k] = lines[k][:at] + one_of(rng, LONG) + lines[k][at:]
@@ -120,14 +172,19 @@ def other_value(rng, data, name):
     values = np.array(data[name].variable.to_base_variable().values)
     if values.dtype.kind != "f" and rng.random() < 0.7:
         values = values.astype(float)
-    place, flat = slice(None) if rng.random() < 0.4 else rng.integers(values.size), values.ravel()
+    place, flat = (
+        slice(None) if rng.random() < 0.4 else rng.integers(values.size),
+        values.ravel(),
+    )
     flat[place] = flat[place] + 1e15 if rng.random() < 0.2 else one_of(rng, VALUES)
     return with_values(data, name, flat.reshape(values.shape))
 
 
 def other_type(rng, data, name):
     values = data[name].variable.to_base_variable().values
-    return with_values(data, name, values.astype(one_of(rng, ["i1", "S1", "U3", "f4", "i8", "u1"])))
+    return with_values(
+        data, name, values.astype(one_of(rng, ["i1", "S1", "U3", "f4", "i8", "u1"]))
+    )
 
 
 def other_dims(rng, data, name):
@@ -146,7 +203,13 @@ def other_attribute(rng, data, name):
     attrs = data.attrs if rng.random() < 0.7 else data[name].attrs
     key = one_of(rng, [*attrs, "team", "units"])
     said = str(attrs.get(key, ""))
-    others = [one_of(rng, WORDS), 3.5, np.array([1, 2]), -1, said.replace("0", "9" * 30, 1)]
+    others = [
+        one_of(rng, WORDS),
+        3.5,
+        np.array([1, 2]),
+        -1,
+        said.replace("0", "9" * 30, 1),
+    ]
     attrs[key] = one_of(rng, [*others, data.attrs.get("scenario", "")])
     if said.startswith("{") and rng.random() < 0.6:
         json_changed(rng, made := json.loads(said))
@@ -179,7 +242,9 @@ def netcdf_changed(rng, path):
         with np.errstate(all="ignore"):
             data = NETCDF[kind](rng, data, name)
         filled = [n for n in data.variables if "_FillValue" not in data[n].attrs]
-        data.to_netcdf(path, engine="netcdf4", encoding={n: {"_FillValue": None} for n in filled})
+        data.to_netcdf(
+            path, engine="netcdf4", encoding={n: {"_FillValue": None} for n in filled}
+        )
     except Exception:  # what cannot be made, or NetCDF cannot hold
         path.unlink(missing_ok=True)
         xarray.Dataset({"a": ("n", np.zeros(3))}).to_netcdf(path)
@@ -204,8 +269,12 @@ def foreign(rng, path):
 def zarr_changed(rng, path):
     """Change one file of a folder, or what its JSON says, or put an array of another beside."""
     files = sorted(file for file in path.rglob("*") if file.is_file())
-    kind = one_of(rng, ["no file", "bytes", "json", "json", "json", "foreign", "moved", "gone"])
-    one = one_of(rng, [f for f in files if f.name == "zarr.json"] if kind == "json" else files)
+    kind = one_of(
+        rng, ["no file", "bytes", "json", "json", "json", "foreign", "moved", "gone"]
+    )
+    one = one_of(
+        rng, [f for f in files if f.name == "zarr.json"] if kind == "json" else files
+    )
     said = kind
     if kind == "foreign":
         return foreign(rng, path)
@@ -228,7 +297,10 @@ def json_changed(rng, made):
     inner, key = made, None
     while True:
         key = one_of(rng, list(inner) if isinstance(inner, dict) else range(len(inner)))
-        if not (isinstance(inner[key], dict | list) and inner[key]) or rng.random() < 0.2:
+        if (
+            not (isinstance(inner[key], dict | list) and inner[key])
+            or rng.random() < 0.2
+        ):
             break
         inner = inner[key]
     if isinstance(inner[key], str) and inner[key].startswith("{"):

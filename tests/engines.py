@@ -16,12 +16,18 @@ ENGINES = {
 }
 
 
-def side_by_side(runner, lanes, starts, times, step=None, P=None, schedules=None, rtol=1e-8):
+def side_by_side(
+    runner, lanes, starts, times, step=None, P=None, schedules=None, rtol=1e-8
+):
     """Return a batch of runs that has ended; of one start all have the runner's own parameters."""
     P = np.tile(runner.parameters(), (len(starts), 1)) if P is None else P
-    callee = runner.callee(lanes, None, solver_layout.DOP853 if step is None else solver_layout.RK4)
+    callee = runner.callee(
+        lanes, None, solver_layout.DOP853 if step is None else solver_layout.RK4
+    )
     group = np.arange(len(starts)) if schedules else None
     pieces = schedules or [runner.schedule((times[0], times[-1]))]
-    batch = Batch(callee, starts, P, times, pieces, group, np.inf if step is None else step)
+    batch = Batch(
+        callee, starts, P, times, pieces, group, np.inf if step is None else step
+    )
     batch.adaptive(rtol, 0.01 * rtol)
     return batch

@@ -89,7 +89,9 @@ def basestation(path, number=7, lon=8.0, drop=(), count=400, **changed):
         "depth": (TRUCK, depth, M),
         "magnetic_variation": ((), VARIATION, {}),
     }
-    return write(path, variables | changed, {"dive_number": number}, "NETCDF3_CLASSIC", drop)
+    return write(
+        path, variables | changed, {"dive_number": number}, "NETCDF3_CLASSIC", drop
+    )
 
 
 def basestation3(path, number=7, lon=8.0, drop=(), count=1800, **changed):
@@ -133,17 +135,28 @@ def og1_rows(numbers=(1, 2, 3), lon=8.0, count=400):
             ("HEADING", (BEARING - VARIATION) % 360.0, nan),
         ):
             row, ends = np.broadcast_to(samples, count), np.broadcast_to(fix, 3)
-            columns.setdefault(name, []).append(np.concatenate([ends[:2], row, ends[2:]]))
+            columns.setdefault(name, []).append(
+                np.concatenate([ends[:2], row, ends[2:]])
+            )
     return {name: np.concatenate(parts) for name, parts in columns.items()}
 
 
 MS = {"units": "m/s"}
-UNITS = {"TIME": EPOCH, "DEPTH": {"units": "m"}, "DAVG_CURR_EAST": MS, "DAVG_CURR_NORTH": MS}
+UNITS = {
+    "TIME": EPOCH,
+    "DEPTH": {"units": "m"},
+    "DAVG_CURR_EAST": MS,
+    "DAVG_CURR_NORTH": MS,
+}
 UNITS |= {"GLIDER_HORZ_VELO_MODEL": {"units": "cm/s"}, "HEADING": MAGNETIC}
 
 
 def og1(path, drop=(), columns=None, units=None, **more):
     """Write an OG1 mission of the early dialect: no TIME_GPS, `divenum`."""
     columns, of = og1_rows() if columns is None else columns, UNITS | (units or {})
-    rows = {k: (("N_MEASUREMENTS",), a, of.get(k, {})) for k, a in columns.items() if k not in drop}
+    rows = {
+        k: (("N_MEASUREMENTS",), a, of.get(k, {}))
+        for k, a in columns.items()
+        if k not in drop
+    }
     return write(path, rows | more)

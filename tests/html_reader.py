@@ -12,7 +12,9 @@ def fetching_nothing(text):
     for tag, names in page.tags:
         assert tag not in ("img", "link", "iframe", "object", "base")
         assert not [
-            name for name in names if re.fullmatch("src|srcset|action|data|style|on.*", name)
+            name
+            for name in names
+            if re.fullmatch("src|srcset|action|data|style|on.*", name)
         ]
         assert names.get("href", "#").startswith("#"), tag
     assert not re.search(r"url\((?!#)|@import", text)
@@ -42,4 +44,6 @@ class Reader(HTMLParser):
 
     def handle_data(self, data):
         inner = self.open[-1] if self.open else ""
-        {"style": self.styles, "script": self.scripts}.get(inner, self.texts).append(data)
+        {"style": self.styles, "script": self.scripts}.get(inner, self.texts).append(
+            data
+        )

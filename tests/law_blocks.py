@@ -19,18 +19,31 @@ LEARNED = {"alpha": (2, "N"), "K": 2, "Gamma": 2}
 
 def remembering(t, x, u, p):
     """alpha' = -gamma e phi^T, K and Gamma held, and a count m' = p.start, section III."""
-    return {"alpha": -p.gain * np.outer(u.e, u.phi_x), "K": 0.0, "Gamma": 0.0, "m": p.start}
+    return {
+        "alpha": -p.gain * np.outer(u.e, u.phi_x),
+        "K": 0.0,
+        "Gamma": 0.0,
+        "m": p.start,
+    }
 
 
 def remembering_law(N=3, gain=0.8, start=0.5):
-    ports = {"inputs": {"e": 2, "phi_x": "N"}, "states": {**LEARNED, "m": 1}, "sizes": {"N": N}}
+    ports = {
+        "inputs": {"e": 2, "phi_x": "N"},
+        "states": {**LEARNED, "m": 1},
+        "sizes": {"N": N},
+    }
     own = {"gain": gain, "start": start}
     return clpt.Block("mine", update=remembering, parameters=own, **ports)
 
 
 def filled(u, gain, e):
     """Eqs. (21)-(23) with this gain and this error."""
-    return {"alpha": -gain * np.outer(e, u.phi_x), "K": -gain * u.z * e, "Gamma": gain * u.zc * e}
+    return {
+        "alpha": -gain * np.outer(e, u.phi_x),
+        "K": -gain * u.z * e,
+        "Gamma": gain * u.zc * e,
+    }
 
 
 def papers(t, x, u, p):
@@ -47,7 +60,9 @@ def papers_law(N=3, gain=0.8, name="mine"):
 
 def still(row, N=1, **own):
     """Make a law of the table whose K and Gamma stand, beside a model of calm water."""
-    return row.of(N, **{"alpha_M": np.zeros((2, N)), "gain_K": 0.0, "gain_Gamma": 0.0, **own})
+    return row.of(
+        N, **{"alpha_M": np.zeros((2, N)), "gain_K": 0.0, "gain_Gamma": 0.0, **own}
+    )
 
 
 def of_law(law, values, held=False):
@@ -69,7 +84,9 @@ def square(run, port, n=3):
 
 def off(run):
     """Return the largest error of the flow parameters along a run."""
-    return np.abs(run.flow_parameters_estimate - run.flow_parameters).max(("axis", "basis"))
+    return np.abs(run.flow_parameters_estimate - run.flow_parameters).max(
+        ("axis", "basis")
+    )
 
 
 def alone(law, t, phi, theta, **start):
@@ -78,7 +95,11 @@ def alone(law, t, phi, theta, **start):
     phi (N, times), theta (2, N); v = 0, and states begin at 0 but for those in `start`.
     """
     inputs = places({port: (size,) for port, size in law.input_ports.items()})
-    u, flow, columns = np.zeros((law.ninputs, len(t))), theta @ phi, state_columns([law])
+    u, flow, columns = (
+        np.zeros((law.ninputs, len(t))),
+        theta @ phi,
+        state_columns([law]),
+    )
     u[inputs["phi_x"][0]] = phi
     steps = np.diff(t) * (flow[:, 1:] + flow[:, :-1]) / 2  # inputs are straight lines
     u[inputs["x"][0], 1:] = np.cumsum(steps, axis=1)

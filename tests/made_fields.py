@@ -19,7 +19,9 @@ def uniform_field(path, u=0.1, v=0.1, half=10.0, end=50.0):
     return field
 
 
-def gridded_current(u, v, lat, lon, hours, *, since="2019-01-01", units="m/s", depth=None):
+def gridded_current(
+    u, v, lat, lon, hours, *, since="2019-01-01", units="m/s", depth=None
+):
     """Return a current, shapes (time, [depth,] lat, lon), as models and radars have it."""
     axes = {
         "time": (hours, f"hours since {since}"),
@@ -32,7 +34,10 @@ def gridded_current(u, v, lat, lon, hours, *, since="2019-01-01", units="m/s", d
         for name, (values, unit) in axes.items()
         if values is not None
     }
-    flow = {name: (tuple(axes), values, {"units": units}) for name, values in (("u", u), ("v", v))}
+    flow = {
+        name: (tuple(axes), values, {"units": units})
+        for name, values in (("u", u), ("v", v))
+    }
     return xarray.Dataset(flow, axes)
 
 
@@ -46,7 +51,9 @@ def saying(names, **attributes):
     def change(data):
         for name in names.split():
             said = data[name].attrs | attributes
-            data[name].attrs = {key: value for key, value in said.items() if value is not None}
+            data[name].attrs = {
+                key: value for key, value in said.items() if value is not None
+            }
         return data
 
     return change

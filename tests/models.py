@@ -38,7 +38,10 @@ def stepping(before=1.0, behind=3.0, little=0.0):
 
 def pendulum():
     def update(t, x, u, p):
-        return [x[1], -p["g"] / p["l"] * np.sin(x[0]) - p["c"] * x[1] * abs(x[1]) + u[0]]
+        return [
+            x[1],
+            -p["g"] / p["l"] * np.sin(x[0]) - p["c"] * x[1] * abs(x[1]) + u[0],
+        ]
 
     return control.nlsys(
         update, lambda t, x, u, p: [p["l"] * np.sin(x[0])], name="pendulum",
@@ -57,7 +60,11 @@ def discrete():
     error = control.summing_junction(["r", "-y"], "e", name="error")
     error.dt = True
     return control.interconnect(
-        [controller, plant, error], inputs=["r"], outputs=["y", "u"], name="discrete", dt=True
+        [controller, plant, error],
+        inputs=["r"],
+        outputs=["y", "u"],
+        name="discrete",
+        dt=True,
     )
 
 
@@ -96,10 +103,17 @@ def van_der_pol():
 
 def with_a_table():
     """A plant whose gain is a table, and whose output is in wholes of it."""
-    at, gains = np.linspace(-2.0, 2.0, 9), np.array([3.0, 2, 1.5, 1, 1, 1.2, 1.7, 2.5, 4])
+    at, gains = (
+        np.linspace(-2.0, 2.0, 9),
+        np.array([3.0, 2, 1.5, 1, 1, 1.2, 1.7, 2.5, 4]),
+    )
 
     def update(t, x, u, p):
-        return [u[0] - p["k"] * np.interp(x[0], at, gains) * x[0] + 0.1 * np.hypot(x[0], 1.0)]
+        return [
+            u[0]
+            - p["k"] * np.interp(x[0], at, gains) * x[0]
+            + 0.1 * np.hypot(x[0], 1.0)
+        ]
 
     def output(t, x, u, p):
         row = np.array([1.0, 2.0, 5.0])
@@ -128,7 +142,9 @@ def wide():
         return {"x": np.tanh(p.W @ x.x) - p.leak * x.x + np.sum(x.x) / 40}
 
     W = np.random.default_rng(0).standard_normal((40, 40)) / 8
-    return clpt.Block("ring", update=update, states={"x": 40}, parameters={"W": W, "leak": 1.0})
+    return clpt.Block(
+        "ring", update=update, states={"x": 40}, parameters={"W": W, "leak": 1.0}
+    )
 
 
 def oddly_named():
@@ -155,7 +171,9 @@ class Model(NamedTuple):
     move: float = 1e-5  # of the differences
 
 
-SPRING = control.ss([[0, 1], [-2, -0.3]], [[0], [1]], np.eye(2), [[0], [0.5]], name="plant")
+SPRING = control.ss(
+    [[0, 1], [-2, -0.3]], [[0], [1]], np.eye(2), [[0], [0.5]], name="plant"
+)
 MODELS = {
     "papers-loop": Model(loop(), clpt.initial_state(loop()), [], 0.05,
                          {"adaptation.gain": 0.8}, 1e-4),

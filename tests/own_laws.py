@@ -78,7 +78,9 @@ def changed(text, parameters=GAIN, more=None, n=N, states=LEARNED, **ports):
 
 def scaled(factor, ports=LEARNED, parameters=GAIN):
     """Make the paper's law with rates times a factor."""
-    return changed("; ".join(f"{port}' = ({factor})*d{port}" for port in ports), parameters)
+    return changed(
+        "; ".join(f"{port}' = ({factor})*d{port}" for port in ports), parameters
+    )
 
 
 def beside(rates, sizes, parameters=GAIN, **ports):
@@ -98,7 +100,9 @@ def driven(error, parameters=GAIN, **ports):
 
 def leak(share, ports=LEARNED, parameters=GAIN):
     """Make the paper's law with a leak of what is learned."""
-    return changed("; ".join(f"{port}' = d{port} - ({share})*{port}" for port in ports), parameters)
+    return changed(
+        "; ".join(f"{port}' = d{port} - ({share})*{port}" for port in ports), parameters
+    )
 
 
 def seen(text, c=0.3):
@@ -151,7 +155,11 @@ def without_end(t, x, u, p):
 def of_other_ports(t, x, u, p):
     """A law of one z and three zc."""
     alpha = -p.gain * np.outer(u.e, u.phi_x)
-    return {"alpha": alpha, "K": -p.gain * u.z[0] * u.e, "Gamma": p.gain * u.zc[:2] * u.e}
+    return {
+        "alpha": alpha,
+        "K": -p.gain * u.z[0] * u.e,
+        "Gamma": p.gain * u.zc[:2] * u.e,
+    }
 
 
 def with_numbers(make, **parameters):
@@ -230,7 +238,9 @@ NOT_PROVED = {  # wrong, or right but not known to be
     "parameters called K and z": changed(
         "K' = dK - gain*(x.K - p.K); Gamma' = dGamma + 0.3*(u.z - p.z)", ARRAYS
     ),
-    "two tables": changed(f"K' = dK + (lookup(p.K, {PLACE}) - lookup(p.z, {PLACE}))", ARRAYS),
+    "two tables": changed(
+        f"K' = dK + (lookup(p.K, {PLACE}) - lookup(p.z, {PLACE}))", ARRAYS
+    ),
     "a private state called x": changed(
         "x' = -x.x; alpha' = dalpha - 0.1*(x.x - u.z)[:, None]", **PRIVATE
     ),
@@ -262,15 +272,24 @@ NOT_REFUTED = {  # right, or right with another V
     "a memory": lambda: law(memory, two(0.3), FLOW, states={**LEARNED, "M": (2, 2)}),
 }
 TOO_MUCH = {  # -> what is said
-    "a gain divided by zero": (driven("e/c", two(0.0)), "have no value .own.update divides by 0"),
+    "a gain divided by zero": (
+        driven("e/c", two(0.0)),
+        "have no value .own.update divides by 0",
+    ),
     "a power of 40": (
         changed("alpha' = dalpha + first((x[0] + x[1] + u[0] + u[1] + u[2])**40)"),
         "V' has more than 20000 terms",
     ),
     "choices of choices": (lambda: law(without_end), "own.update has more than 5000"),
-    "a throw": (driven("e*random.default_rng().random()"), "^own.update: .* draws by chance"),
+    "a throw": (
+        driven("e*random.default_rng().random()"),
+        "^own.update: .* draws by chance",
+    ),
     "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
-    "one z": (lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}), "'zc?' has 2 signals"),
+    "one z": (
+        lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}),
+        "'zc?' has 2 signals",
+    ),
     "two states of one symbol": (  # K[2] is K_1 and K_2, and so is a state K_1
         beside("K_1' = K_1", {"K_1": ()}),
         "two states are called K_1; rename one",
@@ -302,7 +321,9 @@ def through(alpha, parameters=GAIN):
         return {"alpha": own(t, x, u, p), "K": x.K, "Gamma": x.Gamma, "s": x.s}
 
     outputs = {**LEARNED, "s": (2, "N")}
-    return changed("s' = dalpha", parameters, states=MAPPED, outputs=outputs, output=output)
+    return changed(
+        "s' = dalpha", parameters, states=MAPPED, outputs=outputs, output=output
+    )
 
 
 def of_state(level):
@@ -376,7 +397,9 @@ TEXTBOOK = {  # each with the V that proves it in two lines, or the default
     "a cubic leak": shown(leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded"),
     "a periodic leak": shown(leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)), "bounded"),
     "alpha = 2 s": shown(through("2*s")),
-    "alpha = s + s^3": shown(through("s + s**3"), V=of_state("theta*s + s**2/2 + s**4/4")),
+    "alpha = s + s^3": shown(
+        through("s + s**3"), V=of_state("theta*s + s**2/2 + s**4/4")
+    ),
     "a part in proportion to e": shown(
         through("s - c*outer(e, phi_x)", two(0.2)), V=of_state("(theta + s)**2/2")
     ),

@@ -39,10 +39,16 @@ def of_no_size():
         *(clpe.clpe(), vehicle.vehicle(), vehicle.vehicle(localization.TRUE)),
         *(vehicle.speed_limit(1.5), vehicle.hedging(), learner.learning_model()),
         learner.learning_model(hedged=True),
-        *(reference.reference(rng.uniform(-3, 3, (n, 2)), dwell=1.7) for n in (1, 2, 7)),
+        *(
+            reference.reference(rng.uniform(-3, 3, (n, 2)), dwell=1.7)
+            for n in (1, 2, 7)
+        ),
         reference.reference(reference.circle(3.0, 10), dwell=0.1),
         *(disturbance.disturbance(k, [0.3, -0.7], 1.3, 5.0) for k in disturbance.KINDS),
-        *(localization.measurement(0.3, 1.3, 5.0), localization.fixes(0.3, 5.0, 0.4, 5.0)),
+        *(
+            localization.measurement(0.3, 1.3, 5.0),
+            localization.fixes(0.3, 5.0, 0.4, 5.0),
+        ),
         *(field.gridded_flow(grid), field.gridded_flow(grid, "clip", disturbed=True)),
         consensus.total_candidate(["a", "b", "c"]),
     ]
@@ -53,9 +59,14 @@ def of_size(N):
     rng = np.random.default_rng(N)
     a, b, theta = rng.uniform(-1, 1, (3, 2, N))
     KD, GammaD = rng.uniform(0.5, 2, (2, 2))
-    basis = [rng.uniform(-3, 3, (N, 2)), *rng.uniform([[1], [0], [-3]], [[4], [2], [3]], (3, N))]
+    basis = [
+        rng.uniform(-3, 3, (N, 2)),
+        *rng.uniform([[1], [0], [-3]], [[4], [2], [3]], (3, N)),
+    ]
     weights = lyapunov.weighted([0.7] * 3, theta, KD, GammaD)
-    yield from (flow.flow_basis("basis_x", "x", kernel, *basis) for kernel in flow.KERNELS)
+    yield from (
+        flow.flow_basis("basis_x", "x", kernel, *basis) for kernel in flow.KERNELS
+    )
     yield from (flow.true_flow(theta, disturbed) for disturbed in (False, True))
     yield from [
         *(flow.flow_basis("basis_z", "z", "exponential", *basis), flow.modeled_flow(a)),
@@ -65,8 +76,12 @@ def of_size(N):
         learner.learned_flow_injection(a),
         *(clpe.error_system(N, KD), clpe.parameter_system(N, 0.7)),
     ]
-    yield from (consensus.consensus_block("a", s, N, 0.4) for s in ([], ["b"], ["b", "c"]))
-    yield from (lyapunov.lyapunov_candidate(law, weights) for law in lyapunov.CANDIDATES)
+    yield from (
+        consensus.consensus_block("a", s, N, 0.4) for s in ([], ["b"], ["b", "c"])
+    )
+    yield from (
+        lyapunov.lyapunov_candidate(law, weights) for law in lyapunov.CANDIDATES
+    )
     for name, law in LAWS.items():
         scenario = theorem_scenario(N, name)
         block = law.block(scenario.known_to_law._replace(gains=GAINS[N]))
@@ -74,7 +89,9 @@ def of_size(N):
         if name == "learned-flow":
             yield consensus.pulled_law(block)
         if law.at_fixes:
-            yield law.block(scenario.with_values({"localization.latency": 2.0}).known_to_law)
+            yield law.block(
+                scenario.with_values({"localization.latency": 2.0}).known_to_law
+            )
 
 
 def shelf():
@@ -83,11 +100,17 @@ def shelf():
     covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
     M, Q = [[60, 0, 0], [0, 90, 5], [0, 5, 20]], np.diag([20.0, 40, 10])
     yield from [
-        *(parts.saturation(-1, [0.5, 1.0], signals=2), parts.dead_zone(-0.3, 0.2, signals=2)),
+        *(
+            parts.saturation(-1, [0.5, 1.0], signals=2),
+            parts.dead_zone(-0.3, 0.2, signals=2),
+        ),
         parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2),
         *(parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x"), parts.hold(0.5, signals=2)),
         *(parts.delay(0.7, 3, signals=2), parts.delay(0.75, dt=0.25, signals=2)),
-        *(parts.noise(0.3, 1.3, signals=3, seed=5), parts.point_vehicle([60, 90], 30, 20)),
+        *(
+            parts.noise(0.3, 1.3, signals=3, seed=5),
+            parts.point_vehicle([60, 90], 30, 20),
+        ),
         parts.planar_vehicle(M, np.diag([30, 60, 20]), Q),
         parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3),
     ]

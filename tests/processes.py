@@ -14,7 +14,9 @@ CODE = (
 )
 CLPT = [sys.executable, "-c", CODE]
 # lines that only a slow machine shows
-PROGRESS = re.compile(r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: making the solver.*")
+PROGRESS = re.compile(
+    r".*: \d+ %.*|.*: \d+ of \d+ (members|frames).*|clpt: making the solver.*"
+)
 
 
 @contextmanager
@@ -60,7 +62,9 @@ def kill_while_it_writes(process, folder, part):
 
 def without_progress(text):
     """Leave out the lines that tell how far a command has come."""
-    return "".join(line for line in text.splitlines(True) if not PROGRESS.fullmatch(line.strip()))
+    return "".join(
+        line for line in text.splitlines(True) if not PROGRESS.fullmatch(line.strip())
+    )
 
 
 def listening(pids):

@@ -41,10 +41,17 @@ def random_block(random, name, dt=0):
     later = dynamic and random.random() < 0.6  # inputs do not reach outputs
     kinds = SHAPES if random.random() < 0.9 else LONG
     x = shapes(random, "x", random.randrange(1, 3), kinds) if dynamic else {}
-    u = shapes(random, "u", random.randrange(1, 3), kinds) if random.random() < 0.9 else {}
+    u = (
+        shapes(random, "u", random.randrange(1, 3), kinds)
+        if random.random() < 0.9
+        else {}
+    )
     y = {} if plain else shapes(random, "y", random.randrange(1, 3), kinds)
     interval = dynamic and jumping
-    roles = {"update": (x, {"x": x, "u": u}), "output": (y, {"x": x, "u": {} if later else u})}
+    roles = {
+        "update": (x, {"x": x, "u": u}),
+        "output": (y, {"x": x, "u": {} if later else u}),
+    }
     if interval:
         roles["jump"] = roles["update"]
     drawn = ((role, *both) for role, both in roles.items() if both[0])
@@ -52,7 +59,11 @@ def random_block(random, name, dt=0):
     space = executed("\n".join(texts))
     numbers = np.random.default_rng(random.randrange(2**32))
     a, b = numbers.normal(size=2)
-    parameters = {"a": a, "b": b, **{k: numbers.normal(size=s) for k, s in NUMBERS.items()}}
+    parameters = {
+        "a": a,
+        "b": b,
+        **{k: numbers.normal(size=s) for k, s in NUMBERS.items()},
+    }
     ports = {"inputs": u, "outputs": y or None, "states": x or None, "dt": dt}
     functions = {role: space.get(role) for role in ("update", "output", "jump")}
     if interval:
@@ -73,7 +84,11 @@ def random_system(random, name, dt=0):
         texts.append(program(random, "update", {"x": x, "u": u}, x, NUMBERS))
     space = executed(plain("\n".join(texts)))
     numbers = np.random.default_rng(random.randrange(2**32))
-    params = {"a": 0.7, "b": -1.3, **{k: numbers.normal(size=s) for k, s in NUMBERS.items()}}
+    params = {
+        "a": 0.7,
+        "b": -1.3,
+        **{k: numbers.normal(size=s) for k, s in NUMBERS.items()},
+    }
     sizes = {"states": x, "inputs": u, "outputs": y}
     sizes = {kind: n for kind, own in sizes.items() for (n,) in own.values()}
     functions = space.get("update"), space["output"]
@@ -90,10 +105,16 @@ def random_diagram(random, blocks=None, nested=True, dt=0):
             parts[-1].name = f"inner{k}"
         else:
             kind = "linear" if draw < 0.12 else "system" if draw < 0.4 else "block"
-            make = {"linear": linear_part, "system": random_system, "block": random_block}[kind]
+            make = {
+                "linear": linear_part,
+                "system": random_system,
+                "block": random_block,
+            }[kind]
             parts.append(make(random, f"{kind}{k}", dt))
     if all(isinstance(part, control.StateSpace) for part in parts):
-        parts.append(random_block(random, "more", dt))  # python-control refuses some of linear ones
+        parts.append(
+            random_block(random, "more", dt)
+        )  # python-control refuses some of linear ones
     return wired(random, parts)
 
 
@@ -101,7 +122,11 @@ def linear_part(random, name, dt=0):
     """Draw a linear system of python-control."""
     numbers = np.random.default_rng(random.randrange(2**32))
     n, m, r = (random.randrange(low, 4) for low in (0, 1, 1))
-    D = numbers.normal(size=(r, m)) if n == 0 or random.random() < 0.3 else np.zeros((r, m))
+    D = (
+        numbers.normal(size=(r, m))
+        if n == 0 or random.random() < 0.3
+        else np.zeros((r, m))
+    )
     if n == 0:
         return control.ss([], [], [], D, dt, name=name)
     A, B, C = (numbers.normal(size=size) for size in ((n, n), (n, m), (r, n)))
@@ -137,15 +162,21 @@ def wired(random, parts):
             for _ in range(1 if random.random() < 0.8 else 2):
                 pick = j % len(allowed) if in_order else random.randrange(len(allowed))
                 sign = 1.0 if in_order or random.random() < 0.6 else -1.0
-                gain = 1.0 if in_order or random.random() < 0.7 else random.uniform(-2, 2)
+                gain = (
+                    1.0 if in_order or random.random() < 0.7 else random.uniform(-2, 2)
+                )
                 wires[to, allowed[pick]] += sign * gain
     if parts[0].ninputs:
         feeds[0, ~feeds.any(axis=0)] = 1.0  # what feeds nothing else
     feeds = feeds[:, feeds.any(axis=0)]
-    shown = [s for s in range(len(owners)) if random.random() < 0.7] or [0][: len(owners)]
+    shown = [s for s in range(len(owners)) if random.random() < 0.7] or [0][
+        : len(owners)
+    ]
     counts = {"inputs": ("in", feeds.shape[1]), "outputs": ("out", len(shown))}
     ports = {kind: [f"{own}{k}" for k in range(n)] for kind, (own, n) in counts.items()}
-    diagram = control.InterconnectedSystem(parts, name=f"diagram{next(_names)}", **ports)
+    diagram = control.InterconnectedSystem(
+        parts, name=f"diagram{next(_names)}", **ports
+    )
     diagram.set_connect_map(wires)
     diagram.set_input_map(feeds)
     diagram.set_output_map(np.eye(len(owners), len(owners) + taken)[shown])

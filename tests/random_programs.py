@@ -59,30 +59,73 @@ _files = count()
 SCALARS = [
     *["({s} {+|-|*} {s})"] * 6,
     *["np.sin({s}) * {s}"] * 2,
-    *("({s} / (1.5 + abs({s})))", "np.exp(-np.abs({s}))", "sqrt(abs({s})) ** {2|3|0.7|1}"),
-    *("np.{cos|tanh|arctan|sign|floor|square}({s})", "math.{cos|tanh|atan|sin|erf|fabs}({s})"),
+    *(
+        "({s} / (1.5 + abs({s})))",
+        "np.exp(-np.abs({s}))",
+        "sqrt(abs({s})) ** {2|3|0.7|1}",
+    ),
+    *(
+        "np.{cos|tanh|arctan|sign|floor|square}({s})",
+        "math.{cos|tanh|atan|sin|erf|fabs}({s})",
+    ),
     *("np.where({c}, {s}, {s})", "np.{minimum|maximum|hypot|arctan2}({s}, {s})"),
     *("np.clip({s}, -1.0, {f})", "(({s}) % {f})", "motor.torque({s})"),
     *("2?limited({s})", "1?{max|min}({s}, {s})", "1?({s} if {C} else {s})"),
 ]
 OF_VECTORS = [
-    *("(({v}) @ {w})", "np.dot({v}, {w})", "np.trace(np.outer({v}, {w}))", "mix({w}, 0.7)"),
+    *(
+        "(({v}) @ {w})",
+        "np.dot({v}, {w})",
+        "np.trace(np.outer({v}, {w}))",
+        "mix({w}, 0.7)",
+    ),
     *("np.{sum|mean|linalg.norm}({v})", "sum({v})", "({v}).max()", "({v})[{n} - 1]"),
     "sum(b * {l} for b in {w})",
 ]
 OF_MATRICES = ["({m} @ {M} @ {w})", "np.sum({M}[0])", "({M}).sum()"]
 VECTORS = [
     *["({v} {+|-|*} {v})"] * 4,
-    *("({v} * {s})", "({v})[::-1]", "turned({v})", "np.clip({v}, -1.0, {f})", "np.array([{S}])"),
+    *(
+        "({v} * {s})",
+        "({v})[::-1]",
+        "turned({v})",
+        "np.clip({v}, -1.0, {f})",
+        "np.array([{S}])",
+    ),
     *("np.{sin|tanh|cos|fabs}({v})", "np.where({v} > {l}, {v}, 0.5)"),
     *("np.array([a * {l} for a in {v}])", "np.concatenate([{w}[1:], [{s}]])"),
 ]
-COMPARISONS = [*["{s} {<|<=|>|>=} {l}"] * 4, "({s} > 0) & ({l} < 0.3)", "({s} > 0) | ({l} < 0.3)"]
-CONDITIONS = [*COMPARISONS, "-0.5 < {s} <= 1.5", "{s} > 0 {and|or} {l} < {l}", "not {s} > {l}"]
+COMPARISONS = [
+    *["{s} {<|<=|>|>=} {l}"] * 4,
+    "({s} > 0) & ({l} < 0.3)",
+    "({s} > 0) | ({l} < 0.3)",
+]
+CONDITIONS = [
+    *COMPARISONS,
+    "-0.5 < {s} <= 1.5",
+    "{s} > 0 {and|or} {l} < {l}",
+    "not {s} > {l}",
+]
 SEEN = [  # of an array {1}, some are copies
-    *("{1}[::-1]", "np.asarray({1})", "{1}.reshape(1, -1)[0]", "np.ravel({1}[::2])", "+{1}"),
-    *("np.transpose({1}[None])[:, 0]", "np.prod({1}[None], axis=0)", "{1}[...]", "{1}.copy()"),
-    *("np.squeeze({1}[None], 0)", "np.flip({1})", "np.split({1}, [0])[1]", "np.hsplit({1}, 1)[0]"),
+    *(
+        "{1}[::-1]",
+        "np.asarray({1})",
+        "{1}.reshape(1, -1)[0]",
+        "np.ravel({1}[::2])",
+        "+{1}",
+    ),
+    *(
+        "np.transpose({1}[None])[:, 0]",
+        "np.prod({1}[None], axis=0)",
+        "{1}[...]",
+        "{1}.copy()",
+    ),
+    *(
+        "np.squeeze({1}[None], 0)",
+        "np.flip({1})",
+        "np.split({1}, [0])[1]",
+        "np.hsplit({1}, 1)[0]",
+    ),
     *("np.moveaxis({1}[None], 0, 1)[:, 0]", "np.rot90({1}[None], 2)[0]"),
     *("np.atleast_3d({1})[0, :, 0]", "np.sum({1}[None], axis=0)"),
     *("np.maximum.reduce({1}[None])", "np.where(True, {1}, 0.0)"),
@@ -108,17 +151,30 @@ FILLED = [
     "{1} = np.zeros({n} + 1)\n{1}[1:] = {v}\n{1}b = {1}[1:]\n{1}b[0] {=|-=} {s}\n{1} = {1}[:-1]",
 ]
 SHARED = product(("{v}", "np.zeros({n})", "np.linspace(0.0, 1.0, {n})"), SEEN, CHANGES)
-SHARED = [f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}" for start, seen, change in SHARED]
+SHARED = [
+    f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}"
+    for start, seen, change in SHARED
+]
 STATEMENTS = [  # and what their names are: numbers, a first element, a vector, a matrix
     (["{1} = {s}"], "s1"),
     (["{1} = {v}"], "v1"),
-    (["1?{1} = {s}\nif {C}:\n    {1} {=|+=|*=} {s}", IF, IF.replace("1?if {C}", "2?if {c}")], "s1"),
+    (
+        [
+            "1?{1} = {s}\nif {C}:\n    {1} {=|+=|*=} {s}",
+            IF,
+            IF.replace("1?if {C}", "2?if {c}"),
+        ],
+        "s1",
+    ),
     *[(LOOPS, "s1")] * 2,
     (FILLED, "v1"),
     (["{1} = np.outer({v}, {m})", "{1} = np.outer({v}, {m})\n{1}[0] *= 0.5"], "M1"),
     (["{1} = np.outer({m}, {v}).T"], "M1"),
     (["{1}, {2} = bend({l}, {s})", "{1}, {2} = bend(b={l}, a={l})"], "s1 s2"),
-    (["def {2}(v, k={l}):\n    return v * k + {l}\n{1} = {2}({l}) * {2}({l}, {l})"], "s1"),
+    (
+        ["def {2}(v, k={l}):\n    return v * k + {l}\n{1} = {2}({l}) * {2}({l}, {l})"],
+        "s1",
+    ),
     (["{2} = {s}\n{1} = (lambda v: v * {2} - {l})({l})"], "s1 s2"),
     (["3?{1} = sorted([{l}, {l}, {l}]{|, reverse=True})[1]"], "s1"),
     (SHARED, "v1 e2"),
@@ -138,7 +194,9 @@ class Writer:
         for group, ports in takes.items():
             self.known(ports, f"{group}.")
             size = sum(math.prod(shape) for shape in ports.values())
-            self.scalars += [f"{group}[{k}]" for k in sorted({0, size // 2, size - 1}) if size]
+            self.scalars += [
+                f"{group}[{k}]" for k in sorted({0, size // 2, size - 1}) if size
+            ]
         self.known(numbers, "p.")
 
     def known(self, ports, prefix=""):
@@ -172,7 +230,9 @@ class Writer:
         self.questions += int(asks or 0)
         n, m, M, names = n or self.size(), self.size(), "", {}
         if "{M}" in form:
-            shapes = [shape for shape in sorted(self.matrices) if rows in (None, shape[0])]
+            shapes = [
+                shape for shape in sorted(self.matrices) if rows in (None, shape[0])
+            ]
             m, n = shape = self.choice(shapes)
             M = self.choice(self.matrices[shape])
         made = {
@@ -211,7 +271,12 @@ class Writer:
 
     def vector(self, n, depth=2):
         if depth <= 0 or self.chance(0.2):
-            longer = [f"{v}[{m - n}:]" for m, names in self.vectors.items() if m > n for v in names]
+            longer = [
+                f"{v}[{m - n}:]"
+                for m, names in self.vectors.items()
+                if m > n
+                for v in names
+            ]
             own = self.vectors.get(n, []) * 3
             return self.choice([*own, *longer, f"np.full({n}, {self.leaf()})"])
         known = any(rows == n for rows, _ in self.matrices)
@@ -268,7 +333,9 @@ def program(random, name, takes, returns, numbers, jumping=False):
 def plain(text: str) -> str:
     """Write a function of one port each as python-control's own: vectors, and params by key."""
     text = re.sub(r"\b([xu])\.\1\d", r"\1", text.replace('p["b"]', "p.b"))
-    text = re.sub(r"\bp\.(\w+)", r'params["\1"]', text.replace("x, u, p)", "x, u, params)"))
+    text = re.sub(
+        r"\bp\.(\w+)", r'params["\1"]', text.replace("x, u, p)", "x, u, params)")
+    )
     return re.sub(r'return \{"\w+": (.*)\}$', r"return \1", text, flags=re.MULTILINE)
 
 

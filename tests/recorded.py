@@ -8,13 +8,17 @@ from clpt_control.equations import Block
 
 def recorded(block, role, t, x, u):
     """Return what the record of a role computes."""
-    return on_arrays(block, role, t, np.asarray(x, dtype=float), np.asarray(u, dtype=float))
+    return on_arrays(
+        block, role, t, np.asarray(x, dtype=float), np.asarray(u, dtype=float)
+    )
 
 
 def run(block, role, t, x, u):
     """Return what the function of a role gives."""
     size = block.noutputs if role == "output" else block.nstates
-    return block.values(role, size, t, np.array(x, float), np.array(u, float), block.parameters)
+    return block.values(
+        role, size, t, np.array(x, float), np.array(u, float), block.parameters
+    )
 
 
 def as_it_runs(block, role, t, x, u, tolerance=1e-14):

@@ -26,11 +26,16 @@ def rounding_of(diagram: Any, t: float, x: Any, u: Any) -> np.ndarray:
     def near(value: Any) -> Any:
         if isinstance(value, int):
             return value
-        return np.asarray(value * (1.0 + OFF * draw.uniform(-1, 1, np.shape(value))))[()]
+        return np.asarray(value * (1.0 + OFF * draw.uniform(-1, 1, np.shape(value))))[
+            ()
+        ]
 
     found = []
     for _ in range(RUNS):
-        numbers = ({n: near(value) for n, value in p._asdict().items()} for p in sweep.parameters)
+        numbers = (
+            {n: near(value) for n, value in p._asdict().items()}
+            for p in sweep.parameters
+        )
         each = zip(sweep.parameters, numbers, strict=True)
         other = Sweep(sweep.wiring, [p._replace(**own) for p, own in each])
         other.enter(t)

@@ -14,10 +14,24 @@ HEAD = (  # lines, here between |
 )
 KNOWN = b"sa" + struct.pack("<hfd", 4660, 123.456, 123456789.12345)
 CRC = "0badcafe"
-PLACES, OWN, FLAG = ("m_lat", "m_lon"), ("m_water_vx", "m_water_vy"), ("u_use_current_correction",)
+PLACES, OWN, FLAG = (
+    ("m_lat", "m_lon"),
+    ("m_water_vx", "m_water_vy"),
+    ("u_use_current_correction",),
+)
 FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
 TURNS = ("m_gps_mag_var", "m_heading")
-SENSORS = ("m_present_time", *FIX, *PLACES, "m_x_lmc", "m_y_lmc", *OWN, "m_depth", *TURNS, *FLAG)
+SENSORS = (
+    "m_present_time",
+    *FIX,
+    *PLACES,
+    "m_x_lmc",
+    "m_y_lmc",
+    *OWN,
+    "m_depth",
+    *TURNS,
+    *FLAG,
+)
 VARIATION = 17.0  # degrees east
 
 
@@ -29,29 +43,47 @@ def magnetic(vector):
 
 def cac(names):
     """Return the list of sensors: all are logged, in 8 bytes."""
-    return "".join(f"s: T {k} {k} 8 {name} X\n" for k, name in enumerate(names)).encode()
+    return "".join(
+        f"s: T {k} {k} 8 {name} X\n" for k, name in enumerate(names)
+    ).encode()
 
 
 def segment(
-    rows, names, short="00070001", full="unit-2024-100-7-1", factored=1, first=None, end=b"X"
+    rows,
+    names,
+    short="00070001",
+    full="unit-2024-100-7-1",
+    factored=1,
+    first=None,
+    end=b"X",
 ):
     """Return a file whose cycles are dicts of new values, NaN where one says nothing.
 
     The first cycle is `first`, as far as it goes.
     """
     n, size = len(names), (len(names) + 3) // 4
-    head = HEAD.format(short=short, full=full, n=n, size=size, factored=factored).replace("|", "\n")
+    head = HEAD.format(
+        short=short, full=full, n=n, size=size, factored=factored
+    ).replace("|", "\n")
     out = head.encode() + (b"" if factored else cac(names)) + KNOWN
     for row in [dict.fromkeys(names, np.nan) | (first or {}), *rows]:
         values = [row[name] for name in names if name in row]
-        bits = "".join("10" if name in row else "00" for name in names).ljust(8 * size, "0")
-        out += b"d" + int(bits, 2).to_bytes(size) + struct.pack(f"<{len(values)}d", *values)
+        bits = "".join("10" if name in row else "00" for name in names).ljust(
+            8 * size, "0"
+        )
+        out += (
+            b"d"
+            + int(bits, 2).to_bytes(size)
+            + struct.pack(f"<{len(values)}d", *values)
+        )
     return out + end
 
 
 def place_at(start, moved):
     """Return the place (latitude, longitude) at a displacement, m east and north, from another."""
-    lon, lat, _ = WGS84.fwd(*start[::-1], np.degrees(np.arctan2(*moved)), np.hypot(*moved))
+    lon, lat, _ = WGS84.fwd(
+        *start[::-1], np.degrees(np.arctan2(*moved)), np.hypot(*moved)
+    )
     return lat, lon
 
 
@@ -61,7 +93,9 @@ def ddmm(place):
 
 
 STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
-SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)])  # m/s, by dive
+SEAS = np.array(
+    [[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)]
+)  # m/s, by dive
 
 
 class Mission:
@@ -129,6 +163,14 @@ class Mission:
         path = self.folder / f"unit-2024-100-7-{self.files}.sbd"
         first = {name: first[name] for name in self.sensors}
         path.write_bytes(
-            segment(cycles, self.sensors, f"0007{self.files:04d}", path.stem, 1, first, self.end)
+            segment(
+                cycles,
+                self.sensors,
+                f"0007{self.files:04d}",
+                path.stem,
+                1,
+                first,
+                self.end,
+            )
         )
         self.files += 1

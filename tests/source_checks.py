@@ -21,7 +21,9 @@ KERNELS = list(flow.KERNELS)
 
 def phi(kernel, position, t=0.7, omega=1.3, phase=0.4, width=2.0):
     """One function around (1, -2)."""
-    block = flow.flow_basis("basis_x", "x", kernel, [[1.0, -2.0]], [width], [omega], [phase])
+    block = flow.flow_basis(
+        "basis_x", "x", kernel, [[1.0, -2.0]], [width], [omega], [phase]
+    )
     return float(block.output(t, [], np.array([1.0, -2.0]) + position)[0])
 
 
@@ -39,7 +41,9 @@ def functions_are_even_isotropic_and_fall():
 def functions_oscillate_with_their_tide():
     for kernel in KERNELS:
         for t in (0.0, 0.7, 3.0, 11.0):
-            assert math.isclose(phi(kernel, (0.0, 0.0), t), math.cos(1.3 * t + 0.4), abs_tol=1e-14)
+            assert math.isclose(
+                phi(kernel, (0.0, 0.0), t), math.cos(1.3 * t + 0.4), abs_tol=1e-14
+            )
             shape = phi(kernel, (0.6, -0.9), t) / math.cos(1.3 * t + 0.4)
             still = phi(kernel, (0.6, -0.9), 0.0, omega=0.0, phase=0.0)
             assert math.isclose(shape, still, rel_tol=1e-13)
@@ -96,7 +100,9 @@ def noise_is_normal():
     assert np.abs(draws.std(1) - 1).max() < 0.06
     assert abs(np.corrcoef(draws)[0, 1]) < 0.06
     M = random_numbers.MODULUS
-    small = [random_numbers.remainder(a) for a in (0.0, 5.0, M, 2.0 * M + 7.0, 3.0 * M - 1.0)]
+    small = [
+        random_numbers.remainder(a) for a in (0.0, 5.0, M, 2.0 * M + 7.0, 3.0 * M - 1.0)
+    ]
     assert small == [0, 5, 0, 7, M - 1]
 
 
@@ -114,7 +120,10 @@ def noise_is_hashed_on_whole_numbers_below_two_to_53():
     for axis, stream in np.ndindex(2, 2):
         share = hashed(any_whole, any_whole, axis, stream)
         assert 0 < share.min <= share.max < 1
-    ends = [(a.min, a.max) if isinstance(a, sympy.AccumBounds) else (a, a) for a in arguments]
+    ends = [
+        (a.min, a.max) if isinstance(a, sympy.AccumBounds) else (a, a)
+        for a in arguments
+    ]
     assert all(low >= 0 and high < 2**53 for low, high in ends)
 
 
@@ -147,7 +156,13 @@ def gridded_flows_reproduce_linear_ones():
     rng = np.random.default_rng(3)
     for delta in ([], [0.25, -0.5]):
         block = field.gridded_flow(grid, disturbed=bool(delta), outside="clip")
-        for share in [*rng.random((40, 3)), np.zeros(3), np.ones(3), 2 * np.ones(3), -np.ones(3)]:
+        for share in [
+            *rng.random((40, 3)),
+            np.zeros(3),
+            np.ones(3),
+            2 * np.ones(3),
+            -np.ones(3),
+        ]:
             place = first + share * (last - first)
             flow = block.output(place[0], [], [place[2], place[1], *delta], params)
             wanted = line(*np.clip(place, first, last)) + (delta or 0.0)
@@ -168,5 +183,8 @@ CHECKS = [
     waypoints_are_taken_in_turn_and_jump_at_multiples_of_the_dwell,
     *(disturbances_start_as_they_say, noise_is_normal, guards_know_the_edge),
     noise_is_hashed_on_whole_numbers_below_two_to_53,
-    *(positions_are_read_with_numbers_of_their_own, gridded_flows_reproduce_linear_ones),
+    *(
+        positions_are_read_with_numbers_of_their_own,
+        gridded_flows_reproduce_linear_ones,
+    ),
 ]

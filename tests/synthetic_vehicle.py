@@ -53,9 +53,16 @@ def vehicle(
         t = np.linspace(time + 600, time + 600 + T, 101)
         u = np.tile(current, (101, 1))
         if flow != "steady":
-            turned = [np.cos(w * t + phase), (-1 if inertial else 0.5) * np.sin(w * t + phase)]
+            turned = [
+                np.cos(w * t + phase),
+                (-1 if inertial else 0.5) * np.sin(w * t + phase),
+            ]
             u = u + 0.15 * np.stack(turned, 1)
-        angle = rng.uniform(0, 2 * math.pi) if heading == "any" else 0.6 + 0.1 * rng.normal()
+        angle = (
+            rng.uniform(0, 2 * math.pi)
+            if heading == "any"
+            else 0.6 + 0.1 * rng.normal()
+        )
         dr = 0.25 * T * np.array([math.cos(angle), math.sin(angle)])
         f = factor * (1 - lost if fault is not None and k >= fault else 1)
         gps = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
@@ -68,7 +75,9 @@ def vehicle(
 
 def further(dive, east, north=0.0):
     """A dive that came up further to the east and north, m."""
-    return replace(dive, gps_east=dive.gps_east + east, gps_north=dive.gps_north + north)
+    return replace(
+        dive, gps_east=dive.gps_east + east, gps_north=dive.gps_north + north
+    )
 
 
 def turned(dive, response):
@@ -108,6 +117,8 @@ def fixes_of(count, latitude=40.0, longitude=8.0, seed=1):
     for k in range(count):
         T = 14400 * rng.uniform(0.8, 1.2)
         dr = along(math.degrees(1.2 + 0.8 * math.sin(k / 9)), 0.25 * T)
-        current = np.array([0.1 + 0.08 * math.sin(k / 7), -0.05 + 0.06 * math.cos(k / 5)])
+        current = np.array(
+            [0.1 + 0.08 * math.sin(k / 7), -0.05 + 0.06 * math.cos(k / 5)]
+        )
         ways.append((dr, dr + T * current + 200 * rng.normal(size=2), T))
     return chained(ways, (latitude, longitude), 1.7e9, drift=(30.0, 20.0), first=1)

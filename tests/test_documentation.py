@@ -32,15 +32,23 @@ EVERY = [clpt_control, *ROOMS]
 
 def public_objects():
     """What `clpt.` and the rooms name in `__all__`, once: the public API."""
-    every = [(room, name, getattr(room, name)) for room in EVERY for name in room.__all__]
-    first = {one: f"{room.__name__}.{name}" for room, name, one in reversed(every) if is_code(one)}
+    every = [
+        (room, name, getattr(room, name)) for room in EVERY for name in room.__all__
+    ]
+    first = {
+        one: f"{room.__name__}.{name}"
+        for room, name, one in reversed(every)
+        if is_code(one)
+    }
     return [(name, one) for one, name in reversed(first.items())]
 
 
 def methods(cls):
     for name, value in vars(cls).items():
         of_pydantic = name.startswith(("_", "model_"))
-        if (inspect.isfunction(value) or isinstance(value, property)) and not of_pydantic:
+        if (
+            inspect.isfunction(value) or isinstance(value, property)
+        ) and not of_pydantic:
             yield name, value
 
 
@@ -63,27 +71,47 @@ def all_docstrings():
 
 
 def test_every_file_says_what_it_is():
-    assert {name for name, tree in trees().items() if not ast.get_docstring(tree)} <= {"data", ""}
+    assert {name for name, tree in trees().items() if not ast.get_docstring(tree)} <= {
+        "data",
+        "",
+    }
 
 
 def test_every_name_says_what_it_is():
     for name, top, node, text in all_docstrings():
         if node is top and not node.name.startswith("_"):
             assert text, f"{name} has no docstring"
-            if [a.arg for a in getattr(node, "args", ast.arguments(args=[])).args][:4] == EQUATION:
+            if [a.arg for a in getattr(node, "args", ast.arguments(args=[])).args][
+                :4
+            ] == EQUATION:
                 source = r"Eqs?\.|section|from the grid|outputs are the states"
                 assert re.search(source, text), f"{name} has no source"
 
 
 def test_docstrings_say_what_is_done():
-    words = ("Give", "Gives", "Tell", "Tells", "Say", "Says", "Ask", "Asks", "Let", "Lets")
-    assert [name for name, *_, text in all_docstrings() if text.split(" ", 1)[0] in words] == []
+    words = (
+        "Give",
+        "Gives",
+        "Tell",
+        "Tells",
+        "Say",
+        "Says",
+        "Ask",
+        "Asks",
+        "Let",
+        "Lets",
+    )
+    assert [
+        name for name, *_, text in all_docstrings() if text.split(" ", 1)[0] in words
+    ] == []
 
 
 def test_only_public_names_have_sections():
     """Of all others one good line is enough."""
     values = [value for _, value in public_objects()]
-    public = {one.__name__ for value in values for one in getattr(value, "__mro__", [value])}
+    public = {
+        one.__name__ for value in values for one in getattr(value, "__mro__", [value])
+    }
     sections = re.compile(r"^(Parameters|Returns|Raises|Yields)\n---", re.M)
     found = [
         name
@@ -93,7 +121,9 @@ def test_only_public_names_have_sections():
     assert found == []
 
 
-@pytest.mark.parametrize("value", [pytest.param(v, id=name) for name, v in public_objects()])
+@pytest.mark.parametrize(
+    "value", [pytest.param(v, id=name) for name, v in public_objects()]
+)
 def test_documented(value):
     text = inspect.getdoc(value)
     assert text, "no docstring"
@@ -119,36 +149,50 @@ def test_every_public_name_stands_in_the_reference():
     """Once, on the page of its room: in a block ```{names} ROOM of docs/reference."""
     block = re.compile(r"^```\{names\} (\S+)\n(.*?)^```", re.M | re.S)
     text = "\n".join(page.read_text("utf-8") for page in REFERENCE.glob("*.md"))
-    shown = [f"{room}.{name}" for room, names in block.findall(text) for name in names.split()]
+    shown = [
+        f"{room}.{name}"
+        for room, names in block.findall(text)
+        for name in names.split()
+    ]
     public = {f"{room.__name__}.{name}" for room in ROOMS for name in room.__all__}
-    known = {name.rsplit(".", 1)[1] for name in public} | {room.__name__[13:] for room in ROOMS}
+    known = {name.rsplit(".", 1)[1] for name in public} | {
+        room.__name__[13:] for room in ROOMS
+    }
     public |= {f"clpt_control.{name}" for name in TOP if name not in known}
     assert sorted(shown) == sorted(public)
 
 
 def test_the_reference_begins_with_what_clpt_reaches():
     page = (REFERENCE / "index.md").read_text("utf-8")
-    errors = {n for n, v in TOP.items() if inspect.isclass(v) and issubclass(v, Exception)}
+    errors = {
+        n for n, v in TOP.items() if inspect.isclass(v) and issubclass(v, Exception)
+    }
     wanted = {name for name, value in TOP.items() if is_code(value)} - errors
     assert [name for name in wanted if f"`clpt.{name}`" not in page] == []
 
 
 def test_every_key_of_a_scenario_and_every_tide_stands_on_its_page():
-    words = set(re.findall(r"[\w-]+", (REFERENCE.parent / "scenario.md").read_text("utf-8")))
+    words = set(
+        re.findall(r"[\w-]+", (REFERENCE.parent / "scenario.md").read_text("utf-8"))
+    )
     of_laws = {f"learning.{law.table}" for law in LAWS.values()}
     keys = {key for key, _, _ in clpt_control.paper_scenario().every_key()} - of_laws
     assert {key.split(".")[-1] for key in keys} | {*SPEEDS} <= words
 
 
 def test_equations_are_found_by_their_numbers():
-    text = "".join(p.read_text() for p in Path(clpt_control.__file__).parent.rglob("*.py"))
+    text = "".join(
+        p.read_text() for p in Path(clpt_control.__file__).parent.rglob("*.py")
+    )
     numbers = *range(1, 8), 10, 13, 14, 15, 17, *range(20, 25), 27, 28, 32
     assert [n for n in numbers if f"Eq. ({n})" not in text] == []
 
 
 def test_every_file_of_the_engine_is_on_its_page():
     page = REFERENCE.parent / "engine.md"
-    links = {page.parent / name for name in re.findall(r"\]\((\S+?)\)", page.read_text())}
+    links = {
+        page.parent / name for name in re.findall(r"\]\((\S+?)\)", page.read_text())
+    }
     assert all(link.exists() for link in links)
     files = {path.resolve() for path in links}
     engine = (REFERENCE.parents[1] / "clpt_control/engine").rglob("*.py")
@@ -156,7 +200,11 @@ def test_every_file_of_the_engine_is_on_its_page():
 
 
 ROOT = Path(__file__).parent.parent
-FILES = [path for room in ("examples", "analysis") for path in sorted((ROOT / room).glob("*.py"))]
+FILES = [
+    path
+    for room in ("examples", "analysis")
+    for path in sorted((ROOT / room).glob("*.py"))
+]
 
 
 def is_public(name):
@@ -169,7 +217,9 @@ def is_public(name):
 def names_of(tree):
     """Names of the package that a file imports, or asks of `clpt.`."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith("clpt_control."):
+        if isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith(
+            "clpt_control."
+        ):
             room = node.module.partition(".")[2]
             yield from (f"{room}.{one.name}".lstrip(".") for one in node.names)
         elif isinstance(node, ast.Import):
@@ -184,20 +234,37 @@ def names_of(tree):
                         yield f"{room}.{name}"
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}")
+@pytest.mark.parametrize(
+    "path", FILES, ids=lambda path: f"{path.parent.name}/{path.name}"
+)
 def test_only_public_names_are_used(path):
-    private = {one for one in names_of(ast.parse(path.read_text("utf-8"))) if not is_public(one)}
+    private = {
+        one
+        for one in names_of(ast.parse(path.read_text("utf-8")))
+        if not is_public(one)
+    }
     assert private == set()
 
 
 def test_the_style_is_that_of_the_packages_own_figures():
     with plt.style.context("clpt_control.data.house"):
-        assert plt.rcParams["axes.prop_cycle"].by_key()["color"] == list(figures.COLOURS)
+        assert plt.rcParams["axes.prop_cycle"].by_key()["color"] == list(
+            figures.COLOURS
+        )
         both = plt.figure().subplots(), figures.new_figure()[1]
     for ax in both:
-        assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [0, 0, 1]
+        assert [ax.spines[side].get_visible() for side in ("top", "right", "left")] == [
+            0,
+            0,
+            1,
+        ]
     lines = [ax.xaxis.get_gridlines()[0] for ax in both]
-    assert len({(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}) == 1
+    assert (
+        len(
+            {(one.get_visible(), one.get_linewidth(), one.get_alpha()) for one in lines}
+        )
+        == 1
+    )
 
 
 # --- docs/each_law.md ----------------------------------------------------------------------------
@@ -208,7 +275,9 @@ TOOL = ROOT / "tools" / "print_laws.py"
 @pytest.mark.skipif(not TOOL.exists(), reason="installed without tools")
 def test_the_sections_are_those_of_the_laws():
     text = (ROOT / "docs" / "each_law.md").read_text("utf-8")
-    assert runpy.run_path(str(TOOL))["whole_page"]() == text, "run python tools/print_laws.py"
+    assert runpy.run_path(str(TOOL))["whole_page"]() == text, (
+        "run python tools/print_laws.py"
+    )
     heads = "".join(re.findall(r"(?m)^## .*", text))
     assert [name for name in LAWS if f"`{name}`" not in heads] == []
 
@@ -217,12 +286,20 @@ def test_the_sections_are_those_of_the_laws():
 def test_the_command_prints_a_laws_page(clpt, printed, name):
     law, out = LAWS[name], clpt("laws", name).out
     [(listed, told)] = printed("laws", name)["laws"].items()
-    assert (listed, told["page"], [*told["settings"]]) == (name, law.page, [*law.settings])
+    assert (listed, told["page"], [*told["settings"]]) == (
+        name,
+        law.page,
+        [*law.settings],
+    )
     assert told["promises"] == list(promises_in_words(law).values())
-    assert [one for one in (law.page.splitlines()[0], *told["promises"]) if one not in out] == []
+    assert [
+        one for one in (law.page.splitlines()[0], *told["promises"]) if one not in out
+    ] == []
 
 
 def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
     assert list(printed("laws")["laws"]) == list(LAWS)
     assert all(name in clpt("laws").out for name in LAWS)
-    assert refused("laws", "no-law") == "clpt: no-law: is no law; `clpt laws` lists them\n"
+    assert (
+        refused("laws", "no-law") == "clpt: no-law: is no law; `clpt laws` lists them\n"
+    )

@@ -94,7 +94,10 @@ def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_pat
 
 def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch):
     def work(name):
-        made, used = make_folder(tmp_path / "out" / "inner"), make_folder(tmp_path / "used")
+        made, used = (
+            make_folder(tmp_path / "out" / "inner"),
+            make_folder(tmp_path / "used"),
+        )
         (used / "file").write_text("")
         assert made.is_dir()
         write_file((made / name) if name else (used / "file"), "")
@@ -106,8 +109,12 @@ def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch
 
 
 @POSIX
-@pytest.mark.parametrize(("umask", "file", "folder"), [(0o77, 0o600, 0o700), (2, 0o664, 0o775)])
-def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, file, folder):
+@pytest.mark.parametrize(
+    ("umask", "file", "folder"), [(0o77, 0o600, 0o700), (2, 0o664, 0o775)]
+)
+def test_modes_are_those_of_the_umask_or_of_what_is_replaced(
+    tmp_path, umask, file, folder
+):
     closed = tmp_path / "closed"
     closed.touch(0o600)
     before = os.umask(umask)
@@ -117,7 +124,9 @@ def test_modes_are_those_of_the_umask_or_of_what_is_replaced(tmp_path, umask, fi
             pass
     finally:
         os.umask(before)
-    modes = [(tmp_path / name).stat().st_mode & 0o777 for name in ("new", "closed", "made")]
+    modes = [
+        (tmp_path / name).stat().st_mode & 0o777 for name in ("new", "closed", "made")
+    ]
     assert (modes, closed.read_text()) == ([file, 0o600, folder], "after")
 
 
@@ -134,7 +143,12 @@ def test_netcdf_is_written_into_folders_of_any_name(tmp_path, monkeypatch, name)
 
 def test_a_text_in_netcdf_that_is_no_text_is_named(tmp_path):
     data = {tmp_path / "run.nc": xarray.Dataset({"a": 1.0}, attrs={"b": "\udcff"})}
-    says(DataError, "run.nc: cannot be written: .* a text in it, holds bytes", write_together, data)
+    says(
+        DataError,
+        "run.nc: cannot be written: .* a text in it, holds bytes",
+        write_together,
+        data,
+    )
     assert names(tmp_path) == set()
 
 
@@ -155,7 +169,11 @@ def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "folder").mkdir()
     (tmp_path / "device").symlink_to(os.devnull)
-    kinds = {"pipe": "no regular file", "folder": "a folder", "device": "no regular file"}
+    kinds = {
+        "pipe": "no regular file",
+        "folder": "a folder",
+        "device": "no regular file",
+    }
     for name, why in kinds.items():
         both = {tmp_path / "first.txt": "text", tmp_path / name: "text"}
         says(DataError, f"{name}: is {why}", write_together, both)
@@ -171,7 +189,12 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
             data.createVariable(name, float, ("time", "axis"), **shape)
     assert (tmp_path / "r.nc").stat().st_size < 10**5
     for read in (clpt_control.load_run, read_dive_file):
-        says(DataError, r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 ", read, tmp_path / "r.nc")
+        says(
+            DataError,
+            r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 ",
+            read,
+            tmp_path / "r.nc",
+        )
 
 
 @pytest.mark.parametrize("how", ["i2 scale_factor", "f8 add_offset", "S1 _Encoding"])
@@ -181,7 +204,12 @@ def test_what_tells_how_numbers_are_decoded_may_be_anything(tmp_path, how):
         data.createDimension("dive", 3)
         data.createVariable("u", kind, ("dive",))[:] = np.ones(3, kind)
         data["u"].setncattr(key, "x")
-    says(DataError, "d.nc: cannot be read as NetCDF: ", clpt_control.load_run, tmp_path / "d.nc")
+    says(
+        DataError,
+        "d.nc: cannot be read as NetCDF: ",
+        clpt_control.load_run,
+        tmp_path / "d.nc",
+    )
 
 
 def test_a_number_that_was_overwritten_is_found(tmp_path):
@@ -232,9 +260,13 @@ def test_what_was_asked_is_what_the_library_opens(tmp_path, monkeypatch):
         path.unlink()
 
 
-@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="descriptors are counted there")
+@pytest.mark.skipif(
+    not Path("/proc/self/fd").is_dir(), reason="descriptors are counted there"
+)
 def test_an_error_of_a_damaged_file_keeps_nothing_open(tmp_path):
-    xarray.Dataset({"a": ("x", np.zeros(500))}).to_netcdf(path := tmp_path / "a.nc", engine="scipy")
+    xarray.Dataset({"a": ("x", np.zeros(500))}).to_netcdf(
+        path := tmp_path / "a.nc", engine="scipy"
+    )
     os.truncate(path, 2000)
     opened = len(names(Path("/proc/self/fd")))
     with pytest.raises(DataError, match="damaged or cut short: less than") as kept:
@@ -242,7 +274,10 @@ def test_an_error_of_a_damaged_file_keeps_nothing_open(tmp_path):
     assert len(names(Path("/proc/self/fd"))) == opened, kept
 
 
-BECOMES = {"a pipe with a name": os.mkfifo, "a link": lambda path: path.symlink_to("moved")}
+BECOMES = {
+    "a pipe with a name": os.mkfifo,
+    "a link": lambda path: path.symlink_to("moved"),
+}
 
 
 @POSIX

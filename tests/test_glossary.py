@@ -18,8 +18,14 @@ from clpt_control.units import (
 
 PAGE = Path(__file__).parent.parent / "docs" / "glossary.md"
 KINDS = [
-    *({"localization": {"noise": 0.02, "noise_period": 1.0}}, {"vehicle.max_speed": 1.5}),
-    *({"learning.law": "drem"}, {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0]}}),
+    *(
+        {"localization": {"noise": 0.02, "noise_period": 1.0}},
+        {"vehicle.max_speed": 1.5},
+    ),
+    *(
+        {"learning.law": "drem"},
+        {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0]}},
+    ),
 ]
 
 
@@ -29,12 +35,17 @@ def rows():
     names = ["word", "port", "key", "variable"]
     for line in table.splitlines()[2:]:
         cells = re.split(r"(?<!\\)\|", line)[2:]
-        yield {n: re.findall(r"`([^`]+)`", cell) for n, cell in zip(names, cells, strict=False)}
+        yield {
+            n: re.findall(r"`([^`]+)`", cell)
+            for n, cell in zip(names, cells, strict=False)
+        }
 
 
 @pytest.fixture(scope="module")
 def scenarios():
-    paper = clpt.paper_scenario().with_values({"run.duration": 2.0, "run.output_step": 1.0})
+    paper = clpt.paper_scenario().with_values(
+        {"run.duration": 2.0, "run.output_step": 1.0}
+    )
     return [paper, *(paper.with_values(values) for values in KINDS)]
 
 
@@ -46,8 +57,12 @@ def team(scenarios):
 def test_every_port_is_one_of_a_diagram(scenarios, team):
     loops = [clpt.closed_loop(one) for one in scenarios]
     loops += [clpt.error_loop(scenarios[0]), clpt.team_loop(team)]
-    ports = {re.sub(r".*/|\[.*", "", label) for loop in loops for label in loop.output_labels}
-    named = {port.split("[")[0] for row in rows() for port in row["port"] if "[" in port}
+    ports = {
+        re.sub(r".*/|\[.*", "", label) for loop in loops for label in loop.output_labels
+    }
+    named = {
+        port.split("[")[0] for row in rows() for port in row["port"] if "[" in port
+    }
     assert len(named) > 15
     assert named - ports == {"V"}  # of a proof's diagram
 
@@ -56,11 +71,16 @@ def test_every_key_is_one_of_a_scenario(scenarios):
     known = {"team.coupling"}
     for one in scenarios:
         for table, values in one.model_dump().items():
-            known |= {table} | {f"{table}.{key}" for key in values or () if table != "title"}
+            known |= {table} | {
+                f"{table}.{key}" for key in values or () if table != "title"
+            }
     named = set()
     for first, *more in (row["key"] for row in rows() if row["key"]):
         table = first.split(".")[0]
-        named |= {first, *(key if key.startswith(table) else f"{table}.{key}" for key in more)}
+        named |= {
+            first,
+            *(key if key.startswith(table) else f"{table}.{key}" for key in more),
+        }
     assert len(named) > 15
     assert named <= known
 
@@ -78,7 +98,9 @@ ROOMS = [name for name in clpt.__all__ if inspect.ismodule(getattr(clpt, name))]
 
 def test_every_error_is_a_name_of_the_package():
     every = inspect.getmembers(errors, inspect.isclass)
-    assert {name for name, one in every if one.__module__ == errors.__name__} <= set(clpt.__all__)
+    assert {name for name, one in every if one.__module__ == errors.__name__} <= set(
+        clpt.__all__
+    )
 
 
 @pytest.mark.parametrize("room", ["", *ROOMS])
@@ -119,7 +141,11 @@ LENGTHS = {"km": 1e3, "m, Metres": 1.0, "cm": 0.01}
 
 @pytest.mark.parametrize(
     ("read", "table"),
-    [(speed_in_metres_per_second, SPEEDS), (time_in_seconds, TIMES), (length_in_metres, LENGTHS)],
+    [
+        (speed_in_metres_per_second, SPEEDS),
+        (time_in_seconds, TIMES),
+        (length_in_metres, LENGTHS),
+    ],
 )
 def test_speeds_times_and_lengths(read, table):
     for units, size in table.items():
@@ -128,17 +154,35 @@ def test_speeds_times_and_lengths(read, table):
 
 
 def test_dates():
-    days = [seconds_since_1970(text) for text in ("1970-01-02", "1970-01-02T00:00:00+02:00")]
+    days = [
+        seconds_since_1970(text) for text in ("1970-01-02", "1970-01-02T00:00:00+02:00")
+    ]
     assert days == [86400.0, 86400.0 - 7200]
 
 
-NO_UNITS = ["", "kelvin", "m", "s", "m s", "m-1 s", "s-1 m", "ms-1", "m/fortnight", "m/s/s", "1"]
+NO_UNITS = [
+    "",
+    "kelvin",
+    "m",
+    "s",
+    "m s",
+    "m-1 s",
+    "s-1 m",
+    "ms-1",
+    "m/fortnight",
+    "m/s/s",
+    "1",
+]
 
 
 @pytest.mark.parametrize("unit", NO_UNITS)
 def test_what_is_no_unit_is_refused(unit):
     for read, own, said in (
-        (speed_in_metres_per_second, "m/s", "u: units = .* is no speed; must be such as 'm/s'"),
+        (
+            speed_in_metres_per_second,
+            "m/s",
+            "u: units = .* is no speed; must be such as 'm/s'",
+        ),
         (length_in_metres, "m", "u has units .*; must be such as 'm', 'km' or"),
         (time_in_seconds, "s", "u has units .*; must be such as 's', 'min', 'h'"),
     ):

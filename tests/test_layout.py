@@ -24,7 +24,17 @@ ROWS = [
     ("scenario", "plots"),
     ("parts", "blocks"),
     ("engine",),
-    ("base", "arguments", "errors", "files", "progress", "geodesy", "figures", "html", "units"),
+    (
+        "base",
+        "arguments",
+        "errors",
+        "files",
+        "progress",
+        "geodesy",
+        "figures",
+        "html",
+        "units",
+    ),
 ]
 ENGINE_AND_HELPERS = {room for row in ROWS[-2:] for room in row}
 ROW = {room: k for k, row in enumerate(ROWS) for room in row}
@@ -41,17 +51,28 @@ FILES = {module_of(path): path for path in sorted(PACKAGE.rglob("*.py"))}
 
 def imports(name, path, tree):
     """Yield modules of the package that a module imports, also inside functions."""
-    package = ["clpt_control", *name.split(".")[: None if path.name == "__init__.py" else -1]]
+    package = [
+        "clpt_control",
+        *name.split(".")[: None if path.name == "__init__.py" else -1],
+    ]
     for node in ast.walk(tree):
         base = ""
         if isinstance(node, ast.ImportFrom):
             above = package[: len(package) - node.level + 1] if node.level else []
             base = ".".join([*above, node.module or ""]).strip(".")
         # a module of a subpackage, or a name in a module
-        for alias in node.names if isinstance(node, ast.Import | ast.ImportFrom) else ():
+        for alias in (
+            node.names if isinstance(node, ast.Import | ast.ImportFrom) else ()
+        ):
             candidates = f"{base}.{alias.name}".strip("."), base
-            modules = (m.removeprefix("clpt_control.") for m in candidates if "clpt_control" in m)
-            yield from [module for module in modules if module in FILES and module != name][:1]
+            modules = (
+                m.removeprefix("clpt_control.")
+                for m in candidates
+                if "clpt_control" in m
+            )
+            yield from [
+                module for module in modules if module in FILES and module != name
+            ][:1]
 
 
 @cache
@@ -63,7 +84,13 @@ def trees():
 @cache
 def edges():
     """Pairs of a module and a module that it imports."""
-    return sorted({(n, used) for n, tree in trees().items() for used in imports(n, FILES[n], tree)})
+    return sorted(
+        {
+            (n, used)
+            for n, tree in trees().items()
+            for used in imports(n, FILES[n], tree)
+        }
+    )
 
 
 def test_the_top_holds_few_files():
@@ -81,7 +108,9 @@ def test_names_of_public_modules_leave_the_modules_in_place(module):
 
 
 def test_every_module_has_a_room():
-    rooms = {name.split(".")[0] for name in FILES} - set(DOORS) - {"data", *PUBLIC_MODULES}
+    rooms = (
+        {name.split(".")[0] for name in FILES} - set(DOORS) - {"data", *PUBLIC_MODULES}
+    )
     assert rooms == set(ROW)
 
 
@@ -89,7 +118,8 @@ def test_the_engine_imports_only_itself_and_helpers():
     above = [
         f"{name} imports {used}"
         for name, used in edges()
-        if name.split(".")[0] == "engine" and used.split(".")[0] not in ENGINE_AND_HELPERS
+        if name.split(".")[0] == "engine"
+        and used.split(".")[0] not in ENGINE_AND_HELPERS
     ]
     assert above == []
 
@@ -122,7 +152,9 @@ def test_the_engine_runs_without_the_paper(tmp_path):
     shutil.copytree(
         PACKAGE,
         copy,
-        ignore=lambda folder, names: ignored(folder, names) if folder == str(PACKAGE) else (),
+        ignore=lambda folder, names: (
+            ignored(folder, names) if folder == str(PACKAGE) else ()
+        ),
     )
     assert not any((copy / room).exists() for room in above)
 
@@ -131,14 +163,17 @@ def test_the_engine_runs_without_the_paper(tmp_path):
     assert run.returncode == 0, run.stderr
     file, *modules = run.stdout.split()
     assert Path(file).parent == copy
-    assert {name.split(".")[1] for name in modules} <= ENGINE_AND_HELPERS | set(PUBLIC_MODULES)
+    assert {name.split(".")[1] for name in modules} <= ENGINE_AND_HELPERS | set(
+        PUBLIC_MODULES
+    )
 
 
 def test_imports_run_downhill():
     uphill = [
         f"{name} imports {used}"
         for name, used in edges()
-        if name not in DOORS and ROW[name.split(".")[0]] > ROW.get(used.split(".")[0], -1)
+        if name not in DOORS
+        and ROW[name.split(".")[0]] > ROW.get(used.split(".")[0], -1)
     ]
     assert uphill == []
 

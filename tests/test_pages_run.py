@@ -50,7 +50,11 @@ class Block(NamedTuple):
 
 def pages():
     """README, CONTRIBUTING and every page of docs that is no notebook."""
-    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("docs/**/*.md"))]:
+    for path in [
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+        *sorted(ROOT.glob("docs/**/*.md")),
+    ]:
         if any(blocks(path)):
             name = str(path.relative_to(ROOT))
             slow = pytest.mark.slow if path.name in SLOW or name == FILM else ()
@@ -65,21 +69,34 @@ def blocks(path):
         start, before, (_, language, inside) = found.start(), end, found.groups()
         end = found.end()
         if not language.startswith("{"):
-            yield Block(language, inside, text[:start].count("\n") + 2, text[before:start])
+            yield Block(
+                language, inside, text[:start].count("\n") + 2, text[before:start]
+            )
 
 
 def test_a_console_that_says_something_else_is_found():
-    check_console("$ echo one \\\n  two; echo three; echo four\none two\n...\nfour\n", "here")
-    for wrong in ("one three", "one two\nfour", "one two\n...\nfive", "four\n...\nthree"):
+    check_console(
+        "$ echo one \\\n  two; echo three; echo four\none two\n...\nfour\n", "here"
+    )
+    for wrong in (
+        "one three",
+        "one two\nfour",
+        "one two\n...\nfive",
+        "four\n...\nthree",
+    ):
         with pytest.raises(AssertionError, match="here: echo"):
             check_console(f"$ echo one two; echo three; echo four\n{wrong}\n", "here")
 
 
-@pytest.mark.parametrize("path", [page.values[0] for page in pages()], ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path", [page.values[0] for page in pages()], ids=lambda path: path.name
+)
 def test_commands_have_the_words_that_they_need(path):
     """Those of blocks that are not run, too."""
     clpt = get_command(application())
-    shells = "\n".join(one.text for one in blocks(path) if one.language in ("sh", "console"))
+    shells = "\n".join(
+        one.text for one in blocks(path) if one.language in ("sh", "console")
+    )
     for line in re.findall(r"^(?:\$ )?clpt (.*)", shells.replace("\\\n", ""), re.M):
         name, *words = shlex.split(line.split(" |")[0], comments=True)
         clpt.commands[name].make_context(name, words)
@@ -93,10 +110,14 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
     monkeypatch.setenv("MPLBACKEND", "agg")
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     page, printed = ModuleType("page"), ""
-    monkeypatch.setitem(sys.modules, "page", page)  # its functions are found there, as in a script
+    monkeypatch.setitem(
+        sys.modules, "page", page
+    )  # its functions are found there, as in a script
     for block in blocks(path):
         where = f"{path.name}:{block.line}"
-        assert block.language in LANGUAGES, f"{where}: '{block.language}' is no known language"
+        assert block.language in LANGUAGES, (
+            f"{where}: '{block.language}' is no known language"
+        )
         if block.language == "text" and printed and not block.after.strip():
             assert_same(printed, block.text, where)
         printed = "" if LEFT_OUT.match(block.text) else run(block, vars(page), where)
@@ -130,14 +151,18 @@ def shell(commands, where=None):
     """Run commands, the first that fails ends them; return all that is said."""
     both = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True}
     done = subprocess.run(["sh", "-e", "-c", commands], timeout=GUARD, **both)
-    assert done.returncode == 0 or not where, f"{where}: status {done.returncode}: {done.stdout}"
+    assert done.returncode == 0 or not where, (
+        f"{where}: status {done.returncode}: {done.stdout}"
+    )
     return done.stdout
 
 
 def check_console(text, where):
     """Run what stands after `$`; what is shown below must be what is said, but for `...`."""
     for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
-        command, shown = re.match(r"((?:[^\n]*\\\n)*[^\n]*\n?)(.*)", part, re.S).groups()
+        command, shown = re.match(
+            r"((?:[^\n]*\\\n)*[^\n]*\n?)(.*)", part, re.S
+        ).groups()
         out = shell(command)
         said = words(out)
         for piece in re.split(r"^\s*\.\.\.\s*$", shown, flags=re.M):
@@ -161,7 +186,9 @@ def assert_same(printed, shown, where):
 
 def parts(text):
     """Lines without LLVM's own numbering and rounded numbers; the numbers apart."""
-    lines = [re.sub(r'%"\.\d+"', "%", line).rstrip() for line in text.strip().splitlines()]
+    lines = [
+        re.sub(r'%"\.\d+"', "%", line).rstrip() for line in text.strip().splitlines()
+    ]
     whole = "\n".join(lines)
     return NUMBER.sub("#", whole), [float(n) for n in NUMBER.findall(whole)]
 

@@ -21,12 +21,19 @@ def ticking(monkeypatch):
     monkeypatch.setattr(progress, "LOG_EVERY", 0.0)
 
 
-THERE = "clpt: running: 90 of 100 members were there already", "running: 90 of 100 members"
+THERE = (
+    "clpt: running: 90 of 100 members were there already",
+    "running: 90 of 100 members",
+)
 SAID = [
     ("members", (0, 50), ["running: 50 of 100 members, 25 a second, 0:02 left"]),
     ("", (0, 50), ["running: 50 %, 0:02 left"]),
     # what was done before is no rate
-    ("members", (90, 92), [*THERE, "running: 92 of 100 members, 1 a second, 0:08 left"]),
+    (
+        "members",
+        (90, 92),
+        [*THERE, "running: 92 of 100 members, 1 a second, 0:08 left"],
+    ),
 ]
 
 
@@ -57,12 +64,16 @@ with processes(1) as pool:
     print(pool.submit(abs, -1).result(), flush=True)
     {then}
 """
-SEMAPHORES = pytest.mark.skipif(os.name != "posix", reason="tidied by another process there")
+SEMAPHORES = pytest.mark.skipif(
+    os.name != "posix", reason="tidied by another process there"
+)
 ENDS = [("pass", 0), pytest.param("os._exit(130)", 130, marks=SEMAPHORES)]
 
 
 @pytest.mark.parametrize(("then", "status"), ENDS)
-def test_a_script_needs_no_guard_and_one_that_ends_at_work_says_nothing(tmp_path, then, status):
+def test_a_script_needs_no_guard_and_one_that_ends_at_work_says_nothing(
+    tmp_path, then, status
+):
     """Nothing of semaphores."""
     (tmp_path / "unguarded.py").write_text(UNGUARDED.format(then=then))
     done = ran(sys.executable, "unguarded.py", status=status, cwd=tmp_path)

@@ -27,18 +27,29 @@ CITATION = yaml.safe_load((HOUSE / "CITATION.cff").read_text())
 def bounds(requirements):
     """Return name -> bound, named as conda-forge names them."""
     made = [Requirement(text) for text in requirements]
-    return {CONDA.get(r.name, r.name.lower()): str(r.specifier) for r in made if r.specifier}
+    return {
+        CONDA.get(r.name, r.name.lower()): str(r.specifier) for r in made if r.specifier
+    }
 
 
 def conda_bounds(requirements):
-    return dict(text.rsplit(" ", 1) for text in requirements if not text.startswith("python "))
+    return dict(
+        text.rsplit(" ", 1) for text in requirements if not text.startswith("python ")
+    )
 
 
-VERSION, DATE = re.search(r"(?m)^## (\S+), (.+)$", (HOUSE / "CHANGELOG.md").read_text()).groups()
+VERSION, DATE = re.search(
+    r"(?m)^## (\S+), (.+)$", (HOUSE / "CHANGELOG.md").read_text()
+).groups()
 LOWEST, ABOUT = RECIPE["context"]["python_min"], RECIPE["about"]
 NAMED = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
 SAME = [
-    (VERSION, clpt_control.__version__, CITATION["version"], RECIPE["context"]["version"]),
+    (
+        VERSION,
+        clpt_control.__version__,
+        CITATION["version"],
+        RECIPE["context"]["version"],
+    ),
     (["version"], PROJECT["dynamic"]),
     ({"attr": "clpt_control.__version__"}, TOOLS["setuptools"]["dynamic"]["version"]),
     (DATE, str(CITATION.get("date-released", "not yet released"))),
@@ -60,28 +71,41 @@ def test_what_several_files_say_is_the_same(said):
 def test_the_conda_recipe_takes_what_pip_takes():
     needs = RECIPE["requirements"]
     assert conda_bounds(needs["run"]) == bounds(PROJECT["dependencies"])
-    assert conda_bounds(needs["run_constraints"]) == bounds(EXTRAS["sea"] + EXTRAS["ensemble"])
+    assert conda_bounds(needs["run_constraints"]) == bounds(
+        EXTRAS["sea"] + EXTRAS["ensemble"]
+    )
     builds = bounds(WHOLE["build-system"]["requires"])
-    assert builds.items() <= dict(t.split(" ", 1) for t in needs["host"] if " " in t).items()
+    assert (
+        builds.items()
+        <= dict(t.split(" ", 1) for t in needs["host"] if " " in t).items()
+    )
     [(name, target)] = PROJECT["scripts"].items()
     assert RECIPE["build"]["python"]["entry_points"] == [f"{name} = {target}"]
 
 
 def test_pinned_versions_are_allowed():
-    pins = dict(line.split("==") for line in (HOUSE / "constraints.txt").read_text().split())
+    pins = dict(
+        line.split("==") for line in (HOUSE / "constraints.txt").read_text().split()
+    )
     pins = {name.lower().replace("_", "-"): version for name, version in pins.items()}
     for needed in map(Requirement, sum(EXTRAS.values(), PROJECT["dependencies"])):
         pinned = pins.get(needed.name.lower().replace("_", "-"), "")
-        assert not needed.specifier or needed.specifier.contains(pinned), f"{needed}: {pinned}"
+        assert not needed.specifier or needed.specifier.contains(pinned), (
+            f"{needed}: {pinned}"
+        )
 
 
 # --- SECURITY.md ---------------------------------------------------------------------------------
 
 
 def test_each_line_has_its_tests():
-    rows = re.findall(r"(?m)^\| .*(?<!\| tests \|)$", (HOUSE / "SECURITY.md").read_text("utf-8"))
+    rows = re.findall(
+        r"(?m)^\| .*(?<!\| tests \|)$", (HOUSE / "SECURITY.md").read_text("utf-8")
+    )
     texts = [path.read_text("utf-8") for path in (HOUSE / "tests").rglob("test_*.py")]
-    there = {name for text in texts for name in re.findall(r"^def (test_\w+)\(", text, re.M)}
+    there = {
+        name for text in texts for name in re.findall(r"^def (test_\w+)\(", text, re.M)
+    }
     assert len(rows) > 12
     for row in rows:
         named = re.findall(r"`(test_\w+)`", row.rsplit("|", 2)[1])
@@ -91,7 +115,9 @@ def test_each_line_has_its_tests():
 
 # --- the core alone ------------------------------------------------------------------------------
 
-MODULES = {Requirement(one).name for extra in ("sea", "ensemble") for one in EXTRAS[extra]}
+MODULES = {
+    Requirement(one).name for extra in ("sea", "ensemble") for one in EXTRAS[extra]
+}
 BLOCKED = f"""
 import os, sys
 from importlib.machinery import PathFinder
@@ -126,7 +152,9 @@ def test_the_core_is_at_most_ten_packages():
     assert len(PROJECT["dependencies"]) <= 10
     reasons = (HOUSE / "CONTRIBUTING.md").read_text().replace("-", "_")
     for one in PROJECT["dependencies"]:
-        assert re.search(rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M)
+        assert re.search(
+            rf"^\|.*\b{Requirement(one).name.replace('-', '_')}\b", reasons, re.M
+        )
 
 
 COMMANDS = {
@@ -176,5 +204,7 @@ def test_the_ten_lines_a_proof_a_law_a_page_and_commands_need_no_extra(said):
 def test_what_is_missing_is_said_by_name_with_the_command(said, words):
     package, (status, complaint) = COMMANDS[words], said[words]
     extra = "ensemble" if package == "zarr" else "sea"
-    wanted = f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it"
+    wanted = (
+        f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it"
+    )
     assert (status, wanted in complaint) == (2, True)

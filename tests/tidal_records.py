@@ -20,7 +20,9 @@ KNOWN = {
 
 
 def times(days, start="2019-01-01", step=60):
-    return np.datetime64(start, "ms") + np.arange(0, days * 1440 + 1, step) * np.timedelta64(1, "m")
+    return np.datetime64(start, "ms") + np.arange(
+        0, days * 1440 + 1, step
+    ) * np.timedelta64(1, "m")
 
 
 def waves(time, known=KNOWN, mean=(0.1, -0.05)):
@@ -28,7 +30,10 @@ def waves(time, known=KNOWN, mean=(0.1, -0.05)):
     hours = (time - time[0]) / np.timedelta64(1, "h")
     angles = {name: np.radians(SPEEDS[name] * hours) for name in known}
     parts = [
-        [row[2 * i] * np.cos(angles[n] - np.radians(row[2 * i + 1])) for n, row in known.items()]
+        [
+            row[2 * i] * np.cos(angles[n] - np.radians(row[2 * i + 1]))
+            for n, row in known.items()
+        ]
         for i in (0, 1)
     ]
     return np.array([mean[i] + np.sum(parts[i], axis=0) for i in (0, 1)])
@@ -42,13 +47,20 @@ def write_table(path, time, flow, units="m/s", latitude=LATITUDE):
     return path
 
 
-def write_netcdf(path, time, flow, *, cells=None, latitude=LATITUDE, units="m/s", calendar=None):
-    hours, since = (time - time[0]) / np.timedelta64(1, "h"), str(time[0])[:19].replace("T", " ")
+def write_netcdf(
+    path, time, flow, *, cells=None, latitude=LATITUDE, units="m/s", calendar=None
+):
+    hours, since = (
+        (time - time[0]) / np.timedelta64(1, "h"),
+        str(time[0])[:19].replace("T", " "),
+    )
     if cells is None:
         place = {} if latitude is None else {"latitude": latitude}
         u, v = (("time", part, {"units": units}) for part in flow)
         data = xarray.Dataset({"u": u, "v": v}, {"time": ("time", hours), **place})
     else:
         data = gridded_current(*flow, *cells, hours, units=units)
-    saying("time", units=f"hours since {since}", calendar=calendar)(data).to_netcdf(path)
+    saying("time", units=f"hours since {since}", calendar=calendar)(data).to_netcdf(
+        path
+    )
     return path

@@ -20,8 +20,14 @@ def system(rates, inputs=(), params=None, **named):
     states = [name for name in taken if name not in ("t", *inputs, *params)]
 
     def update(t, x, u, p):
-        known = {"t": t, **dict(zip(states, x, strict=True)), **dict(zip(inputs, u, strict=True))}
-        return np.array(rates(*(known[name] if name in known else p[name] for name in taken)))
+        known = {
+            "t": t,
+            **dict(zip(states, x, strict=True)),
+            **dict(zip(inputs, u, strict=True)),
+        }
+        return np.array(
+            rates(*(known[name] if name in known else p[name] for name in taken))
+        )
 
     given = {"inputs": inputs or 0, "states": states, "params": params, "name": "plant"}
     return control.nlsys(update, **given | named)
@@ -44,7 +50,11 @@ def written(text):
             params[name] = float(value)
     taken = ", ".join(["t", *rates, *inputs, *params])
     made = eval(f"lambda {taken}: [{', '.join(rates.values())}]", NUMPY)
-    return system(made, inputs, params), signals(level, [*rates]), *[{"at": rest}] * bool(rest)
+    return (
+        system(made, inputs, params),
+        signals(level, [*rates]),
+        *[{"at": rest}] * bool(rest),
+    )
 
 
 def signals(level, states):

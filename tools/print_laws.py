@@ -31,7 +31,10 @@ NAMES = {
     "int": r"\int",
     "sum": r"\sum",
     **{name: rf"\{name}" for name in ("max", "min", "det")},
-    **{name: rf"\operatorname{{{name}}}" for name in ("clip", "tr", "adj", "norm", "diag")},
+    **{
+        name: rf"\operatorname{{{name}}}"
+        for name in ("clip", "tr", "adj", "norm", "diag")
+    },
 }
 PROSE = re.compile(
     r"\b(where|with|and|as|the|between|Eqs?|at all|from|in place|what|beside|both|whatever)\b"
@@ -110,7 +113,9 @@ def formulas(lines: list[str]) -> str:
 
 def markdown(page: str) -> str:
     """Return a page up to its ports, equations as formulas."""
-    lines = re.split(r"^(?:Ports|States): ", inspect.cleandoc(page), flags=re.M)[0].splitlines()
+    lines = re.split(r"^(?:Ports|States): ", inspect.cleandoc(page), flags=re.M)[
+        0
+    ].splitlines()
     found: list[str] = []
     for inside, block in groupby(lines, key=lambda line: line.startswith("    ")):
         text = list(block)
@@ -149,10 +154,15 @@ def whole_page() -> str:
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
-        found.append(f"## {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n")
+        found.append(
+            f"## {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n"
+        )
         for law in rows:
             words = promises_in_words(law).values()
-            said = [f"- {typeset(one.replace(f'where: {USUAL}', 'as usual'))}" for one in words]
+            said = [
+                f"- {typeset(one.replace(f'where: {USUAL}', 'as usual'))}"
+                for one in words
+            ]
             found.append(f"`{law.name}` promises, asked along runs:\n")
             found.append("\n".join(said) + "\n")
     found.append(f"## Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")

@@ -40,8 +40,22 @@ OPTIONS: dict[str, Any] = {
 # functions that stay functions; the others are inlined
 NOT_INLINED = (
     *("advance", "evaluate", "take_run", "find_crossing", "may_hide", "locate_events"),
-    *("check_conditions", "check_guard", "locate_jump", "put_rates", "quarter", "halve"),
-    *("narrow", "measure_effect", "bracket_next", "factor", "differentiate", "solve_stage"),
+    *(
+        "check_conditions",
+        "check_guard",
+        "locate_jump",
+        "put_rates",
+        "quarter",
+        "halve",
+    ),
+    *(
+        "narrow",
+        "measure_effect",
+        "bracket_next",
+        "factor",
+        "differentiate",
+        "solve_stage",
+    ),
     *("write_samples", "jump_states"),
 )
 # words that an older LLVM does not know
@@ -61,7 +75,9 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 
     def build(context, builder, signature, arguments):
         def pointer(k):
-            return context.make_array(signature.args[k])(context, builder, arguments[k]).data
+            return context.make_array(signature.args[k])(
+                context, builder, arguments[k]
+            ).data
 
         double = ir.DoubleType().as_pointer()
         kind = ir.FunctionType(ir.VoidType(), [double] * 6).as_pointer()
@@ -79,7 +95,9 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 
 def for_numba() -> ModuleType:
     """Return the solver's page with its functions for Numba to compile, and those of the others."""
-    package = ModuleType("pages")  # the room without its `__init__`, which asks for more
+    package = ModuleType(
+        "pages"
+    )  # the room without its `__init__`, which asks for more
     package.__path__ = [str(SOLVER)]
     sys.modules["pages"] = package
     pages = [import_module(f"pages.{name}") for name in PAGES]
@@ -123,7 +141,10 @@ def arguments() -> dict[str, tuple]:
         linear=layout.Linear(real(1), real(1), whole(1), (1, 1), *(whole(1),) * 6),
     )
     points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4
-    return {"advance": (solver, 1, 1), "evaluate": (whole(1), 1, 1, 1, 1, *points, real(2))}
+    return {
+        "advance": (solver, 1, 1),
+        "evaluate": (whole(1), 1, 1, 1, 1, *points, real(2)),
+    }
 
 
 def printed(function: Any, given: tuple, name: str) -> Any:
@@ -137,8 +158,12 @@ def printed(function: Any, given: tuple, name: str) -> Any:
     entry = parsed.get_function(function.overloads[kinds].fndesc.mangled_name)
     entry.linkage, entry.name = "external", f"{name}_of_many"
     machine = llvm.Target.from_default_triple().create_target_machine()
-    options = llvm.create_pipeline_tuning_options(speed_level=1)  # to drop what is not called
-    options.loop_vectorization = options.slp_vectorization = False  # each machine has its own
+    options = llvm.create_pipeline_tuning_options(
+        speed_level=1
+    )  # to drop what is not called
+    options.loop_vectorization = options.slp_vectorization = (
+        False  # each machine has its own
+    )
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(parsed, passes)
     asked = [one.name for one in parsed.functions if one.is_declaration]
@@ -159,9 +184,15 @@ def of_one_array(name: str, text: str) -> str:
         lines.append(f"%at.{k} = getelementptr i64, ptr %numbers, i64 {k}")
         lines.append(f"%number.{k} = load {kind}, ptr %at.{k}")
     numbers = "".join(f", {kind} %number.{k}" for k, kind in enumerate(kinds))
-    lines.append(f"%status = call i32 @{name}_of_many(ptr %result, ptr %error{numbers})")
+    lines.append(
+        f"%status = call i32 @{name}_of_many(ptr %result, ptr %error{numbers})"
+    )
     lines += ["%value = load i64, ptr %result", "ret i64 %value"]
-    return f"define i64 @{name}(ptr %numbers) {{\n" + "".join(f"  {one}\n" for one in lines) + "}\n"
+    return (
+        f"define i64 @{name}(ptr %numbers) {{\n"
+        + "".join(f"  {one}\n" for one in lines)
+        + "}\n"
+    )
 
 
 def main() -> None:

@@ -45,7 +45,9 @@ class _AfterXarray(MetaPathFinder):
     def __init__(self, load: Callable[[], type]) -> None:
         self.load = load
 
-    def find_spec(self, fullname: str, path: Any, target: Any = None) -> ModuleSpec | None:
+    def find_spec(
+        self, fullname: str, path: Any, target: Any = None
+    ) -> ModuleSpec | None:
         """Find xarray once, and nothing else."""
         if fullname != XARRAY or self not in sys.meta_path:
             return None

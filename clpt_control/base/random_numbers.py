@@ -23,7 +23,11 @@ def hash_fraction(seed, k, axis, stream):
     which = axis * 2.0 + stream
     for i in range(4):
         h = remainder(h * h + 1299709.0 + 15485863.0 * i)
-        h = h * 31415821.0 + remainder(k) * (2.0 * i + 3.0) + which * (7919.0 + 104729.0 * i)
+        h = (
+            h * 31415821.0
+            + remainder(k) * (2.0 * i + 3.0)
+            + which * (7919.0 + 104729.0 * i)
+        )
         h = remainder(h)
     return (h + 0.5) / MODULUS
 

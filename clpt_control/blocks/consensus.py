@@ -61,7 +61,9 @@ def pulled_law(law: Block) -> Block:
     )
 
 
-def consensus_block(vehicle: str, neighbours: Sequence[str], N: int, coupling: float) -> Block:
+def consensus_block(
+    vehicle: str, neighbours: Sequence[str], N: int, coupling: float
+) -> Block:
     """Make the pull on one vehicle, in its namespace; the coupling kappa is per time."""
     own = {"alpha": vehicle, **{f"alpha_{j}": one for j, one in enumerate(neighbours)}}
     block = Block(
@@ -73,11 +75,16 @@ def consensus_block(vehicle: str, neighbours: Sequence[str], N: int, coupling: f
         sizes={"N": N},
     )
     inputs = {port: named(one, "alpha") for port, one in own.items()}
-    return renamed(block, named(vehicle, "consensus"), inputs, {"pull": named(vehicle, "pull")})
+    return renamed(
+        block, named(vehicle, "consensus"), inputs, {"pull": named(vehicle, "pull")}
+    )
 
 
 def total_candidate(vehicles: Sequence[str]) -> Block:
     """Make V of the team."""
     return Block(
-        "lyapunov", output=total, inputs={named(one, "V"): 1 for one in vehicles}, outputs={"V": 1}
+        "lyapunov",
+        output=total,
+        inputs={named(one, "V"): 1 for one in vehicles},
+        outputs={"V": 1},
     )

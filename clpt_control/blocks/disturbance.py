@@ -64,5 +64,10 @@ def disturbance(
     output, breakpoints = KINDS[kind]
     given = {"amplitude": amplitude, "period": period, "seed": seed}
     return paper_block(
-        "disturbance", "-> delta", given, output=output, opaque=True, breakpoints=breakpoints
+        "disturbance",
+        "-> delta",
+        given,
+        output=output,
+        opaque=True,
+        breakpoints=breakpoints,
     )

@@ -20,7 +20,9 @@ from ..engine.model.declaration import Guard
 from ..engine.trace.interpolators import lookup
 from .ports import paper_block
 
-ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
+ADVICE = (
+    'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
+)
 FOUR = np.arange(4.0)  # the coefficients of a spline at a place
 
 
@@ -42,7 +44,9 @@ def gridded(t, x, u, p):
     wm, wj, wi = spline(np.abs(here[:, None] - (cell[:, None] + FOUR - 1)))
     row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
     weight = wm[:, None, None] * wj[:, None] * wi
-    flow = np.stack([np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))])
+    flow = np.stack(
+        [np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))]
+    )
     delta = getattr(u, "delta", None)
     return flow if delta is None else flow + delta
 
@@ -69,7 +73,11 @@ def spline_coefficients(values: np.ndarray) -> np.ndarray:
 
 
 def gridded_flow(
-    grid, outside: str = "raise", disturbed: bool = False, units=None, position: str = "x"
+    grid,
+    outside: str = "raise",
+    disturbed: bool = False,
+    units=None,
+    position: str = "x",
 ) -> Block:
     """Make the true flow of a gridded current (`currents.plane.GriddedField`).
 

@@ -53,18 +53,36 @@ def gaussian_sigma(t, x, u, p):
     return np.exp(-squared_distance(u, p) / p.widths) * tide(t, p)
 
 
-KERNELS = {"exponential": exponential, "gaussian": gaussian, "gaussian-sigma": gaussian_sigma}
+KERNELS = {
+    "exponential": exponential,
+    "gaussian": gaussian,
+    "gaussian-sigma": gaussian_sigma,
+}
 
 
 def flow_basis(
-    name: str, position: str, kernel: str, centers: Any, widths: Any, frequencies: Any, phases: Any
+    name: str,
+    position: str,
+    kernel: str,
+    centers: Any,
+    widths: Any,
+    frequencies: Any,
+    phases: Any,
 ) -> Block:
     """Make the block phi of Eq. (5) at ``"x"``, the vehicle, ``"z"``, its prediction, or any port.
 
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
-    given = {"centers": centers, "widths": widths, "frequencies": frequencies, "phases": phases}
-    ports: dict[str, Any] = {"inputs": {position: 2}, "outputs": {f"phi_{position}": "N"}}
+    given = {
+        "centers": centers,
+        "widths": widths,
+        "frequencies": frequencies,
+        "phases": phases,
+    }
+    ports: dict[str, Any] = {
+        "inputs": {position: 2},
+        "outputs": {f"phi_{position}": "N"},
+    }
     shapes = among(given)
     return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
 
@@ -83,7 +101,9 @@ def modeled(t, x, u, p):
 def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
     """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
     ports = "x phi_x delta -> flow_x" if disturbed else "x phi_x -> flow_x"
-    return at_position(paper_block("true_flow", ports, {"theta": theta}, output=true), position)
+    return at_position(
+        paper_block("true_flow", ports, {"theta": theta}, output=true), position
+    )
 
 
 def at_position(block: Block, position: str) -> Block:
@@ -94,4 +114,6 @@ def at_position(block: Block, position: str) -> Block:
 
 def modeled_flow(alpha_M: Any) -> Block:
     """Make the modelled flow, Eq. (4)."""
-    return paper_block("modeled_flow", "phi_z -> flow_z", {"alpha_M": alpha_M}, output=modeled)
+    return paper_block(
+        "modeled_flow", "phi_z -> flow_z", {"alpha_M": alpha_M}, output=modeled
+    )

@@ -71,4 +71,6 @@ def known_flow_injection(alpha_M: Any, theta_hat: Any = None) -> Block:
 def learned_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of the learned-flow law, Eq. (20)."""
     given = {"alpha_M": alpha_M}
-    return paper_block("injection", "phi_x phi_z alpha -> psi", given, output=learned_flow_psi)
+    return paper_block(
+        "injection", "phi_x phi_z alpha -> psi", given, output=learned_flow_psi
+    )

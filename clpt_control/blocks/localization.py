@@ -47,11 +47,18 @@ def fix(t, x, u, p):
     return {"fix": u.x + position_noise(p), "taken": np.where(missing, 0.0, 1.0)}
 
 
-def fixes(noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0) -> Block:
+def fixes(
+    noise: float, between: float, dropouts: float = 0.0, seed: float = 0.0
+) -> Block:
     """Make the block of the fixes: s, the time between two, the share that is missing."""
     given = {"noise": noise, "between": between, "dropouts": dropouts, "seed": seed}
     return paper_block(
-        "fixes", "x -> fix taken", given, output=fix, opaque=True, breakpoints=Each("between")
+        "fixes",
+        "x -> fix taken",
+        given,
+        output=fix,
+        opaque=True,
+        breakpoints=Each("between"),
     )
 
 
@@ -59,4 +66,6 @@ def measurement(noise: float, period: float, seed: float = 0.0) -> Block:
     """Make the block of the measured position: s, and how long the noise is held."""
     given = {"noise": noise, "period": period, "seed": seed}
     jumps, ports = Each("period"), f"{TRUE} -> x"
-    return paper_block("measurement", ports, given, output=measured, opaque=True, breakpoints=jumps)
+    return paper_block(
+        "measurement", ports, given, output=measured, opaque=True, breakpoints=jumps
+    )

@@ -21,8 +21,12 @@ OF_AXES = (
 )
 SHAPES: dict[str, Any] = {
     **dict.fromkeys(OF_AXES, 2),
-    **dict.fromkeys(("phi_x", "phi_x_true", "phi_z", "widths", "frequencies", "phases"), "N"),
-    **dict.fromkeys(("alpha", "alpha_0", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")),
+    **dict.fromkeys(
+        ("phi_x", "phi_x_true", "phi_z", "widths", "frequencies", "phases"), "N"
+    ),
+    **dict.fromkeys(
+        ("alpha", "alpha_0", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")
+    ),
     **{"centers": ("N", 2), "information": "N", "taken": 1, "V": 1},
 }
 
@@ -33,16 +37,27 @@ def among(names: Iterable[str]) -> dict[str, Any]:
 
 
 def paper_block(
-    name: str, ports: str, parameters: Mapping[str, Any] = {}, N: int | None = None, **more: Any
+    name: str,
+    ports: str,
+    parameters: Mapping[str, Any] = {},
+    N: int | None = None,
+    **more: Any,
 ) -> Block:
     """Make a block; `ports` are its inputs, "->" and its outputs, or its states without `output`.
 
     N tells the number of basis functions where no parameter does.  One with `breakpoints` has the
     parameter `interval`, which the integrator sets.
     """
-    inputs, outputs = ({port: SHAPES[port] for port in s.split()} for s in ports.split("->"))
+    inputs, outputs = (
+        {port: SHAPES[port] for port in s.split()} for s in ports.split("->")
+    )
     more["outputs" if "output" in more else "states"] = outputs
     given = {**parameters, "interval": -1.0} if "breakpoints" in more else parameters
     values = {key: np.asarray(value, dtype=float)[()] for key, value in given.items()}
-    shapes, sizes = among(parameters) | more.pop("shapes", {}), {} if N is None else {"N": N}
-    return Block(name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more)
+    shapes, sizes = (
+        among(parameters) | more.pop("shapes", {}),
+        {} if N is None else {"N": N},
+    )
+    return Block(
+        name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more
+    )

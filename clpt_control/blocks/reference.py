@@ -37,5 +37,10 @@ def reference(points: Any, dwell: float) -> Block:
     x1, x2 = np.transpose(points)
     given = {"x1": x1, "x2": x2, "dwell": dwell}
     return paper_block(
-        "reference", "-> zc", given, output=waypoint, opaque=True, breakpoints=Each("dwell")
+        "reference",
+        "-> zc",
+        given,
+        output=waypoint,
+        opaque=True,
+        breakpoints=Each("dwell"),
     )

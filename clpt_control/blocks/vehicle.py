@@ -48,7 +48,11 @@ def vehicle(position: str = "x") -> Block:
     """Make the vehicle, Eq. (1); its position is the port ``"x"`` or ``"x_true"``."""
     if position == "x":
         return paper_block("vehicle", "flow_x v_x -> x", update=kinematics)
-    own: dict[str, Any] = {"update": kinematics, "output": true_position, "states": {"x": 2}}
+    own: dict[str, Any] = {
+        "update": kinematics,
+        "output": true_position,
+        "states": {"x": 2},
+    }
     return paper_block("vehicle", f"flow_x v_x -> {position}", **own)
 
 

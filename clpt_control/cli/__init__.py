@@ -42,7 +42,9 @@ def main(before: Any = signal.default_int_handler) -> None:
     gc.set_threshold(200_000, 50, 50)  # imports make many objects that stay
     warnings.showwarning = lambda *_: None  # commands print sentences, no warnings
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # names of files hold any bytes
+        sys.stdout.reconfigure(
+            errors="backslashreplace"
+        )  # names of files hold any bytes
     try:
         status = _run()
         sys.stdout.flush()
@@ -105,25 +107,35 @@ def application() -> "typer.Typer":
     }
     for title, commands in groups.items():
         for command in commands:
-            app.command(cls=Command, help=help_of(command), rich_help_panel=title)(command)
+            app.command(cls=Command, help=help_of(command), rich_help_panel=title)(
+                command
+            )
     return app
 
 
 def _answer(error: BaseException) -> int:
     """Print in one line what went wrong; return the status."""
-    if interrupt.pending() or _interrupted(error):  # an interrupted import raises anything
+    if interrupt.pending() or _interrupted(
+        error
+    ):  # an interrupted import raises anything
         return 130
     if isinstance(error, SimulationError):
         return _complain(str(error), 1)
     if isinstance(error, ClptError):
         return _complain(str(error), 2)
-    if isinstance(error, SystemExit) and COMPLETES in os.environ:  # fish reads the status
+    if (
+        isinstance(error, SystemExit) and COMPLETES in os.environ
+    ):  # fish reads the status
         return error.code if isinstance(error.code, int) else 0
-    if isinstance(error, BrokenPipeError | SystemExit):  # the reader of a page of help went away
+    if isinstance(
+        error, BrokenPipeError | SystemExit
+    ):  # the reader of a page of help went away
         discard(sys.stdout)
         return 0
     if isinstance(error, MemoryError):
-        return _complain("out of memory; take fewer samples, members, files or places at once", 1)
+        return _complain(
+            "out of memory; take fewer samples, members, files or places at once", 1
+        )
     if isinstance(error, OSError) and error.errno in OUTPUT and error.filename is None:
         if sys.stdout is not None:
             discard(sys.stdout)
@@ -148,7 +160,9 @@ def _usage(error: Any) -> str:
     for near in (". Did you mean ", " (Possible options: "):
         if near in fault:
             return fault.replace(near, "; did you mean ").rstrip(")?") + "?"
-    command = getattr(getattr(error, "ctx", None), "command_path", f"clpt {sys.argv[1]}")
+    command = getattr(
+        getattr(error, "ctx", None), "command_path", f"clpt {sys.argv[1]}"
+    )
     return f"{fault}; `{command} --help` shows what it takes"
 
 

@@ -9,7 +9,9 @@ from ..html import Result
 from ..progress import progress_bar
 from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
-OF_THEOREM = "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
+OF_THEOREM = (
+    "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
+)
 OF_LAW = "status claim for_every_N steps"
 ROOMS = {  # of proofs -> what one is called, its fields in JSON
     "theorems": ("Theorem {}", OF_THEOREM),
@@ -39,9 +41,13 @@ def laws(
     for law in wanted:
         settings = {}
         for key, one in law.settings.items():
-            settings[key] = {name: getattr(one, name) for name in ("default", "allowed", "meaning")}
+            settings[key] = {
+                name: getattr(one, name) for name in ("default", "allowed", "meaning")
+            }
             default = "of the scenario" if one.default is None else f"{one.default:g}"
-            keys.append([f"learning.{law.table}.{key}", one.allowed, default, one.meaning])
+            keys.append(
+                [f"learning.{law.table}.{key}", one.allowed, default, one.meaning]
+            )
         rows.append([law.name, what_it_promises(law), law.needs])
         listed[law.name] = {
             "promises": list(promises_in_words(law).values()),
@@ -56,15 +62,24 @@ def laws(
         promises = [f"- {words}" for words in listed[name]["promises"]]
         sentences = [page, "Asked along runs:", *promises, ""]
     found = [
-        Result("Laws (learning.law)", ["law", "promise, on conditions", "needs"], rows, sentences)
+        Result(
+            "Laws (learning.law)",
+            ["law", "promise, on conditions", "needs"],
+            rows,
+            sentences,
+        )
     ]
     if keys:
-        found.append(Result("Settings", ["key", "allowed", "default", "what it is"], keys))
+        found.append(
+            Result("Settings", ["key", "allowed", "default", "what it is"], keys)
+        )
     finish(found, {"laws": listed}, as_json)
 
 
 def prove(
-    theorem: str | None = opt("NUMBER", "3.1 to 3.4; default: all, limits and every law."),
+    theorem: str | None = opt(
+        "NUMBER", "3.1 to 3.4; default: all, limits and every law."
+    ),
     again: bool = flag("Judge what was judged before.", "--again"),
     as_json: Json = False,
 ) -> None:
@@ -75,7 +90,12 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.outcomes import CachedOutcomes, make_ready, prove_all, second_process
+    from ..theory.proving.outcomes import (
+        CachedOutcomes,
+        make_ready,
+        prove_all,
+        second_process,
+    )
 
     with second_process() as pool:
         cached = CachedOutcomes()
@@ -93,7 +113,9 @@ def prove(
     results, wrong = [], []
     for room, (title, fields) in ROOMS.items():
         proofs = {s.name: outcomes[s] for s in wanted if s.room == room}
-        summary[room] = {name: _fields(one, fields, name) for name, one in proofs.items()}
+        summary[room] = {
+            name: _fields(one, fields, name) for name, one in proofs.items()
+        }
         if room == "laws":
             rows = [
                 [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
@@ -102,8 +124,12 @@ def prove(
             columns = ["law", "status", "V' along the closed loop"]
             results += [Result("Laws", columns, rows, [""])] if rows else []
         else:
-            results += [_result(title.format(name), one) for name, one in proofs.items()]
-        wrong += [f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds]
+            results += [
+                _result(title.format(name), one) for name, one in proofs.items()
+            ]
+        wrong += [
+            f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds
+        ]
     misprints = outcomes[wanted[-1]]
     proved_at = max(cached.times[one] for one in wanted)
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
@@ -117,7 +143,9 @@ def prove(
     results.append(Result("Misprints", columns, rows, [] if new else [before]))
     finish(results, summary, as_json)
     wrong += [
-        f"the misprint of {m['equation']} is not confirmed" for m in misprints if not m["confirmed"]
+        f"the misprint of {m['equation']} is not confirmed"
+        for m in misprints
+        if not m["confirmed"]
     ]
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
@@ -151,7 +179,12 @@ def refute(
     if out is not None and text is not None:
         write_file(out, text)
     rows = [
-        [words, "never asked" if what not in found.closest else cell_text(found.closest[what])]
+        [
+            words,
+            "never asked"
+            if what not in found.closest
+            else cell_text(found.closest[what]),
+        ]
         for what, words in promises_in_words(LAWS[law]).items()
     ]
     title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
@@ -176,9 +209,16 @@ def _result(name: str, proof: Any) -> Result:
     """Return the steps of a proof, and what is printed, holds, is cited or not proved."""
     rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
     every = ", for every N" if proof.for_every_N else ""
-    sentences = [("printed", proof.printed), ("holds", proof.corrected), ("cited", proof.cited)]
+    sentences = [
+        ("printed", proof.printed),
+        ("holds", proof.corrected),
+        ("cited", proof.cited),
+    ]
     sentences += [("not shown", rest) for rest in proof.not_proved]
     lines = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
     return Result(
-        f"{name}: {proof.status}{every}", ["holds", "how", "claim", ""], rows, [*lines, ""]
+        f"{name}: {proof.status}{every}",
+        ["holds", "how", "claim", ""],
+        rows,
+        [*lines, ""],
     )

@@ -11,8 +11,12 @@ from .printing import Json, Report, arg, cell_text, check_out, finish, opt
 
 
 def fit(
-    currents: Path = arg("FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."),
-    out: Path = opt("SCENARIO", "Scenario file to write; the field lies beside it.", default=...),
+    currents: Path = arg(
+        "FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."
+    ),
+    out: Path = opt(
+        "SCENARIO", "Scenario file to write; the field lies beside it.", default=...
+    ),
     box: tuple[float, float, float, float] | None = opt(
         "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."
     ),
@@ -24,7 +28,9 @@ def fit(
     constituents: str = opt(
         "NAMES", "steady and named tides, such as steady,M2.", default="steady,M2"
     ),
-    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
+    units: str | None = opt(
+        "UNIT", "Of u and v, such as m/s, where the file has none."
+    ),
     as_json: Json = False,
 ) -> None:
     """Make a scenario in a measured current, and fit its flow.
@@ -56,18 +62,26 @@ def fit(
     if (fitted.report["explained_variance"] or 0) < 0:
         wider = "the fit is worse than the mean current alone; --width-km wider than that may do"
     sentences = [said for said in (wider, missing) if said]
-    found = Result(f"{out}: written, with the field beside it", ["", ""], lines, sentences)
+    found = Result(
+        f"{out}: written, with the field beside it", ["", ""], lines, sentences
+    )
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
 
 
 def tides(
     record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
     constituents: str = opt(
-        "NAMES", "Named tides, such as M2,S2,K1; auto: all that can be told apart.", default=...
+        "NAMES",
+        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+        default=...,
     ),
     latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
-    at: tuple[float, float] | None = opt("LAT LON", "Degrees: the nearest cell of a grid."),
-    units: str | None = opt("UNIT", "Of u and v, such as m/s, where the file has none."),
+    at: tuple[float, float] | None = opt(
+        "LAT LON", "Degrees: the nearest cell of a grid."
+    ),
+    units: str | None = opt(
+        "UNIT", "Of u and v, such as m/s, where the file has none."
+    ),
     as_json: Json = False,
 ) -> None:
     """Fit tidal constituents to a current record.
@@ -107,18 +121,36 @@ def tides_result(report: Report) -> Result:
         f"explained: {percent(report['explained_variance'])} of the variance; residual rms "
         f"{report['residual_rms']:.4f} m/s",
     ]
-    columns = ["", "east", "phase", "north", "phase", "major", "minor", "incl.", "phase"]
+    columns = [
+        "",
+        "east",
+        "phase",
+        "north",
+        "phase",
+        "major",
+        "minor",
+        "incl.",
+        "phase",
+    ]
     return Result(title, columns, rows, sentences)
 
 
 def estimate(
     run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
-    method: str = opt("NAME", "least-squares, kalman or tomography.", default="least-squares"),
-    every: float | None = opt("TIME", "Time between fixes; a tenth of reference.dwell."),
-    prior: float | None = opt("SPEED", "Standard deviation of each theta before any fix."),
+    method: str = opt(
+        "NAME", "least-squares, kalman or tomography.", default="least-squares"
+    ),
+    every: float | None = opt(
+        "TIME", "Time between fixes; a tenth of reference.dwell."
+    ),
+    prior: float | None = opt(
+        "SPEED", "Standard deviation of each theta before any fix."
+    ),
     noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),
     until: float | None = opt("TIME", "Use the run up to this time."),
-    out: Path | None = opt("FILE", "Scenario file to write: the run's, with the estimate given."),
+    out: Path | None = opt(
+        "FILE", "Scenario file to write: the run's, with the estimate given."
+    ),
     as_json: Json = False,
 ) -> None:
     """Estimate the flow from fix to fix, for the known-flow law.
@@ -131,7 +163,9 @@ def estimate(
     from ..estimation.segments import run_scenario
 
     if run.suffix != ".nc":
-        raise DataError(f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario")
+        raise DataError(
+            f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario"
+        )
     check_out(out, "a scenario")
     data = clpt.load_run(run)
     scenario = run_scenario(data)
@@ -139,7 +173,9 @@ def estimate(
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    found = clpt.estimation.flow_estimate(data, method, every=every, prior=prior, noise=noise)
+    found = clpt.estimation.flow_estimate(
+        data, method, every=every, prior=prior, noise=noise
+    )
     if out is not None:
         fed = clpt.estimation.known_flow_scenario(scenario, found.theta)
         clpt.save_scenario(fed, out)
@@ -164,7 +200,11 @@ def estimate(
     ]
     names = "theta_1", "theta_2", "standard deviation"
     columns = ["function", *(f"{name} ({speed})" for name in names)]
-    units = {"condition_number": "", "rms_of_misses_left": length, "largest_error": speed}
+    units = {
+        "condition_number": "",
+        "rms_of_misses_left": length,
+        "largest_error": speed,
+    }
     sentences = [
         f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()
         for key, unit in units.items()

@@ -33,7 +33,9 @@ class Command(TyperCommand):
         for param in self.get_params(ctx):
             words, about = param.get_help_record(ctx) or ("", "")
             is_argument = param.param_type_name == "argument"
-            rows[param.param_type_name].append((param.metavar if is_argument else words, about))
+            rows[param.param_type_name].append(
+                (param.metavar if is_argument else words, about)
+            )
         for title, lines in rows.items():
             if lines:
                 with formatter.section(f"{title.title()}s"):
@@ -67,7 +69,9 @@ def _print_version(wanted: bool) -> None:
     from importlib.metadata import version
 
     typer.echo(f"clpt-control {version('clpt-control')}")
-    typer.echo(f"{'Python':12} {platform.python_version()} on {platform.platform(terse=True)}")
+    typer.echo(
+        f"{'Python':12} {platform.python_version()} on {platform.platform(terse=True)}"
+    )
     for name in PACKAGES:
         typer.echo(f"{name:12} {version(name)}")
     raise typer.Exit
@@ -76,7 +80,9 @@ def _print_version(wanted: bool) -> None:
 def clpt(
     version: Annotated[
         bool,
-        typer.Option("--version", is_eager=True, callback=_print_version, help="Print versions."),
+        typer.Option(
+            "--version", is_eager=True, callback=_print_version, help="Print versions."
+        ),
     ] = False,
 ) -> None:
     """Adaptive learning for controlled Lagrangian particle tracking.
@@ -109,12 +115,16 @@ def arg(metavar: str, about: str, default: Any = ...) -> Any:
 
 # --- what commands take, and print ---------------------------------------------------------------
 
-ScenarioFile = Annotated[Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")]
+ScenarioFile = Annotated[
+    Path, arg("SCENARIO", "A scenario's TOML file, or a run's NetCDF.")
+]
 Window = Annotated[
-    float | None, opt("TIME", "Length of the window; default: one cycle of waypoints.", default=...)
+    float | None,
+    opt("TIME", "Length of the window; default: one cycle of waypoints.", default=...),
 ]
 Start = Annotated[
-    float | None, opt("TIME", "Start of the window; default: the second cycle.", default=...)
+    float | None,
+    opt("TIME", "Start of the window; default: the second cycle.", default=...),
 ]
 Report = dict[str, Any]  # ready for JSON
 PIPED = 140  # letters of a line that goes to no terminal
@@ -130,7 +140,12 @@ Json = Annotated[
 
 Formats = Annotated[
     list[str] | None,
-    opt("FORMAT", "Format of the figures: png, svg, pdf; repeat it.", "--format", default=...),
+    opt(
+        "FORMAT",
+        "Format of the figures: png, svg, pdf; repeat it.",
+        "--format",
+        default=...,
+    ),
 ]
 
 
@@ -176,7 +191,9 @@ def _print(text: str) -> None:
         discard(sys.stdout)
 
 
-def finish(results: Iterable[Result], report: Report, as_json: bool, *written: Path | None) -> None:
+def finish(
+    results: Iterable[Result], report: Report, as_json: bool, *written: Path | None
+) -> None:
     """Print a report as one JSON object, or results as tables and sentences; name files written."""
     if as_json:
         print_json(report)
@@ -199,7 +216,9 @@ def terminal_width() -> int:
     return console.width if console.is_terminal or os.environ.get("COLUMNS") else PIPED
 
 
-def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def print_table(
+    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]
+) -> None:
     """Print a table on standard output, brackets in it as they are.
 
     No cell is cut: words of the first column and of long cells are broken into lines, and what
@@ -211,12 +230,17 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
 
     head = any(columns)  # else a column of names beside one of values
     table = Table(title=Text(escaped(title)), title_justify="left", show_header=head)
-    columns, rows = list(map(escaped, columns)), [list(map(escaped, row)) for row in rows]
+    columns, rows = (
+        list(map(escaped, columns)),
+        [list(map(escaped, row)) for row in rows],
+    )
     least = 1
     for k, column in enumerate(columns):
         cells = [column, *(row[k] for row in rows)]
         words = k == 0 and any(" " in cell for cell in cells)
-        whole = not words and all(len(cell) <= LONG for cell in cells)  # numbers are never cut
+        whole = not words and all(
+            len(cell) <= LONG for cell in cells
+        )  # numbers are never cut
         table.add_column(Text(column), no_wrap=whole, overflow="fold")
         parts = cells if whole else [word for cell in cells for word in cell.split()]
         least += 3 + max(min(len(part), LONG) for part in parts)

@@ -42,31 +42,43 @@ def replay(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
     ),
-    learn_speed: bool = flag("Learn a factor on speed and a compass error.", default=True),
+    learn_speed: bool = flag(
+        "Learn a factor on speed and a compass error.", default=True
+    ),
     flow_model: Path | None = opt(
         "FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from."
     ),
-    units: str | None = opt("UNIT", "Of u and v of a forecast, such as m/s, where it has none."),
+    units: str | None = opt(
+        "UNIT", "Of u and v of a forecast, such as m/s, where it has none."
+    ),
     plan: tuple[float, float, float] | None = opt(
         "HOURS EAST NORTH",
         "Plan of the next dive: hours, m east, m north through the water.",
         "--next",
     ),
     aim: tuple[float, float] | None = opt(
-        "LAT LON", "Waypoint to aim at, degrees: the heading that the current carries there."
+        "LAT LON",
+        "Waypoint to aim at, degrees: the heading that the current carries there.",
     ),
     route: Path | None = opt(
         "FILE",
         "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
         "polygons are areas to stay out of: how likely they are entered.",
     ),
-    speed: float | None = opt("M/S", "Speed through water for --aim; else that of the last dives."),
-    hours: float | None = opt("HOURS", "Length of a dive for --aim; else that of the last dives."),
+    speed: float | None = opt(
+        "M/S", "Speed through water for --aim; else that of the last dives."
+    ),
+    hours: float | None = opt(
+        "HOURS", "Length of a dive for --aim; else that of the last dives."
+    ),
     least_duration: float | None = opt("SECONDS", "Dives must last longer than this."),
     variation: float | None = opt(
-        "DEGREES", "Variation of magnetic headings, degrees east; else the file's or IGRF."
+        "DEGREES",
+        "Variation of magnetic headings, degrees east; else the file's or IGRF.",
     ),
-    out: Path | None = opt("FOLDER", "Folder for NetCDF and figures.", parser=folder_named),
+    out: Path | None = opt(
+        "FOLDER", "Folder for NetCDF and figures.", parser=folder_named
+    ),
     follow: Path | None = opt(
         "FOLDER",
         "Folder to watch for new files; --out is FOLDER/replay by default.",
@@ -108,7 +120,9 @@ def replay(
             "--fleet FOLDER"
         )
     if fleet is not None and (aim or plan or route):
-        raise ScenarioError("--aim, --route and --next are of one vehicle; leave --fleet out")
+        raise ScenarioError(
+            "--aim, --route and --next are of one vehicle; leave --fleet out"
+        )
     if route is not None and aim:
         raise ScenarioError("--route FILE has the waypoints; leave --aim out")
     if alert is not None and follow is None and fleet is None:
@@ -125,8 +139,12 @@ def replay(
         )
     model = chosen_model(flow, learn_speed, flow_model is not None)
     if units is not None and flow_model is None:
-        raise ScenarioError(f"--units {units}: is for --flow-model FILE; give one, or leave it out")
-    forecast = None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
+        raise ScenarioError(
+            f"--units {units}: is for --flow-model FILE; give one, or leave it out"
+        )
+    forecast = (
+        None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
+    )
     way, areas = (None, None) if route is None else read_route(route)
     job = replay_report.Job(
         clpt.replay.Replay(estimator, model, forecast),
@@ -152,7 +170,11 @@ def replay(
         )
     else:
         summary = job.found(
-            *((clpt.gliders.sample_dives(), []) if sample else clpt.gliders.read_dives(files or []))
+            *(
+                (clpt.gliders.sample_dives(), [])
+                if sample
+                else clpt.gliders.read_dives(files or [])
+            )
         )
         if out is not None:
             written = replay_report.write(summary, make_folder(out), kinds)
@@ -165,7 +187,11 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     Then a factor on it is a parameter, which the dives may find to be near zero.
     """
     FixModel = clpt.estimation.FixModel
-    parts = FixModel().flow if flow is None else tuple(name.strip() for name in flow.split(","))
+    parts = (
+        FixModel().flow
+        if flow is None
+        else tuple(name.strip() for name in flow.split(","))
+    )
     if not forecast and "model" in parts:
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
     if forecast and "model" not in parts:
@@ -197,7 +223,9 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     faults: list[OSError] = []
     for where, inner, names in os.walk(top, onerror=faults.append, followlinks=True):
         here = Path(where)
-        inner[:] = [name for name in sorted(inner) if name[0] != "." and is_new(here / name)]
+        inner[:] = [
+            name for name in sorted(inner) if name[0] != "." and is_new(here / name)
+        ]
         if any(may_hold_dives(Path(name)) for name in names):
             yield here, ""
     for fault in faults:
@@ -232,7 +260,9 @@ def look_at(
     from ..replay.places import utc
 
     if not top.is_dir():
-        raise DataError(f"{top}: no such folder; give one with a folder for each vehicle")
+        raise DataError(
+            f"{top}: no such folder; give one with a folder for each vehicle"
+        )
     make_folder(out)
     rows = []
 
@@ -254,7 +284,9 @@ def look_at(
                 follower.look()
                 dives, bad = follower.dives()
                 if not dives:
-                    raise DataError(bad[0].why if bad else f"{folder}: no file is there any more")
+                    raise DataError(
+                        bad[0].why if bad else f"{folder}: no file is there any more"
+                    )
                 places = pages_of({dive.vehicle or name for dive in dives}, place)
                 dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
                 alerts = Alerts(alert, place)
@@ -277,6 +309,8 @@ def fleet_results(found: Report) -> list[Result]:
     from ..replay.fleet import FLEET, fleet_cells, fleet_sentence
 
     cells = [fleet_cells(row) for row in found["vehicles"]]
-    sentences = [f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]]
+    sentences = [
+        f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]
+    ]
     sentences.append(fleet_sentence(found["vehicles"]))
     return [replay_report.fitted("Fleet", cells, FLEET, sentences)]

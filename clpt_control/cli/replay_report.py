@@ -62,7 +62,9 @@ class Job:
             time, way = self.plan
             check_flown(hypot(*way) / time if time > 0 else 0.0, time)
         if not self.targets and (self.speed, self.duration) != (None, None):
-            raise ScenarioError("--speed and --hours are for --aim LAT LON; give a waypoint")
+            raise ScenarioError(
+                "--speed and --hours are for --aim LAT LON; give a waypoint"
+            )
         for target in self.targets:
             checked_target(*target)
         duration = 3600.0 if self.duration is None else self.duration
@@ -109,7 +111,9 @@ class Job:
         used, unused = clpt.gliders.usable(dives, self.least)
         skipped = [*unread, *unused]
         if not (self.follows or used):
-            raise DataError(f"no dive can be used; dive {unused[0].dive}: {unused[0].why}")
+            raise DataError(
+                f"no dive can be used; dive {unused[0].dive}: {unused[0].why}"
+            )
         with self.so_far():
             check_tides(self.replay.model.flow, used)
         with progress_bar("replaying dives", max(len(used), 1)) as report:
@@ -122,7 +126,11 @@ class Job:
         from ..replay.route import DRAWS, arrivals
 
         replay = self.replay
-        found = clpt.replay.summary(replay, skipped) | {"next_dive": None, "aim": [], "paste": None}
+        found = clpt.replay.summary(replay, skipped) | {
+            "next_dive": None,
+            "aim": [],
+            "paste": None,
+        }
         if not replay.steps:
             return found
         legs = self.aims()
@@ -135,14 +143,18 @@ class Job:
                 found["route"] = arrivals(replay, *way, report)
         return found | {"paste": paste(found)}
 
-    def learn(self, dives: tuple[Any, Any], files: int, out: Path) -> tuple[Report, str]:
+    def learn(
+        self, dives: tuple[Any, Any], files: int, out: Path
+    ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
         from ..replay.places import place
         from ..replay.wording import aim_sentence, when
 
         found = self.found(*dives)
         used = len(self.replay.steps)
-        line = f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
+        line = (
+            f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
+        )
         if not used:
             return found, line
         write(found, out, self.kinds, again=True)
@@ -170,23 +182,34 @@ def fitted(
             chosen.add(name)
             left -= size[name]
     titles = [name for name in size if name in chosen]
-    return Result(title, titles, [[row[one] for one in titles] for row in rows], sentences)
+    return Result(
+        title, titles, [[row[one] for one in titles] for row in rows], sentences
+    )
 
 
 def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ..replay import cells, wording
 
-    each, sentences = summary["each_dive"], [*wording.remarks(summary), *wording.coming(summary)]
+    each, sentences = (
+        summary["each_dive"],
+        [*wording.remarks(summary), *wording.coming(summary)],
+    )
     if summary.get("paste"):
-        sentences += [f"to paste, {summary['paste']['file']}:", summary["paste"]["text"].rstrip()]
+        sentences += [
+            f"to paste, {summary['paste']['file']}:",
+            summary["paste"]["text"].rstrip(),
+        ]
     if not each:
         return [Result(sentences=["no dives yet", *sentences])]
     dives = [cells.cells(row) for row in each]
     if summary["next_dive"]:
         dives.append(cells.cells_ahead(summary["next_dive"]))
     means = {name: summary[key] for key, name in ROWS.items()}
-    if "flow_model" in summary and 0 < summary["flow_model"]["covered"] < summary["used"]:
+    if (
+        "flow_model" in summary
+        and 0 < summary["flow_model"]["covered"] < summary["used"]
+    ):
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
     models = cells.MODELS[: len(each[0]["clpe"])]
     rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
@@ -196,7 +219,9 @@ def results(summary: Report) -> list[Result]:
     ]
 
 
-def write(found: Report, folder: Path, kinds: Sequence[str], again: bool = False) -> list[Path]:
+def write(
+    found: Report, folder: Path, kinds: Sequence[str], again: bool = False
+) -> list[Path]:
     """Write what `Job.summary` says of a replay into a folder, all or none.
 
     The files, NetCDF, page, places and figures, are returned.  ``replay.nc`` is the first and is
@@ -235,7 +260,12 @@ def check_pace(every: float, patience: float) -> None:
 
 
 def watch(
-    job: Job, folder: Path, out: Path, every: float, patience: float, alert: Sequence[str]
+    job: Job,
+    folder: Path,
+    out: Path,
+    every: float,
+    patience: float,
+    alert: Sequence[str],
 ) -> Report:
     """Replay all dives of a folder whenever a file arrives; return what the last replay found.
 

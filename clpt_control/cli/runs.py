@@ -44,7 +44,9 @@ def init(
     file: Path | None = arg(
         "FILE", "Where to write it; default: the name of the example.", default=None
     ),
-    example: str = opt("NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"),
+    example: str = opt(
+        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"
+    ),
 ) -> None:
     """Write an example to start from: a scenario, by default.
 
@@ -58,7 +60,9 @@ def init(
     name, source, then = EXAMPLES[example]
     file = file or Path(name)
     if os.path.lexists(file):
-        raise ClptError(f"{file}: exists already; name another file, or move this one away")
+        raise ClptError(
+            f"{file}: exists already; name another file, or move this one away"
+        )
     write_together({file: (resources.files("clpt_control.data") / source).read_bytes()})
     say(f"{file}: written; {then.format(file)}")
 
@@ -87,7 +91,11 @@ def paper(
     summary["claims"] = clpt.simulation.claims(summary)
     first, *_, last = drawn
     sentences = [f"{folder}: {first.name} to {last.name}, run.nc"]
-    finish([claims_result(summary["claims"])._replace(sentences=sentences)], summary, as_json)
+    finish(
+        [claims_result(summary["claims"])._replace(sentences=sentences)],
+        summary,
+        as_json,
+    )
 
 
 def run(
@@ -115,7 +123,9 @@ def run(
     system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
     check_writable(out)
     if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
-        raise ClptError(f"{out}: is the scenario; give its run another name, such as run.nc")
+        raise ClptError(
+            f"{out}: is the scenario; give its run another name, such as run.nc"
+        )
     folder = None if figures is None else make_folder(figures)
     if again:
         from ..pages.run_page import extent_of, response_result
@@ -130,7 +140,10 @@ def run(
             result, fine, summary = clpt.simulation.run_and_report(system, report)
         found = run_result(summary, summary["title"] or str(scenario))
         if missing := not_learned(result):
-            found, summary["not_learnable"] = found._replace(sentences=[missing]), missing
+            found, summary["not_learnable"] = (
+                found._replace(sentences=[missing]),
+                missing,
+            )
     drawn = {} if folder is None else run_figures(fine, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
     finish([found], summary, as_json, out)
@@ -157,7 +170,9 @@ def diagram(
 
 def export(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...),
+    out: Path = opt(
+        "FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...
+    ),
 ) -> None:
     """Write a scenario's loop or a run's diagram as C99 or an FMU.
 
@@ -180,14 +195,20 @@ def ensemble(
     scenario: ScenarioFile,
     members: int = opt("COUNT", "How many runs.", default=...),
     vary: list[str] = opt(
-        "KEY=LOW:HIGH", "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.", default=...
+        "KEY=LOW:HIGH",
+        "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.",
+        default=...,
     ),
-    out: Path = opt("FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...),
+    out: Path = opt(
+        "FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...
+    ),
     design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     threads: int | None = opt("COUNT", "Default: all processors."),
     trajectories: bool = flag("Keep the states too.", "--trajectories"),
-    figure: Path | None = opt("FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."),
+    figure: Path | None = opt(
+        "FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."
+    ),
     dask: str | None = opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local."),
     chunk: int | None = opt("COUNT", "Members written at once."),
     as_json: Json = False,
@@ -226,7 +247,9 @@ def tune(
     scenario: ScenarioFile,
     out: Path | None = opt("FILE", "Scenario file to write, with the choice in it."),
     members: int = opt("COUNT", "How many flows are drawn.", default=24),
-    prior: float | None = opt("SPEED", "Standard deviation of flow parameters; default: 0.3 k R."),
+    prior: float | None = opt(
+        "SPEED", "Standard deviation of flow parameters; default: 0.3 k R."
+    ),
     unmodelled: float | None = opt(
         "SPEED", "Rms of flow beside the basis; default: the scenario's."
     ),
@@ -271,7 +294,10 @@ TRIED = {  # what of a candidate is said, by key
 
 def _result(report: Report) -> Result:
     units = report["units"]
-    rows = [[cell_text(one[key]) for key in TRIED] for one in report["candidates"][:MOST_SHOWN]]
+    rows = [
+        [cell_text(one[key]) for key in TRIED]
+        for one in report["candidates"][:MOST_SHOWN]
+    ]
     more = len(report["candidates"]) - MOST_SHOWN
     title = (
         f"{report['members']} flows drawn with a prior of {report['prior']:.3g} "
@@ -288,7 +314,9 @@ def _result(report: Report) -> Result:
 
 def report(
     run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc."),
-    out: Path = opt("FILE", "The page, .html.", "-o", "--out", default=Path("report.html")),
+    out: Path = opt(
+        "FILE", "The page, .html.", "-o", "--out", default=Path("report.html")
+    ),
     title: str | None = opt("TITLE", "In place of the scenario's."),
     figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),
     formats: Formats = None,

@@ -30,7 +30,9 @@ def excitation(
     scenario: ScenarioFile,
     window: Window = None,
     start: Start = None,
-    figure: Path | None = opt("FILE", ".png, .pdf or .svg: eigenvalues and directions."),
+    figure: Path | None = opt(
+        "FILE", ".png, .pdf or .svg: eigenvalues and directions."
+    ),
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast.
@@ -44,19 +46,27 @@ def excitation(
     from ..scenario.team import load_either
     from ..theory.excitation.excitation_report import excitation_report
 
-    source = clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+    source = (
+        clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+    )
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
     check_out(figure, "a figure")
     report = excitation_report(source, window, start)
-    draw_figure(figure, clpt.theory.excitation_plot, source, report["window"], report["start"])
+    draw_figure(
+        figure, clpt.theory.excitation_plot, source, report["window"], report["start"]
+    )
     finish([excitation_result(report)], report, as_json, figure)
 
 
 def certify(
     scenario: ScenarioFile,
-    radius: float | None = opt("R", "Largest V(0); default: that of the scenario's own start."),
-    error: float | None = opt("LENGTH", "CLPE to come to; default: a hundredth of what R allows."),
+    radius: float | None = opt(
+        "R", "Largest V(0); default: that of the scenario's own start."
+    ),
+    error: float | None = opt(
+        "LENGTH", "CLPE to come to; default: a hundredth of what R allows."
+    ),
     window: Window = None,
     as_json: Json = False,
 ) -> None:
@@ -90,9 +100,15 @@ def certify(
 
 def design(
     scenario: ScenarioFile,
-    out: Path = opt("FILE", "Scenario file to write, with the new waypoints.", default=...),
-    length: float | None = opt("LENGTH", "Longest closed polygon; default: the scenario's own."),
-    max_speed: float | None = opt("SPEED", "Largest speed through the water; default: any."),
+    out: Path = opt(
+        "FILE", "Scenario file to write, with the new waypoints.", default=...
+    ),
+    length: float | None = opt(
+        "LENGTH", "Longest closed polygon; default: the scenario's own."
+    ),
+    max_speed: float | None = opt(
+        "SPEED", "Largest speed through the water; default: any."
+    ),
     area: Four | None = opt(
         "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
     ),

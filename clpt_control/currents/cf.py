@@ -38,7 +38,17 @@ AXES = {
 }
 HEIGHTS = ("altitude", "height")
 DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
-DEPTH_NAMES = ("depth", "z", "lev", "level", "altitude", "s_rho", "deptht", "depthu", "sigma")
+DEPTH_NAMES = (
+    "depth",
+    "z",
+    "lev",
+    "level",
+    "altitude",
+    "s_rho",
+    "deptht",
+    "depthu",
+    "sigma",
+)
 CURE = (
     "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
     "north first: on such a grid they may lie along its own axes"
@@ -62,7 +72,9 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
     standard, names = table[what]
     named = {name: said(one, "standard_name") for name, one in data.variables.items()}
     by_standard = [name for name, one in named.items() if one in standard]
-    by_name = [n for n, one in named.items() if str(n).lower() in names and "wind" not in one]
+    by_name = [
+        n for n, one in named.items() if str(n).lower() in names and "wind" not in one
+    ]
     by_name.sort(key=lambda name: names.index(str(name).lower()))
     if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
         return str(found[0])
@@ -78,9 +90,13 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
     name = find_variable(data, AXES, what)
     axis = data[name]
     if what != "time" and axis.ndim == 2:
-        raise DataError(f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}")
+        raise DataError(
+            f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}"
+        )
     if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
-        raise DataError(f"{name} is on {_dims(axis)}; must be on one of {_dims(data[velocity])}")
+        raise DataError(
+            f"{name} is on {_dims(axis)}; must be on one of {_dims(data[velocity])}"
+        )
     if what == "time":
         return axis
     if not axis.size:
@@ -88,7 +104,9 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
     most = 90.0 if what == "latitude" else 720.0
     degrees = numbers_of(axis)
     if not np.all(np.abs(degrees) <= most + 1e-6):  # also where not finite
-        raise DataError(f"{name} reaches {np.abs(degrees).max():.6g}; must be a {what}, degrees")
+        raise DataError(
+            f"{name} reaches {np.abs(degrees).max():.6g}; must be a {what}, degrees"
+        )
     return axis
 
 
@@ -107,15 +125,21 @@ def is_depth(data: xarray.Dataset, dim: Any) -> bool:
 def distances_of(axis: xarray.DataArray) -> np.ndarray:
     """Return how far levels are from the surface, in their unit; heights from below are refused."""
     levels = np.atleast_1d(numbers_of(axis))
-    up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(HEIGHTS)
+    up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(
+        HEIGHTS
+    )
     if up and np.any(levels > 0):
-        raise DataError(f"{axis.name} counts up from the sea floor; must be depths below water")
+        raise DataError(
+            f"{axis.name} counts up from the sea floor; must be depths below water"
+        )
     return np.abs(levels)
 
 
 def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     """Return a variable's values as floats; characters and ragged rows are refused."""
-    values = variable.values  # where rows are ragged, the variable says numbers and these do not
+    values = (
+        variable.values
+    )  # where rows are ragged, the variable says numbers and these do not
     if values.dtype.kind not in "iuf":
         raise DataError(f"{variable.name} holds {values.dtype}; must hold numbers")
     return values.astype(float)
@@ -129,7 +153,9 @@ def number(cell: Any) -> float:
         return np.nan
 
 
-def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.ndarray | None:
+def decoded(
+    numbers: np.ndarray, unit: str, calendar: str = "standard"
+) -> np.ndarray | None:
     """Return dates of numbers such as hours since a date, by xarray, as datetime64 in ns.
 
     None where they are no dates, in calendars without real ones, such as of 360 days, and in years
@@ -155,7 +181,9 @@ def decoded(numbers: np.ndarray, unit: str, calendar: str = "standard") -> np.nd
 def dates_of(when: xarray.DataArray, least: int = 2) -> np.ndarray:
     """Return the times of a file, to the nearest ms."""
     if len(when) < least:
-        raise DataError(f"{when.name} has {len(when)} of the {least} steps that are needed")
+        raise DataError(
+            f"{when.name} has {len(when)} of the {least} steps that are needed"
+        )
     if not np.all(np.isfinite(numbers_of(when))):
         raise DataError(f"{when.name} has values that are not finite")
     unit, calendar = said(when), str(when.attrs.get("calendar", "standard"))
@@ -180,7 +208,9 @@ def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) 
     for name, values in zip(names, (u, v), strict=True):
         most = np.nanmax(np.abs(values))
         if most > FASTEST:
-            raise DataError(f"{name} reaches {most:.4g} m/s: check its units and fill value")
+            raise DataError(
+                f"{name} reaches {most:.4g} m/s: check its units and fill value"
+            )
 
 
 def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> float:
@@ -189,7 +219,9 @@ def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> f
         raise DataError(f"{name} has no units; {cure}")
     size = speed_in_metres_per_second(wanted, name)
     if stated and units and speed_in_metres_per_second(units, "--units") != size:
-        raise DataError(f"{name} is in '{stated}'; units = '{units}' is for a file without")
+        raise DataError(
+            f"{name} is in '{stated}'; units = '{units}' is for a file without"
+        )
     return size
 
 
@@ -208,11 +240,15 @@ def velocity_values(
         level = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
-                raise DataError(f"{name} has {values.sizes[dim]} {dim}; choose one, --at LAT LON")
+                raise DataError(
+                    f"{name} has {values.sizes[dim]} {dim}; choose one, --at LAT LON"
+                )
             level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
         values = values.isel({dim: level})
     if set(values.dims) != set(index):
-        raise DataError(f"{name} is on {_dims(values)}; must be on {', '.join(map(str, index))}")
+        raise DataError(
+            f"{name} is on {_dims(values)}; must be on {', '.join(map(str, index))}"
+        )
     try:
         chosen = _in_one_block(values, index).transpose(*index)
     except (ValueError, TypeError):  # of letters that are to be scaled
@@ -222,12 +258,16 @@ def velocity_values(
     return numbers * size
 
 
-def _in_one_block(values: xarray.DataArray, index: dict[Any, np.ndarray]) -> xarray.DataArray:
+def _in_one_block(
+    values: xarray.DataArray, index: dict[Any, np.ndarray]
+) -> xarray.DataArray:
     """Return values at the `index` of each dimension, read as the block that holds them.
 
     A library reads places one by one, and unpacks the whole part of a file for each of them.
     """
-    block = values.isel({dim: slice(at.min(), at.max() + 1) for dim, at in index.items()})
+    block = values.isel(
+        {dim: slice(at.min(), at.max() + 1) for dim, at in index.items()}
+    )
     return block.load().isel({dim: at - at.min() for dim, at in index.items()})
 
 
@@ -249,4 +289,6 @@ def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) ->
         at_end = np.abs(raw - end) <= 0.5
         rest = raw[~at_end]
         if at_end.sum() > 1 and rest.size and np.abs(rest - end).min() > np.ptp(rest):
-            raise DataError(f"{where} holds {end} {at_end.sum()} times, a gap: correct _FillValue")
+            raise DataError(
+                f"{where} holds {end} {at_end.sum()} times, a gap: correct _FillValue"
+            )

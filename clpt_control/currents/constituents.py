@@ -22,7 +22,10 @@ from ..errors import DataError, ScenarioError, needed
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
-YEARS = (1700, 2200)  # the series of the moon's and the sun's longitudes hold well there
+YEARS = (
+    1700,
+    2200,
+)  # the series of the moon's and the sun's longitudes hold well there
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
@@ -31,7 +34,9 @@ def utide_names(constituents: Sequence[str]) -> list[str]:
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
         if name not in known or name == "Z0":
-            raise ScenarioError(f"unknown constituent '{name}': must be one of UTide's, such as M2")
+            raise ScenarioError(
+                f"unknown constituent '{name}': must be one of UTide's, such as M2"
+            )
     return names
 
 
@@ -51,7 +56,9 @@ def nodal_corrections(
     which = np.array([utide.constit_index_dict[name] for name in names])
     days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
     exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
-    f, u, V = utide.harmonics.FUV(days, days[0], which, checked_latitude(latitude), exact)
+    f, u, V = utide.harmonics.FUV(
+        days, days[0], which, checked_latitude(latitude), exact
+    )
     return f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0
 
 
@@ -60,12 +67,16 @@ def checked_times(time: Any) -> np.ndarray:
     try:
         times = np.atleast_1d(np.asarray(time, dtype="datetime64[ms]"))
     except (ValueError, TypeError, OverflowError):
-        raise DataError(f"time = {brief(time)}: must be such as 2019-01-01T06:00") from None
+        raise DataError(
+            f"time = {brief(time)}: must be such as 2019-01-01T06:00"
+        ) from None
     low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
     wrong = ~((times >= low) & (times < high))
     if times.size == 0 or wrong.any():
         first = times[wrong][0] if times.size else "none"
-        raise DataError(f"time = {first}: must be from the year {YEARS[0]} to {YEARS[1]}")
+        raise DataError(
+            f"time = {first}: must be from the year {YEARS[0]} to {YEARS[1]}"
+        )
     return times
 
 
@@ -81,4 +92,6 @@ def check_increasing(times: np.ndarray, where: str) -> None:
     late = np.flatnonzero(np.diff(times) <= np.timedelta64(0, "ms"))
     if len(late):
         before, after = times[late[0] :][:2]
-        raise DataError(f"{where}: {after} follows {before}; times must increase, each once")
+        raise DataError(
+            f"{where}: {after} follows {before}; times must increase, each once"
+        )

@@ -90,7 +90,9 @@ def read_record(
     path = Path(path)
     if is_table(path):
         if at is not None:
-            raise DataError(f"{path}: is a table of one place; --at is for gridded NetCDF files")
+            raise DataError(
+                f"{path}: is a table of one place; --at is for gridded NetCDF files"
+            )
         times, u, v, own = read_table(path, units)
         lines = int(np.argmax(times != times[0]))  # of one ping
         if lines > 1 and len(times) % lines == 0:
@@ -112,20 +114,28 @@ def read_record(
     return CurrentRecord(times, u, v, float(found), shown_name(path))
 
 
-def _from_netcdf(data: xarray.Dataset, at: tuple[float, float] | None, units: str | None) -> tuple:
+def _from_netcdf(
+    data: xarray.Dataset, at: tuple[float, float] | None, units: str | None
+) -> tuple:
     """Return times, u, v and latitude."""
-    east, north = (cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward"))
+    east, north = (
+        cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")
+    )
     when = cf.find_axis(data, east, "time")
     times = cf.dates_of(when)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     latitude = _own_latitude(data)
-    of_cell = () if at is None else zip(("longitude", "latitude"), at[::-1], strict=True)
+    of_cell = (
+        () if at is None else zip(("longitude", "latitude"), at[::-1], strict=True)
+    )
     for what, wanted in of_cell:
         axis = cf.find_axis(data, east, what)
         k = _nearest(axis.values.astype(float), wanted, what)
         index[axis.dims[0]] = np.array([k])
         latitude = float(axis.values[k])
-    u, v = (cf.velocity_values(data, name, index, units).ravel() for name in (east, north))
+    u, v = (
+        cf.velocity_values(data, name, index, units).ravel() for name in (east, north)
+    )
     return times, u, v, latitude
 
 
@@ -135,21 +145,31 @@ def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
     k = int(np.argmin(np.abs(apart)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if not abs(apart[k]) <= cell:  # also where not finite
-        raise DataError(f"{what} {wanted:g} lies outside: {axis.min():.6g} to {axis.max():.6g}")
+        raise DataError(
+            f"{what} {wanted:g} lies outside: {axis.min():.6g} to {axis.max():.6g}"
+        )
     return k
 
 
 def _own_latitude(data: xarray.Dataset) -> float | None:
     """Return the latitude of a file of one place, None where it is silent."""
     named = cf.AXES["latitude"][1]
-    single = {str(name).lower(): one for name, one in data.variables.items() if one.size == 1}
+    single = {
+        str(name).lower(): one for name, one in data.variables.items() if one.size == 1
+    }
     of_axes = [
         one.values.ravel()[0]
         for name, one in single.items()
         if name in named or cf.said(one, "standard_name") == "latitude"
     ]
-    low, high = (cf.number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max"))
-    values = (*of_axes, low if low == high else None, *map(data.attrs.get, ("latitude", "lat")))
+    low, high = (
+        cf.number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max")
+    )
+    values = (
+        *of_axes,
+        low if low == high else None,
+        *map(data.attrs.get, ("latitude", "lat")),
+    )
     return next(filter(np.isfinite, map(cf.number, values)), None)
 
 
@@ -163,7 +183,11 @@ def _over_ranges(values: np.ndarray) -> np.ndarray:
 
 def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
     """Return u and v of a profiler's file; another file as it is."""
-    if "vel" not in data.variables or "dir" not in data.variables or "dir" not in data["vel"].dims:
+    if (
+        "vel" not in data.variables
+        or "dir" not in data.variables
+        or "dir" not in data["vel"].dims
+    ):
         return data
     system = str(data.attrs.get("coord_sys", "unknown"))
     names = [str(name) for name in data["dir"].values]
@@ -172,14 +196,20 @@ def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
             f"vel has {', '.join(names)} of '{system}'; dolfyn.rotate2 turns it to earth"
         )
     if "declination" not in data.attrs:
-        raise DataError("its north is that of the compass; dolfyn.set_declination turns it")
+        raise DataError(
+            "its north is that of the compass; dolfyn.set_declination turns it"
+        )
     parts = {}
     for name, direction in (("u", "E"), ("v", "N")):
         part = data["vel"].isel(dir=names.index(direction), drop=True)
         if "time" not in part.dims or part.ndim > 2:
             raise DataError(f"vel is on {', '.join(map(str, data['vel'].dims))}")
-        mean = _over_ranges(part.transpose("time", ...).values.reshape(part.sizes["time"], -1))
-        units = {key: value for key, value in data["vel"].attrs.items() if key == "units"}
+        mean = _over_ranges(
+            part.transpose("time", ...).values.reshape(part.sizes["time"], -1)
+        )
+        units = {
+            key: value for key, value in data["vel"].attrs.items() if key == "units"
+        }
         parts[name] = ("time", mean, units)
     rest = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
     return rest.assign(parts)

@@ -124,7 +124,9 @@ def fit_scenario(
     """
     constituents = tuple(constituents)
     if not constituents or len(set(constituents)) != len(constituents):
-        raise DataError(f"constituents = {','.join(constituents)}: must be names, each once")
+        raise DataError(
+            f"constituents = {','.join(constituents)}: must be names, each once"
+        )
     for what, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{what} = {value} km: must be positive and finite")
@@ -136,27 +138,41 @@ def fit_scenario(
     tidal = [name for name in constituents if name != "steady"]
     cycles = np.array([tidal_periods.speed(name) for name in tidal]) / 360.0
     check_nyquist(hours, cycles, tidal, str(path))
-    measured, N = currents.measured, rows * columns * (2 * len(tidal) + ("steady" in constituents))
+    measured, N = (
+        currents.measured,
+        rows * columns * (2 * len(tidal) + ("steady" in constituents)),
+    )
     if measured.sum() < N:
-        raise DataError(f"{path}: {measured.sum()} samples for {N!s:.20} functions; use fewer")
+        raise DataError(
+            f"{path}: {measured.sum()} samples for {N!s:.20} functions; use fewer"
+        )
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))
     lat, lon = currents.lat[:, None], currents.lon[None, :]
     x1, x2 = plane.to_plane(lat, lon)
     u, v = (KM_PER_HOUR * w for w in plane.rotate(lat, lon, currents.u, currents.v))
-    full_u, full_v, gap = fill_gaps(currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v)
-    field = regular_grid(currents.time, currents.lat, currents.lon, full_u, full_v, plane)
+    full_u, full_v, gap = fill_gaps(
+        currents.time, x2.mean(axis=1), x1.mean(axis=0), u, v
+    )
+    field = regular_grid(
+        currents.time, currents.lat, currents.lon, full_u, full_v, plane
+    )
     room = min(-field.x1[0], field.x1[-1], -field.x2[0], field.x2[-1])
     radius_km = float(f"{RADIUS * room:.2g}") if radius_km is None else radius_km
     if not radius_km < room:
-        raise DataError(f"{path}: a circle of {radius_km:g} km leaves the field, of {room:.3g} km")
+        raise DataError(
+            f"{path}: a circle of {radius_km:g} km leaves the field, of {room:.3g} km"
+        )
     places, apart = _middles(plane, currents.box, rows, columns)
     width_km = float(f"{WIDTH * apart:.2g}") if width_km is None else width_km
-    away = np.abs(np.hypot(*np.transpose(places)) - radius_km)  # of places from the track
+    away = np.abs(
+        np.hypot(*np.transpose(places)) - radius_km
+    )  # of places from the track
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
     scenario = _scenario(currents, places, width_km, constituents, radius_km)
     t, s1, s2 = (
-        np.broadcast_to(a, measured.shape)[measured] for a in (currents.time[:, None, None], x1, x2)
+        np.broadcast_to(a, measured.shape)[measured]
+        for a in (currents.time[:, None, None], x1, x2)
     )
     each = zip(scenario.basis.constituents or (), scenario.basis.centers, strict=True)
     names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in each]
@@ -207,7 +223,9 @@ def _middles(
         for (start, end), n in ((x2, rows), (x1, columns))
     )
     apart = np.sqrt((x1[1] - x1[0]) / columns * (x2[1] - x2[0]) / rows)
-    middles = [(round(float(x), 3) + 0.0, round(float(y), 3) + 0.0) for y in ys for x in xs]
+    middles = [
+        (round(float(x), 3) + 0.0, round(float(y), 3) + 0.0) for y in ys for x in xs
+    ]
     return middles, float(apart)
 
 
@@ -215,8 +233,14 @@ def _scenario(
     currents: Currents, places: list, width: float, constituents: tuple, radius: float
 ) -> Scenario:
     """Return the scenario; `save_fit` writes its field and names it."""
-    phased = [(c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))]
-    car = {"feedback": [1.0, 1.0], "feedforward": [1.0, 1.0], "position": [float(radius), 0.0]}
+    phased = [
+        (c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))
+    ]
+    car = {
+        "feedback": [1.0, 1.0],
+        "feedforward": [1.0, 1.0],
+        "position": [float(radius), 0.0],
+    }
     return Scenario.model_validate(
         {
             "title": f"Measured current of {currents.source} from {currents.start}",
@@ -230,7 +254,12 @@ def _scenario(
             },
             "flow": {"field": "field.nc", "outside": "raise"},
             "vehicle": car,
-            "reference": {"kind": "circle", "radius": float(radius), "count": 12, "dwell": 2.0},
+            "reference": {
+                "kind": "circle",
+                "radius": float(radius),
+                "count": 12,
+                "dwell": 2.0,
+            },
             "learning": {"law": "learned-flow", "gain": 5.0, **car},
             "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
         }
@@ -278,8 +307,12 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
         "fit_report": json.dumps(report),
     }
     flow = scenario.flow.model_copy(update={"field": field.name})
-    text = _header(report) + scenario_to_text(scenario.model_copy(update={"flow": flow}))
-    write_together({out: text, field: field_dataset(fit.field, scenario.units, attributes)})
+    text = _header(report) + scenario_to_text(
+        scenario.model_copy(update={"flow": flow})
+    )
+    write_together(
+        {out: text, field: field_dataset(fit.field, scenario.units, attributes)}
+    )
     return load_scenario(out)
 
 

@@ -31,7 +31,9 @@ from . import cf
 
 NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
-AROUND = 1.5  # times the median step: no longer step is missing in a grid around the Earth
+AROUND = (
+    1.5  # times the median step: no longer step is missing in a grid around the Earth
+)
 GAP = 2.5  # times the intervals around one: beyond, steps are missing
 SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
@@ -64,10 +66,14 @@ class Currents:
 
     lat: np.ndarray  # degrees north, increasing, shape (ny,)
     lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
-    depth: np.ndarray  # levels, m, increasing from the surface; 0 where the file has none, NaN of
+    depth: (
+        np.ndarray
+    )  # levels, m, increasing from the surface; 0 where the file has none, NaN of
     # one whose depth it does not say
     dates: np.ndarray  # datetime64[ms], UTC, increasing, shape (nt,)
-    u: np.ndarray  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
+    u: (
+        np.ndarray
+    )  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
     v: np.ndarray  # to the north
     box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
     source: str  # name of the file or folder
@@ -146,8 +152,12 @@ def read_currents(
     else:
         files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
         if not files:
-            raise DataError(f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})")
-        found = _concatenated(path, [_read(file, span, column, units, 1) for file in files])
+            raise DataError(
+                f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
+            )
+        found = _concatenated(
+            path, [_read(file, span, column, units, 1) for file in files]
+        )
     still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
     if still.all() or not still.any():
         return found
@@ -177,10 +187,14 @@ def with_all_steps(currents: Currents) -> Currents:
     missing = missing_steps(currents.time)
     if missing.sum() > len(currents.time):
         where = currents.time[np.argmax(missing)]
-        raise DataError(f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there")
+        raise DataError(
+            f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there"
+        )
     there = np.concatenate([[0], np.cumsum(1 + missing)])
     dates = np.interp(np.arange(there[-1] + 1), there, currents.dates.astype(float))
-    u, v = (np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v))
+    u, v = (
+        np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v)
+    )
     u[there], v[there] = currents.u, currents.v
     return replace(currents, dates=dates.astype(currents.dates.dtype), u=u, v=v)
 
@@ -194,7 +208,9 @@ def _opened(path: Path) -> Iterator[xarray.Dataset]:
         return
     store = zarr_store(path)
     try:
-        with xarray.open_zarr(store, chunks=None, consolidated=False, decode_times=False) as data:
+        with xarray.open_zarr(
+            store, chunks=None, consolidated=False, decode_times=False
+        ) as data:
             yield data
     except ClptError:
         raise
@@ -208,9 +224,15 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     first = parts[0]
     for part in parts:
         for name in ("lat", "lon", "depth"):
-            if not np.array_equal(getattr(part, name), getattr(first, name), equal_nan=True):
-                raise DataError(f"{path}: {part.source} has another {name} than {first.source}")
-    dates, u, v = map(np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True))
+            if not np.array_equal(
+                getattr(part, name), getattr(first, name), equal_nan=True
+            ):
+                raise DataError(
+                    f"{path}: {part.source} has another {name} than {first.source}"
+                )
+    dates, u, v = map(
+        np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True)
+    )
     steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 of the 2 steps that are needed")
@@ -218,14 +240,22 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
 
 
-def _read(path: Path, span: Box | None, column: bool, units: str | None, least: int) -> Currents:
+def _read(
+    path: Path, span: Box | None, column: bool, units: str | None, least: int
+) -> Currents:
     """Read one file, or Zarr folder, of so many steps at least."""
     with _opened(path) as data, naming(path):
         if "fit_report" in data.attrs:
-            raise DataError("is the field of a fit; give the .toml file beside it as a flow model")
-        names = [cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")]
+            raise DataError(
+                "is the field of a fit; give the .toml file beside it as a flow model"
+            )
+        names = [
+            cf.find_variable(data, cf.VELOCITY, what)
+            for what in ("eastward", "northward")
+        ]
         lat, lon, when = (
-            cf.find_axis(data, names[0], what) for what in ("latitude", "longitude", "time")
+            cf.find_axis(data, names[0], what)
+            for what in ("latitude", "longitude", "time")
         )
         if lat.dims == lon.dims:  # places, and no grid of them
             raise DataError(
@@ -236,7 +266,12 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
             longitudes = longitudes[:-1]
         longitudes = _unwrapped(longitudes, span)
-        wanted = span or (latitudes.min(), latitudes.max(), longitudes.min(), longitudes.max())
+        wanted = span or (
+            latitudes.min(),
+            latitudes.max(),
+            longitudes.min(),
+            longitudes.max(),
+        )
         rows = _inside(latitudes, wanted[:2], str(lat.name))
         columns = _inside(longitudes, wanted[2:], str(lon.name))
         steps = np.argsort(dates)
@@ -253,7 +288,9 @@ def _read(path: Path, span: Box | None, column: bool, units: str | None, least: 
         index |= across
         size = np.prod([len(places) for places in index.values()], dtype=float)
         if size > MOST:
-            raise DataError(f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file")
+            raise DataError(
+                f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file"
+            )
         u, v = (cf.velocity_values(data, name, index, units) for name in names)
         nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}"
         cf.mark_gaps(u, v, names, nothing)
@@ -269,7 +306,9 @@ def _checked_box(box: Any) -> Box:
     lat0, lat1, lon0, lon1 = map(float, box)
     width = (lon1 - lon0) % 360.0
     if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
-        raise DataError(f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, up to 180 wide")
+        raise DataError(
+            f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, up to 180 wide"
+        )
     return lat0, lat1, lon0, lon0 + width
 
 
@@ -295,13 +334,19 @@ def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
     inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
     if len(inside) < 2:
         there = f"{len(inside)} of the 2 cells that are needed"
-        raise DataError(f"{where} has {there}; it goes from {axis.min():.6g} to {axis.max():.6g}")
+        raise DataError(
+            f"{where} has {there}; it goes from {axis.min():.6g} to {axis.max():.6g}"
+        )
     if not np.all(np.diff(axis[inside]) > SAME):
-        raise DataError(f"{where} has a value twice (0 and 360 degrees are one); keep it once")
+        raise DataError(
+            f"{where} has a value twice (0 and 360 degrees are one); keep it once"
+        )
     return inside
 
 
-def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.ndarray]:
+def _levels(
+    data: xarray.Dataset, name: str, axes: set
+) -> tuple[Any | None, np.ndarray]:
     """Return the dimension of several levels, if any, and their depths, m; NaN if not known."""
     across = set(data[name].dims) - axes
     found = [n for n in data.variables if cf.is_depth(data, n)]
@@ -319,7 +364,9 @@ def _levels(data: xarray.Dataset, name: str, axes: set) -> tuple[Any | None, np.
             raise
         depth = np.array([np.nan])
     if not np.all(np.diff(np.sort(depth)) > 0):
-        raise DataError(f"{where} has {len(depth)} levels; must be finite depths, each once")
+        raise DataError(
+            f"{where} has {len(depth)} levels; must be finite depths, each once"
+        )
     return None if one else where, depth
 
 

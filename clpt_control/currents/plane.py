@@ -41,7 +41,13 @@ import numpy as np
 from ..errors import DataError, naming, needed
 from ..files.reading import open_netcdf
 from ..geodesy import near
-from ..units import METRES, SECONDS, length_in_metres, speed_in_metres_per_second, time_in_seconds
+from ..units import (
+    METRES,
+    SECONDS,
+    length_in_metres,
+    speed_in_metres_per_second,
+    time_in_seconds,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -62,7 +68,9 @@ class LocalPlane:
 
     def __init__(self, lat: float, lon: float) -> None:
         if not (abs(lat) <= 90 and np.isfinite(lon)):
-            raise DataError(f"origin ({lat}, {lon}): must be latitude and longitude, degrees")
+            raise DataError(
+                f"origin ({lat}, {lon}): must be latitude and longitude, degrees"
+            )
         self.lat, self.lon = lat, lon
         aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
         self._projection = needed("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
@@ -74,7 +82,9 @@ class LocalPlane:
         distance = np.hypot(x1, x2)
         if not np.all(distance <= WIDEST):  # also where not finite
             far = f"{np.max(distance):.4g} km from the origin"
-            raise DataError(f"a place is {far}, at most {WIDEST:g}; choose a smaller box")
+            raise DataError(
+                f"a place is {far}, at most {WIDEST:g}; choose a smaller box"
+            )
         return x1, x2
 
     def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -86,7 +96,9 @@ class LocalPlane:
         lon, lat = self._projection(x1, x2, inverse=True)
         return lat, near(lon, self.lon)
 
-    def rotate(self, lat: Any, lon: Any, u: Any, v: Any) -> tuple[np.ndarray, np.ndarray]:
+    def rotate(
+        self, lat: Any, lon: Any, u: Any, v: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Rotate velocities at places in degrees from east and north to x1 and x2."""
         lat, lon = np.broadcast_arrays(lat, lon)
         factors = self._projection.get_factors(lon, lat)
@@ -127,11 +139,16 @@ def fill_gaps(
     from scipy.sparse.linalg import cg
 
     gap = ~(np.isfinite(u) & np.isfinite(v))
-    alone, volume = [], np.ones(1)  # weights of the neighbours along each axis; of the cells
+    alone, volume = (
+        [],
+        np.ones(1),
+    )  # weights of the neighbours along each axis; of the cells
     for axis in (SPEED * time, x2, x1):
         d = np.diff(axis)
         size = np.concatenate([d[:1], (d[1:] + d[:-1]) / 2, d[-1:]])
-        alone.append(diags_array([1 / (d * size[:-1]), 1 / (d * size[1:])], offsets=[1, -1]))
+        alone.append(
+            diags_array([1 / (d * size[:-1]), 1 / (d * size[1:])], offsets=[1, -1])
+        )
         volume = np.outer(volume, size).ravel()
     links = kronsum(kronsum(alone[2], alone[1]), alone[0]).tocsr()
     missing, known = np.flatnonzero(gap), np.flatnonzero(~gap)
@@ -140,7 +157,9 @@ def fill_gaps(
         among = diags_array(volume[missing]) @ links[missing]  # symmetric
         own = among.sum(axis=1)
         laplace = diags_array(own) - among[:, missing]
-        for one, flux in zip(values.T, (among[:, known] @ values[known]).T, strict=True):
+        for one, flux in zip(
+            values.T, (among[:, known] @ values[known]).T, strict=True
+        ):
             one[missing] = cg(laplace, flux, rtol=ROUNDING, M=diags_array(1 / own))[0]
     return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
 
@@ -166,7 +185,9 @@ def regular_grid(
     x1 = np.linspace(float(west.max()), float(east.min()), len(lon))
     x2 = np.linspace(float(south.max()), float(north.min()), len(lat))
     if not (x1[-1] > x1[0] and x2[-1] > x2[0]):
-        raise DataError("the cells hold no rectangle of the local plane; choose a larger box")
+        raise DataError(
+            "the cells hold no rectangle of the local plane; choose a larger box"
+        )
     here_lat, here_lon = plane.to_earth(x1[None, :], x2[:, None])
     here = np.clip(here_lat, lat[0], lat[-1]), np.clip(here_lon, lon[0], lon[-1])
     even = np.linspace(time[0], time[-1], len(time))
@@ -175,7 +196,9 @@ def regular_grid(
     def resampled(values: np.ndarray) -> np.ndarray:
         if not np.allclose(even, time, rtol=0, atol=1e-9 * (time[-1] - time[0])):
             values = make_interp_spline(time, values, k=min(3, len(time) - 1))(even)
-        return np.stack([RectBivariateSpline(lat, lon, now, **orders).ev(*here) for now in values])
+        return np.stack(
+            [RectBivariateSpline(lat, lon, now, **orders).ev(*here) for now in values]
+        )
 
     return GriddedField(even, x2, x1, resampled(u), resampled(v))
 
@@ -187,10 +210,17 @@ def read_field(path: Path, units) -> GriddedField:
     with open_netcdf(path) as data, naming(path):
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
-                raise DataError(f"no variable '{name}'; a field has time, y, x, u and v")
-        stated = {name: str(one.attrs.get("units", "")) for name, one in data.variables.items()}
+                raise DataError(
+                    f"no variable '{name}'; a field has time, y, x, u and v"
+                )
+        stated = {
+            name: str(one.attrs.get("units", ""))
+            for name, one in data.variables.items()
+        }
         length, time = METRES[units.length], SECONDS[units.time]
-        sizes = {name: length_in_metres(stated[name], name) / length for name in ("y", "x")}
+        sizes = {
+            name: length_in_metres(stated[name], name) / length for name in ("y", "x")
+        }
         sizes["time"] = time_in_seconds(stated["time"], "time") / time
         axes = [_regular(numbers_of(data[n]) * sizes[n], n) for n in ("time", "y", "x")]
         values = []
@@ -214,7 +244,9 @@ def time_origin(path: Path) -> dict[str, str]:
 def _regular(axis: np.ndarray, name: str) -> np.ndarray:
     step = np.diff(np.atleast_1d(axis))
     if axis.ndim != 1 or not step.size or not np.ptp(step) < 1e-6 * step.min():
-        raise DataError(f"{name} must have two points or more, evenly spaced and increasing")
+        raise DataError(
+            f"{name} must have two points or more, evenly spaced and increasing"
+        )
     return axis
 
 
@@ -223,10 +255,16 @@ def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Datas
     import xarray
 
     speed = f"{units.length} {units.time}-1"
-    dims, start = ("time", "y", "x"), {"long_name": "time since start", "units": units.time}
+    dims, start = (
+        ("time", "y", "x"),
+        {"long_name": "time since start", "units": units.time},
+    )
     axes: dict[str, tuple] = {"time": ("time", field.time, start)}
     for name, axis in (("y", field.x2), ("x", field.x1)):
-        words = {"standard_name": f"projection_{name}_coordinate", "units": units.length}
+        words = {
+            "standard_name": f"projection_{name}_coordinate",
+            "units": units.length,
+        }
         axes[name] = (name, axis, words)
     flow = {
         "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),

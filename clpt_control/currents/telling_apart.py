@@ -31,7 +31,9 @@ from ..units import at_most
 TURN = 360.0 * (1 - 1e-9)  # degrees; times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
 WORST = 30.0  # largest condition number
-NEAR = np.array([*range(-10, 0), *range(1, 11)])  # neighbours of a tide, in 1 / record length
+NEAR = np.array(
+    [*range(-10, 0), *range(1, 11)]
+)  # neighbours of a tide, in 1 / record length
 
 
 @public
@@ -68,11 +70,21 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
 
 def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
     """Refuse tides, degrees per hour by name, that a record is too short to tell apart."""
-    apart = sorted((abs(speeds[a] - speeds[b]), a, b) for a, b in combinations(speeds, 2))
-    alike = [(360.0 / each if each else inf, a, b) for each, a, b in apart if each * hours < TURN]
+    apart = sorted(
+        (abs(speeds[a] - speeds[b]), a, b) for a, b in combinations(speeds, 2)
+    )
+    alike = [
+        (360.0 / each if each else inf, a, b)
+        for each, a, b in apart
+        if each * hours < TURN
+    ]
     if alike:
-        pairs = ", ".join(f"{a} and {b} ({at_most(each)} h are needed)" for each, a, b in alike)
-        raise DataError(f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}")
+        pairs = ", ".join(
+            f"{a} and {b} ({at_most(each)} h are needed)" for each, a, b in alike
+        )
+        raise DataError(
+            f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}"
+        )
 
 
 def nyquist(hours: np.ndarray) -> float:
@@ -89,7 +101,9 @@ def nyquist(hours: np.ndarray) -> float:
     return 0.5 / float(np.median(steps)) * (1 - 1e-9) if even else np.inf
 
 
-def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+def check_nyquist(
+    hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str
+) -> None:
     """Refuse tides that steps are too long for: they would be seen as slower ones.
 
     >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
@@ -97,14 +111,18 @@ def check_nyquist(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], w
         ...
     clpt_control.errors.DataError: record: steps of 6 h see no tide of 12 h or faster: leave out S2
     """
-    fast = [name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)]
+    fast = [
+        name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)
+    ]
     if fast:
         step = float(np.median(np.diff(hours)))
         seen = f"steps of {step:.4g} h see no tide of {2 * step:.4g} h or faster"
         raise DataError(f"{where}: {seen}: leave out {', '.join(fast)}")
 
 
-def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str) -> None:
+def check_sampling(
+    hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], where: str
+) -> None:
     """Refuse times, in hours, that are too few or at which tides look alike.
 
     `cycles` are frequencies in cycles per hour.
@@ -119,15 +137,21 @@ def check_sampling(hours: np.ndarray, cycles: np.ndarray, names: Sequence[str], 
     count = 2 * len(cycles) + 1
     if len(hours) < 2 * count:
         needed = f"at least {2 * count} are needed"
-        raise DataError(f"{where}: {len(hours)} measurements for {count} numbers to fit; {needed}")
+        raise DataError(
+            f"{where}: {len(hours)} measurements for {count} numbers to fit; {needed}"
+        )
     wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
     functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
     if np.linalg.cond(functions) > WORST:
         alike = f"the mean and {', '.join(names)} look alike"
-        raise DataError(f"{where}: at its times {alike}; take other intervals or leave one out")
+        raise DataError(
+            f"{where}: at its times {alike}; take other intervals or leave one out"
+        )
 
 
-def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int) -> np.ndarray:
+def noise_ratio(
+    residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: int
+) -> np.ndarray:
     """Return sqrt(power / mean power) of a residual near a tide: of both, of east, of north.
 
     The power is that of the 20 neighbouring frequencies, those of other tides left out; a ratio
@@ -146,8 +170,13 @@ def noise_ratio(residual: np.ndarray, hours: np.ndarray, cycles: np.ndarray, k: 
     if not len(near):
         return np.ones(3)
     wave = np.exp(-2j * np.pi * np.outer(near, hours))
-    power = [np.mean(np.abs(wave @ r) ** 2) / len(hours) for r in (residual.real, residual.imag)]
+    power = [
+        np.mean(np.abs(wave @ r) ** 2) / len(hours)
+        for r in (residual.real, residual.imag)
+    ]
     white = [np.mean(residual.real**2), np.mean(residual.imag**2)]
     with np.errstate(all="ignore"):  # no residual at all: 0 / 0
-        ratio = np.array([sum(power) / sum(white), power[0] / white[0], power[1] / white[1]])
+        ratio = np.array(
+            [sum(power) / sum(white), power[0] / white[0], power[1] / white[1]]
+        )
     return np.sqrt(np.fmax(ratio, 1.0))

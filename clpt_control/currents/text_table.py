@@ -50,10 +50,14 @@ POLAR = {
 }
 SUFFIXES = (".csv", ".txt", ".dat")
 UTC = re.compile(r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?", re.IGNORECASE)
-HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")  # without spaces: they would be tried
+HEADER = re.compile(
+    r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?"
+)  # without spaces: they would be tried
 
 
-def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> pandas.DataFrame:
+def table_of(
+    text: str, name: str | Path, must_be: str, mark: str = ","
+) -> pandas.DataFrame:
     r"""Return the cells of a table, without spaces about them, '' where a line is too short.
 
     The index is the line in the file, from 1; the columns are the header; `attrs` has the texts of
@@ -73,15 +77,21 @@ def table_of(text: str, name: str | Path, must_be: str, mark: str = ",") -> pand
             comments[found[1].lower()] = found[2].strip()
         elif line and not line.startswith("#"):
             try:
-                row = next(reader([line], delimiter=mark, skipinitialspace=True, strict=True))
-            except Error:  # a quotation mark that is not closed: one cell, of this line alone
+                row = next(
+                    reader([line], delimiter=mark, skipinitialspace=True, strict=True)
+                )
+            except (
+                Error
+            ):  # a quotation mark that is not closed: one cell, of this line alone
                 row = [line]
             rows[k] = [cell.strip() for cell in row]
     if not rows:
         raise DataError(f"{name}: is empty; must be {must_be}")
     (_, *lines), (header, *rest) = rows, rows.values()
     if len(header) * len(rest) > MOST:
-        raise DataError(f"{name}: has {len(rest)} lines of {len(header)} cells; split it")
+        raise DataError(
+            f"{name}: has {len(rest)} lines of {len(header)} cells; split it"
+        )
     wide = [(row + [""] * len(header))[: len(header)] for row in rest]
     cells = pandas.DataFrame(wide, lines, header, dtype=str)
     cells.attrs = comments
@@ -99,7 +109,9 @@ def other_marks(header: str, name: str) -> str:
     for mark, marks in OTHER_MARKS.items():
         cells = [cell.strip(' "').lower() for cell in header.split(mark)]
         if len(cells) > 1 and name in cells:
-            return f"columns are separated by {marks}; use commas, and points in numbers"
+            return (
+                f"columns are separated by {marks}; use commas, and points in numbers"
+            )
     return ""
 
 
@@ -121,7 +133,9 @@ def read_table(
 
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
-    text = read_text(path, "is no text; must be a table of time, u and v, or NetCDF (.nc)")
+    text = read_text(
+        path, "is no text; must be a table of time, u and v, or NetCDF (.nc)"
+    )
     cells = table_of(text, path, "a table of time, u and v")
     header, comments = list(cells.columns), cells.attrs
     stated = {_name_and_unit(cell)[0] for cell in header}
@@ -130,9 +144,14 @@ def read_table(
     with naming(path):
         columns = _header(header, comments.get("units"), units, wanted)
         if cells.empty:
-            raise DataError("has a header and no rows; must be a table of time, u and v")
+            raise DataError(
+                "has a header and no rows; must be a table of time, u and v"
+            )
     times = _times(cells.iloc[:, columns.pop("time")[0]], path)
-    u, v = (size * _numbers(cells.iloc[:, k], name, path) for name, (k, size) in columns.items())
+    u, v = (
+        size * _numbers(cells.iloc[:, k], name, path)
+        for name, (k, size) in columns.items()
+    )
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
     latitude = number(comments["latitude"]) if "latitude" in comments else None
@@ -148,7 +167,10 @@ def _name_and_unit(cell: str) -> tuple[str, str | None]:
 
 
 def _header(
-    header: list[str], comment: str | None, units: str | None, wanted: dict[str, tuple[str, ...]]
+    header: list[str],
+    comment: str | None,
+    units: str | None,
+    wanted: dict[str, tuple[str, ...]],
 ) -> dict[str, tuple[int, float]]:
     """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
     names, stated = zip(*map(_name_and_unit, header), strict=True)
@@ -159,10 +181,14 @@ def _header(
             raise DataError(marks)
         if len(found) != 1:
             count, first = "more than one" if found else "no", ",".join(header)[:60]
-            raise DataError(f"{count} column {what}; must begin as 'time,u,v', not {first!r}")
+            raise DataError(
+                f"{count} column {what}; must begin as 'time,u,v', not {first!r}"
+            )
         unit = stated[found[0]]
         if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
-            raise DataError(f"direction is in '{unit}'; must be in degrees from true north")
+            raise DataError(
+                f"direction is in '{unit}'; must be in degrees from true north"
+            )
         if what == "time" and unit and not UTC.fullmatch(unit):
             raise DataError(f"time is in '{unit}'; must be in UTC")
         if what in ("time", "direction"):
@@ -195,4 +221,6 @@ def _refuse(
     """Raise an error that names the first line with a wrong cell."""
     if wrong.any():
         line = wrong.idxmax()
-        raise DataError(f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}")
+        raise DataError(
+            f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}"
+        )

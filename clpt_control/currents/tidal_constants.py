@@ -50,7 +50,10 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "phase_units": "degree",
         "nodal_time": str(fit.middle),
         "nodal": {
-            name: {key: float(own[0, k]) for key, own in zip("fuV", corrections, strict=True)}
+            name: {
+                key: float(own[0, k])
+                for key, own in zip("fuV", corrections, strict=True)
+            }
             for k, name in enumerate(names)
         },
     }
@@ -101,12 +104,16 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     names = [each.name for each in fit.constituents]
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
-        raise DataError(f"{', '.join(foreign)}: a scenario knows only {', '.join(SPEEDS)}")
+        raise DataError(
+            f"{', '.join(foreign)}: a scenario knows only {', '.join(SPEEDS)}"
+        )
     size = 1.0 / speed_in_metres_per_second(unit, "theta")
     f, u, V = nodal_corrections(names, checked_times(epoch)[:1], fit.latitude)
     columns = [np.array(fit.mean)]
     for k, each in enumerate(fit.constituents):
-        p = np.radians(V[0, k] + u[0, k] - np.array([each.east_phase, each.north_phase]))
+        p = np.radians(
+            V[0, k] + u[0, k] - np.array([each.east_phase, each.north_phase])
+        )
         A = f[0, k] * np.array([each.east, each.north])
         columns += [A * np.cos(p), -A * np.sin(p)]
     return TidalBasis(

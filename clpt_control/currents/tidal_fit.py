@@ -41,7 +41,9 @@ class Constituent:
     north: float = field(metadata={"of": (2, "A")})
     north_phase: float = field(metadata={"of": (2, "g")})
     major: float = field(metadata={"of": (0, "Lsmaj")})
-    minor: float = field(metadata={"of": (0, "Lsmin")})  # negative where it turns clockwise
+    minor: float = field(
+        metadata={"of": (0, "Lsmin")}
+    )  # negative where it turns clockwise
     inclination: float = field(metadata={"of": (0, "theta")})
     phase: float = field(metadata={"of": (0, "g")})
     errors: dict[str, float]  # standard error of each number; NaN where it has none
@@ -66,14 +68,20 @@ class TidalFit:
 
         They are as utide.solve gives them, of u + iv, m/s, at times, datetime64 in UTC.
         """
-        self.coefficients, self.latitude, self.samples = fits[0], float(latitude), len(times)
+        self.coefficients, self.latitude, self.samples = (
+            fits[0],
+            float(latitude),
+            len(times),
+        )
         self.start, self.end = times[0], times[-1]  # first measurement and last
         hours = (times - times[0]).astype(float) / 3.6e6
         mean, middle = fits[0].umean + 1j * fits[0].vmean, flow.mean()
         model = _predicted(fits[0], times)
         residual = flow - model
         self.constituents = tuple(  # in the order that was asked for
-            _constituent(name, k, fits, telling_apart.noise_ratio(residual, hours, cycles, k))
+            _constituent(
+                name, k, fits, telling_apart.noise_ratio(residual, hours, cycles, k)
+            )
             for k, name in enumerate(names)
         )
         self.mean = float(mean.real), float(mean.imag)  # east and north, m/s
@@ -168,7 +176,9 @@ def fit_tides(
     }
     with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
         both = utide.solve(times, flow.real, flow.imag, **options)
-        east, north = (utide.solve(times, part, **options) for part in (flow.real, flow.imag))
+        east, north = (
+            utide.solve(times, part, **options) for part in (flow.real, flow.imag)
+        )
     return TidalFit(times, flow, names, cycles, (both, east, north), latitude)
 
 
@@ -218,20 +228,28 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
     times = tidal.checked_times(time)
     u, v = np.asarray(u, float), np.asarray(v, float)
     if not u.shape == v.shape == times.shape or times.ndim != 1:
-        raise DataError(f"{where}: time {times.shape}, u {u.shape}, v {v.shape} must be one row")
+        raise DataError(
+            f"{where}: time {times.shape}, u {u.shape}, v {v.shape} must be one row"
+        )
     tidal.check_increasing(times, where)
     whole = np.isfinite(u) & np.isfinite(v)
     if whole.sum() < 2:
-        raise DataError(f"{where}: {whole.sum()} of {len(u)} times have both components")
+        raise DataError(
+            f"{where}: {whole.sum()} of {len(u)} times have both components"
+        )
     change = max(np.ptp(u[whole]), np.ptp(v[whole]))
     if change < LEAST_CHANGE:
         raise DataError(f"{where}: changes by {change:.2g} m/s only: check its units")
     return times[whole], u[whole] + 1j * v[whole]
 
 
-def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> tuple[str, ...]:
+def _names(
+    constituents: Sequence[str] | str, hours: np.ndarray, where: str
+) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
-        const = needed("utide").ut_constants.const  # df: cycles per hour to the next greater tide
+        const = needed(
+            "utide"
+        ).ut_constants.const  # df: cycles per hour to the next greater tide
         fastest = telling_apart.nyquist(hours)
         names = tuple(
             str(name)
@@ -239,15 +257,23 @@ def _names(constituents: Sequence[str] | str, hours: np.ndarray, where: str) -> 
             if df * hours[-1] >= 1 and cycles < fastest
         )
         if not names:
-            raise DataError(f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h")
+            raise DataError(
+                f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h"
+            )
         return names
-    names = tuple(name for name in constituents if name != "steady")  # the mean, always there
+    names = tuple(
+        name for name in constituents if name != "steady"
+    )  # the mean, always there
     if not names or len(set(tidal.utide_names(names))) != len(names):
-        raise ScenarioError(f"constituents = {','.join(constituents)}: must be tides, each once")
+        raise ScenarioError(
+            f"constituents = {','.join(constituents)}: must be tides, each once"
+        )
     return names
 
 
-def _constituent(name: str, k: int, fits: Sequence[Any], ratio: np.ndarray) -> Constituent:
+def _constituent(
+    name: str, k: int, fits: Sequence[Any], ratio: np.ndarray
+) -> Constituent:
     """Return the tide of index k of the fits of both components, of the east and of the north."""
     values, errors = dict[str, float](), dict[str, float]()
     for key, (which, symbol) in NUMBERS.items():

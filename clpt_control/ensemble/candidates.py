@@ -43,7 +43,9 @@ class Candidate(NamedTuple):
         """Its name with what was chosen."""
         parts = [] if self.gain is None else [f"gain {self.gain:.3g}"]
         parts += [] if self.filter is None else [f"filter {self.filter:.3g}"]
-        return ", ".join([self.law, *parts, f"K and Gamma {'held' if self.held else 'adapted'}"])
+        return ", ".join(
+            [self.law, *parts, f"K and Gamma {'held' if self.held else 'adapted'}"]
+        )
 
 
 def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
@@ -67,11 +69,16 @@ def candidate(
     """Return a law with its gain and filter times a factor each."""
     car = scenario.vehicle
     unused = ["gains", "parameters" if law.alpha_is_constant else "theta_estimate"]
-    unused += [one.table for one in LAWS.values() if one.settings and one.name != law.name]
+    unused += [
+        one.table for one in LAWS.values() if one.settings and one.name != law.name
+    ]
     values: dict[str, Any] = {f"learning.{key}": None for key in unused}
     values |= {"learning.law": law.name, "learning.adapt_gains": not held}
     if held:
-        values |= {"learning.feedback": car.feedback, "learning.feedforward": car.feedforward}
+        values |= {
+            "learning.feedback": car.feedback,
+            "learning.feedforward": car.feedforward,
+        }
     used = gain * _gain(scenario, law) if law.alpha_by_gain or not held else None
     values["learning.gain"] = used
     base, own_filter = scenario.with_values(values), None

@@ -57,10 +57,14 @@ class Vary(NamedTuple):
 
 def read_vary(text: str) -> Vary:
     """Read how a key varies, in one of the forms above."""
-    match = re.fullmatch(r"\s*([\w.]+(?:\[[\d, ]+\])?)\s*([=~])\s*(.+?)\s*", text, re.DOTALL)
+    match = re.fullmatch(
+        r"\s*([\w.]+(?:\[[\d, ]+\])?)\s*([=~])\s*(.+?)\s*", text, re.DOTALL
+    )
     key, sign, rest = match.groups() if match else ("", "", "")
     written = key + sign + rest
-    with suppress(ValueError, RecursionError):  # no number or list, or too many brackets or digits
+    with suppress(
+        ValueError, RecursionError
+    ):  # no number or list, or too many brackets or digits
         if rest.startswith("["):
             if levels := json.loads(rest):
                 return Vary(key, "levels", tuple(levels), written)
@@ -78,13 +82,17 @@ def read_vary(text: str) -> Vary:
 def _of_item(key: str, given: Any) -> Vary:
     """Return how a key of a dict varies."""
     if isinstance(given, str):
-        return read_vary(key + (given if given.lstrip()[:1] in ("~", "=") else f"={given}"))
+        return read_vary(
+            key + (given if given.lstrip()[:1] in ("~", "=") else f"={given}")
+        )
     try:
         if hasattr(given, "ppf"):
             named = [f"{name}={float(value)!r}" for name, value in given.kwds.items()]
             numbers = ", ".join([*(repr(float(one)) for one in given.args), *named])
             if np.isfinite(given.ppf(0.5)):
-                return Vary(key, "drawn", (given,), f"{key}~{given.dist.name}({numbers})")
+                return Vary(
+                    key, "drawn", (given,), f"{key}~{given.dist.name}({numbers})"
+                )
         elif np.ndim(given) and len(given):
             levels = np.asarray(given, dtype=float).tolist()
             return Vary(key, "levels", tuple(levels), f"{key}={json.dumps(levels)}")
@@ -100,7 +108,9 @@ def read_varies(vary: str | Iterable[str] | Mapping[str, Any]) -> tuple[Vary, ..
     else:
         varies = [read_vary(one) for one in ([vary] if isinstance(vary, str) else vary)]
     if not varies:
-        raise ScenarioError("vary: name at least one key, such as learning.gain=0.2:2.0")
+        raise ScenarioError(
+            "vary: name at least one key, such as learning.gain=0.2:2.0"
+        )
     return tuple(varies)
 
 
@@ -111,11 +121,15 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
         if one.key not in values:
             raise ScenarioError(varied.why_not(one.key))
         if keys.count(one.key) > 1:
-            raise ScenarioError(f"vary: {one.key} is named {keys.count(one.key)} times, not once")
+            raise ScenarioError(
+                f"vary: {one.key} is named {keys.count(one.key)} times, not once"
+            )
         if one.kind == "levels":
             _check_levels(one, values[one.key].shape)
         elif one.key.endswith(".seed"):
-            raise ScenarioError(f"vary = '{one.text}': a seed is a whole number; list the values")
+            raise ScenarioError(
+                f"vary = '{one.text}': a seed is a whole number; list the values"
+            )
 
 
 def what_may_vary(name: str, known: Iterable[str]) -> str:
@@ -145,7 +159,9 @@ def _check_levels(one: Vary, shape: tuple[int, ...]) -> None:
 def grid_count(varies: Sequence[Vary]) -> int:
     """Return the number of combinations of lists."""
     if not all(one.kind == "levels" for one in varies):
-        raise ScenarioError("members: is required where values are drawn; lists alone make a grid")
+        raise ScenarioError(
+            "members: is required where values are drawn; lists alone make a grid"
+        )
     return prod(len(one.numbers) for one in varies)
 
 
@@ -187,7 +203,9 @@ def _shares(key: str, size: int, members: int, design: str, seed: int) -> np.nda
     return np.clip(shares, EDGE, 1 - EDGE, out=shares)
 
 
-def _grid_shares(varies: Sequence[Vary], columns: Sequence[int], members: int) -> list[np.ndarray]:
+def _grid_shares(
+    varies: Sequence[Vary], columns: Sequence[int], members: int
+) -> list[np.ndarray]:
     """Return shares on a grid; the last number varies fastest."""
     fixed = [len(one.numbers) if one.kind == "levels" else 0 for one in varies]
     free = sum(c for c, count in zip(columns, fixed, strict=True) if not count)
@@ -212,7 +230,9 @@ def _values(one: Vary, base: np.ndarray, shares: np.ndarray) -> np.ndarray:
     """Turn shares into values, in place where they are numbers."""
     if one.kind == "levels":
         levels = np.array(one.numbers, dtype=float)
-        return levels[np.minimum((shares[:, 0] * len(levels)).astype(int), len(levels) - 1)]
+        return levels[
+            np.minimum((shares[:, 0] * len(levels)).astype(int), len(levels) - 1)
+        ]
     if one.kind == "uniform":
         low, high = one.numbers
         shares *= high - low
@@ -241,4 +261,6 @@ def check_members(varied: Varied, varies: Sequence[Vary], values: Values) -> Non
                 varied.check(one.key, values[one.key][m])
             except ScenarioError as error:
                 sentence = str(error).removeprefix("scenario: ")
-                raise ScenarioError(f"member {m}: {sentence}; narrow {one.text}") from None
+                raise ScenarioError(
+                    f"member {m}: {sentence}; narrow {one.text}"
+                ) from None

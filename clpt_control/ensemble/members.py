@@ -39,8 +39,12 @@ from ..errors import DiagramError, SimulationError
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
-Values = dict[str, np.ndarray]  # what varies, or summaries, each with a row for each member
-Member = tuple[Sequence[Any], np.ndarray, Any]  # parameters of all blocks, start, inputs
+Values = dict[
+    str, np.ndarray
+]  # what varies, or summaries, each with a row for each member
+Member = tuple[
+    Sequence[Any], np.ndarray, Any
+]  # parameters of all blocks, start, inputs
 Varied = Any  # a `VariedScenario` or a `VariedDiagram`
 
 
@@ -95,7 +99,10 @@ class Ensemble:
         for (k, name), keys in apart.items() if runner.engine == "native" else ():
             node = varied.wiring.nodes[k]
             if role := read_as_number(node.system, name):
-                warn_python(varied.name, f"{node.name}.{role} is read for one value of {keys[-1]}")
+                warn_python(
+                    varied.name,
+                    f"{node.name}.{role} is read for one value of {keys[-1]}",
+                )
                 return make_runner(*system, "python")
         return runner
 
@@ -125,7 +132,10 @@ class Ensemble:
     def members(self, values: Values) -> Members:
         """Make members of values."""
         varied, count = self.varied, len(next(iter(values.values())))
-        P, x0 = np.tile(self.native.parameters(), (count, 1)), np.tile(varied.start, (count, 1))
+        P, x0 = (
+            np.tile(self.native.parameters(), (count, 1)),
+            np.tile(varied.start, (count, 1)),
+        )
         pieces = self.native.schedule(varied.state_times, varied.inputs)
         runners = [(self.native, varied.inputs)] * count
         members = Members(P, x0, np.zeros(count, dtype=np.int64), [pieces], runners)
@@ -156,7 +166,11 @@ class Ensemble:
     def _column(self, place: tuple[int, str], element: Any) -> int:
         """Return the column of P at which a value begins."""
         shape = np.shape(getattr(self.native.sweep.parameters[place[0]], place[1]))
-        within = 0 if element is ... or not shape else int(np.ravel_multi_index(element, shape))
+        within = (
+            0
+            if element is ... or not shape
+            else int(np.ravel_multi_index(element, shape))
+        )
         return int(self.native.layout.slots[place].offset) + within
 
     def _callee(self, members: Members, m: int) -> Callee:
@@ -168,28 +182,47 @@ class Ensemble:
 
     def run(self, members: Members, times: np.ndarray) -> States:
         """Run members, each by itself, in the calling thread, at times up to their end."""
-        rtol, atol, method = (self.varied.options[name] for name in ("rtol", "atol", "method"))
+        rtol, atol, method = (
+            self.varied.options[name] for name in ("rtol", "atol", "method")
+        )
         by = self.native.method_number(method)
         count, nt = len(members.x0), len(times)
         if not self.native.nstates:
-            nothing, counts = np.zeros((count, nt, 0)), np.zeros((count, 4), dtype=np.int64)
-            return States(nothing, np.full(count, Status.FINISHED), np.full(count, nt), counts)
+            nothing, counts = (
+                np.zeros((count, nt, 0)),
+                np.zeros((count, 4), dtype=np.int64),
+            )
+            return States(
+                nothing, np.full(count, Status.FINISHED), np.full(count, nt), counts
+            )
 
-        def run(runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None) -> Batch:
+        def run(
+            runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None
+        ) -> Batch:
             batch = Batch(runner.callee(lanes, inputs, by), *runs)
             implicit = partial(runner.implicit, inputs) if method == "auto" else None
             batch.adaptive(rtol, atol, implicit=implicit)
             return batch
 
         def rows(m: Any) -> tuple:
-            return members.x0[m], members.P[m], times, members.schedules, members.group[m]
+            return (
+                members.x0[m],
+                members.P[m],
+                times,
+                members.schedules,
+                members.group[m],
+            )
 
-        def alone(of: PythonDiagram, P: Any, start: Any, at: Any, pieces: Schedule) -> Batch:
+        def alone(
+            of: PythonDiagram, P: Any, start: Any, at: Any, pieces: Schedule
+        ) -> Batch:
             return run(of, (start[None], P[None], at, [pieces]))
 
         if not self.compiled:
             each = enumerate(members.runners)
-            results = [run(of, rows([m]), inputs=inputs).results for m, (of, inputs) in each]
+            results = [
+                run(of, rows([m]), inputs=inputs).results for m, (of, inputs) in each
+            ]
             return States(*map(np.concatenate, zip(*results, strict=True)))
         lanes = 1 if by == layout.RODAS5P else self.lanes
         result = run(self.native, rows(slice(None)), lanes).results
@@ -212,7 +245,9 @@ class Ensemble:
         reached = slice(run.reached[m])
         at = self.varied.state_times[reached], run.states[m, reached]
         points = *at, members.schedule(m), members.P[m]
-        return self._callee(members, m).evaluate(layout.SIGNALS, *points, self.native.nsignals)
+        return self._callee(members, m).evaluate(
+            layout.SIGNALS, *points, self.native.nsignals
+        )
 
     @property
     def batch(self) -> int:
@@ -239,7 +274,9 @@ class Ensemble:
 
     def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
         """Return what runs a member by itself, and what its `run` takes."""
-        given, start, inputs = self.varied.member({key: own[m] for key, own in values.items()})
+        given, start, inputs = self.varied.member(
+            {key: own[m] for key, own in values.items()}
+        )
         options = {} if self.native.wiring.dt else self.varied.options
         runner = self.native.with_parameters(given)
         return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
@@ -249,7 +286,9 @@ def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
     """Return an ensemble; in Python where machine code runs some of its members otherwise."""
     ensemble, count = Ensemble(varied, values), len(next(iter(values.values())))
     known = all(node.system.of_package for node in varied.wiring.nodes)
-    for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(0 if known else TRIED)}):
+    for m in sorted(
+        {k * (count - 1) // (TRIED - 1) for k in range(0 if known else TRIED)}
+    ):
         if not ensemble.compiled:
             break
         runner, at, options = ensemble.single(values, m)

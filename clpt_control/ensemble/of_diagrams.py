@@ -16,7 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from ..engine.codegen.directional_derivatives import Place, place_of, places_of, put, value_at
+from ..engine.codegen.directional_derivatives import (
+    Place,
+    place_of,
+    places_of,
+    put,
+    value_at,
+)
 from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
@@ -35,7 +41,11 @@ from .members import Ensemble, Member, Members, States, Values, hash_of
 from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names of a result, beside those of ports
-SUMMARIES = {"final": "at the end", "rms": "root mean square", "max": "largest magnitude"}
+SUMMARIES = {
+    "final": "at the end",
+    "rms": "root mean square",
+    "max": "largest magnitude",
+}
 
 
 class VariedDiagram:
@@ -67,15 +77,23 @@ class VariedDiagram:
         self.outputs, taken, states = labels_of(diagram, self.wiring)
         labels = {name for own in (taken, states) for name in (*own, *ports_of(own))}
         for node in self.wiring.nodes:
-            labels |= {f"{node.name}.{field}" for field in node.system.parameters._fields}
+            labels |= {
+                f"{node.name}.{field}" for field in node.system.parameters._fields
+            }
         if undeclared := self._undeclared(varies, labels):
             self.params |= undeclared
             self.wiring = wiring_of(diagram, self.params, sizes)
         self.given = changed_parameters(self.wiring.blocks, self.params)
         options = RunOptions.checked(self.wiring.dt, self.state_times, **solver)
-        self.options = {"rtol": options.rtol, "atol": options.atol, "method": options.method}
+        self.options = {
+            "rtol": options.rtol,
+            "atol": options.atol,
+            "method": options.method,
+        }
         self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
-        self.start = stacked_state("initial_state", 0.0 if x0 is None else x0, len(states))
+        self.start = stacked_state(
+            "initial_state", 0.0 if x0 is None else x0, len(states)
+        )
         self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}
         self.values: Values = {}
@@ -85,7 +103,9 @@ class VariedDiagram:
                 self.places[one.key], self.values[one.key] = place, self._value(place)
         self._check_apart()
 
-    def _undeclared(self, varies: Sequence[Vary], known: Collection[str]) -> dict[str, Any]:
+    def _undeclared(
+        self, varies: Sequence[Vary], known: Collection[str]
+    ) -> dict[str, Any]:
         """Return parameters of python-control's systems that vary, but are no floats.
 
         One with a known name, of a state, an input or a block's own parameter, counts if a
@@ -93,14 +113,22 @@ class VariedDiagram:
         """
 
         def asked(s: System, key: str) -> bool:
-            return key not in s.params and (key in s.names if key in known else s.mentions(key))
+            return key not in s.params and (
+                key in s.names if key in known else s.mentions(key)
+            )
 
         params: dict[str, Any] = {}
-        systems = [node.system for node in self.wiring.nodes if isinstance(node.system, System)]
+        systems = [
+            node.system for node in self.wiring.nodes if isinstance(node.system, System)
+        ]
         for one in varies:
             key = one.key.partition("[")[0]
             own = (s.params.get(key) for s in systems if key not in s.number_names)
-            lists = [np.asarray(v, float) for v in own if isinstance(v, list | tuple | np.ndarray)]
+            lists = [
+                np.asarray(v, float)
+                for v in own
+                if isinstance(v, list | tuple | np.ndarray)
+            ]
             if not all(np.array_equal(lists[0], other) for other in lists):
                 raise ScenarioError(
                     f"vary: {key} is a list in several systems, not the same; give arrays of "
@@ -143,7 +171,9 @@ class VariedDiagram:
         for block in (node.system for node in self.wiring.nodes):
             for port, size in block.state_ports.items():
                 of_states += [block.units.get(port, "")] * size
-        units = {of_states[k] for k in place.states} | {of_inputs[k] for k in place.inputs}
+        units = {of_states[k] for k in place.states} | {
+            of_inputs[k] for k in place.inputs
+        }
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_apart(self) -> None:
@@ -158,7 +188,9 @@ class VariedDiagram:
                 numbers += [(k, name, one) for one in np.ravel(every[element]).tolist()]
             for number in numbers:
                 if (other := names.setdefault(number, key)) != key:
-                    raise ScenarioError(f"vary: {key} and {other} are one number; name it once")
+                    raise ScenarioError(
+                        f"vary: {key} and {other} are one number; name it once"
+                    )
 
     def arguments(self, path: Any) -> dict[str, Any]:
         """Return what identifies it, for a store at a path."""
@@ -169,7 +201,9 @@ class VariedDiagram:
         """A hash of all that makes the numbers, but for what varies."""
         arrays = self.start, self.state_times, self.times, *self.inputs.samples
         try:
-            found = hash_of(self.wiring, self.given, self.outputs, self.options, *arrays)
+            found = hash_of(
+                self.wiring, self.given, self.outputs, self.options, *arrays
+            )
         except Unread as error:
             raise DiagramError(
                 f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
@@ -206,7 +240,9 @@ class VariedDiagram:
     def variables(self) -> tuple[dict[str, Series], Axes]:
         """The variables of outputs, and their axes."""
         units, ports = signal_units(self.wiring), ports_of(self.outputs)
-        return port_variables(ports, {}, (), {port: units[own[0]] for port, own in ports.items()})
+        return port_variables(
+            ports, {}, (), {port: units[own[0]] for port, own in ports.items()}
+        )
 
     def along(self, port: str) -> str:
         """Return the name of a port over time; one that is taken gets a _."""
@@ -220,13 +256,17 @@ class VariedDiagram:
         arrays = Arrays(values, sizes)
         for port, one in ports.items():
             for what, words in SUMMARIES.items():
-                arrays.add(f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes)
+                arrays.add(
+                    f"{port}_{what}", one.dims[1:], f"{port}, {words}", **one.attributes
+                )
             if self.trajectories:
                 arrays.add(self.along(port), one.dims, port, **one.attributes)
         arrays.add_members()
         for key, array in values.items():
             more = [f"{key} {k}" for k in range(array.ndim - 1)]
-            arrays.add_fixed(key, ("member", *more), array, long_name=key, **self.units(key))
+            arrays.add_fixed(
+                key, ("member", *more), array, long_name=key, **self.units(key)
+            )
         for dim, (numbers, attributes) in axes.items():
             arrays.add_fixed(dim, (dim,), numbers, **attributes)
         if self.trajectories:
@@ -244,15 +284,22 @@ class VariedDiagram:
             reached, (_, inputs) = signals.shape[1], members.runners[m]
             u = inputs.along(self.state_times[:reached])
             rows[:, :reached] = 0.0
-            for row, sources in zip(rows[:, :reached], self.wiring.outputs, strict=True):
-                for k, gain in sources.items():  # one after the other, however many there are
+            for row, sources in zip(
+                rows[:, :reached], self.wiring.outputs, strict=True
+            ):
+                for (
+                    k,
+                    gain,
+                ) in sources.items():  # one after the other, however many there are
                     row += gain * (signals[k] if k >= 0 else u[~k])
         not_finite = (run.status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
         run = replace(run, status=np.where(not_finite, Status.NOT_FINITE, run.status))
         y = y[..., self.skipped :]
         # each row is summed by itself, so that no bit depends on the others
         rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
-        figures = dict(zip(SUMMARIES, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True))
+        figures = dict(
+            zip(SUMMARIES, (y[..., -1], rms, np.abs(y).max(axis=-1)), strict=True)
+        )
         summaries = {
             f"{port}_{what}": one.of(figure)
             for port, one in ports.items()

@@ -41,7 +41,10 @@ class VariedScenario:
         self.times = sample_times_of(scenario, self.marks, trajectories)
         self.trajectories = trajectories
         self.state_times, self.options = self.times.all, scenario.run.solver
-        self.title, self.needs_signals = scenario.title, scenario.vehicle.max_speed is not None
+        self.title, self.needs_signals = (
+            scenario.title,
+            scenario.vehicle.max_speed is not None,
+        )
         self.own = set(self.changes.replace)
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
@@ -66,7 +69,10 @@ class VariedScenario:
     @property
     def knows_gains(self) -> bool:
         """Whether there are true gains, the scenario's."""
-        return not self.scenario.learning.row.at_fixes and "vehicle_controller" not in self.own
+        return (
+            not self.scenario.learning.row.at_fixes
+            and "vehicle_controller" not in self.own
+        )
 
     # --- what may vary --------------------------------------------------------------------
 
@@ -85,7 +91,9 @@ class VariedScenario:
     def arguments(self, path: Path | None) -> dict[str, Any]:
         """Return what identifies it, for a store at a path."""
         return {
-            "scenario": scenario_to_text(self.scenario, None if path is None else path.parent),
+            "scenario": scenario_to_text(
+                self.scenario, None if path is None else path.parent
+            ),
             "times": list(self.marks),
             "law": self.own_parts,
         }
@@ -135,7 +143,11 @@ class VariedScenario:
     def one_by_one(self, key: str) -> bool:
         """Return whether members are made one by one of a key's values, as where a law uses it."""
         of_law = keys_of_law(self.scenario) if self.changes.law is None else ()
-        in_place = key in QUANTITIES and not QUANTITIES[key].jumps and self.place(key) != Place()
+        in_place = (
+            key in QUANTITIES
+            and not QUANTITIES[key].jumps
+            and self.place(key) != Place()
+        )
         return key in of_law or not in_place
 
     def member(self, values: Values) -> Member:
@@ -153,7 +165,10 @@ class VariedScenario:
 
 def variable_values(scenario: Scenario) -> Values:
     """Return the values of all keys that may vary: the scenario's, or the defaults."""
-    defaults = {"basis.phases": scenario.phases, "model.parameters": scenario.model_parameters}
+    defaults = {
+        "basis.phases": scenario.phases,
+        "model.parameters": scenario.model_parameters,
+    }
     learning, delta = scenario.learning, scenario.flow.disturbance
     if not learning.row.alpha_is_constant:
         defaults["learning.parameters"] = scenario.learning_parameters
@@ -165,15 +180,22 @@ def variable_values(scenario: Scenario) -> Values:
             values.setdefault(key, number)
 
     for key, value, _ in scenario.every_key():
-        add(key, float(value or 0) if key.endswith(".seed") else defaults.get(key, value))
+        add(
+            key,
+            float(value or 0) if key.endswith(".seed") else defaults.get(key, value),
+        )
     for name, value in learning.settings.items():  # the law's defaults may vary too
         add(f"learning.{learning.row.table}.{name}", value)
     if learning.gain is None and learning.gains is None:
         add("learning.gain", learning.row.gain)
     kind = None if delta is None else delta.kind
-    none = {"learning.sample"} | ({"flow.disturbance.seed"} if kind != "noise" else set())
+    none = {"learning.sample"} | (
+        {"flow.disturbance.seed"} if kind != "noise" else set()
+    )
     none |= {"flow.disturbance.period"} if kind == "constant" else set()
-    return {k: v for k, v in values.items() if k not in none and not k.startswith("run.")}
+    return {
+        k: v for k, v in values.items() if k not in none and not k.startswith("run.")
+    }
 
 
 def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
@@ -181,8 +203,12 @@ def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
     changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
     if changes.law is not None:
         functions_of(changes.law)
-    columns = state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
-    estimate = ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    columns = (
+        state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
+    )
+    estimate = (
+        ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
+    )
     for name, states in ((LAW, [*estimate, "K", "Gamma"]), ("vehicle", ["x"])):
         for port in states if name in changes.replace else ():
             if port not in columns:

@@ -171,11 +171,17 @@ def run_ensemble(
         varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
         _refuse("is for a scenario; a diagram has timepts", times=times)
-        varied = VariedDiagram(system, varies, timepts, trajectories=trajectories, **of_diagram)
+        varied = VariedDiagram(
+            system, varies, timepts, trajectories=trajectories, **of_diagram
+        )
     check_varies(varied, varies)
     if design is None:
         listed = all(one.kind == "levels" for one in varies)
-        design = "grid" if members is None or (listed and isinstance(vary, Mapping)) else "lhs"
+        design = (
+            "grid"
+            if members is None or (listed and isinstance(vary, Mapping))
+            else "lhs"
+        )
     members = grid_count(varies) if members is None else members
     values = draw_members(varied, varies, members, design, seed)
     of_system = varied.arguments(path)
@@ -200,7 +206,8 @@ def run_ensemble(
         done, stored = done + more, stored + written
         if stored and out is not None:
             interrupt.resume_hint = (
-                f"{out} holds {stored} of {members} members; the same command goes on from there"
+                f"{out} holds {stored} of {members} members; "
+                "the same command goes on from there"
             )
         if progress is not None:
             progress(done)
@@ -254,13 +261,18 @@ def _run_here(
 ) -> None:
     spread = -(-store.count(missing) // (4 * threads))  # some batches for every thread
     size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
-    batches = ((index, part) for index in missing for part in cut(store.values(index), size))
+    batches = (
+        (index, part) for index in missing for part in cut(store.values(index), size)
+    )
     running: deque[tuple[int, futures.Future]] = deque()
     parts = []  # of the first chunk that runs
     pool = futures.ThreadPoolExecutor(threads)
     try:
         while True:
-            while len(running) < 2 * threads and (batch := next(batches, None)) is not None:
+            while (
+                len(running) < 2 * threads
+                and (batch := next(batches, None)) is not None
+            ):
                 running.append((batch[0], pool.submit(ensemble.summaries, batch[1])))
             if not running:
                 return
@@ -300,7 +312,9 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
         try:
             client.wait_for_workers(1, timeout=PATIENCE)
         except TimeoutError:
-            raise ClptError(f"dask = '{address}': the scheduler has no worker") from None
+            raise ClptError(
+                f"dask = '{address}': the scheduler has no worker"
+            ) from None
         try:
             yield client.get_executor(pure=False, retries=RETRIES)
         except KilledWorker as error:
@@ -308,7 +322,12 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
 
 
 def _run_elsewhere(
-    work: tuple, store: Store, missing: list[int], address: str, workers: int, report: Report
+    work: tuple,
+    store: Store,
+    missing: list[int],
+    address: str,
+    workers: int,
+    report: Report,
 ) -> None:
     try:
         with pool_of(address, workers) as pool:
@@ -318,7 +337,9 @@ def _run_elsewhere(
                 future.result()
                 index = indices[future]  # ask the store: the worker may be lost by now
                 if not store.is_whole(index):
-                    raise SimulationError(f"dask: chunk {index} did not reach {store.path}")
+                    raise SimulationError(
+                        f"dask: chunk {index} did not reach {store.path}"
+                    )
                 count = store.count([index])
                 report(count, count)
     except futures.BrokenExecutor:
@@ -327,7 +348,9 @@ def _run_elsewhere(
             f"{STORED}"
         ) from None
     except futures.CancelledError:
-        raise SimulationError(f"dask: the scheduler {address} was lost; {STORED}") from None
+        raise SimulationError(
+            f"dask: the scheduler {address} was lost; {STORED}"
+        ) from None
 
 
 def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
@@ -350,7 +373,9 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
 def _chunk(chunk: int | None, arrays: Arrays) -> int:
     """Return how many members are written at once."""
     if chunk is None:
-        each = sum(8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims)
+        each = sum(
+            8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims
+        )
         chunk = max(1, min(CHUNK, CHUNK_BYTES // each)) if each else CHUNK
     if chunk < 1:
         raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")

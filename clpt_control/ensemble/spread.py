@@ -42,7 +42,12 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
     >>> percentiles(data, "e")[:, 0]
     array([0.2, 1. , 2. , 3. , 3.8])
     """
-    check_holds("percentiles: data", data, [name], f"it has {', '.join(map(str, data.data_vars))}")
+    check_holds(
+        "percentiles: data",
+        data,
+        [name],
+        f"it has {', '.join(map(str, data.data_vars))}",
+    )
     if data[name].dims[:1] != ("member",) or data[name].ndim != 2:
         raise ArgumentError(
             f"percentiles: name = '{name}': must have the dimensions member and another"
@@ -85,17 +90,27 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     {'finished': 3}
     """
     refuse_diagram("ensemble_summary", data)
-    check_holds("ensemble_summary: data", data, ["status", "clpe_rms", "clpe_rms_whole"], ENSEMBLE)
+    check_holds(
+        "ensemble_summary: data",
+        data,
+        ["status", "clpe_rms", "clpe_rms_whole"],
+        ENSEMBLE,
+    )
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
     summary = {
         "title": data.attrs["title"],
-        "units": {"length": data["clpe_rms"].attrs["units"], "time": data["mark"].attrs["units"]},
+        "units": {
+            "length": data["clpe_rms"].attrs["units"],
+            "time": data["mark"].attrs["units"],
+        },
         "members": len(status),
         "ended": {STATUS[k]: int(np.sum(status == k)) for k in np.unique(status)},
         "first_failed": int(failed[0]) if len(failed) else None,
         "percents": list(PERCENTS),
-        "clpe_rms_per_cycle": [_listed(column) for column in percentiles(data, "clpe_rms").T],
+        "clpe_rms_per_cycle": [
+            _listed(column) for column in percentiles(data, "clpe_rms").T
+        ],
     }
     last = data.isel(mark=[-1])
     whole = data[["clpe_rms_whole"]].expand_dims("one", axis=1)
@@ -106,7 +121,10 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     if "share_in_faster_flow" in data:
         share = data["share_in_faster_flow"].values
         largest = float(np.nanmax(share, initial=0.0))
-        summary["faster_flow"] = {"members": int(np.sum(share > 0)), "largest_share": largest}
+        summary["faster_flow"] = {
+            "members": int(np.sum(share > 0)),
+            "largest_share": largest,
+        }
     return summary
 
 
@@ -177,7 +195,9 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     what = errors[0].removesuffix("_error").replace("_", " ")
     labels = f"time ({time})", f"error ({unit_of(data[errors[0]])})"
     bands = percentiles(data, errors[0])
-    _panel(axes[1], data["mark"].values, bands, RED, f"Largest error of a {what}", *labels)
+    _panel(
+        axes[1], data["mark"].values, bands, RED, f"Largest error of a {what}", *labels
+    )
     return axes
 
 
@@ -187,7 +207,13 @@ def _nothing(ax: Any, why: str) -> None:
 
 
 def _panel(
-    ax: Any, x: np.ndarray, bands: np.ndarray, color: str, title: str, xlabel: str, ylabel: str
+    ax: Any,
+    x: np.ndarray,
+    bands: np.ndarray,
+    color: str,
+    title: str,
+    xlabel: str,
+    ylabel: str,
 ) -> None:
     """Draw percentiles, logarithmic where they are positive."""
     ax.set_title(title, **TITLE)
@@ -196,11 +222,31 @@ def _panel(
         return
     low, quarter, middle, three, high = bands
     marker = "o" if len(x) < 12 else None
-    ax.fill_between(x, low, high, color=color, alpha=0.18, linewidth=0, label="5 to 95 %")
-    ax.fill_between(x, quarter, three, color=color, alpha=0.35, linewidth=0, label="25 to 75 %")
-    ax.plot(x, middle, color=color, linewidth=1.5, marker=marker, markersize=4, label="median")
+    ax.fill_between(
+        x, low, high, color=color, alpha=0.18, linewidth=0, label="5 to 95 %"
+    )
+    ax.fill_between(
+        x, quarter, three, color=color, alpha=0.35, linewidth=0, label="25 to 75 %"
+    )
+    ax.plot(
+        x,
+        middle,
+        color=color,
+        linewidth=1.5,
+        marker=marker,
+        markersize=4,
+        label="median",
+    )
     for edge in (low, high):
-        ax.plot(x, edge, color=color, linewidth=0.6, linestyle="--", marker=marker, markersize=2)
+        ax.plot(
+            x,
+            edge,
+            color=color,
+            linewidth=0.6,
+            linestyle="--",
+            marker=marker,
+            markersize=2,
+        )
     ax.set(xlabel=xlabel, ylabel=ylabel)
     if np.nanmin(bands) > 0:
         ax.set_yscale("log")

@@ -44,10 +44,17 @@ class Store:
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of what is no array: the digest has its name
+            warnings.simplefilter(
+                "ignore"
+            )  # of what is no array: the digest has its name
             self.names = {name for name, _ in group.members()}
-            self.arrays = {name.replace(SLASH, "/"): one for name, one in group.arrays()}
-        dims = {name: one.metadata.dimension_names or () for name, one in self.arrays.items()}
+            self.arrays = {
+                name.replace(SLASH, "/"): one for name, one in group.arrays()
+            }
+        dims = {
+            name: one.metadata.dimension_names or ()
+            for name, one in self.arrays.items()
+        }
         given = {"member", *self.arguments["keys"]}
         self.per_member = sorted(k for k in dims.keys() - given if "member" in dims[k])
 
@@ -61,7 +68,9 @@ class Store:
 
     def values(self, index: int) -> Values:
         """Return the values of what varies, for the members of a chunk."""
-        return {key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]}
+        return {
+            key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]
+        }
 
     def write(self, index: int, arrays: Values) -> None:
         """Write a chunk, then its checksum."""
@@ -83,7 +92,9 @@ class Store:
 
     def digests(self) -> dict[str, str]:
         """Return a hash of the attributes, and of each array but for what chunks fill."""
-        attributes = {name: one for name, one in self.group.attrs.items() if name != DIGESTS}
+        attributes = {
+            name: one for name, one in self.group.attrs.items() if name != DIGESTS
+        }
         parts: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
         for name in sorted(self.names):
             parts[name] = one = self.group[name]
@@ -92,11 +103,16 @@ class Store:
                 much = one.nbytes > LARGEST or one.nchunks > max(1, self.members)
                 numbers = None if filled or much else zlib.crc32(one[:].tobytes())
                 parts[name] = one.metadata.to_dict(), numbers
-        return {k: hashlib.sha256(repr(one).encode()).hexdigest()[:16] for k, one in parts.items()}
+        return {
+            k: hashlib.sha256(repr(one).encode()).hexdigest()[:16]
+            for k, one in parts.items()
+        }
 
     def missing(self) -> list[int]:
         """List the chunks without a checksum, or with one that does not fit."""
-        return [k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)]
+        return [
+            k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)
+        ]
 
     def is_whole(self, index: int) -> bool:
         """Return whether a chunk is there and its checksum fits."""
@@ -104,7 +120,9 @@ class Store:
             checksum = int(self.group[DONE][index])
             if not checksum:
                 return False
-            read = {name: self.arrays[name][self.rows(index)] for name in self.per_member}
+            read = {
+                name: self.arrays[name][self.rows(index)] for name in self.per_member
+            }
         except Exception:  # a damaged file can raise anything
             return False
         return self.checksum(read) == checksum
@@ -113,7 +131,9 @@ class Store:
         """Check that every chunk is there; remove what killed writers left beside files."""
         lost = np.flatnonzero(self.group[DONE][:] == 0)
         if len(lost):
-            raise DataError(f"{self.path}: chunk {lost[0]} is missing; run the ensemble again")
+            raise DataError(
+                f"{self.path}: chunk {lost[0]} is missing; run the ensemble again"
+            )
         if self.path is not None:
             for left in self.path.rglob("*.partial"):
                 left.unlink(missing_ok=True)
@@ -136,8 +156,12 @@ class Store:
             data.load()
         else:
             data.encoding["folder"] = str(self.path.absolute().parent)
-        if self.arguments["design"] == "grid" and all(data[key].ndim == 1 for key in keys):
-            data = data.drop_vars("member").set_xindex(keys, xarray.indexes.PandasMultiIndex)
+        if self.arguments["design"] == "grid" and all(
+            data[key].ndim == 1 for key in keys
+        ):
+            data = data.drop_vars("member").set_xindex(
+                keys, xarray.indexes.PandasMultiIndex
+            )
         return data
 
 
@@ -147,7 +171,11 @@ def software() -> str:
 
 
 def begun_or_made(
-    path: Path | None, title: str, code: str, arguments: Mapping[str, Any], arrays: Arrays
+    path: Path | None,
+    title: str,
+    code: str,
+    arguments: Mapping[str, Any],
+    arrays: Arrays,
 ) -> Store:
     """Open the store of the same ensemble that the same `code` began, or make it."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
@@ -171,7 +199,10 @@ def begun_or_made(
 
 
 def create_store(
-    path: Path | None, arguments: Mapping[str, Any], arrays: Arrays, attrs: Mapping[str, Any]
+    path: Path | None,
+    arguments: Mapping[str, Any],
+    arrays: Arrays,
+    attrs: Mapping[str, Any],
 ) -> Store:
     """Make a store without any chunk, in a folder or in memory.
 
@@ -182,7 +213,9 @@ def create_store(
 
     place: Any = path or zarr.storage.MemoryStore()
     chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
-    done = StoredArray(("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"})
+    done = StoredArray(
+        ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}
+    )
     with beside(path, folder=True) if path else nullcontext(place) as part:
         group = zarr.create_group(part)
         group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
@@ -196,7 +229,9 @@ def create_store(
                 name.replace("/", SLASH),
                 shape=one.shape,
                 dtype=one.dtype,
-                chunks=tuple(max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])),
+                chunks=tuple(
+                    max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])
+                ),
                 attributes=one.attrs,
                 dimension_names=[dim.replace("/", SLASH) for dim in one.dims],
                 fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
@@ -228,13 +263,17 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
         store = Store(zarr.open_group(files, mode=mode), path)
         made: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
         now = store.digests()
-        wrong = [name for name in sorted({*made, *now}) if made.get(name) != now.get(name)]
+        wrong = [
+            name for name in sorted({*made, *now}) if made.get(name) != now.get(name)
+        ]
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is no ensemble or is damaged; give another name or remove it"
         ) from None
     if wrong and wrong[0] not in made:
-        raise DataError(f"{path}: holds {wrong[0]}, which is no part of it; take it out")
+        raise DataError(
+            f"{path}: holds {wrong[0]}, which is no part of it; take it out"
+        )
     if wrong:
         raise DataError(
             f"{path}: is damaged, or of another version: its {wrong[0]} is not as it was "
@@ -256,7 +295,9 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
     """Return the ensemble of a folder, whole or begun, checked; trajectories are read when used."""
     store = open_store(path, mode="r")
     if "diagram" in store.arguments:
-        raise DataError(f"{path}: is an ensemble of a diagram, not of a scenario, and has no page")
+        raise DataError(
+            f"{path}: is an ensemble of a diagram, not of a scenario, and has no page"
+        )
     data = store.dataset()
     try:
         for array in data.variables.values():

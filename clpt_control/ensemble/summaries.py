@@ -30,7 +30,13 @@ from .members import Ensemble, Members, States, Values
 
 MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
 MARKS = 41  # times of errors, unless they are given
-TRAJECTORIES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
+TRAJECTORIES = (
+    "position",
+    "predicted_position",
+    "alpha",
+    "feedback_gain",
+    "feedforward_gain",
+)
 STATUS = tuple(
     status.label for status in Status if status != Status.STIFF
 )  # a member goes on by itself where it is stiff
@@ -40,7 +46,9 @@ class SampleTimes(NamedTuple):
     """Times of the states, and the numbers of those for each purpose."""
 
     all: np.ndarray  # increasing, from 0 to the end
-    starts: np.ndarray  # where in `fine` each full cycle starts, and where the last one ends
+    starts: (
+        np.ndarray
+    )  # where in `fine` each full cycle starts, and where the last one ends
     fine: np.ndarray  # evenly spaced, for mean squares
     marks: np.ndarray  # of errors
     own: np.ndarray  # the scenario's own, for trajectories; empty without them
@@ -51,7 +59,10 @@ def samples_per_cycle(scenario: Scenario) -> int:
 
     As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
     """
-    usual, cycles = samples_for_means(scenario), max(1.0, scenario.run.duration / scenario.cycle)
+    usual, cycles = (
+        samples_for_means(scenario),
+        max(1.0, scenario.run.duration / scenario.cycle),
+    )
     return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
 
 
@@ -62,11 +73,15 @@ def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, 
         return tuple(np.linspace(0.0, end, MARKS).tolist())
     for time in times:
         if not 0 <= time <= end:
-            raise ScenarioError(f"times: {time} must lie between 0 and run.duration = {end}")
+            raise ScenarioError(
+                f"times: {time} must lie between 0 and run.duration = {end}"
+            )
     return tuple(sorted({float(time) for time in times} | {end}))
 
 
-def sample_times_of(scenario: Scenario, marks: Sequence[float], trajectories: bool) -> SampleTimes:
+def sample_times_of(
+    scenario: Scenario, marks: Sequence[float], trajectories: bool
+) -> SampleTimes:
     """Return all times of samples; those that differ by rounding are one."""
     end, cycle = scenario.run.duration, scenario.cycle
     fine = sample_times(end, min(cycle, end) / samples_per_cycle(scenario))
@@ -76,7 +91,9 @@ def sample_times_of(scenario: Scenario, marks: Sequence[float], trajectories: bo
     slack = 1e-9 * max(1.0, end)
     merged = every[np.append(True, np.diff(every) > slack)]
     merged[-1] = end
-    return SampleTimes(merged, starts_of_rounds(fine, cycle), *(nearest(merged, t) for t in wanted))
+    return SampleTimes(
+        merged, starts_of_rounds(fine, cycle), *(nearest(merged, t) for t in wanted)
+    )
 
 
 class StoredArray(NamedTuple):
@@ -96,20 +113,32 @@ class Arrays(dict[str, StoredArray]):
         self.members, self.sizes = len(next(iter(values.values()))), sizes
 
     def add(
-        self, name: str, dims: Iterable[str], long_name: str, dtype: str = "float64", **attrs: Any
+        self,
+        name: str,
+        dims: Iterable[str],
+        long_name: str,
+        dtype: str = "float64",
+        **attrs: Any,
     ) -> None:
         """Add an array that summaries fill, the first dimension the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        self._put(name, ("member", *dims), shape, dtype, {"long_name": long_name, **attrs})
+        self._put(
+            name, ("member", *dims), shape, dtype, {"long_name": long_name, **attrs}
+        )
 
     def add_members(self, **of_time: str) -> None:
         """Add the number of each member, how it ended, and when."""
-        flags = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+        flags = {
+            "flag_values": list(range(len(STATUS))),
+            "flag_meanings": " ".join(STATUS),
+        }
         self.add("status", "", "how the run ended", "int8", **flags)
         self.add("end", "", "last sample reached", **of_time)
         numbers = np.arange(self.members)
-        self.add_fixed("member", ("member",), numbers, long_name="member of the ensemble")
+        self.add_fixed(
+            "member", ("member",), numbers, long_name="member of the ensemble"
+        )
 
     def add_fixed(
         self, name: str, dims: tuple[str, ...], numbers: np.ndarray, **attrs: Any
@@ -119,7 +148,9 @@ class Arrays(dict[str, StoredArray]):
 
     def _put(self, name: str, *array: Any) -> None:
         if name in self:
-            raise ScenarioError(f"{name} is twice a name of the result; rename what is called so")
+            raise ScenarioError(
+                f"{name} is twice a name of the result; rename what is called so"
+            )
         self[name] = StoredArray(*array)
 
 
@@ -153,7 +184,12 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     if varied.knows_gains:
         add("gain_error", "mark", "largest error of a gain", rate)
     if varied.needs_signals:
-        add("share_in_faster_flow", "", "share of time in a flow faster than the vehicle", "1")
+        add(
+            "share_in_faster_flow",
+            "",
+            "share of time in a flow faster than the vehicle",
+            "1",
+        )
     arrays.add_members(units=time)
     for name in followed(varied):
         port, long_name, *_ = VARIABLES[name]
@@ -162,14 +198,26 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
     for key, array in values.items():
         one = QUANTITIES.get(key, Quantity())
         axes_of_key = one.axes.split() or ["axis", "basis"][: array.ndim - 1]
-        attrs = {"units": units[port]} if (port := one.unit or one.state) in units else {}
+        attrs = (
+            {"units": units[port]} if (port := one.unit or one.state) in units else {}
+        )
         long_name = f"{key}, which varies"
-        arrays.add_fixed(key, ("member", *axes_of_key), array, long_name=long_name, **attrs)
+        arrays.add_fixed(
+            key, ("member", *axes_of_key), array, long_name=long_name, **attrs
+        )
     used = {dim for array in arrays.values() for dim in array.dims}
     axes = {
-        "cycle": (np.arange(1, cycles + 1), "round of the waypoints", {"length": scenario.cycle}),
+        "cycle": (
+            np.arange(1, cycles + 1),
+            "round of the waypoints",
+            {"length": scenario.cycle},
+        ),
         "mark": (times.all[times.marks], "time of an error", {"units": time}),
-        "time": (times.all[times.own], "time since the start of the run", {"units": time}),
+        "time": (
+            times.all[times.own],
+            "time since the start of the run",
+            {"units": time},
+        ),
         "axis": (np.array([1, 2]), "axis of the plane, x1 and x2", {}),
         "basis": (np.arange(1, N + 1), "flow basis function", {}),
         "waypoint": (np.arange(1, len(scenario.waypoints) + 1), "waypoint", {}),
@@ -216,17 +264,23 @@ def summarise(
             estimate = at["theta_hat"][:, times.marks]
         else:
             estimate = -at["alpha"][:, times.marks]
-        error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(axis=2)
+        error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(
+            axis=2
+        )
         alive = np.isfinite(y[:, times.marks, 0])
         summaries["flow_parameter_error"] = np.where(alive, error, np.nan)
     if varied.knows_gains:
         errors = [
-            np.abs(at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)).max(axis=2)
+            np.abs(
+                at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)
+            ).max(axis=2)
             for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
         ]
         summaries["gain_error"] = np.maximum(*errors)
     if varied.needs_signals:
-        summaries["share_in_faster_flow"] = _faster_flow(varied, ensemble, members, values, run)
+        summaries["share_in_faster_flow"] = _faster_flow(
+            varied, ensemble, members, values, run
+        )
     summaries |= ends_of(run, times.all)
     for name in followed(varied):
         own = at[VARIABLES[name][0]][:, times.own]
@@ -239,14 +293,20 @@ def _faster_flow(
 ) -> np.ndarray:
     """Return the share of time in a flow faster than each member, by the samples it reached."""
     shares, times = np.full(len(run.states), np.nan), varied.state_times
-    limits = values.get("vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed))
-    every = [label for node in varied.wiring.nodes for label in node.system.output_labels]
+    limits = values.get(
+        "vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed)
+    )
+    every = [
+        label for node in varied.wiring.nodes for label in node.system.output_labels
+    ]
     ports = ports_of(every)
     for m, limit in zip(range(len(shares)), limits, strict=False):
         if run.reached[m] < 2:
             continue
         signals = ensemble.signals(members, run, m)
         velocities = (signals[:, ports[port]] for port in ("v_c", "flow_x"))
-        faster = speed_figures(float(limit), times[: run.reached[m]], *velocities)["faster_flow"]
+        faster = speed_figures(float(limit), times[: run.reached[m]], *velocities)[
+            "faster_flow"
+        ]
         shares[m] = faster["share"] if faster else 0.0
     return shares

@@ -26,7 +26,15 @@ from ..theory.designing.design import time_below
 from ..theory.designing.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
 from ..units import known
-from .candidates import Candidate, Unknown, belief, candidate, factors_of, laws_to_try, unknown_of
+from .candidates import (
+    Candidate,
+    Unknown,
+    belief,
+    candidate,
+    factors_of,
+    laws_to_try,
+    unknown_of,
+)
 from .run import run_ensemble
 
 NEAR = 1.2  # times the best score: as good
@@ -41,7 +49,9 @@ class Score(NamedTuple):
     """What one candidate reached over the members."""
 
     candidate: Candidate
-    error: float  # median of the largest flow-parameter error at the end, length per time
+    error: (
+        float  # median of the largest flow-parameter error at the end, length per time
+    )
     error_95: float  # 95 % of the members are below
     clpe_rms: float  # median CLPE rms over the last cycle, length
     learning_time: float  # median learning time; inf: not within the run
@@ -120,14 +130,21 @@ def tune_law(
     for name in names:
         if name not in LAWS:
             raise ScenarioError(f"laws: '{name}' is no law; `clpt laws` lists them")
-    for word, value, least, most in (("members", members, 3, 10**5), ("seed", seed, 0, 2**31)):
+    for word, value, least, most in (
+        ("members", members, 3, 10**5),
+        ("seed", seed, 0, 2**31),
+    ):
         if not least <= value <= most:
-            raise ScenarioError(f"{word} = {value}: must be a whole number, {least} to {most}")
+            raise ScenarioError(
+                f"{word} = {value}: must be a whole number, {least} to {most}"
+            )
     needed("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)
     tried, skipped = laws_to_try(names)
     if not tried:
-        raise ScenarioError(f"laws: none of {', '.join(names)} learns the flow; name another")
+        raise ScenarioError(
+            f"laws: none of {', '.join(names)} learns the flow; name another"
+        )
     report = progress or (lambda share: None)
     scores: list[Score] = []
 
@@ -161,7 +178,9 @@ def tune_law(
         )
     report(1.0)
     chosen, enough = order[0], NEAR * min(one.score for one in order)
-    failed = sorted((one for one in scores if one.failed), key=lambda one: one.candidate.text)
+    failed = sorted(
+        (one for one in scores if one.failed), key=lambda one: one.candidate.text
+    )
     summary = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
@@ -201,7 +220,9 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
     """Run a candidate on flows that are drawn, the same for every candidate."""
     scenario = unknown.scenario.with_values(candidate.values)
     marks = np.linspace(0.0, scenario.run.duration, MARKS + 1)
-    data = run_ensemble(scenario, unknown.varies, members, seed=seed, times=marks.tolist())
+    data = run_ensemble(
+        scenario, unknown.varies, members, seed=seed, times=marks.tolist()
+    )
     failed = int(np.sum(data["status"].values != 1))
     error = data["flow_parameter_error"].values
     cycles = data["clpe_rms"].values
@@ -225,7 +246,9 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
 
 def _middle(values: np.ndarray, share: float = 0.5) -> float:
     """Return a quantile of values that may be infinite."""
-    return float(np.sort(values)[min(len(values) - 1, int(np.ceil(share * len(values)) - 1))])
+    return float(
+        np.sort(values)[min(len(values) - 1, int(np.ceil(share * len(values)) - 1))]
+    )
 
 
 # --- why a law was chosen -------------------------------------------------------------------------
@@ -234,7 +257,9 @@ def _middle(values: np.ndarray, share: float = 0.5) -> float:
 def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
     """Return the smallest eigenvalue over the second cycle, in the scenario's flow."""
     window, start = span = checked_window(scenario, None, None)
-    least, _ = Tracks(scenario, span, scenario.run.duration, 3, 1e-8)(scenario.waypoints[None])
+    least, _ = Tracks(scenario, span, scenario.run.duration, 3, 1e-8)(
+        scenario.waypoints[None]
+    )
     return {"window": window, "start": start, "smallest_eigenvalue": float(least.min())}
 
 
@@ -252,11 +277,23 @@ def because(report: dict[str, Any], named: str) -> str:
     share = (least / report["window"]) ** 0.5
     shows = "shows every parameter" if share > HIDDEN else "hides some parameters"
     strange, noise = report["unmodelled"], report["noise"]
-    flow = f"unmodelled flow of {strange:.3g} {speed}" if strange else "no unmodelled flow"
-    fixes = f"positions with noise of {noise:.3g} {unit}" if noise else "exact positions"
+    flow = (
+        f"unmodelled flow of {strange:.3g} {speed}" if strange else "no unmodelled flow"
+    )
+    fixes = (
+        f"positions with noise of {noise:.3g} {unit}" if noise else "exact positions"
+    )
     soon = chosen["learning_time"]
-    came = "does not fall to a tenth" if soon is None else f"is a tenth after {soon:.4g} {time}"
-    first = "" if report["as_good"] == 1 else f"the quickest of {report['as_good']} as good, "
+    came = (
+        "does not fall to a tenth"
+        if soon is None
+        else f"is a tenth after {soon:.4g} {time}"
+    )
+    first = (
+        ""
+        if report["as_good"] == 1
+        else f"the quickest of {report['as_good']} as good, "
+    )
     return (
         f"{named}: {first}because the track {shows} (smallest eigenvalue {least:.3g} over "
         f"{report['window']:g} {time}: {share:.1g} of an error is seen), and with {flow} and "

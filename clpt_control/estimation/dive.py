@@ -147,7 +147,11 @@ class Dive:
 
 @public
 def make_dive(
-    number: int, start: Fix, end: Fix, through_water: tuple[OrNaN, OrNaN], **optional: Any
+    number: int,
+    start: Fix,
+    end: Fix,
+    through_water: tuple[OrNaN, OrNaN],
+    **optional: Any,
 ) -> Dive:
     """Make a dive of its fixes and its displacement through water.
 
@@ -174,11 +178,18 @@ def make_dive(
     (11132, 1800)
     """
     return Dive(
-        number, *start, *end, *displacement(*start[1:], *end[1:]), *through_water, **optional
+        number,
+        *start,
+        *end,
+        *displacement(*start[1:], *end[1:]),
+        *through_water,
+        **optional,
     )
 
 
-def without_current(start: Fix, end: Fix, current: tuple[float, float]) -> tuple[float, float]:
+def without_current(
+    start: Fix, end: Fix, current: tuple[float, float]
+) -> tuple[float, float]:
     """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
     east, north = displacement(*start[1:], *end[1:])
     duration = end[0] - start[0]
@@ -199,7 +210,9 @@ def dac_difference(dive: Dive) -> float:
     """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
     if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
         return nan
-    return float(np.hypot(*(miss(dive) / dive.duration - (dive.dac_east, dive.dac_north))))
+    return float(
+        np.hypot(*(miss(dive) / dive.duration - (dive.dac_east, dive.dac_north)))
+    )
 
 
 def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -101,11 +101,16 @@ class Estimator(ABC):
     `mean` (m, n) and `covariance` (m, n, n) are those at the middle of the last dive.
     """
 
-    def __init__(self, model: FixModel, kinds: tuple[Sea, ...], present: np.ndarray) -> None:
+    def __init__(
+        self, model: FixModel, kinds: tuple[Sea, ...], present: np.ndarray
+    ) -> None:
         self.model, self.priors = model, model.priors
         self.kinds, self.present = Sea(*np.array(kinds).T), present
         sd = self.prior_sd(model)
-        self.mean, self.covariance = np.zeros(sd.shape), sd[:, :, None] ** 2 * np.eye(sd.shape[1])
+        self.mean, self.covariance = (
+            np.zeros(sd.shape),
+            sd[:, :, None] ** 2 * np.eye(sd.shape[1]),
+        )
         self.log_prior = self.log_weight = np.zeros(len(sd))
         self.time: float | None = None
 
@@ -188,7 +193,10 @@ class Estimator(ABC):
         means, P = self.mean @ add.T, add @ self.covariance @ add.T
         within = self.weights[:, None] * self.has(self.model)
         within /= np.maximum(within.sum(axis=0), 1e-300)
-        variance = np.diagonal(P, axis1=1, axis2=2) + (means - (within * means).sum(axis=0)) ** 2
+        variance = (
+            np.diagonal(P, axis1=1, axis2=2)
+            + (means - (within * means).sum(axis=0)) ** 2
+        )
         left = np.sqrt((within * variance).sum(axis=0)) / self.model.prior_sd
         mean, covariance = mixed(means, P, self.weights)
         return mean, covariance, left
@@ -222,8 +230,12 @@ class KalmanBank(Estimator):
         S = H @ P @ H.T + R
         far = np.einsum("mi,mij,mj->m", innovation, np.linalg.inv(S), innovation)
         nu = self.priors.degrees_of_freedom
-        density = -0.5 * (np.log(np.linalg.det(S)) + (nu + 2) * np.log1p(far / (nu - 2)))
-        remembered = np.exp(-dt / self.priors.weight_memory) * (self.log_weight - self.log_prior)
+        density = -0.5 * (
+            np.log(np.linalg.det(S)) + (nu + 2) * np.log1p(far / (nu - 2))
+        )
+        remembered = np.exp(-dt / self.priors.weight_memory) * (
+            self.log_weight - self.log_prior
+        )
         self.log_weight = self.log_prior + remembered + density
         self.log_weight -= self.log_weight.max()
         jump = np.maximum(far / FAR - 1.0, 0.0) * np.trace(S, axis1=1, axis2=2) / 2
@@ -247,7 +259,9 @@ class KalmanBank(Estimator):
         for name in ("speed", "compass") if self.model.learn_speed else ():
             k = self.model.names.index(name)
             variance = self.covariance[:, HIDDEN + k, HIDDEN + k]
-            after = np.exp(-0.5 * self.mean[:, HIDDEN + k] ** 2 / variance) / np.sqrt(variance)
+            after = np.exp(-0.5 * self.mean[:, HIDDEN + k] ** 2 / variance) / np.sqrt(
+                variance
+            )
             present[name] = float(1 / (1 + w @ after * self.model.prior_sd[k]))
         return present
 
@@ -282,7 +296,9 @@ class Gradient(Estimator):
     """The paper's gradient law in integral form, in one sea that has all parts."""
 
     def __init__(self, model: FixModel) -> None:
-        super().__init__(model, (model.priors.gradient,), np.ones((1, len(model.optional)), bool))
+        super().__init__(
+            model, (model.priors.gradient,), np.ones((1, len(model.optional)), bool)
+        )
 
     def transition(self, model: FixModel, dt: float, latitude: float) -> np.ndarray:
         """Return F over `dt` s, (1, n, n): the steady current is forgotten, too."""
@@ -339,5 +355,7 @@ def make_estimator(name: str, model: FixModel) -> Estimator:
     np.False_
     """
     if name not in ESTIMATORS:
-        raise ScenarioError(f"estimator '{name}': must be one of {', '.join(ESTIMATORS)}")
+        raise ScenarioError(
+            f"estimator '{name}': must be one of {', '.join(ESTIMATORS)}"
+        )
     return ESTIMATORS[name](model)

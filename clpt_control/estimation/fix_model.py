@@ -147,7 +147,11 @@ class FixModel:
         """Refuse flows that cannot be."""
         parts = (*OTHERS, *SPEEDS)
         rest = self.flow[1:]
-        if self.flow[:1] != ("steady",) or {*rest} - {*parts} or len({*rest}) < len(rest):
+        if (
+            self.flow[:1] != ("steady",)
+            or {*rest} - {*parts}
+            or len({*rest}) < len(rest)
+        ):
             raise ScenarioError(
                 f"flow {','.join(self.flow) or 'empty'}: must begin with steady, then name some of "
                 f"{', '.join(parts)}, each once"
@@ -160,17 +164,27 @@ class FixModel:
         terms = [Term("current", _axes("current"), p.current, math.inf, steady)]
         for name in self.flow[1:]:
             if name == "inertial":
-                terms.append(Term(name, _axes(name), p.inertial, p.inertial_fading, inertial))
+                terms.append(
+                    Term(name, _axes(name), p.inertial, p.inertial_fading, inertial)
+                )
             elif name == "shear":
                 terms.append(Term(name, _axes(name), p.shear, math.inf, shear))
             elif name == "model":
                 terms.append(Term(name, (name,), p.model, math.inf, modelled))
             elif name != "gaussians":
                 pair = _axes(f"{name}_cos") + _axes(f"{name}_sin")
-                terms.append(Term("tides", pair, p.tide, p.tide_fading, partial(tide, name)))
+                terms.append(
+                    Term("tides", pair, p.tide, p.tide_fading, partial(tide, name))
+                )
         if self.learn_speed:
-            terms.append(Term("speed", ("speed",), p.speed, p.speed_fading, speed_column))
-            terms.append(Term("compass", ("compass",), p.compass, p.compass_fading, compass_column))
+            terms.append(
+                Term("speed", ("speed",), p.speed, p.speed_fading, speed_column)
+            )
+            terms.append(
+                Term(
+                    "compass", ("compass",), p.compass, p.compass_fading, compass_column
+                )
+            )
         if self.places:
             cells = [f"gaussian[{i},{j}]" for i, j in self.places.cells]
             names = tuple(name for cell in cells for name in _axes(cell))
@@ -196,7 +210,9 @@ class FixModel:
     @cached_property
     def optional(self) -> tuple[str, ...]:
         """Parts that a sea may lack; all tides come or go together."""
-        return tuple(dict.fromkeys(p if p in OTHERS else "tides" for p in self.flow[1:]))
+        return tuple(
+            dict.fromkeys(p if p in OTHERS else "tides" for p in self.flow[1:])
+        )
 
     def reached(self, dive: Dive) -> "FixModel":
         """Return the model with the places that a dive comes near.
@@ -228,7 +244,10 @@ class FixModel:
         fading = [term.fading for term in self.terms for _ in term.parameters]
         F = np.diag(np.exp(-dt / np.array(fading)))
         if "inertial" in self.flow:
-            k, angle = self.names.index("inertial_east"), inertial_frequency(latitude) * dt
+            k, angle = (
+                self.names.index("inertial_east"),
+                inertial_frequency(latitude) * dt,
+            )
             c, s = math.cos(angle), math.sin(angle)
             F[k : k + 2, k : k + 2] = F[k, k] * np.array([[c, s], [-s, c]])
         return F

@@ -91,7 +91,11 @@ def batch_least_squares(segments, basis, theta, sd, r, w):
 
 def kalman(segments, basis, theta, sd, r, w):
     """Return the steps of theta, P and h of the filter, causal: each segment after its end."""
-    h, B, N = segments.integrals(basis, segments.known_track), segments.blur(basis), len(sd)
+    h, B, N = (
+        segments.integrals(basis, segments.known_track),
+        segments.blur(basis),
+        len(sd),
+    )
     alone, fix = segments.shares(r)
     x, P = np.pad(theta, ((0, 0), (0, 2))), np.diag([*sd**2, fix[0], 0.0])
     steps, before = [], segments.time[0, -1]
@@ -99,7 +103,9 @@ def kalman(segments, basis, theta, sd, r, w):
         P[:N, :N] += np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
         before = segments.time[k, -1]
         variance = alone[k] + fix[k] * expected_blur(x[:, :N], P[:N, :N], B[k])
-        P[N + 1, N + 1] = fix[k]  # the states: theta, and of r the fixes' noise at start and end
+        P[N + 1, N + 1] = fix[
+            k
+        ]  # the states: theta, and of r the fixes' noise at start and end
         row = np.append(h[k] / r[k], [-1.0, 1.0] if new else [0.0, 0.0])
         gain = P @ row / (variance + row @ P @ row)
         x = x + np.outer(segments.miss[k] / r[k] - x @ row, gain)
@@ -107,7 +113,10 @@ def kalman(segments, basis, theta, sd, r, w):
         P = rest @ P @ rest.T + variance * np.outer(gain, gain)
         steps.append(x[:, :N])
         last = [*range(N), N + 1 if new else N]  # the end is the next one's start
-        x, P = np.pad(x[:, last], ((0, 0), (0, 1))), np.pad(P[np.ix_(last, last)], (0, 1))
+        x, P = (
+            np.pad(x[:, last], ((0, 0), (0, 1))),
+            np.pad(P[np.ix_(last, last)], (0, 1)),
+        )
     return np.array(steps), P[:N, :N], h
 
 

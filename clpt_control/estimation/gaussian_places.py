@@ -66,10 +66,16 @@ def near(places: Places | None, dive: Dive, width: float) -> Places:
         np.rint((end(x, axis=0) + side * reach) / pitch).astype(int)
         for end, side in ((np.min, -1), (np.max, 1))
     )
-    columns, rows = (range(first, last + 1) for first, last in zip(low, high, strict=True))
+    columns, rows = (
+        range(first, last + 1) for first, last in zip(low, high, strict=True)
+    )
     around = tuple(product(columns, rows))
     support = places_columns(replace(old, cells=around), dive)[0, ::2]
-    reached = [cell for cell, s in zip(around, support, strict=True) if s > REACHED * dive.duration]
+    reached = [
+        cell
+        for cell, s in zip(around, support, strict=True)
+        if s > REACHED * dive.duration
+    ]
     fresh = [cell for cell in reached if cell not in old.cells]
     if places is not None and not fresh:
         return places
@@ -86,7 +92,9 @@ def _along(places: Places, dive: Dive, ended: bool) -> tuple[np.ndarray, np.ndar
     x = np.stack([np.interp(time, since, axis) for axis in axes], axis=1)
     if ended:
         x = x + (time / dive.duration)[:, None] * miss(dive)
-    start = displacement(places.latitude, places.longitude, dive.lat_gps2, dive.lon_gps2)
+    start = displacement(
+        places.latitude, places.longitude, dive.lat_gps2, dive.lon_gps2
+    )
     return time, np.array(start) + x
 
 

@@ -17,7 +17,9 @@ from scipy.linalg import lstsq, svd
 
 from ..errors import DataError
 
-STEADY = 0.01  # of its rms: a flow whose changes are less hardly has a variance to explain
+STEADY = (
+    0.01  # of its rms: a flow whose changes are less hardly has a variance to explain
+)
 WORST = 1e6  # largest condition number; beyond, measurement errors of 1 % decide theta alone
 
 
@@ -61,7 +63,9 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
     return 1.0 - left / off if off > STEADY**2 * size else np.nan
 
 
-def least_squares(phi: np.ndarray, flow: np.ndarray, names: Sequence[str]) -> LeastSquares:
+def least_squares(
+    phi: np.ndarray, flow: np.ndarray, names: Sequence[str]
+) -> LeastSquares:
     """Fit theta of Eq. (3) to measured flow (n, 2), with phi (n, N) of `blocks.evaluate`, n >= N.
 
     `names` are those of the N functions in messages.
@@ -71,11 +75,15 @@ def least_squares(phi: np.ndarray, flow: np.ndarray, names: Sequence[str]) -> Le
     if not condition <= WORST:
         weakest = np.abs(svd(phi, full_matrices=False)[2][-1])
         involved = np.flatnonzero(weakest > 0.3 * weakest.max())
-        listed = ", ".join(names[k] for k in involved[:6]) + (", ..." if len(involved) > 6 else "")
+        listed = ", ".join(names[k] for k in involved[:6]) + (
+            ", ..." if len(involved) > 6 else ""
+        )
         raise DataError(
             f"the samples cannot separate the basis functions {listed}: condition number "
             f"{condition:.3g}, at most {WORST:g} is allowed; use a longer record, fewer "
             "constituents or centers, a smaller box or another width"
         )
     residuals = flow - phi @ theta
-    return LeastSquares(theta.T, residuals, explained_share(flow, flow - residuals), condition)
+    return LeastSquares(
+        theta.T, residuals, explained_share(flow, flow - residuals), condition
+    )

@@ -37,7 +37,9 @@ from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import check_run
 from .dive import Dive, reckoned
 
-SHARES = np.linspace(0.0, 1.0, 257)  # of a segment; every second is of its track, for Simpson
+SHARES = np.linspace(
+    0.0, 1.0, 257
+)  # of a segment; every second is of its track, for Simpson
 
 
 class Segments(NamedTuple):
@@ -47,9 +49,15 @@ class Segments(NamedTuple):
     water: np.ndarray  # (n, 2 m - 1, 2), d there and at the times between, length
     start: np.ndarray  # (n, 2), x(t1), length
     end: np.ndarray  # (n, 2), x(t2), length
-    track: np.ndarray | None = None  # (n, m, 2), x(t), length; None where it is not known
-    alone: float = np.inf  # most error that a miss has alone, length; its fixes have what is beyond
-    noise_period: float = 0.0  # how long one noise of the track's reading lasts; 0: without noise
+    track: np.ndarray | None = (
+        None  # (n, m, 2), x(t), length; None where it is not known
+    )
+    alone: float = (
+        np.inf
+    )  # most error that a miss has alone, length; its fixes have what is beyond
+    noise_period: float = (
+        0.0  # how long one noise of the track's reading lasts; 0: without noise
+    )
 
     @property
     def miss(self) -> np.ndarray:
@@ -71,7 +79,9 @@ class Segments(NamedTuple):
     def _noises(self) -> np.ndarray:
         """Return the number of the noise at each time, (n, m); one that begins last is not read."""
         near = 1e-9 * self.noise_period
-        return np.minimum(self.time + near, self.time[-1, -1] - near) // self.noise_period
+        return (
+            np.minimum(self.time + near, self.time[-1, -1] - near) // self.noise_period
+        )
 
     def blur(self, basis: Block) -> np.ndarray:
         """Return B, (n, N, N): read with noise s, theta h has the variance s^2 theta B theta^T.
@@ -85,7 +95,10 @@ class Segments(NamedTuple):
             return np.zeros((n, *2 * [sum(basis.output_ports.values())]))
         track, step = self.known_track, 1e-4 * np.ptp(self.known_track) * np.eye(2)
         ahead, behind = (
-            [evaluate(basis, self.time.ravel(), (track + one).reshape(-1, 2)) for one in moves]
+            [
+                evaluate(basis, self.time.ravel(), (track + one).reshape(-1, 2))
+                for one in moves
+            ]
             for moves in (step, -step)
         )
         slope = np.stack(ahead, axis=1) - np.stack(behind, axis=1)
@@ -111,7 +124,11 @@ class Segments(NamedTuple):
         if self.track is not None:
             return self.track
         share = (self.time - self.time[:, :1]) / self.duration[:, None]
-        return self.start[:, None] + self.water[:, ::2] + share[:, :, None] * self.miss[:, None]
+        return (
+            self.start[:, None]
+            + self.water[:, ::2]
+            + share[:, :, None] * self.miss[:, None]
+        )
 
     def integrals(self, basis: Block, track: np.ndarray) -> np.ndarray:
         """Return h = int phi(x(t), t) dt along tracks (n, m, 2): shape (n, N), time."""
@@ -129,7 +146,9 @@ class Segments(NamedTuple):
 
         def flow(k: int, half: int, moved: np.ndarray) -> np.ndarray:
             place = self.start + self.water[:, 2 * k + half] + moved
-            return evaluate(basis, self.time[:, k] + 0.5 * half * h[:, 0], place) @ theta.T
+            return (
+                evaluate(basis, self.time[:, k] + 0.5 * half * h[:, 0], place) @ theta.T
+            )
 
         for k in range(self.time.shape[1] - 1):
             u = carried[:, k]
@@ -152,12 +171,16 @@ def dive_segments(dives: Sequence[Dive], origin: tuple[float, float]) -> Segment
         water.append(np.stack(way, axis=1))
         start.append(displacement(*origin, dive.lat_gps2, dive.lon_gps2))
     moved = np.array([[dive.gps_east, dive.gps_north] for dive in dives])
-    return Segments(np.array(time), np.array(water), np.array(start), np.array(start) + moved)
+    return Segments(
+        np.array(time), np.array(water), np.array(start), np.array(start) + moved
+    )
 
 
 LEAST = 5  # samples between two changes of the waypoint, or of the noise
 MOST_FIXES = 100_000  # of a run
-COARSE = 0.05  # of the way through the water between fixes, in the mean; more is refused
+COARSE = (
+    0.05  # of the way through the water between fixes, in the mean; more is refused
+)
 
 
 class RunTrack:
@@ -175,11 +198,15 @@ class RunTrack:
             read = run.measured_position.values
         self.near = 1e-9 * min(self.periods.values())
         first, last = self.time[0], self.time[-1]
-        inner = np.concatenate([multiples(span, first, last) for span in self.periods.values()])
+        inner = np.concatenate(
+            [multiples(span, first, last) for span in self.periods.values()]
+        )
         inner = np.sort(inner[(inner > first + self.near) & (inner < last - self.near)])
         apart = np.diff(inner, prepend=first) > self.near
         self.edges = np.array([first, *inner[apart], last])
-        at = np.searchsorted(self.time, self.edges - self.near).clip(0, len(self.time) - 1)
+        at = np.searchsorted(self.time, self.edges - self.near).clip(
+            0, len(self.time) - 1
+        )
         beside = np.abs(self.time[at] - self.edges) > 1e3 * self.near
         if beside.any() or np.diff(at).min() + 1 < LEAST:
             unit = scenario.units.time
@@ -190,7 +217,9 @@ class RunTrack:
                 f"step that divides that into {LEAST} samples at least"
             )
         every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
-        began = np.repeat(at[:-1], np.diff(at) + 1)  # a piece ends with the noise it began with
+        began = np.repeat(
+            at[:-1], np.diff(at) + 1
+        )  # a piece ends with the noise it began with
         x = places[every] + (read - places)[began]
         t, car = self.time[every], scenario.vehicle
         gains = scenario.model_parameters, car.feedback, car.feedforward
@@ -221,26 +250,35 @@ class RunTrack:
         return x, d
 
 
-def run_segments(run: xarray.Dataset, scenario: Scenario, every: float | None) -> Segments:
+def run_segments(
+    run: xarray.Dataset, scenario: Scenario, every: float | None
+) -> Segments:
     """Return the segments of a run."""
     if scenario.localization is not None and scenario.localization.fixes is not None:
         raise ScenarioError(
             "localization.interval: the vehicle of this run steers on its prediction between "
             "fixes, so its velocity is not known; estimate from a run with interval = 0"
         )
-    track, fix = RunTrack(run, scenario), scenario.reference.dwell / 10 if every is None else every
+    track, fix = (
+        RunTrack(run, scenario),
+        scenario.reference.dwell / 10 if every is None else every,
+    )
     length = float(track.time[-1] - track.time[0])
     if not max(0.0, length / MOST_FIXES) < fix <= length:
         raise ScenarioError(
             f"every = {fix:g}: must be positive, at most the run's length, {length:g} "
             f"{scenario.units.time}, and make {MOST_FIXES:,} fixes at most"
         )
-    fixes = track.time[0] + fix * np.arange(int(np.floor(length / fix * (1 + 1e-12))) + 1)
+    fixes = track.time[0] + fix * np.arange(
+        int(np.floor(length / fix * (1 + 1e-12))) + 1
+    )
     fine = fixes[:-1, None] + fix * SHARES
     x, d = track.at(np.minimum(fine, track.time[-1]))
     floor = max(1e-4 * scenario.known_to_law.R, track.doubt)
     period = track.periods.get("noise", 0.0)
-    segments = Segments(fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, period)
+    segments = Segments(
+        fine[:, ::2], d - d[:, :1], x[:, 0], x[:, -1], x[:, ::2], floor, period
+    )
     moved = np.sqrt(np.mean(np.sum((d[:, -1] - d[:, 0]) ** 2, axis=1)))
     if track.doubt > COARSE * moved:
         raise DataError(
@@ -262,7 +300,9 @@ def run_scenario(run: xarray.Dataset) -> Scenario:
             )
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
-        raise DataError("the run has fewer than two samples; run it with a smaller output_step")
+        raise DataError(
+            "the run has fewer than two samples; run it with a smaller output_step"
+        )
     names, noisy = ["time", "position", "reference"], scenario.localization
     more = [] if noisy is None or noisy.fixes else ["measured_position"]
     check_run(run, scenario, *names, *more)

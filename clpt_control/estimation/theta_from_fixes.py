@@ -149,7 +149,9 @@ def flow_estimate(
         if not data:
             raise DataError("no dives are given; give one at least")
         if basis is None or every is not None:
-            raise ScenarioError("dives need a basis, such as that of dive_basis, and no every")
+            raise ScenarioError(
+                "dives need a basis, such as that of dive_basis, and no every"
+            )
         origin = (data[0].lat_gps2, data[0].lon_gps2)
         segments, sea = dive_segments(data, origin), Priors().gradient
         time = np.array([dive.duration for dive in data])
@@ -160,12 +162,16 @@ def flow_estimate(
         segments, known = run_segments(data, scenario, every), scenario.known_to_law
         usual_prior = PRIOR.usual(known)
         fix = 0.0 if scenario.localization is None else scenario.localization.noise
-        usual_noise = np.full(len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix))
+        usual_noise = np.full(
+            len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix)
+        )
         if basis is None:
             basis, start = scenario.basis_block(), known.alpha_M
     n, sizes = len(segments.start), list(basis.output_ports.values())
     if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
-        raise ScenarioError(f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states")
+        raise ScenarioError(
+            f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states"
+        )
     N = sizes[0]
     sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
@@ -180,7 +186,9 @@ def flow_estimate(
         theta = steps[-1]
         scaled, left = whitened(segments, h, r), segments.miss - h @ theta.T
     if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
-        raise DataError("the estimate is not finite; give a smaller prior or more noise")
+        raise DataError(
+            "the estimate is not finite; give a smaller prior or more noise"
+        )
     s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
     return FlowEstimate(theta, P, left, condition, steps, basis, origin)
@@ -245,7 +253,9 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
 
 @public
 def dive_basis(
-    dives: Sequence[Dive], width: float | None = WIDTH, constituents: Sequence[str] = ("steady",)
+    dives: Sequence[Dive],
+    width: float | None = WIDTH,
+    constituents: Sequence[str] = ("steady",),
 ) -> tuple[Block, np.ndarray]:
     """Make a flow basis for dives, and what is believed of it before.
 
@@ -287,10 +297,14 @@ def dive_basis(
     for name in constituents:
         w = 2 * math.pi / period(name, "s")
         sd = priors.tide if w else priors.current
-        rows += [((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, sine) if w else (0.0,))]
+        rows += [
+            ((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, sine) if w else (0.0,))
+        ]
     if width is not None:
         if not (math.isfinite(width) and width > 0):
-            raise ScenarioError(f"width = {width:g} m: must be positive, or None for no gaussians")
+            raise ScenarioError(
+                f"width = {width:g} m: must be positive, or None for no gaussians"
+            )
         places = None
         for dive in dives:
             places = near(places, dive, width)

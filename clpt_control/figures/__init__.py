@@ -40,7 +40,10 @@ SAME: dict[Any, Any] = {  # whatever the user's matplotlibrc says
     "pdf.fonttype": 42,
     "text.usetex": False,
 }
-DATES: dict[str, dict[str, Any]] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
+DATES: dict[str, dict[str, Any]] = {
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None},
+}
 
 NUMBER = re.compile(r"-?\d+\.\d+")
 THEME = {  # colour -> the page's
@@ -69,7 +72,9 @@ ROOT = 'stroke-linejoin="round" stroke-linecap="butt" fill="currentColor"'
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
 
 
-def new_figure(width: float = 6.4, height: float = 4.2, **subplots: Any) -> "tuple[Figure, Any]":
+def new_figure(
+    width: float = 6.4, height: float = 4.2, **subplots: Any
+) -> "tuple[Figure, Any]":
     """Return a figure (inches) and its axes, as ``pyplot.subplots``, in the house style."""
     figure = _bare(width, height)
     return figure, styled(figure.subplots(**subplots))
@@ -88,18 +93,24 @@ def line_style(k: int) -> dict[str, Any]:
     return {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6]}
 
 
-def axes_for(ax: Any, width: float, height: float, mosaic: Any = None, **subplots: Any) -> Any:
+def axes_for(
+    ax: Any, width: float, height: float, mosaic: Any = None, **subplots: Any
+) -> Any:
     """Return the axes that a plot draws on: those given, or of a new figure (inches).
 
     They have the shape of ``pyplot.subplots(**subplots)``, or are those of a `mosaic` in a row.
     Given ones may come in any shape, and are refused where they are too few or too many.
     """
     if ax is None:
-        figure = _bare(width, height) if _for_a_file.get() else _displayed(width, height)
+        figure = (
+            _bare(width, height) if _for_a_file.get() else _displayed(width, height)
+        )
         if mosaic is not None:
             return styled(np.array(list(figure.subplot_mosaic(mosaic).values())))
         return styled(figure.subplots(**subplots))
-    shape = tuple(n for n in (subplots.get("nrows", 1), subplots.get("ncols", 1)) if n > 1)
+    shape = tuple(
+        n for n in (subplots.get("nrows", 1), subplots.get("ncols", 1)) if n > 1
+    )
     if mosaic is not None:
         shape = (len({name for row in mosaic for name in row}),)
     return _checked_axes(ax, shape)
@@ -182,14 +193,19 @@ def checked_formats(formats: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(formats))
 
 
-def save_figure(figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any) -> None:
+def save_figure(
+    figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any
+) -> None:
     """Write a figure as one of `FORMATS`: texts as text, no date, the same bytes each time."""
     from matplotlib import rc_context
 
     with rc_context(SAME):
         try:
             figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
-        except (ValueError, ArithmeticError) as error:  # of axes whose ends are no doubles
+        except (
+            ValueError,
+            ArithmeticError,
+        ) as error:  # of axes whose ends are no doubles
             raise ClptError(
                 f"a figure cannot be drawn: {error}; numbers above 1e307 are too large for axes"
             ) from None
@@ -206,14 +222,18 @@ def inline_svg(figure: "Figure", name: str, words: str) -> str:
     head, _, text = text.partition("<svg")[2].partition(">")
     box = head.partition('viewBox="')[2].partition('"')[0]
     width, height = (ENLARGED * float(size) for size in box.split()[2:])
-    text = re.sub(r'(id="|url\(#)', rf"\1{name}-", text).replace('xlink:href="#', f'href="#{name}-')
+    text = re.sub(r'(id="|url\(#)', rf"\1{name}-", text).replace(
+        'xlink:href="#', f'href="#{name}-'
+    )
     text = re.sub(r' (?:d|x|y|transform|points)="[^"]*"', _with_short_numbers, text)
     text = re.sub(r'style="([^"]*)"', _as_attributes, text)
     for colour, of_page in THEME.items():
         text = text.replace(colour.lower(), of_page)
     kind = ' class="huge"' if width > HUGE else ""
     size = f'viewBox="{box}" width="{width:.0f}" height="{height:.0f}"'
-    return f'<svg role="img" aria-label="{safe(words)}"{kind} {size} {ROOT}>{text.strip()}'
+    return (
+        f'<svg role="img" aria-label="{safe(words)}"{kind} {size} {ROOT}>{text.strip()}'
+    )
 
 
 def _as_attributes(style: re.Match[str]) -> str:
@@ -222,5 +242,7 @@ def _as_attributes(style: re.Match[str]) -> str:
 
 
 def _with_short_numbers(attribute: re.Match[str]) -> str:
-    short = NUMBER.sub(lambda one: f"{float(one[0]):.2f}".rstrip("0").rstrip("."), attribute[0])
+    short = NUMBER.sub(
+        lambda one: f"{float(one[0]):.2f}".rstrip("0").rstrip("."), attribute[0]
+    )
     return " " + " ".join(short.split())

@@ -28,9 +28,13 @@ if TYPE_CHECKING:
 
 CACHE = "CLPT_CONTROL_CACHE"  # environment variable that names another folder for it
 LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
-NETCDF_NAME = re.compile(r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )").fullmatch
+NETCDF_NAME = re.compile(
+    r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )"
+).fullmatch
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
-PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")  # of a process here
+PART = re.compile(
+    rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part"
+)  # of a process here
 
 
 @contextmanager
@@ -42,7 +46,9 @@ def beside(path: AnyPath, folder: bool = False) -> Iterator[Path]:
     replaces, or that of a new file by the umask; a link is followed.
     """
     place, mode = _place(path)
-    part = place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
+    part = (
+        place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
+    )
     try:
         readable = os.access(place.parent, os.R_OK)
         for left in os.listdir(place.parent) if readable else ():  # noqa: PTH208  paths are slow
@@ -79,13 +85,17 @@ def _place(path: AnyPath) -> tuple[Path, int | None]:
     check_name(path)
     place = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not place.parent.is_dir():
-        raise DataError(f"{path}: cannot be written: the folder {place.parent} does not exist")
+        raise DataError(
+            f"{path}: cannot be written: the folder {place.parent} does not exist"
+        )
     try:
         mode = place.stat().st_mode
     except FileNotFoundError:
         return place, None
     except OSError as error:
-        raise DataError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise DataError(
+            f"{path}: cannot be written: {error.strerror or error}"
+        ) from None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
         raise DataError(f"{path}: is no regular file; give the name of one")
     return place, stat.S_IMODE(mode)
@@ -102,7 +112,9 @@ def _is_dead(process: int) -> bool:
     return False
 
 
-def write_together(results: "Mapping[Path, str | bytes | xarray.Dataset | Figure]") -> None:
+def write_together(
+    results: "Mapping[Path, str | bytes | xarray.Dataset | Figure]",
+) -> None:
     """Write files beside their places, then rename them; none where one cannot be written.
 
     Each is a text, bytes, a dataset, whose variables with NaN get them as _FillValue, or a
@@ -128,20 +140,33 @@ def _put(result: Any, part: Path, path: Path) -> None:
     result = renamed(result, "/", SLASH)
     for name, values in result.variables.items():
         if not NETCDF_NAME(str(name)):
-            raise DataError(f"{path}: NetCDF has no name {str(name)!r:.40}; call it otherwise")
+            raise DataError(
+                f"{path}: NetCDF has no name {str(name)!r:.40}; call it otherwise"
+            )
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
-            encoding[name]["fletcher32"] = True  # a checksum that the library asks when it reads
+            encoding[name]["fletcher32"] = (
+                True  # a checksum that the library asks when it reads
+            )
     try:
-        with _no_cluster(), part.open("rb") as held:  # its library takes a \\ for a folder
+        with (
+            _no_cluster(),
+            part.open("rb") as held,
+        ):  # its library takes a \\ for a folder
             place = opened_name(held.fileno(), part)
             result.to_netcdf(place, engine=engine, encoding=encoding)
-    except (RuntimeError, PermissionError, UnicodeError) as error:  # of a full disk, too
+    except (
+        RuntimeError,
+        PermissionError,
+        UnicodeError,
+    ) as error:  # of a full disk, too
         full = shutil.disk_usage(part.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         if isinstance(error, UnicodeError):
-            reason = "the name of its folder, or a text in it, holds bytes that are no text"
+            reason = (
+                "the name of its folder, or a text in it, holds bytes that are no text"
+            )
         reason = "no space left" if full else reason
         raise DataError(f"{path}: cannot be written: {reason}") from None
 
@@ -200,7 +225,9 @@ def check_writable(path: AnyPath, what: str = "", endings: Sequence[str] = ()) -
     if place.is_dir():
         raise DataError(f"{path}: is a folder; give another name, or move it away")
     if not os.access(place.parent, os.W_OK):
-        raise DataError(f"{path}: cannot be written: the folder {place.parent} is read-only")
+        raise DataError(
+            f"{path}: cannot be written: the folder {place.parent} is read-only"
+        )
     if endings and Path(path).suffix.lower() not in endings:
         allowed = " or ".join(", ".join(endings).rsplit(", ", 1))
         raise DataError(f"{path}: {what}'s name must end in {allowed}")
@@ -252,7 +279,11 @@ def _through_folder(path: Path) -> Iterator[Path]:
 
 def read_cached(path: Path) -> bytes | None:
     """Return what a file of the cache holds; None where it is not there, or not the user's own."""
-    with suppress(DataError, OSError), _through_folder(path) as safe, opened(safe) as file:
+    with (
+        suppress(DataError, OSError),
+        _through_folder(path) as safe,
+        opened(safe) as file,
+    ):
         if trusted(os.fstat(file.fileno())):
             return file.read()
     return None
@@ -274,6 +305,8 @@ def write_cached(path: Path, data: bytes, most: int) -> None:
         names = (name for name in os.listdir(path.parent) if name.endswith(ending))  # noqa: PTH208
         own = [name for name in names if name.rpartition("-")[0] == family]
         if len(own) > most:
-            files = sorted(map(path.with_name, own), key=lambda file: -file.stat().st_mtime)
+            files = sorted(
+                map(path.with_name, own), key=lambda file: -file.stat().st_mtime
+            )
             for file in files[most - most // 16 :]:
                 file.unlink(missing_ok=True)

@@ -30,12 +30,13 @@ if TYPE_CHECKING:
 AnyPath = str | Path
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
-OPENED = "/proc/self/fd"  # the folder in which a system names the descriptors of a process
+OPENED = (
+    "/proc/self/fd"  # the folder in which a system names the descriptors of a process
+)
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 DECODED_BY = {"scale_factor", "add_offset", "_Encoding"}  # attributes of a variable
-SLASH = (
-    "\N{DIVISION SLASH}"  # in a file, for a / of a name, which NetCDF and Zarr take for a folder
-)
+# in a file, for a / of a name, which NetCDF and Zarr take for a folder
+SLASH = "\N{DIVISION SLASH}"
 
 
 @contextmanager
@@ -84,7 +85,9 @@ def opened_name(number: int, path: AnyPath) -> str:
 
 
 def _too_large(path: AnyPath, most: float) -> str:
-    return f"{path}: is larger than {most / 1e6:.0f} MB, the most that is read; split it"
+    return (
+        f"{path}: is larger than {most / 1e6:.0f} MB, the most that is read; split it"
+    )
 
 
 def read_bytes(
@@ -135,7 +138,9 @@ def zarr_store(folder: Path, read_only: bool = True) -> Any:
         for name in (*folders, *files):
             mode = os.lstat(path := Path(place, name)).st_mode
             if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-                raise DataError(f"{path}: is no regular file; {folder} must hold files alone")
+                raise DataError(
+                    f"{path}: is no regular file; {folder} must hold files alone"
+                )
     return LocalStore(_Inner(folder), read_only=read_only)
 
 
@@ -174,22 +179,30 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
                 if DECODED_BY & one.encoding.keys():  # which may say anything
                     one[dict.fromkeys(one.dims, slice(1))].load()
         except Exception as error:  # a damaged file can raise anything
-            raise DataError(f"{path}: cannot be read as NetCDF: {_reason(error)}") from None
+            raise DataError(
+                f"{path}: cannot be read as NetCDF: {_reason(error)}"
+            ) from None
         with data:
             if data.nbytes > most:
                 size = f"{data.nbytes / 1e9:.3g} GB of numbers"
-                raise DataError(f"{path}: holds {size}; at most {most / 1e9:g} are read at once")
+                raise DataError(
+                    f"{path}: holds {size}; at most {most / 1e9:g} are read at once"
+                )
             try:
                 yield renamed(data, SLASH, "/")
             except (OSError, RuntimeError) as error:
                 reason = _reason(error)
-                raise DataError(f"{path}: damaged: a variable cannot be read: {reason}") from None
+                raise DataError(
+                    f"{path}: damaged: a variable cannot be read: {reason}"
+                ) from None
 
 
 def renamed(data: "xarray.Dataset", old: str, new: str) -> "xarray.Dataset":
     """Return a dataset with one letter for another in the names of variables and dimensions."""
     names = {str(name) for name in (*data.variables, *data.dims) if old in str(name)}
-    return data.rename({name: name.replace(old, new) for name in names}) if names else data
+    return (
+        data.rename({name: name.replace(old, new) for name in names}) if names else data
+    )
 
 
 def netcdf_engine() -> Literal["netcdf4", "scipy"]:
@@ -234,5 +247,7 @@ def _check_heap(raw: bytes, at: int, path: AnyPath) -> None:
     while at + 16 <= min(end, len(raw)):
         number, size = struct.unpack_from("<H6xQ", raw, at)
         if not (number or size):
-            raise DataError(f"{path}: damaged: a heap of its HDF5 does not end; fetch it again")
+            raise DataError(
+                f"{path}: damaged: a heap of its HDF5 does not end; fetch it again"
+            )
         at += 16 + -(-size // 8) * 8 if number else size

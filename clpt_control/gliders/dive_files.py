@@ -70,14 +70,18 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
         try:
             inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
         except (FileNotFoundError, NotADirectoryError):
-            raise DataError(f"{path}: no such file; give {KINDS}, or a folder of them") from None
+            raise DataError(
+                f"{path}: no such file; give {KINDS}, or a folder of them"
+            ) from None
         except OSError as error:
             raise DataError(f"{path}: cannot be read: {error.strerror}") from None
         if inside is None:
             files.append(path)
             continue
         dives = [file for file in inside if may_hold_dives(file)]
-        if not dives and (sent := [file for file in inside if file.name.lower() == FROM_GLIDER]):
+        if not dives and (
+            sent := [file for file in inside if file.name.lower() == FROM_GLIDER]
+        ):
             dives = dive_paths(sent)
         if not dives:
             raise DataError(f"{path}: the folder has no {KINDS}")
@@ -94,7 +98,9 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if raw in NETCDF:
         return _told_apart(*_of_netcdf(path))
     name = name_of_file(path.name)
-    if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:  # the first letters of a compressed block
+    if (
+        raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]
+    ):  # the first letters of a compressed block
         return _told_apart(slocum.dives_of(path), name, "Slocum")
     no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
     text = seaexplorer.text_in(raw, path, no_text)
@@ -138,13 +144,17 @@ def alike(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
     for file, one in faults:
         same.setdefault((one.dive, one.why.removeprefix(str(file))), []).append(one.why)
     return [
-        Skipped(dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else ""))
+        Skipped(
+            dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else "")
+        )
         for (dive, _), whys in same.items()
     ]
 
 
 @public
-def read_dives(paths: str | Path | Iterable[str | Path]) -> tuple[list[Dive], list[Skipped]]:
+def read_dives(
+    paths: str | Path | Iterable[str | Path],
+) -> tuple[list[Dive], list[Skipped]]:
     """Read all dives of files and folders.
 
     Parameters

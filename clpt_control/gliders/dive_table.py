@@ -69,7 +69,11 @@ def _check_header(header: list[str], name: str | Path) -> None:
         begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
         why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
         raise DataError(f"{name}: {marks or why}")
-    double = [column for column in (*REQUIRED, *OPTIONAL, "vehicle") if header.count(column) > 1]
+    double = [
+        column
+        for column in (*REQUIRED, *OPTIONAL, "vehicle")
+        if header.count(column) > 1
+    ]
     if double:
         raise DataError(
             f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
@@ -80,7 +84,9 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     number = whole_number(row.get("dive"))
     if number is None:
         given = repr(row.get("dive", "")[:30])
-        return Skipped(None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}")
+        return Skipped(
+            None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}"
+        )
     notes: list[str] = []
     found: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
@@ -94,13 +100,16 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         finite = value is not None and isfinite(value)
         found[column] = value if finite else nan if column in REQUIRED else None
     start, end, through_water = (
-        tuple(found[column] for column in columns) for columns in (START, END, THROUGH_WATER)
+        tuple(found[column] for column in columns)
+        for columns in (START, END, THROUGH_WATER)
     )
     if not set(THROUGH_WATER) & set(row):
         current = found["dac_east"], found["dac_north"]
         if None in current:
             through_water = nan, nan
-            notes.append("dac_east or dac_north is no number, and there is no dead reckoning")
+            notes.append(
+                "dac_east or dac_north is no number, and there is no dead reckoning"
+            )
         else:
             through_water = without_current(start, end, current)
             notes.append("dead reckoning computed from dac_east, dac_north")
@@ -124,7 +133,9 @@ def _number(text: str, is_time: bool) -> float | None:
 
 
 @public
-def write_dive_table(dives: Iterable[Dive], path: str | Path, comment: str = "") -> None:
+def write_dive_table(
+    dives: Iterable[Dive], path: str | Path, comment: str = ""
+) -> None:
     """Write dives as a CSV table that reads back bit for bit.
 
     Parameters

@@ -45,13 +45,30 @@ from ..units import known
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
-Three = tuple[Fix | None, Fix, Fix]  # of a dive: first of the stay before it, before, after it
+Three = tuple[
+    Fix | None, Fix, Fix
+]  # of a dive: first of the stay before it, before, after it
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are merged with it at most
-SLOCUM_FILES = (".sbd", ".mbd", ".dbd", ".scd", ".mcd", ".dcd", ".sba", ".mba", ".dba", ".asc")
-SLOCUM = re.compile(r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I)
-SEAEXPLORER = re.compile(r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I)
+SLOCUM_FILES = (
+    ".sbd",
+    ".mbd",
+    ".dbd",
+    ".scd",
+    ".mcd",
+    ".dcd",
+    ".sba",
+    ".mba",
+    ".dba",
+    ".asc",
+)
+SLOCUM = re.compile(
+    r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I
+)
+SEAEXPLORER = re.compile(
+    r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I
+)
 
 
 @public
@@ -82,7 +99,9 @@ def is_fix(lat: Any, lon: Any) -> Any:
     return is_place(lat, lon) & ((lat != 0.0) | (lon != 0.0))
 
 
-def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) -> list[Three]:
+def cut_dives(
+    fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float
+) -> list[Three]:
     """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
 
     Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
@@ -94,14 +113,18 @@ def cut_dives(fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float) ->
     found: list[Three] = []
     surfaced = 0  # first fix since the dive before
     for k, (start, end) in enumerate(pairwise(fixes)):
-        dived = wet is None or np.ptp(np.searchsorted(wet, (start[0], end[0]), "right")) > 0
+        dived = (
+            wet is None or np.ptp(np.searchsorted(wet, (start[0], end[0]), "right")) > 0
+        )
         if end[0] - start[0] > least_gap and dived:
             found.append((fixes[surfaced] if k > surfaced else None, start, end))
             surfaced = k + 1
     return found
 
 
-def planned_course(fix: Fix, target: Sequence[float], reached: float = 0.0) -> float | None:
+def planned_course(
+    fix: Fix, target: Sequence[float], reached: float = 0.0
+) -> float | None:
     """Return the course of the next dive towards a target, degrees.
 
     None where it is not known, or the fix after the dive is within `reached`, m, of the target.
@@ -113,16 +136,22 @@ def planned_course(fix: Fix, target: Sequence[float], reached: float = 0.0) -> f
     if not (is_place(*target) and is_fix(*fix[1:])):
         return None
     east, north = displacement(*fix[1:], *target)
-    return None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
+    return (
+        None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
+    )
 
 
 def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
     """Return the fixes of columns, of rows that can be one."""
     good = is_fix(lat, lon)
-    return list(zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True))
+    return list(
+        zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True)
+    )
 
 
-def dive_between(number: int, fixes: Three, through: ThroughWater, **optional: Any) -> Dive:
+def dive_between(
+    number: int, fixes: Three, through: ThroughWater, **optional: Any
+) -> Dive:
     """Make a dive, NaN as None; note where miss / duration is 10 mm/s off the file's own current.
 
     >>> fixes = None, (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)

@@ -59,7 +59,8 @@ def through_water(
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, notes=[note])
     lacking = (
-        "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, no depth-averaged current"
+        "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, "
+        "no depth-averaged current"
     )
     return found or ThroughWater(notes=[lacking])
 
@@ -81,7 +82,9 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
     return found._replace(turned=turned, notes=(*found.notes, note))
 
 
-def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float | None, str]:
+def _variation_of(
+    rows: pandas.DataFrame, start: Fix, end: Fix
+) -> tuple[float | None, str]:
     """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
     north, measured = rows.attrs["north"], rows.magvar.dropna()
     if north == "true":
@@ -92,7 +95,10 @@ def _variation_of(rows: pandas.DataFrame, start: Fix, end: Fix) -> tuple[float |
     elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
         found, whose = igrf, "by IGRF"
     which = north or "of a north that the file does not name"
-    return found, f"{which}, variation {found:.0f} degrees ({whose}; --variation gives another)"
+    return (
+        found,
+        f"{which}, variation {found:.0f} degrees ({whose}; --variation gives another)",
+    )
 
 
 def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
@@ -100,7 +106,11 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     known = rows.dropna(subset=["east", "north"])
     if known.empty:
         return None
-    rows = known if _spanning(rows, known) else rows[rows.wet | rows.index.isin(known.index)]
+    rows = (
+        known
+        if _spanning(rows, known)
+        else rows[rows.wet | rows.index.isin(known.index)]
+    )
     notes, duration = [], end[0] - start[0]
     again = rows.time.diff() == 0
     if rows.loc[again, ["east", "north"]].any(axis=None):
@@ -135,7 +145,9 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
             notes.append("the measurements were not in order of time, sorted")
         bad = int(np.sum((failed >= start[0]) & (failed <= end[0])))
         if bad:
-            notes.append(f"{bad} fix(es) that are no place, 0 N 0 E or under water left out")
+            notes.append(
+                f"{bad} fix(es) that are no place, 0 N 0 E or under water left out"
+            )
         dives.append(_dive(of, three, count, notes))
     if not dives:
         raise DataError(
@@ -155,7 +167,9 @@ def _of_segments(
         if isfinite(start[0]) and not inside.wet.any():
             known = inside.number.dropna().tolist()
             number = int(known[0]) if known else None
-            found.append(Skipped(number, "no measurement under water between its fixes"))
+            found.append(
+                Skipped(number, "no measurement under water between its fixes")
+            )
         else:
             found.append(_dive(of, (None, start, end), count, notes))
     return found
@@ -180,7 +194,9 @@ def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) 
     numbers = np.unique(wet.number.dropna())
     number = wet.number.median() if numbers.size else middle.number
     if numbers.size > 1:
-        notes.append(f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one")
+        notes.append(
+            f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one"
+        )
         current = nan, nan
     found = through_water(rows, start, end, current)
     greatest = middle.depth_max

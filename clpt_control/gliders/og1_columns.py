@@ -42,7 +42,11 @@ PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
-ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}  # of a dive: how names end
+ENDS = {
+    "after": "_GPS_END",
+    "before": "_GPS",
+    "middle": "_UV",
+}  # of a dive: how names end
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -66,8 +70,14 @@ QUANTITIES = {  # of a measurement: what files call it, and how it is read
         ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y"),
         metres_per_second,
     ),
-    "number": (("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"), values),
-    "qc": (("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"), values),
+    "number": (
+        ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"),
+        values,
+    ),
+    "qc": (
+        ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"),
+        values,
+    ),
     "magvar": (("MAGNETIC_VARIATION",), values),
     "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
     "depth_max": (("DEPTH_MAX",), metres),
@@ -75,7 +85,9 @@ QUANTITIES = {  # of a measurement: what files call it, and how it is read
     **{
         f"{key}_{end}": ((f"{name}{suffix}",), read)
         for end, suffix in ENDS.items()
-        for key, name, read in zip(("time", *PLACE), PLACES, (seconds, values, values), strict=True)
+        for key, name, read in zip(
+            ("time", *PLACE), PLACES, (seconds, values, values), strict=True
+        )
     },
 }
 
@@ -104,7 +116,9 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
         unit = unit_of_times(fixes[0], time)
         if unit:
             fixes[0] = fixes[0] / SMALLER[unit]
-            notes.append(f"{t_name} has no units and is read as {unit}, as its numbers are")
+            notes.append(
+                f"{t_name} has no units and is read as {unit}, as its numbers are"
+            )
     of, steps = {"time": time}, ""
     for key, (candidates, read) in QUANTITIES.items():
         of[key] = np.full(time.size, nan)
@@ -119,12 +133,16 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
     whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
-    whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)  # sums of larger are infinite
+    whole = whole.where(abs(whole) < 1e300).reset_index(
+        drop=True
+    )  # sums of larger are infinite
     whole.attrs = {"north": _frame(data, known), "steps": steps, "notes": tuple(notes)}
     return whole
 
 
-def _fix_columns(data: xarray.Dataset, known: dict[str, str]) -> tuple[list[np.ndarray], str]:
+def _fix_columns(
+    data: xarray.Dataset, known: dict[str, str]
+) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
     latitude, names, fixed = known.get("LATITUDE_GPS"), FIXES, np.array(True)
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
@@ -157,7 +175,9 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
         return ""
     middle = float(np.median(fixes))
     first, last = known.min() - DAY, known.max() + DAY
-    return next((unit for unit, size in SMALLER.items() if first <= middle / size <= last), "")
+    return next(
+        (unit for unit, size in SMALLER.items() if first <= middle / size <= last), ""
+    )
 
 
 def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
@@ -191,7 +211,10 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
 
 def known_names(data: xarray.Dataset) -> dict[str, str]:
     """Return names in the file by their capitals; a name in capitals goes before others."""
-    return {str(name).upper(): str(name) for name in sorted(map(str, data.variables), reverse=True)}
+    return {
+        str(name).upper(): str(name)
+        for name in sorted(map(str, data.variables), reverse=True)
+    }
 
 
 def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
@@ -229,6 +252,8 @@ def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
         notes = []
         if np.isnan(start).any() and not np.isnan(middle).any():
             start = 2 * middle - end
-            notes.append("the fix before the dive computed from the segment's middle and its end")
+            notes.append(
+                "the fix before the dive computed from the segment's middle and its end"
+            )
         found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
     return found

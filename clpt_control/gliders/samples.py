@@ -49,7 +49,9 @@ def degrees(ddmm: np.ndarray) -> np.ndarray:
     """
     with np.errstate(invalid="ignore"):  # of what is endless
         whole, minutes = np.divmod(np.abs(ddmm), 100.0)
-    return np.where((minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan)
+    return np.where(
+        (minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan
+    )
 
 
 def values(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -88,7 +90,9 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
         raise DataError(
             f"{name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
         )
-    first, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(1, "s")
+    first, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
+        1, "s"
+    )
     return first + step * numbers
 
 
@@ -121,7 +125,11 @@ def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:
     """
     since = np.diff(time, prepend=time[0])
     good = ~bad & (since > 0)
-    speed = np.interp(time, time[good], steps[good] / since[good]) if good.any() else 0 * time
+    speed = (
+        np.interp(time, time[good], steps[good] / since[good])
+        if good.any()
+        else 0 * time
+    )
     return np.where(bad, speed * since, steps)
 
 
@@ -135,7 +143,9 @@ def track_of(since: np.ndarray, steps: np.ndarray, duration: float) -> Track:
     return path[0], path[1], path[2]
 
 
-def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> tuple[str, bool]:
+def hole_under_water(
+    since: np.ndarray, depth: np.ndarray, duration: float
+) -> tuple[str, bool]:
     """Return which part of a dive lacks samples, empty where it is short; if it is over a tenth.
 
     At the surface, before its first sample and after its last, a vehicle has no
@@ -163,7 +173,11 @@ def hole_under_water(since: np.ndarray, depth: np.ndarray, duration: float) -> t
 
 
 def summed(
-    since: np.ndarray, steps: np.ndarray, depth: np.ndarray, duration: float, notes: Sequence[str]
+    since: np.ndarray,
+    steps: np.ndarray,
+    depth: np.ndarray,
+    duration: float,
+    notes: Sequence[str],
 ) -> ThroughWater:
     """Sum steps east and north (m) at times since the fix before the dive (s).
 
@@ -174,7 +188,8 @@ def summed(
     bad = ~np.isfinite(length) | (length > most)
     if bad.any():
         note = (
-            f"{bad.sum()} of {bad.size} samples of the displacement are not finite or above 5 m/s"
+            f"{bad.sum()} of {bad.size} samples of the displacement are not finite "
+            "or above 5 m/s"
         )
         if bad.mean() > REPAIRABLE:
             return ThroughWater(notes=[*notes, note])
@@ -213,7 +228,9 @@ def variation(time: float, lat: float, lon: float) -> float:
     >>> variation(4.0e9, 66.9, -57.1)  # the year 2096
     nan
     """
-    first, last = (datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in (FIRST, LAST))
+    first, last = (
+        datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in (FIRST, LAST)
+    )
     if not (first <= time <= last and isfinite(lat) and isfinite(lon)):
         return nan
     when = datetime.fromtimestamp(time, UTC).replace(tzinfo=None)

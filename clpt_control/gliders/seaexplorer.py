@@ -26,7 +26,14 @@ from ..currents.text_table import table_of
 from ..errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater
 from ..files.reading import LARGEST, read_bytes, text_of
-from .dives import LEAST_DEPTH, Three, dive_between, dives_across_files, fixes_in, logged
+from .dives import (
+    LEAST_DEPTH,
+    Three,
+    dive_between,
+    dives_across_files,
+    fixes_in,
+    logged,
+)
 from .samples import deepest, degrees, summed
 
 GZIP = b"\x1f\x8b"
@@ -55,7 +62,9 @@ def text_in(raw: bytes, path: Path, no_text: str = "no text") -> str:
         plain = zlib.decompressobj(31).decompress(raw, LARGEST)
     except zlib.error:
         raise DataError(f"{path}: its gzip is damaged") from None
-    return text_of(plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file")
+    return text_of(
+        plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file"
+    )
 
 
 def dives_of(text: str, path: Path) -> list[Dive]:
@@ -85,10 +94,14 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
     cells = cells.loc[:, ~cells.columns.duplicated()]
     missing = [name for name in NEEDED if name not in cells]
     if missing:
-        raise DataError(f"{path}: no column {', '.join(missing)} in the SeaExplorer file")
+        raise DataError(
+            f"{path}: no column {', '.join(missing)} in the SeaExplorer file"
+        )
     form = {"format": "%d/%m/%Y %H:%M:%S", "errors": "coerce", "utc": True}
     when = pandas.to_datetime(cells.iloc[:, 0], **form) - pandas.Timestamp(0, tz="UTC")
-    log = cells.reindex(columns=[*NEEDED, *OPTIONAL]).apply(pandas.to_numeric, errors="coerce")
+    log = cells.reindex(columns=[*NEEDED, *OPTIONAL]).apply(
+        pandas.to_numeric, errors="coerce"
+    )
     log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
     if log.empty:
         raise DataError(
@@ -100,9 +113,13 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
 def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the fixes, places that are new at the surface, and times under water."""
     afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
-    new = (log[["Lat", "Lon"]].ffill().diff() != 0).any(axis=1) & (log.index > log.index[0])
+    new = (log[["Lat", "Lon"]].ffill().diff() != 0).any(axis=1) & (
+        log.index > log.index[0]
+    )
     time, *place = logged(log[afloat & new], "Lat", "Lon")
-    return fixes_in(time, *map(degrees, place)), log.index[log.Depth > LEAST_DEPTH].to_numpy()
+    return fixes_in(time, *map(degrees, place)), log.index[
+        log.Depth > LEAST_DEPTH
+    ].to_numpy()
 
 
 def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:

@@ -53,9 +53,14 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
             f"no variable {' and no '.join(missing)}; a Seaglider basestation file has "
             "its fixes there"
         )
-    columns = [samples.seconds(data, FIXES[0]), *(samples.values(data, name) for name in FIXES[1:])]
+    columns = [
+        samples.seconds(data, FIXES[0]),
+        *(samples.values(data, name) for name in FIXES[1:]),
+    ]
     if any(column.shape != (3,) for column in columns):
-        raise DataError(f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE")
+        raise DataError(
+            f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
+        )
     notes, of = [], np.array(columns)
     hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
     for k, name in enumerate(NAMES):
@@ -71,7 +76,9 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
     if start[0] < first[0]:
         taken = first[0] <= first_sample
         which = "taken as the fix before the dive" if taken else "left out"
-        notes.append(f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1, which is {which}")
+        notes.append(
+            f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1, which is {which}"
+        )
         return (None, first if taken else start, end), notes
     return (first, start, end), notes
 
@@ -89,13 +96,18 @@ def is_known(data: xarray.Dataset) -> bool:
 
 def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     """Return the dive of a file, NaN where a fix or the displacement is missing."""
-    pairs = [(f"east_displacement{model}", f"north_displacement{model}") for model in ("", "_gsm")]
+    pairs = [
+        (f"east_displacement{model}", f"north_displacement{model}")
+        for model in ("", "_gsm")
+    ]
     names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
     found = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
     depths = (
-        samples.deepest(samples.metres(data, name)) for name in DEPTHS if name in data.variables
+        samples.deepest(samples.metres(data, name))
+        for name in DEPTHS
+        if name in data.variables
     )
     return dive_between(
         _number(data, path),
@@ -119,7 +131,11 @@ def number_in_name(path: Path) -> int | None:
 
 def _number(data: xarray.Dataset, path: Path) -> int:
     """Return the number of the dive."""
-    named = data.attrs.get("dive_number"), samples.scalar(data, "log_DIVE"), number_in_name(path)
+    named = (
+        data.attrs.get("dive_number"),
+        samples.scalar(data, "log_DIVE"),
+        number_in_name(path),
+    )
     for value in named:
         whole = whole_number(value)
         if whole is not None:
@@ -133,7 +149,9 @@ def _number(data: xarray.Dataset, path: Path) -> int:
 def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = samples.scalar(data, "magnetic_variation")
-    return known(_of_fixes(data, "log_gps_magvar").tolist()[1]) if found is None else found
+    return (
+        known(_of_fixes(data, "log_gps_magvar").tolist()[1]) if found is None else found
+    )
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
@@ -174,7 +192,9 @@ def _dead_reckoning(
 ) -> ThroughWater:
     """Sum the displacement through the water."""
     if names is None:
-        return ThroughWater(notes=["no variables east_displacement, north_displacement"])
+        return ThroughWater(
+            notes=["no variables east_displacement, north_displacement"]
+        )
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
@@ -185,10 +205,14 @@ def _dead_reckoning(
     if time is None:
         return ThroughWater((float(np.sum(east)), float(np.sum(north))), notes=notes)
     depth = _depths(data, names[0])
-    return samples.summed(time - start, np.array([east, north]), depth, end - start, notes)
+    return samples.summed(
+        time - start, np.array([east, north]), depth, end - start, notes
+    )
 
 
 def _depths(data: xarray.Dataset, like: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
     name = next(_of_samples(data, DEPTHS, like), None)
-    return np.full(data[like].shape, nan) if name is None else samples.metres(data, name)
+    return (
+        np.full(data[like].shape, nan) if name is None else samples.metres(data, name)
+    )

@@ -82,7 +82,10 @@ def dead_reckoning(
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
     time, *places = _places(of, start, wet, east_of_north)
     if time.size < 2:
-        return None, "fewer than two places of dead reckoning (m_lat, m_lon or m_x_lmc, m_y_lmc)"
+        return (
+            None,
+            "fewer than two places of dead reckoning (m_lat, m_lon or m_x_lmc, m_y_lmc)",
+        )
     speed = float(np.median(np.hypot(*np.diff(places)) / np.diff(time)))
     path = np.hstack([np.zeros((3, 1)), [time - start[0], *places]])
     rest = wet[-1] - time[-1]
@@ -98,20 +101,28 @@ def dead_reckoning(
     return path, ""
 
 
-def _places(of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float) -> np.ndarray:
+def _places(
+    of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
+) -> np.ndarray:
     """Return times of the dead reckoning and its places east and north of the fix, m, (3, n)."""
     near = between(of, start[0] - SHORT, wet[-1])
     (time, lat, lon), (times, x, y) = logged(near, *PLACE), logged(near, *LOCAL)
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
-        moved = [displacement(*start[1:], a, b) for a, b in zip(lat[good], lon[good], strict=True)]
+        moved = [
+            displacement(*start[1:], a, b)
+            for a, b in zip(lat[good], lon[good], strict=True)
+        ]
         return np.array([time[good], *np.transpose(moved)])
     if times.size < 2:
         return np.empty((3, 0))
-    later = max(times[0] - max(wet[0], start[0]), 0.0)  # it was reset to the fix until the dive
+    later = max(
+        times[0] - max(wet[0], start[0]), 0.0
+    )  # it was reset to the fix until the dive
     origin = [
-        np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later for c in (x, y)
+        np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later
+        for c in (x, y)
     ]
     rows = times > start[0]
     places = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
@@ -119,7 +130,12 @@ def _places(of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: fl
 
 
 def reconciled(
-    path: np.ndarray, dived: float, gps: np.ndarray, duration: float, own: np.ndarray, used: float
+    path: np.ndarray,
+    dived: float,
+    gps: np.ndarray,
+    duration: float,
+    own: np.ndarray,
+    used: float,
 ) -> tuple[np.ndarray | None, np.ndarray, str]:
     """Return a path through the water that agrees with the own current, its end, and a note.
 
@@ -152,12 +168,18 @@ def dives_of(path: Path) -> list[Dive]:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     log = segment.of
-    of, found = dives_across_files(path, log, lambda file: read_segment(file).of, _fixes_and_wet)
+    of, found = dives_across_files(
+        path, log, lambda file: read_segment(file).of, _fixes_and_wet
+    )
     ends = set(log.index[log.m_gps_lat.notna()])
     dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
     if len(dives) > 1:
-        which = [f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)]
-        dives = [replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)]
+        which = [
+            f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)
+        ]
+        dives = [
+            replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)
+        ]
     return dives
 
 
@@ -187,7 +209,9 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     total = np.full(2, nan)
     if path is not None:
         gps = np.array(displacement(*start[1:], *end[1:]))
-        path, total, note = reconciled(path, wet[0] - start[0], gps, duration, own, used)
+        path, total, note = reconciled(
+            path, wet[0] - start[0], gps, duration, own, used
+        )
         notes += [note] if note else []
     track = None
     if path is not None:

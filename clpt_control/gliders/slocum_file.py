@@ -37,7 +37,10 @@ BLOCK = 2**16  # bytes of a block at most
 MOST_PACKED = 2 * 10**7  # bytes of a compressed file
 FOLDERS = ("cac", "cache")
 KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
-ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}  # as `KNOWN` has it: how bytes are ordered
+ORDERS = {
+    b"sa\x34\x12": "<",
+    b"sa\x12\x34": ">",
+}  # as `KNOWN` has it: how bytes are ordered
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
 FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")
@@ -73,7 +76,9 @@ def read_segment(path: Path) -> Segment:
         states = int(tags["state_bytes_per_cycle"])
         columns, at = _cycles(raw, at, sensors, states, path)
     if TIME not in columns:
-        raise DataError(f"{path}: the Slocum file has no {TIME}, the times of its cycles")
+        raise DataError(
+            f"{path}: the Slocum file has no {TIME}, the times of its cycles"
+        )
     notes: tuple[str, ...] = ()
     if not whole or raw[at : at + 1] not in (b"X", b""):
         where = f"at byte {at} of {len(raw)}"
@@ -143,8 +148,14 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
             break
     is_text = tags.get("dbd_label", "").startswith(TEXT)
     counts = OF_TEXT if is_text else WHOLE
-    lacking = [name for name in counts if not re.fullmatch("[0-9]{1,5}", tags.get(name, ""))]
-    if lacking or tags.get("num_ascii_tags") != str(len(tags)) or not raw[:at].isascii():
+    lacking = [
+        name for name in counts if not re.fullmatch("[0-9]{1,5}", tags.get(name, ""))
+    ]
+    if (
+        lacking
+        or tags.get("num_ascii_tags") != str(len(tags))
+        or not raw[:at].isascii()
+    ):
         raise DataError(
             f"{path}: the header of the Slocum file is damaged or cut short: "
             f"{', '.join(lacking) or 'too few lines'}"
@@ -165,7 +176,9 @@ def _sensors(
     if tags["sensor_list_factored"] != "0":
         check_sum = tags.get("sensor_list_crc", "").lower()
         if not re.fullmatch("[0-9a-f]{1,8}", check_sum):
-            raise DataError(f"{path}: the Slocum file names no list of sensors: sensor_list_crc")
+            raise DataError(
+                f"{path}: the Slocum file names no list of sensors: sensor_list_crc"
+            )
         place, listed = _list_of(path, check_sum)
         return _listed(listed, total, place), at
     end = at
@@ -190,7 +203,9 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
         if found := inside.get(name) or inside.get(packed):
             try:
                 listed = read_bytes(found)
-                return found, uncompressed(listed)[0] if found is inside.get(packed) else listed
+                return found, uncompressed(listed)[0] if found is inside.get(
+                    packed
+                ) else listed
             except DataError as error:
                 raise NotYet(str(error)) from None
     raise NotYet(
@@ -205,7 +220,10 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
     """Return name and bytes of each sensor of a cycle, in their order."""
     rows = [line.split() for line in listed.splitlines() if line.strip()][:total]
     with suppress(IndexError, KeyError, ValueError):
-        each = [(words[0], int(words[3]), int(words[4]), words[5], words[6]) for words in rows]
+        each = [
+            (words[0], int(words[3]), int(words[4]), words[5], words[6])
+            for words in rows
+        ]
         sensors = {
             place: (name.decode("ascii", "replace"), size)
             for mark, place, size, name, _ in each
@@ -226,7 +244,9 @@ def _cycles(
     """Return the values of sensors in whole cycles, and where these end."""
     order = ORDERS.get(raw[at : at + 4])
     if len(raw) < at + KNOWN or order is None:
-        raise DataError(f"{path}: the Slocum file has no cycles behind its header, or is damaged")
+        raise DataError(
+            f"{path}: the Slocum file has no cycles behind its header, or is damaged"
+        )
     if states != (len(sensors) + 3) // 4:
         raise DataError(
             f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sensors)} "
@@ -244,7 +264,9 @@ def _cycles(
             break
         for name, k in wanted.items():
             if code[k] == 2:
-                (last[name],) = unpack_from(f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k])
+                (last[name],) = unpack_from(
+                    f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k]
+                )
         rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
         at = int(ends[-1])
     return pandas.DataFrame(rows, columns=[*wanted], dtype=float), at
@@ -258,7 +280,9 @@ def _table(raw: bytes, at: int, labels: int) -> tuple[pandas.DataFrame, int]:
     wanted = [name for name in (TIME, *NAMES) if name in sensors]
     places = [sensors.index(name) for name in wanted]
     cells = [line.split() for line in lines[labels:]]
-    rows = [[number(row[k]) for k in places] for row in cells if len(row) == len(sensors)]
+    rows = [
+        [number(row[k]) for k in places] for row in cells if len(row) == len(sensors)
+    ]
     return pandas.DataFrame(rows, columns=wanted, dtype=float), end
 
 

@@ -29,7 +29,11 @@ FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is w
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 DAY = 86400.0  # s
 FILLS = (999.0, 9999.0, 99999.0)
-SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}  # in one second
+SMALLER = {
+    "milliseconds": 1e3,
+    "microseconds": 1e6,
+    "nanoseconds": 1e9,
+}  # in one second
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
@@ -103,13 +107,17 @@ def usable(
 def follows(dive: Dive, before: Dive) -> bool:
     """Whether a dive is the next one, as far as numbers and times tell."""
     since = dive.t_gps2 - before.t_gpse
-    return dive.number == before.number + 1 or since <= SHARE * min(dive.duration, before.duration)
+    return dive.number == before.number + 1 or since <= SHARE * min(
+        dive.duration, before.duration
+    )
 
 
 def _fault(dive: Dive, least_duration: float) -> str:
     """Return why a dive alone cannot be used, empty where it can."""
     if not abs(dive.number) < NUMBERS:
-        return f"its number is {dive.number:.6g}; must be a whole number below {NUMBERS}"
+        return (
+            f"its number is {dive.number:.6g}; must be a whole number below {NUMBERS}"
+        )
     why = _fix_fault("before", dive.t_gps2, dive.lat_gps2, dive.lon_gps2)
     why = why or _fix_fault("after", dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
     if why:
@@ -156,7 +164,9 @@ def _in_minutes(lat: float, lon: float) -> str:
     ('', '')
     """
     large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
-    degrees = [np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)]
+    degrees = [
+        np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)
+    ]
     minutes = large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60
     if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
         return ""
@@ -170,7 +180,14 @@ def _by_time(dive: Dive) -> tuple:
     """Return the key that puts dives in one order: end, start, number, then all else."""
     through_water = (dive.dr_east, dive.dr_north)
     rest = repr(vars(dive))
-    return (dive.t_gpse, dive.t_gps2, dive.number, *through_water, dive.track is None, rest)
+    return (
+        dive.t_gpse,
+        dive.t_gps2,
+        dive.number,
+        *through_water,
+        dive.track is None,
+        rest,
+    )
 
 
 def _overlap(dive: Dive, before: Dive) -> str:

@@ -55,11 +55,15 @@ def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
 
     ports = [run[name] for name in ports_along(run)]
     if "time" not in run.dims or not ports:
-        raise DataError("the dataset has no signal along time, of which a table could be made")
+        raise DataError(
+            "the dataset has no signal along time, of which a table could be made"
+        )
     columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
     for port in ports:
         unit = port.attrs.get("units")
-        columns += [(named(name, unit), values) for name, values in signals_of(port).items()]
+        columns += [
+            (named(name, unit), values) for name, values in signals_of(port).items()
+        ]
     names, values = zip(*columns, strict=True)
     return DataFrame(np.column_stack(values), columns=[*names])
 
@@ -71,7 +75,11 @@ def write_mat(run: "xarray.Dataset", path: Path) -> None:
     """
     from scipy.io import savemat
 
-    arrays: dict[str, Any] = {"title": str(run.attrs.get("title", "")), "units": {}, "signals": {}}
+    arrays: dict[str, Any] = {
+        "title": str(run.attrs.get("title", "")),
+        "units": {},
+        "signals": {},
+    }
     for port in ("time", *ports_along(run)):
         signals = signals_of(run[port]) if port != "time" else {"time": run.time.values}
         name = _valid(port, arrays)
@@ -131,7 +139,11 @@ class ClptAccessor:
         return getattr(room, plot)(self._data, ax=ax, **options)
 
     def linearize(
-        self, t: float, input: str | None = None, output: str | None = None, minimal: bool = False
+        self,
+        t: float,
+        input: str | None = None,
+        output: str | None = None,
+        minimal: bool = False,
     ) -> Any:
         """Linearize a run's diagram about where it is at a time, as `clpt_control.linearize`.
 
@@ -154,7 +166,9 @@ class ClptAccessor:
         states = dict(zip(whole.state_labels, at, strict=True))
         signals = dict(zip(whole.output_labels, whole.output(t, at, []), strict=True))
         x = [states[label] for label in system.state_labels]
-        linear = linearize(system, x, [signals[label] for label in system.input_labels], t)
+        linear = linearize(
+            system, x, [signals[label] for label in system.input_labels], t
+        )
         if output is not None:
             ports = ports_of(system.output_labels)
             check_holds("output", ports, [output], f"it has {', '.join(ports)}")
@@ -178,5 +192,9 @@ class ClptAccessor:
 
     def __repr__(self) -> str:
         kind = kind_of(self._data)
-        what = f"{kind} {self._data.attrs.get('title', '')}".strip() if kind else "none of clpt's"
+        what = (
+            f"{kind} {self._data.attrs.get('title', '')}".strip()
+            if kind
+            else "none of clpt's"
+        )
         return f"<clpt of a dataset: {what}>"

@@ -75,11 +75,16 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
             rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
     rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
     end = f"t = {float(data['mark'][-1]):g} {time}"
-    for key, what in (("flow_parameter_error", "flow parameter"), ("gain_error", "gain")):
+    for key, what in (
+        ("flow_parameter_error", "flow parameter"),
+        ("gain_error", "gain"),
+    ):
         if f"{key}_at_end" in summary:
             row = f"largest {what} error ({unit_of(data[key])}), {end}"
             rows.append([row, *_cells(summary[f"{key}_at_end"])])
-    ended = ", ".join(f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items())
+    ended = ", ".join(
+        f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
+    )
     sentences = []
     if "faster_flow" in summary and summary["faster_flow"]["members"]:
         faster = summary["faster_flow"]
@@ -88,7 +93,9 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
             f"{percent(faster['largest_share'])} of the time"
         )
     if summary["first_failed"] is not None:
-        sentences.append(f"the first member that did not finish is {summary['first_failed']}")
+        sentences.append(
+            f"the first member that did not finish is {summary['first_failed']}"
+        )
     columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
     return Result(f"{name}: {ended}", columns, rows, sentences)
 
@@ -103,4 +110,6 @@ def _varied(data: Dataset, request: Request) -> Section:
         cells = [f"{one:.4g}" for one in np.percentile(data[key], (0, 50, 100))]
         rows.append([key, text.removeprefix(key), *cells])
     columns = ["key", "asked for", "least", "median", "most"]
-    return Section("varied", "What varied", Result("Values of all members", columns, rows))
+    return Section(
+        "varied", "What varied", Result("Values of all members", columns, rows)
+    )

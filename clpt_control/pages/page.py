@@ -17,7 +17,15 @@ from ..html import Result, document, paragraphs, safe, table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite", "xarray", "matplotlib")
+PACKAGES = (
+    "clpt-control",
+    "control",
+    "numpy",
+    "scipy",
+    "llvmlite",
+    "xarray",
+    "matplotlib",
+)
 WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
 LETTERS = 50  # of a title's line there
 RECORDED = ("software", "engine", "method", "message")  # attributes
@@ -57,7 +65,9 @@ class Page(NamedTuple):
         return [one for section in self.sections for one in section.figures]
 
 
-def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *data: Any) -> Drawn:
+def drawn(
+    name: str, height: float, caption: str, plot: Callable[..., Any], *data: Any
+) -> Drawn:
     """Return the figure of a plot, as wide as a telephone's screen, and so many inches high."""
     figure = figure_of(plot, *data)
     figure.set_size_inches(WIDTH, height)
@@ -69,7 +79,8 @@ def drawn(name: str, height: float, caption: str, plot: Callable[..., Any], *dat
 def page_html(page: Page) -> str:
     """Return a page as HTML."""
     links = "".join(
-        f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>' for one in page.sections
+        f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>'
+        for one in page.sections
     )
     body = "\n".join(
         [
@@ -113,7 +124,9 @@ def versions_section(attrs: Mapping[Any, Any]) -> Section:
     """Return what the attributes record of versions and solver, and what made the page."""
     here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     names = [str(name) for name in attrs]
-    recorded = [name for name in names if name in RECORDED or name.startswith("solver_")]
+    recorded = [
+        name for name in names if name in RECORDED or name.startswith("solver_")
+    ]
     rows = [[name.replace("_", " "), str(attrs[name])] for name in recorded]
     rows.append(["page made with", f"Python {platform.python_version()}, {here}"])
     return Section("versions", "Versions", Result("What ran", ["", ""], rows))

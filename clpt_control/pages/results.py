@@ -22,7 +22,12 @@ MOST_CYCLES = 10
 
 
 OF_A_RUN = (  # figures that a run carries, of which pages speak
-    *("clpe_rms_per_cycle", "clpe_rms", "clpe_rms_last_quarter", "max_flow_parameter_error"),
+    *(
+        "clpe_rms_per_cycle",
+        "clpe_rms",
+        "clpe_rms_last_quarter",
+        "max_flow_parameter_error",
+    ),
     *("max_gain_error", "explained_variance", "speed"),
 )
 Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
@@ -35,10 +40,21 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
     """
     ending = ending_of(system, run)
     with suppress(
-        LookupError, ArithmeticError, TypeError, ValueError, AttributeError, RecursionError
+        LookupError,
+        ArithmeticError,
+        TypeError,
+        ValueError,
+        AttributeError,
+        RecursionError,
     ):
-        own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)  # NaN is no number
-        numbers = {**ending, "of_samples": False, **{k: own[k] for k in OF_A_RUN if k in own}}
+        own = json.loads(
+            str(run.attrs.get(SUMMARY)), parse_constant=int
+        )  # NaN is no number
+        numbers = {
+            **ending,
+            "of_samples": False,
+            **{k: own[k] for k in OF_A_RUN if k in own},
+        }
         run_result(numbers, "")
         if own["end"] == ending["end"]:
             return numbers
@@ -53,9 +69,8 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
     else:
         first, who = system, "A vehicle"
         if waypoints:
-            who += (
-                f" at {waypoints} waypoints, {first.reference.dwell:g} {first.units.time} at each,"
-            )
+            dwell = f"{first.reference.dwell:g} {first.units.time}"
+            who += f" at {waypoints} waypoints, {dwell} at each,"
     measured = first.flow.field is not None
     water = "a measured current" if measured else f"a flow of {first.basis.N} functions"
     span = f"{first.run.duration:g} {first.units.time}"
@@ -72,11 +87,16 @@ def run_result(summary: Numbers, title: str) -> Result:
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
     end, apart = list(summary["max_disagreement"].items())[-1]
-    rows.append([f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"])
+    rows.append(
+        [f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"]
+    )
     by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
     for name in summary["vehicles"]:
         numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
-        rows += [[f"{name}: {what}", value] for what, value in _achieved(numbers, length, time)]
+        rows += [
+            [f"{name}: {what}", value]
+            for what, value in _achieved(numbers, length, time)
+        ]
     return Result(title, ["", ""], rows)
 
 
@@ -98,7 +118,9 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
     for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
         if by_time := numbers.get(f"max_{what.replace(' ', '_')}_error"):
             end, error = list(by_time.items())[-1]
-            rows.append([f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"])
+            rows.append(
+                [f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"]
+            )
     shares = numbers.get("explained_variance") or {}
     for place in ("track", "box") if shares else ():
         share = shares[place]
@@ -111,7 +133,9 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
 def claims_result(found: list[dict[str, str]]) -> Result:
     """Return the claims of section IV, judged."""
     rows = [list(one.values()) for one in found]
-    return Result("Claims of section IV", ["claim", "criterion", "measured", "verdict"], rows)
+    return Result(
+        "Claims of section IV", ["claim", "criterion", "measured", "verdict"], rows
+    )
 
 
 def is_team(source: Any) -> bool:
@@ -122,7 +146,9 @@ def is_team(source: Any) -> bool:
 def excitation_result(report: Numbers) -> Result:
     """Return the excitation of a track, or of the tracks of a team, each alone and together."""
     end, unit = report["start"] + report["window"], report["time_unit"]
-    title = f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
+    title = (
+        f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
+    )
     team = "vehicles" in report
     each = {**report["vehicles"], "team": report["team"]} if team else {"": report}
     columns = ["", "smallest eigenvalue", "largest", "can be learned"]
@@ -131,16 +157,25 @@ def excitation_result(report: Numbers) -> Result:
     for name, one in each.items():
         for axis, values in one["eigenvalues"].items():
             learned = f"{one['dimension'][axis]} of {len(values)}"
-            row = [f"{name} {axis}".strip(), f"{values[0]:.4g}", f"{values[-1]:.4g}", learned]
+            row = [
+                f"{name} {axis}".strip(),
+                f"{values[0]:.4g}",
+                f"{values[-1]:.4g}",
+                learned,
+            ]
             if not team:
                 ceiling = report["ceilings"].get(axis)
-                parts = sorted(one["least_excited"][axis].items(), key=lambda part: -abs(part[1]))
+                parts = sorted(
+                    one["least_excited"][axis].items(), key=lambda part: -abs(part[1])
+                )
                 listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:4])
                 row += ["-" if ceiling is None else f"{ceiling:.4g}", listed]
             rows.append(row)
         who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
         sentences += [who + said for said in one["not_learnable"]]
-    return Result(title, columns, rows, sentences if team else [*sentences, *_how_fast(report)])
+    return Result(
+        title, columns, rows, sentences if team else [*sentences, *_how_fast(report)]
+    )
 
 
 def _how_fast(report: Numbers) -> Iterator[str]:

@@ -11,7 +11,15 @@ from ..figures import figure_of, new_figure
 from ..html import Result, folded, listing
 from ..plots.drawing.figure import MOST, block_figure
 from ..scenario.experiment import Scenario
-from ..scenario.file import BEYOND, CHANGED, NOT_REPEATED, OWN_LAW, OWN_PARTS, TEAM, paper_scenario
+from ..scenario.file import (
+    BEYOND,
+    CHANGED,
+    NOT_REPEATED,
+    OWN_LAW,
+    OWN_PARTS,
+    TEAM,
+    paper_scenario,
+)
 from ..scenario.recorded_run import unknown_parts, waypoints_of
 from ..scenario.team import Team
 from ..simulation.charts import track_plot
@@ -33,21 +41,31 @@ ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
 MOST_SAMPLES = 6000  # in a figure
-PAPERS_LOOP = "The loop as it ran. The number under a name is the equation of the paper."
+PAPERS_LOOP = (
+    "The loop as it ran. The number under a name is the equation of the paper."
+)
 ANY_LOOP = "The diagram that ran; a thick frame is a block with states."
-ONE_SAMPLE = Result(sentences=["The run has one sample: nothing can be drawn over time"])
+ONE_SAMPLE = Result(
+    sentences=["The run has one sample: nothing can be drawn over time"]
+)
 
 
 def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
     numbers = results.numbers_of(run, system)
-    own, changed, parts = (run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS))
+    own, changed, parts = (
+        run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS)
+    )
     paper = system == paper_scenario() and not (own or changed or parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
         kind, scenario, waypoints = "Run of a team", system.first, 1
     else:
-        kind, scenario, waypoints = KINDS[parts is not None], system, len(waypoints_of(run, system))
+        kind, scenario, waypoints = (
+            KINDS[parts is not None],
+            system,
+            len(waypoints_of(run, system)),
+        )
     if not waypoints:  # there are no rounds
         numbers = {**numbers, "clpe_rms_per_cycle": []}
     achieved = results.run_result(numbers, "What came of the run")
@@ -58,7 +76,9 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     if not (own or parts):
         loop = team_loop(system) if isinstance(system, Team) else closed_loop(system)
         sections += loop_section(loop, PAPERS_LOOP)
-    unmeasured = "the run had what its scenario does not hold" if changed or parts else ""
+    unmeasured = (
+        "the run had what its scenario does not hold" if changed or parts else ""
+    )
     return Page(
         "Section IV of the paper" if paper else kind,
         title,
@@ -68,7 +88,9 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
             *sections,
             *figure_sections(run, system),
             excitation_section(run, unmeasured),
-            Section("scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)),
+            Section(
+                "scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)
+            ),
             versions_section(run.attrs),
         ],
     )
@@ -88,7 +110,9 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     first, last = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        sentences.append(f"What is shown is t = {first:g} to {last:g} {unit} of the run.")
+        sentences.append(
+            f"What is shown is t = {first:g} to {last:g} {unit} of the run."
+        )
     kinds = [name for name in BEYOND if name in run.attrs]
     if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
@@ -101,7 +125,9 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
             "squares are of the true one."
         )
     if numbers["of_samples"]:
-        sentences.append(f"Mean squares here are over the {run.sizes['time']} samples of the file.")
+        sentences.append(
+            f"Mean squares here are over the {run.sizes['time']} samples of the file."
+        )
     return sentences
 
 
@@ -151,7 +177,11 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
             "the largest error of what each vehicle learned."
         )
         return [
-            Section("track", "Track and errors", figures=[figure("team", 7.6, caption, team_plot)])
+            Section(
+                "track",
+                "Track and errors",
+                figures=[figure("team", 7.6, caption, team_plot)],
+            )
         ]
     unknown = unknown_parts(run)
     track = [figure("track", 4.9, "Where it was to be, and the track.", track_plot)]
@@ -182,8 +212,18 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     rate = f"1/{unit.time}"
     parts = [
         ("theta", f"{unit.length}/{unit.time}", last.flow_parameters_estimate, theta),
-        ("K", rate, last.feedback_gain, np.array(car.feedback) if gains_known else None),
-        ("Gamma", rate, last.feedforward_gain, np.array(car.feedforward) if gains_known else None),
+        (
+            "K",
+            rate,
+            last.feedback_gain,
+            np.array(car.feedback) if gains_known else None,
+        ),
+        (
+            "Gamma",
+            rate,
+            last.feedforward_gain,
+            np.array(car.feedforward) if gains_known else None,
+        ),
     ]
     rows = [
         [
@@ -234,7 +274,9 @@ def diagram_page(run: Dataset, title: str) -> Page:
         sections = [*loop_section(diagram_of_text(text), ANY_LOOP), *sections]
     else:
         why = why or run.attrs.get(NOT_REPEATED, "")
-        warnings.append(f"The run cannot be made again from its file{f': {why}' if why else ''}.")
+        warnings.append(
+            f"The run cannot be made again from its file{f': {why}' if why else ''}."
+        )
     lead = f"What the signals of a diagram do, {span_of(run)}, at {run.sizes['time']} samples."
     return Page(KINDS[1], title, [lead], warnings, sections)
 
@@ -262,8 +304,13 @@ def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
 
 def response_result(run: Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
-    rows = [[name, *(f"{v:.6g}" for v in own.values())] for name, own in extent_of(run).items()]
-    sentences = [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+    rows = [
+        [name, *(f"{v:.6g}" for v in own.values())]
+        for name, own in extent_of(run).items()
+    ]
+    sentences = (
+        [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+    )
     title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
     columns = ["signal", "first", "last", "least", "most"]
     return Result(title, columns, rows[:MOST_SIGNALS], sentences)
@@ -279,6 +326,11 @@ def _over_time(run: Dataset) -> Section:
     figures = []
     for first in range(0, len(ports), EACH):
         some = ports[first : first + EACH]
-        name, caption = f"response-{first // EACH + 1}", f"{', '.join(some)} over time.{thin}"
-        figures.append(drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some]))
+        name, caption = (
+            f"response-{first // EACH + 1}",
+            f"{', '.join(some)} over time.{thin}",
+        )
+        figures.append(
+            drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some])
+        )
     return Section("response", heading, figures=figures)

@@ -22,7 +22,14 @@ if TYPE_CHECKING:
     from .page import Page
 
 NEEDED = (  # variables of a run
-    *("time", "position", "predicted_position", "clpe", "feedback_gain", "feedforward_gain"),
+    *(
+        "time",
+        "position",
+        "predicted_position",
+        "clpe",
+        "feedback_gain",
+        "feedforward_gain",
+    ),
     "flow_parameters_estimate",
 )
 
@@ -85,7 +92,9 @@ def report(
     if hasattr(source, "steps") or kind_of(source) == "replay":
         replay = replay_facts(source, name)
         if figures is not None:
-            raise DataError("figures: a replay's are written by `clpt replay --out`; leave it out")
+            raise DataError(
+                "figures: a replay's are written by `clpt replay --out`; leave it out"
+            )
         kind = "Replay of a glider's dives"
         title_used = title or f"{replay['vehicle']}: where it comes up next"
         text, sentences = _replay(replay, title)
@@ -96,7 +105,9 @@ def report(
         sentences = [*page.sentences, *page.warnings]
         if folder is not None:
             results = {
-                folder / f"{one.name}.{end}": one.figure for one in page.figures for end in kinds
+                folder / f"{one.name}.{end}": one.figure
+                for one in page.figures
+                for end in kinds
             }
     write_together({path: text, **results})
     return {
@@ -133,7 +144,13 @@ def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[st
 
     try:
         return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]
-    except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
+    except (
+        LookupError,
+        ArithmeticError,
+        TypeError,
+        ValueError,
+        AttributeError,
+    ) as error:
         what = f"{type(error).__name__}: {error}"
         raise DataError(
             f"the replay is damaged or of another version, {what[:80]}; run `clpt replay` again"
@@ -169,7 +186,11 @@ def replay_facts(replay: Any, name: str) -> dict[str, Any]:
     else:
         found = summary_in(replay, name)
     if not (isinstance(found, dict) and "headlines" in found):
-        raise DataError(f"{name}: is a replay of an earlier version; run `clpt replay` again")
+        raise DataError(
+            f"{name}: is a replay of an earlier version; run `clpt replay` again"
+        )
     if not found.get("each_dive") or found.get("next_dive") is None:
-        raise DataError(f"{name}: is a replay without a dive; there is nothing to show yet")
+        raise DataError(
+            f"{name}: is a replay without a dive; there is nothing to show yet"
+        )
     return {"vehicle": "glider", "aim": [], **found}

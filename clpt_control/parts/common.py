@@ -17,22 +17,32 @@ from ..errors import BlockError
 Ports = Mapping[str, str]  # name of a port -> the user's name
 
 
-def make_block(name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any) -> Block:
+def make_block(
+    name: str, ports: Ports, parameters: Mapping[str, Any], **declared: Any
+) -> Block:
     """Make a block; `ports` has other names of some ports, {"u": "v_c"}."""
-    values = {key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()}
+    values = {
+        key: numbers(f"{name}: {key}", value)[()] for key, value in parameters.items()
+    }
     block = Block(name, parameters=values, **declared)
     names = {*block.input_ports, *block.output_ports}
     for port, new_name in ports.items():
         if port not in names:
             allowed = ", ".join(sorted({*names, *values}))
-            raise BlockError(f"{name}: has no port or parameter '{port}', but {allowed}")
+            raise BlockError(
+                f"{name}: has no port or parameter '{port}', but {allowed}"
+            )
         if not isinstance(new_name, str):
             raise BlockError(f"{name}: {port} = {new_name!r}: must be a name, a text")
     return renamed(block, name, ports, ports) if ports else block
 
 
 def signal_block(
-    name: str, ports: Ports, parameters: Mapping[str, Any], signals: int, **declared: Any
+    name: str,
+    ports: Ports,
+    parameters: Mapping[str, Any],
+    signals: int,
+    **declared: Any,
 ) -> Block:
     """Make a block with the input u and the output y, each of some signals."""
     shapes = {"inputs": {"u": signals}, "outputs": {"y": signals}}
@@ -40,14 +50,22 @@ def signal_block(
 
 
 def following_block(
-    name: str, ports: Ports, values: dict, signals: int, rate: Any, step: Any, dt: float | None
+    name: str,
+    ports: Ports,
+    values: dict,
+    signals: int,
+    rate: Any,
+    step: Any,
+    dt: float | None,
 ) -> Block:
     """Make a block with its output as state, or, sampled, with its last output as state."""
     if dt is None:
         u, y = {"u": signals}, {"y": signals}
         return make_block(name, ports, values, update=rate, inputs=u, states=y)
     last = {"last": signals}
-    return signal_block(name, ports, values, signals, update=step, output=step, states=last, dt=dt)
+    return signal_block(
+        name, ports, values, signals, update=step, output=step, states=last, dt=dt
+    )
 
 
 def with_period(function: Any, dt: float) -> Any:
@@ -62,7 +80,9 @@ def checked_sizes(name: str, signals: int, **values: Any) -> dict[str, Any]:
     """Return values; each is one number, or a number for each signal."""
     for key, value in values.items():
         if numbers(f"{name}: {key}", value).shape not in ((), (signals,)):
-            raise BlockError(f"{name}: {key} = {brief(value)}: must be one number, or {signals}")
+            raise BlockError(
+                f"{name}: {key} = {brief(value)}: must be one number, or {signals}"
+            )
     return values
 
 
@@ -77,13 +97,17 @@ def check_order(name: str, **limits: Any) -> None:
     """Refuse two limits of which the first is not below the second."""
     (below, low), (above, high) = limits.items()
     if not np.all(np.asarray(low) < np.asarray(high)):
-        raise BlockError(f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}")
+        raise BlockError(
+            f"{name}: {below} = {brief(low)}: must be below {above} = {brief(high)}"
+        )
 
 
 def lag_parameter(name: str, lag: float | None, dt: float | None) -> dict[str, float]:
     """Return the parameter `lag` of a continuous block; a sampled block has none."""
     if (lag is None) == (dt is None):
-        raise BlockError(f"{name}: give lag, in continuous time, or dt, sampled; one of the two")
+        raise BlockError(
+            f"{name}: give lag, in continuous time, or dt, sampled; one of the two"
+        )
     if lag is None:
         check_positive(name, dt=dt)
         return {}

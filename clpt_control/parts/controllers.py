@@ -39,7 +39,10 @@ def filtered(x, u, p):
 def rates(t, x, u, p):
     """I' = Ki (r - y) + (u - v)/Tt, Tf yf' = y - yf (Astrom and Murray 2008, section 10.4)."""
     v = unlimited(x, u, p, filtered(x, u, p))
-    return {"integral": integral_rate(v, u, p), "filtered": (u.y - x.filtered) / p.filter}
+    return {
+        "integral": integral_rate(v, u, p),
+        "filtered": (u.y - x.filtered) / p.filter,
+    }
 
 
 def command(t, x, u, p):
@@ -130,15 +133,21 @@ def pid(
     if filter is None:
         filter = abs(kd / (10 * kp)) if kp and kd else 1.0
     if tracking is None:
-        follows = np.inf if not ki else np.sqrt(abs(kd / ki)) if kd else abs(kp / ki) or 1.0
+        follows = (
+            np.inf if not ki else np.sqrt(abs(kd / ki)) if kd else abs(kp / ki) or 1.0
+        )
         tracking = max(follows, dt or 0.0)
     check_positive(name, filter=filter, tracking=tracking, dt=1.0 if dt is None else dt)
     if tracking <= (dt or 0.0) / 2:
-        raise BlockError(f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}")
+        raise BlockError(
+            f"{name}: tracking = {tracking:g}: must be above half of dt = {dt:g}"
+        )
     check_order(name, low=low, high=high)
     gains = {"kp": kp, "ki": ki, "kd": kd, "low": low, "high": high}
     values = {**gains, "filter": filter, "tracking": tracking}
-    states = ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
+    states = (
+        ["integral", "filtered"] if dt is None else ["integral", "derivative", "last"]
+    )
     return make_block(
         name,
         ports,

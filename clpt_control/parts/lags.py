@@ -33,7 +33,11 @@ def lagging(t, x, u, p):
 
 @public
 def lag(
-    lag: ArrayLike, gain: ArrayLike = 1.0, signals: int = 1, name: str = "lag", **ports: str
+    lag: ArrayLike,
+    gain: ArrayLike = 1.0,
+    signals: int = 1,
+    name: str = "lag",
+    **ports: str,
 ) -> Block:
     """Follow a signal with a first-order lag: T y' = K u - y.
 
@@ -65,7 +69,12 @@ def lag(
     values = checked_sizes(name, signals, lag=lag, gain=gain)
     check_positive(name, lag=lag)
     return make_block(
-        name, ports, values, update=lagging, inputs={"u": signals}, states={"y": signals}
+        name,
+        ports,
+        values,
+        update=lagging,
+        inputs={"u": signals},
+        states={"y": signals},
     )
 
 
@@ -138,10 +147,19 @@ def delay(
         check_positive(name, dt=dt)
         count = round(delay / dt)
         if count < 1 or abs(count * dt - delay) > 1e-9 * delay:
-            raise BlockError(f"{name}: delay = {delay}: must be a multiple of dt = {dt}")
+            raise BlockError(
+                f"{name}: delay = {delay}: must be a multiple of dt = {dt}"
+            )
         line = {"line": (count, signals)}
         return signal_block(
-            name, ports, {}, signals, update=shifted, output=last_of_line, states=line, dt=dt
+            name,
+            ports,
+            {},
+            signals,
+            update=shifted,
+            output=last_of_line,
+            states=line,
+            dt=dt,
         )
     i = np.arange(order)
     weight, sign = 2.0 * i + 1, (-1.0) ** i

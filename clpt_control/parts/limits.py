@@ -51,7 +51,11 @@ def limited(t, x, u, p):
 
 @public
 def saturation(
-    low: ArrayLike, high: ArrayLike, signals: int = 1, name: str = "saturation", **ports: str
+    low: ArrayLike,
+    high: ArrayLike,
+    signals: int = 1,
+    name: str = "saturation",
+    **ports: str,
 ) -> Block:
     """Limit a signal: y = min(max(u, low), high).
 
@@ -89,7 +93,11 @@ def beyond(t, x, u, p):
 
 @public
 def dead_zone(
-    low: ArrayLike, high: ArrayLike, signals: int = 1, name: str = "dead_zone", **ports: str
+    low: ArrayLike,
+    high: ArrayLike,
+    signals: int = 1,
+    name: str = "dead_zone",
+    **ports: str,
 ) -> Block:
     """Pass on what is beyond a gap: y = u - min(max(u, low), high).
 
@@ -127,7 +135,11 @@ def looked_up(t, x, u, p):
 
 @public
 def lookup_table(
-    at: ArrayLike, values: ArrayLike, signals: int = 1, name: str = "lookup_table", **ports: str
+    at: ArrayLike,
+    values: ArrayLike,
+    signals: int = 1,
+    name: str = "lookup_table",
+    **ports: str,
 ) -> Block:
     """Read a table, linear in between.
 
@@ -165,9 +177,13 @@ def lookup_table(
     """
     points = numbers(f"{name}: at", at)
     if points.ndim != 1 or len(points) < 2 or not np.all(np.diff(points) > 0):
-        raise BlockError(f"{name}: at = {brief(at)}: must be two or more increasing numbers")
+        raise BlockError(
+            f"{name}: at = {brief(at)}: must be two or more increasing numbers"
+        )
     if numbers(f"{name}: values", values).shape != points.shape:
-        raise BlockError(f"{name}: values = {brief(values)}: must be {len(points)} numbers")
+        raise BlockError(
+            f"{name}: values = {brief(values)}: must be {len(points)} numbers"
+        )
     table = {"at": at, "values": values}
     return signal_block(name, ports, table, signals, output=looked_up)
 

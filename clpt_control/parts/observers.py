@@ -164,10 +164,16 @@ def kalman_filter(
     for key, value, size in (("Q", Q, n), ("R", R, q), ("P0", P0, n)):
         M = matrices[key] = numbers(f"{name}: {key}", value)
         if M.shape != (size, size) or not np.allclose(M, M.T, atol=0):
-            raise BlockError(f"{name}: {key}: must be symmetric, of shape {(size, size)}")
+            raise BlockError(
+                f"{name}: {key}: must be symmetric, of shape {(size, size)}"
+            )
         least = np.linalg.eigvalsh(M)[0]
-        if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):  # but for rounding
-            raise BlockError(f"{name}: {key}: must be positive semidefinite, and R definite")
+        if least < -1e-12 * np.abs(M).max() or (
+            key == "R" and least <= 0
+        ):  # but for rounding
+            raise BlockError(
+                f"{name}: {key}: must be positive semidefinite, and R definite"
+            )
     sampled = bool(system.dt)
     return make_block(
         name,

@@ -71,8 +71,12 @@ def point_vehicle(
     """
     values = checked_sizes(name, axes, mass=mass, damping=damping, quadratic=quadratic)
     check_positive(name, mass=mass)
-    inputs, states = (dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v")))
-    return make_block(name, ports, values, update=point_rates, inputs=inputs, states=states)
+    inputs, states = (
+        dict.fromkeys(keys, axes) for keys in (("force", "flow"), ("x", "v"))
+    )
+    return make_block(
+        name, ports, values, update=point_rates, inputs=inputs, states=states
+    )
 
 
 def planar_rates(t, x, u, p):
@@ -86,13 +90,21 @@ def planar_rates(t, x, u, p):
     sway_rate = (m33 * Y - m23 * N) / determinant
     yaw_rate = (m22 * N - m23 * Y) / determinant
     c, s = np.cos(x.eta[2]), np.sin(x.eta[2])
-    over_ground = [c * surge - s * sway + u.flow[0], s * surge + c * sway + u.flow[1], yaw]
+    over_ground = [
+        c * surge - s * sway + u.flow[0],
+        s * surge + c * sway + u.flow[1],
+        yaw,
+    ]
     return {"eta": over_ground, "nu": [X / m11, sway_rate, yaw_rate]}
 
 
 @public
 def planar_vehicle(
-    M: ArrayLike, D: ArrayLike, Q: Any = None, name: str = "planar_vehicle", **ports: str
+    M: ArrayLike,
+    D: ArrayLike,
+    Q: Any = None,
+    name: str = "planar_vehicle",
+    **ports: str,
 ) -> Block:
     """Make a vehicle of surge, sway and yaw, as Fossen writes it.
 
@@ -127,14 +139,22 @@ def planar_vehicle(
     >>> clpt.simulate(auv, [0, 60], [15, 0, 2, 0, 0]).nu[-1].values.round(3).tolist()
     [0.469, -0.07, 0.149]
     """
-    matrices = {key: numbers(f"{name}: {key}", value) for key, value in (("M", M), ("D", D))}
+    matrices = {
+        key: numbers(f"{name}: {key}", value) for key, value in (("M", M), ("D", D))
+    }
     matrices["Q"] = np.zeros((3, 3)) if Q is None else numbers(f"{name}: Q", Q)
     for key, value in matrices.items():
         if value.shape != (3, 3):
             raise BlockError(f"{name}: {key}: must have the shape (3, 3)")
     M = matrices["M"]
-    if not np.allclose(M, M.T, atol=0) or np.any(M[0, 1:]) or np.min(np.linalg.eigvalsh(M)) <= 0:
-        raise BlockError(f"{name}: M: must be symmetric and positive definite, with m12 = m13 = 0")
+    if (
+        not np.allclose(M, M.T, atol=0)
+        or np.any(M[0, 1:])
+        or np.min(np.linalg.eigvalsh(M)) <= 0
+    ):
+        raise BlockError(
+            f"{name}: M: must be symmetric and positive definite, with m12 = m13 = 0"
+        )
     return make_block(
         name,
         ports,
@@ -197,7 +217,9 @@ def thrusters(
     points = numbers(f"{name}: places", places, None, 2)
     a = numbers(f"{name}: angles", angles, None)
     if a.ndim != 1 or points.shape != (a.size, 2) or not a.size:
-        raise BlockError(f"{name}: places = {brief(places)}: must be a pair for each angle")
+        raise BlockError(
+            f"{name}: places = {brief(places)}: must be a pair for each angle"
+        )
     values = checked_sizes(name, a.size, low=low, high=high, lag=lag)
     check_positive(name, lag=lag)
     check_order(name, low=low, high=high)

@@ -17,14 +17,20 @@ from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the first line
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
-CLEARED = "\x1b[K\r"  # the rest of a terminal's line goes, and the next is written over it
-CONTROLS = re.compile(  # all but tab and newline, and marks that reverse the direction of text
-    r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
+CLEARED = (
+    "\x1b[K\r"  # the rest of a terminal's line goes, and the next is written over it
+)
+CONTROLS = (
+    re.compile(  # all but tab and newline, and marks that reverse the direction of text
+        r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
+    )
 )
 
 
 @contextmanager
-def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callable[[float], None]]:
+def progress_bar(
+    what: str, total: float, counted: str = ""
+) -> Iterator[Callable[[float], None]]:
     """Print percent and time left, or, where things are counted, how many a second.
 
     Yield ``report(done)``, to be called as often as you like; its first call tells how much
@@ -49,7 +55,9 @@ def progress_bar(what: str, total: float, counted: str = "") -> Iterator[Callabl
             return
         printed = now
         rate = (done - earlier) / (now - start)
-        state = f"{done} of {total} {counted}" if counted else f"{100 * done / total:.0f} %"
+        state = (
+            f"{done} of {total} {counted}" if counted else f"{100 * done / total:.0f} %"
+        )
         if rate > 0:
             state += f", {rate:.4g} a second" if counted else ""
             state += f", {clock((total - done) / rate)} left"

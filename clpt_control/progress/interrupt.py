@@ -23,15 +23,21 @@ from typing import Any, NoReturn
 
 from . import CLEARED, escaped, tell
 
-NOTHING = "nothing half-written was left"  # ends the sentence where there is no `resume_hint`
+NOTHING = (
+    "nothing half-written was left"  # ends the sentence where there is no `resume_hint`
+)
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
 SLICE = 0.5  # seconds of a wait between two looks at the flag
 SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
 ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
 
 unfinished: set[Path] = set()  # files being written, removed where the process is ended
-folders: list[Path] = []  # made for results, the outermost first; removed where they stay empty
-resume_hint = ""  # ends the sentence: what is stored by now, and how to go on; work sets it
+folders: list[
+    Path
+] = []  # made for results, the outermost first; removed where they stay empty
+resume_hint = (
+    ""  # ends the sentence: what is stored by now, and how to go on; work sets it
+)
 
 _pending = False  # whether an interrupt waits for its answer
 _ended = False  # whether the command has ended: an interrupt changes nothing any more

@@ -11,7 +11,12 @@ import threading
 from collections.abc import Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
-from multiprocessing import active_children, get_context, parent_process, resource_tracker
+from multiprocessing import (
+    active_children,
+    get_context,
+    parent_process,
+    resource_tracker,
+)
 from types import ModuleType
 from typing import Any
 
@@ -24,7 +29,9 @@ class Pool(ProcessPoolExecutor):
     def submit(self, *work: Any, **named: Any) -> Future:
         """Submit a function of the package; a process that is started inherits what is blocked."""
         main = sys.modules["__main__"]
-        sys.modules["__main__"] = ModuleType("__main__")  # else it would run the user's script
+        sys.modules["__main__"] = ModuleType(
+            "__main__"
+        )  # else it would run the user's script
         try:
             return self._submit(*work, **named)
         finally:
@@ -53,7 +60,9 @@ def processes(count: int) -> Iterator[Pool]:
     finally:
         for one in set(active_children()) - set(before):
             one.kill()
-        pool.shutdown(cancel_futures=True)  # its thread must not outlive the pipes that it reads
+        pool.shutdown(
+            cancel_futures=True
+        )  # its thread must not outlive the pipes that it reads
 
 
 def _begin() -> None:

@@ -81,7 +81,10 @@ class Aim:
             self.crab = near(self.heading - self.bearing, 0.0)
         self.speed, self.speed_expected = V, s / T
         self.current = float(c[0]) / T, float(c[1]) / T
-        self.through_water, self.through_water_full = hypot(plan.dr_east, plan.dr_north), V * T
+        self.through_water, self.through_water_full = (
+            hypot(plan.dr_east, plan.dr_north),
+            V * T,
+        )
         self.left = distance(ahead.latitude, ahead.longitude, *target)
         self.made_good = self.distance - self.left
         self.state, self.dives, self.hours = state, tau, tau
@@ -112,7 +115,9 @@ class Aim:
         }
 
 
-def triangle(g: np.ndarray, c: np.ndarray, s: float) -> tuple[np.ndarray, str, float | None]:
+def triangle(
+    g: np.ndarray, c: np.ndarray, s: float
+) -> tuple[np.ndarray, str, float | None]:
     """Return the way through the water w (2,), how it ends, and tau; all in m on a plane.
 
     >>> w, state, tau = triangle(np.array([0.0, 8000.0]), np.array([1500.0, 0.0]), 2500.0)
@@ -130,12 +135,18 @@ def triangle(g: np.ndarray, c: np.ndarray, s: float) -> tuple[np.ndarray, str, f
 
 def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
     """Return the least tau > 0 of |g - tau c| = tau s; None where there is none."""
-    a, b, k = float(c @ c) - s * s, float(g @ c), float(g @ g)  # a tau^2 - 2 b tau + k = 0
+    a, b, k = (
+        float(c @ c) - s * s,
+        float(g @ c),
+        float(g @ g),
+    )  # a tau^2 - 2 b tau + k = 0
     under = b * b - a * k
     if under < 0 or (a >= 0 and b <= 0):
         return None
     root = sqrt(under)
-    return k / (b + root) if b > 0 else (b - root) / a  # without a difference of like numbers
+    return (
+        k / (b + root) if b > 0 else (b - root) / a
+    )  # without a difference of like numbers
 
 
 def checked_target(lat: float, lon: float) -> Place:
@@ -218,19 +229,25 @@ def aims(
     return legs
 
 
-def usual(replay: Replay, speed: float | None, duration: float | None) -> tuple[float, float]:
+def usual(
+    replay: Replay, speed: float | None, duration: float | None
+) -> tuple[float, float]:
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
     reckoned = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives))
     V = reckoned if speed is None else speed
     if V == 0.0:
-        raise ScenarioError("--aim: 0 m/s, given or of the last dives, leads nowhere; give --speed")
+        raise ScenarioError(
+            "--aim: 0 m/s, given or of the last dives, leads nowhere; give --speed"
+        )
     T = float(median(dive.duration for dive in dives)) if duration is None else duration
     check_flown(V, T)
     return V, T
 
 
-def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True) -> Aim:
+def aim(
+    replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True
+) -> Aim:
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))
     response = replay.steps[-1].response  # I + M
@@ -238,7 +255,9 @@ def aim(replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: 
     d = full * g / max(hypot(*g), 1e-9)
     c = np.full(2, np.inf)
     for _ in range(ITERATIONS):
-        ahead = replay.surfacing(replay.habits.guess_of((float(d[0]), float(d[1])), T), start)
+        ahead = replay.surfacing(
+            replay.habits.guess_of((float(d[0]), float(d[1])), T), start
+        )
         before, c = c, ahead.forecast + d - response @ d
         w, state, tau = triangle(g, c, s)
         if hypot(*(c - before)) < CLOSE:

@@ -64,11 +64,17 @@ def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
     """
     T = dive.duration
     time, east, north = reckoned(dive)
-    if not (isfinite(T) and T > 0 and all(np.isfinite(a).all() for a in (time, east, north))):
-        raise Uncovered("the dive's times and dead reckoning are not finite and in their order")
+    if not (
+        isfinite(T) and T > 0 and all(np.isfinite(a).all() for a in (time, east, north))
+    ):
+        raise Uncovered(
+            "the dive's times and dead reckoning are not finite and in their order"
+        )
 
     def rate(t: float, q: np.ndarray) -> tuple[float, float]:
-        u, v = flow(t, np.interp(t, time, east) + q[0], np.interp(t, time, north) + q[1])
+        u, v = flow(
+            t, np.interp(t, time, east) + q[0], np.interp(t, time, north) + q[1]
+        )
         if not (isfinite(u) and isfinite(v)):
             raise Uncovered(f"its flow is not finite {t / 3600:.2g} h into the dive")
         return u, v

@@ -10,7 +10,9 @@ from typing import Any
 from .places import compass, date
 
 Row = dict[str, Any]
-Columns = dict[str, tuple[int, Callable[[Row], str | None]]]  # title: rank, and cell of a row
+Columns = dict[
+    str, tuple[int, Callable[[Row], str | None]]
+]  # title: rank, and cell of a row
 
 
 def metres(size: float | None) -> str:
@@ -32,14 +34,21 @@ def _toward(way: Row, prefix: str = "") -> str:
 
 def _current(row: Row) -> str:
     """Return the current east and north, and the standard error of its last digits."""
-    parts = ((row[f"current_{axis}"], row[f"current_{axis}_error"]) for axis in ("east", "north"))
+    parts = (
+        (row[f"current_{axis}"], row[f"current_{axis}_error"])
+        for axis in ("east", "north")
+    )
     return " ".join(f"{value:+z.3f}({1000 * error:.0f})" for value, error in parts)
 
 
 def _speed(row: Row) -> str | None:
     """Return the factor on speed, None where none is learned."""
     value = row["speed_factor"]
-    return None if value is None else f"{value:.3f}({1000 * row['speed_factor_error']:.0f})"
+    return (
+        None
+        if value is None
+        else f"{value:.3f}({1000 * row['speed_factor_error']:.0f})"
+    )
 
 
 def _drift(drift: Row | None) -> str:
@@ -74,7 +83,10 @@ COLUMNS: Columns = {
     "speed": (3, _speed),
     "over ground": (7, lambda row: _toward(row["over_ground"])),
     "drift (m) to": (8, lambda row: _drift(row["drift"])),
-    "E N of DR (m)": (9, lambda row: f"{row['forecast_east']:+z.0f} {row['forecast_north']:+z.0f}"),
+    "E N of DR (m)": (
+        9,
+        lambda row: f"{row['forecast_east']:+z.0f} {row['forecast_north']:+z.0f}",
+    ),
     ELLIPSE: (5, _ellipse),
     "90 %": (0, lambda row: "in" if row["inside_90"] else "OUT"),
     "mark": (0, lambda row: speed_mark(row["anomaly"])),
@@ -89,5 +101,9 @@ def cells(row: Row, columns: Columns = COLUMNS) -> dict[str, str]:
 
 def cells_ahead(ahead: Row) -> dict[str, str]:
     """Return what is known of the next dive: when and how near it ends."""
-    known = {"dive": "next", "ended (UTC)": date(ahead["time"]), ELLIPSE: _ellipse(ahead)}
+    known = {
+        "dive": "next",
+        "ended (UTC)": date(ahead["time"]),
+        ELLIPSE: _ellipse(ahead),
+    }
     return {**dict.fromkeys(COLUMNS, ""), **known}

@@ -54,7 +54,10 @@ MARGIN = 300.0  # m: two fixes, a poor one among them, and how long a stay is ro
 SAME_STAY = 3600.0  # s: longer, other dives may lie between
 SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
-MATTERS, PLAUSIBLE = 0.08, 0.4  # least change of the factor that is flagged; largest doubtful loss
+MATTERS, PLAUSIBLE = (
+    0.08,
+    0.4,
+)  # least change of the factor that is flagged; largest doubtful loss
 DIVES = 3  # the last dive, and the two that are tried as the first of a slower speed
 SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values
@@ -75,7 +78,8 @@ def doubt_one_fix(
     start = np.array(there) - (before.dr_east, before.dr_north)
     mean, covariance = forecast
     end_off, start_off = (
-        float(off @ np.linalg.solve(covariance, off)) for off in (miss(before) - mean, start - mean)
+        float(off @ np.linalg.solve(covariance, off))
+        for off in (miss(before) - mean, start - mean)
     )
     jump = f"{apart / 1000:.1f} km in {since / 60:.0f} min"
     if start_off >= end_off:
@@ -85,10 +89,14 @@ def doubt_one_fix(
     if since > SAME_STAY:
         return _doubted(before, apart, f"{note}: counts little"), dive
     drift = model.priors.current * since
-    settled = _doubted(before, drift, f"{note}, and off its forecast: that start is taken instead")
+    settled = _doubted(
+        before, drift, f"{note}, and off its forecast: that start is taken instead"
+    )
     lat, lon = dive.lat_gps2, dive.lon_gps2
     east, north = there
-    return replace(settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north), dive
+    return replace(
+        settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north
+    ), dive
 
 
 def _doubted(dive: Dive, doubt: float, note: str) -> Dive:
@@ -120,7 +128,11 @@ class Anomaly(NamedTuple):
             f"{self.standard_error:.2f} since dive {self.since}; evidence "
             f"{self.likelihood_ratio:.0f} (a change of the current instead: {self.of_current:.0f}; "
             f"{SURE:g} is needed)"
-            + ("" if self.certain else "; on these headings a current from ahead looks the same")
+            + (
+                ""
+                if self.certain
+                else "; on these headings a current from ahead looks the same"
+            )
         )
 
 
@@ -142,14 +154,18 @@ class SpeedFactorWatch:
         self.count += 1
         if self.count <= SETTLED:
             return None
-        tried = (self._anomaly(dive, self.updates[j:]) for j in range(len(self.updates) - 1))
+        tried = (
+            self._anomaly(dive, self.updates[j:]) for j in range(len(self.updates) - 1)
+        )
         each = [anomaly for anomaly in tried if anomaly is not None]
         if not each:
             return None
         self.updates = []
         return max(each, key=lambda a: a.likelihood_ratio)
 
-    def _anomaly(self, dive: Dive, updates: list[tuple[int, LastUpdate]]) -> Anomaly | None:
+    def _anomaly(
+        self, dive: Dive, updates: list[tuple[int, LastUpdate]]
+    ) -> Anomaly | None:
         """Return the anomaly that began with the first of some dives, None where none did."""
         since, first = updates[0]
         w, (m, n) = first.weights, first.F.shape[:2]
@@ -181,4 +197,6 @@ class SpeedFactorWatch:
         if not (clear and (certain or doubtful)):
             return None
         expected = float(1 + w @ first.mean[:, column])
-        return Anomaly(dive.number, since, change, error, expected, ratio, current, rest, certain)
+        return Anomaly(
+            dive.number, since, change, error, expected, ratio, current, rest, certain
+        )

@@ -62,14 +62,20 @@ SHAPES = {  # of KML, around coordinates
 def _points(layer: Layer) -> list[list[float]]:
     """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
     first = east_of(layer.places[0][1])
-    return [[round(near(lon, first), DIGITS), round(lat, DIGITS)] for lat, lon in layer.places]
+    return [
+        [round(near(lon, first), DIGITS), round(lat, DIGITS)]
+        for lat, lon in layer.places
+    ]
 
 
 def next_geojson(found: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
     of, end = layers_of(found), found["each_dive"][-1]
     last = Layer(
-        "last", "Point", of["way"][0].places[:1], {"dive": end["dive"], "time": end["end"]}
+        "last",
+        "Point",
+        of["way"][0].places[:1],
+        {"dive": end["dive"], "time": end["end"]},
     )
     features = map(_feature, [last, *(layer for kind in AHEAD for layer in of[kind])])
     lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
@@ -168,15 +174,20 @@ def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]
     first = legs[0]
     places = [place_in(leg, "") for leg in legs[:MOST]]
     comment = (
-        "the waypoints: this glider corrects for the current itself (u_use_current_correction 1)"
+        "the waypoints: this glider corrects for the current itself "
+        "(u_use_current_correction 1)"
     )
     if not corrects:
         far = first["through_water"] if first["state"] == REACHED else FAR
         angle = radians(first["heading"])
-        places = [place_from(*place_in(first, "from_"), far * sin(angle), far * cos(angle))]
+        places = [
+            place_from(*place_in(first, "from_"), far * sin(angle), far * cos(angle))
+        ]
         comment = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
     lines = ["behavior_name=goto_list", f"# {comment}", "<start:b_arg>"]
-    lines += [f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")]
+    lines += [
+        f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")
+    ]
     lines += ["<end:b_arg>", "<start:waypoints>"]
     lines += ["{1} {0}".format(*_numbers(*one)) for one in places]
     return "goto_l10.ma", [*lines, "<end:waypoints>"]

@@ -95,9 +95,16 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     (14, 'm')
     """
     found = found_of(replay)
-    rows = [{**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]]
+    rows = [
+        {**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]
+    ]
     table = pandas.json_normalize(rows, sep="_")
-    time = {"units": EPOCH, "calendar": "standard", "standard_name": "time", "axis": "T"}
+    time = {
+        "units": EPOCH,
+        "calendar": "standard",
+        "standard_name": "time",
+        "axis": "T",
+    }
     north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
     east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}
     coords = {
@@ -128,7 +135,10 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     for name, each in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
         if each.dtype == bool:
-            flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no yes"}
+            flags = {
+                "flag_values": np.array([0, 1], np.int8),
+                "flag_meanings": "no yes",
+            }
             data[name] = ("dive", each.to_numpy(np.int8), {**attributes, **flags})
         elif each.dtype == float and each.notna().any():
             attributes["units"] = units_of(name)
@@ -137,19 +147,27 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
             if f"{name}_error" in table:
                 attributes["ancillary_variables"] = f"{name}_error"
             data[name] = ("dive", each.to_numpy(), attributes)
-    ahead = {key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)}
+    ahead = {
+        key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)
+    }
     ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
     for name, value in ahead.items():
-        long_name = {"long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"}
+        long_name = {
+            "long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"
+        }
         more = time if name == "time" else {"units": units_of(name)}
         data[f"next_{name}"] = ((), value, {**more, **long_name})
     words = "all that was found, as JSON: what clpt replay --json prints"
-    return data.assign({SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})})
+    return data.assign(
+        {SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})}
+    )
 
 
 def units_of(name: str) -> str:
     """Return the units of a number by its name."""
-    return next(units for pattern, units in UNITS.items() if re.fullmatch(pattern, name))
+    return next(
+        units for pattern, units in UNITS.items() if re.fullmatch(pattern, name)
+    )
 
 
 def summary_in(data: xarray.Dataset, name: str) -> Any:

@@ -97,7 +97,12 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
 
 def unread(vehicle: str, why: str) -> dict[str, Any]:
     """Return the row of a vehicle without a replay."""
-    return {"vehicle": vehicle, "page": None, "asks": [UNREAD], "said": [f"{UNREAD}: {why}"]}
+    return {
+        "vehicle": vehicle,
+        "page": None,
+        "asks": [UNREAD],
+        "said": [f"{UNREAD}: {why}"],
+    }
 
 
 def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -130,7 +135,10 @@ FLEET: Columns = {
     "last fix (UTC)": (3, lambda row: f"{row['time'][:4]}-{date(row['time'])}"),
     "age": (0, lambda row: _age(row["age_hours"])),
     "at": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
-    "next (UTC)": (1, lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}"),
+    "next (UTC)": (
+        1,
+        lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}",
+    ),
     "90 % within (m)": (4, lambda row: half_axes(row["next_dive"])),
     "held": (2, lambda row: _record(row["headlines"])),
     "90 %": (0, lambda row: _out(row["out_running"])),
@@ -143,7 +151,11 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     """Return the cells of a row by the titles of their columns."""
     if "dive" in row:
         return cells(row, FLEET)
-    return {**dict.fromkeys(FLEET, ""), "vehicle": row["vehicle"], "pilot": ", ".join(row["asks"])}
+    return {
+        **dict.fromkeys(FLEET, ""),
+        "vehicle": row["vehicle"],
+        "pilot": ", ".join(row["asks"]),
+    }
 
 
 def fleet_page(found: dict[str, Any]) -> str:
@@ -177,7 +189,9 @@ def _running(each: list[dict[str, Any]]) -> int:
 
 def _anomaly(each: list[dict[str, Any]]) -> dict[str, Any] | None:
     """Return the last anomaly of the speed among the last dives."""
-    return next((row["anomaly"] for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None)
+    return next(
+        (row["anomaly"] for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None
+    )
 
 
 LONGEST = 60.0  # s that a command may take
@@ -190,7 +204,9 @@ def checked_command(text: str) -> list[str]:
     with suppress(ValueError):  # a quotation without its end
         words = shlex.split(text)
     if not words or shutil.which(words[0]) is None:
-        raise ScenarioError(f"--alert {text}: no such command; give one that can be run")
+        raise ScenarioError(
+            f"--alert {text}: no such command; give one that can be run"
+        )
     return words
 
 
@@ -201,7 +217,9 @@ class Alerts:
         self.command, self.path = list(command), out / "state" / TOLD
         self.told: list[str] = []
         self.failed: set[str] = set()
-        with suppress(DataError, ValueError):  # none yet, or none that can be read: told again
+        with suppress(
+            DataError, ValueError
+        ):  # none yet, or none that can be read: told again
             keys = json.loads(read_text(self.path, "is no text"))
             self.told = [str(one) for one in keys] if isinstance(keys, list) else []
 
@@ -215,7 +233,12 @@ class Alerts:
             if key in self.told:
                 continue
             sentence = f"{vehicle}: {event.sentence}"
-            data = {"id": key, "vehicle": vehicle, "event": event.name, "dive": event.dive}
+            data = {
+                "id": key,
+                "vehicle": vehicle,
+                "event": event.name,
+                "dive": event.dive,
+            }
             data |= {"sentence": sentence, "next_dive": found["next_dive"]}
             why = self._run(sentence, json.dumps(data))
             if not why:
@@ -223,7 +246,9 @@ class Alerts:
                 write_file(self.path, json.dumps(self.told))
             elif why not in self.failed:
                 self.failed.add(why)
-                tell(f"--alert {shlex.join(self.command)}: {why}; is run again at the next look")
+                tell(
+                    f"--alert {shlex.join(self.command)}: {why}; is run again at the next look"
+                )
 
     def _run(self, sentence: str, data: str) -> str:
         """Run the command; return why it failed, empty where it did not."""
@@ -231,9 +256,14 @@ class Alerts:
         text = f"{sentence}\n{data}\n".encode()
         quiet: Any = dict.fromkeys(("stdout", "stderr"), subprocess.DEVNULL)
         try:
-            done = subprocess.run(words, input=text, timeout=LONGEST, check=False, **quiet)
+            done = subprocess.run(
+                words, input=text, timeout=LONGEST, check=False, **quiet
+            )
         except subprocess.TimeoutExpired:
             return f"takes longer than {LONGEST:g} s"
-        except (OSError, UnicodeError) as error:  # a name may not be in the locale's letters
+        except (
+            OSError,
+            UnicodeError,
+        ) as error:  # a name may not be in the locale's letters
             return f"cannot be run: {getattr(error, 'strerror', None) or error}"
         return f"ended with status {done.returncode}" if done.returncode else ""

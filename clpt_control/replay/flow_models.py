@@ -82,7 +82,10 @@ class Forecast(FlowModel):
             self.lon = np.append(self.lon, self.lon[0] + 360.0)  # around the Earth
             values = np.concatenate([values, values[:, :, :1]], axis=2)
         self.flow = RegularGridInterpolator(
-            (self.time, self.lat, self.lon), values, bounds_error=False, fill_value=np.nan
+            (self.time, self.lat, self.lon),
+            values,
+            bounds_error=False,
+            fill_value=np.nan,
         )
 
     def along(self, dive: Dive) -> Flow:
@@ -128,7 +131,9 @@ class Fitted(FlowModel):
             self.plane = LocalPlane(*map(float, report["origin"]))
             self.start = seconds_since_1970(report["start"])  # its t = 0
             self.lat0, self.lat1, self.lon0, self.lon1 = map(float, report["box"])
-            self.about = f"fitted basis of {N} functions, {', '.join(report['constituents'])}"
+            self.about = (
+                f"fitted basis of {N} functions, {', '.join(report['constituents'])}"
+            )
             if self.theta.shape != (2, N) or not np.all(np.isfinite(self.theta)):
                 raise ValueError("of other functions")
         except (ValueError, KeyError, TypeError):
@@ -142,7 +147,11 @@ class Fitted(FlowModel):
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
         here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
         long, second = METRES[units.length], SECONDS[units.time]
-        basis, N, no_state = self.scenario.basis_block(), self.scenario.basis.N, np.zeros(0)
+        basis, N, no_state = (
+            self.scenario.basis_block(),
+            self.scenario.basis.N,
+            np.zeros(0),
+        )
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
             lat, lon = here.to_earth(east / 1000, north / 1000)
@@ -153,7 +162,9 @@ class Fitted(FlowModel):
             when = (dive.t_gps2 + t - self.start) / second
             phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
             u1, u2 = self.theta @ phi * (long / second)
-            c, s = self.plane.rotate(lat, lon, 1.0, 0.0)  # where east points in the fit's plane
+            c, s = self.plane.rotate(
+                lat, lon, 1.0, 0.0
+            )  # where east points in the fit's plane
             u1, u2 = here.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
             return float(u1), float(u2)
 
@@ -200,5 +211,7 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
             "`clpt fit` writes"
         )
     if kind == ".toml" and units is not None:
-        raise DataError(f"{path}: a fit has its units in the file; leave out units ({units})")
+        raise DataError(
+            f"{path}: a fit has its units in the file; leave out units ({units})"
+        )
     return Fitted(path) if kind == ".toml" else Forecast(path, units)

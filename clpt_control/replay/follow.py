@@ -64,7 +64,9 @@ def stored_file(text: bytes) -> StoredFile:
     dives, skipped = found.pop("dives"), found.pop("skipped")
     if found.pop("format") != FORMAT:
         raise ValueError("another version's")
-    return StoredFile(dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **found)
+    return StoredFile(
+        dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **found
+    )
 
 
 def _dive(fields: dict[str, Any]) -> Dive:
@@ -85,7 +87,9 @@ class Follower:
             if path.suffix == ".json" and not path.name.startswith("."):
                 self.files[path.name.removesuffix(".json")] = self._stored(path)
         self.here = set(self.files)
-        self.unnamed: list[tuple[Path, Skipped]] = []  # under whose names nothing can be kept
+        self.unnamed: list[
+            tuple[Path, Skipped]
+        ] = []  # under whose names nothing can be kept
 
     def _stored(self, path: Path) -> StoredFile:
         """Return a record of the state, or refuse the state."""
@@ -144,7 +148,11 @@ class Follower:
             if not stat.S_ISREG(status.st_mode):
                 return None
             stamp = _stamp(status, before if is_segment(path) else [])
-            if known is not None and known.stamp is not None and _is_as(known.stamp, stamp):
+            if (
+                known is not None
+                and known.stamp is not None
+                and _is_as(known.stamp, stamp)
+            ):
                 return known
             with open(path, "rb", opener=at_once) as file:
                 file.read(1)
@@ -190,7 +198,9 @@ def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
     for file in before:
         with suppress(OSError):
             every.append(file.stat())
-    changed, moved = (max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc")
+    changed, moved = (
+        max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc"
+    )
     return status.st_size, changed, moved
 
 
@@ -227,5 +237,7 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
             other = f"{state}: another clpt follows here; end it, or give another --out"
             raise DataError(other) from None
         except OSError as error:
-            raise DataError(f"{state}: cannot be written to: {error.strerror or error}") from None
+            raise DataError(
+                f"{state}: cannot be written to: {error.strerror or error}"
+            ) from None
         yield Follower(folder, state)

@@ -46,7 +46,10 @@ from .places import direction
 
 PLANNED, REPEATED, GIVEN = "planned", "repeated", "given"
 CENTRE = np.array([1.0, 0.0, 0.0])  # c
-SPREAD = {PLANNED: (0.25, 0.25, 0.2), REPEATED: (0.25, 0.3, 0.2)}  # standard deviations of S0
+SPREAD = {
+    PLANNED: (0.25, 0.25, 0.2),
+    REPEATED: (0.25, 0.3, 0.2),
+}  # standard deviations of S0
 MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
 FADING = 0.95  # of what a dive counts, at the next one
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
@@ -121,7 +124,9 @@ class Evidence(NamedTuple):
         m = (MEANS * CENTRE + self.total) / k
         scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + self.square
         scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
-        return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (1.0 + 1.0 / k)
+        return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (
+            1.0 + 1.0 / k
+        )
 
 
 class Habits:
@@ -154,18 +159,26 @@ class Habits:
         for name, (B, log_time) in self._frames(self.last).items():
             m, S = self.evidence[name].moments(name)
             mean, scatter, dives = B @ m, B @ S @ B.T, self.evidence[name].dives
-            guess = Guess(mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name)
+            guess = Guess(
+                mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name
+            )
             found.append((float(np.trace(scatter[:2, :2])), guess))
         return min(found, key=itemgetter(0))[1]
 
     def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a given way (m) and duration (s), with what both scatter by."""
-        late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2  # of one dive, not of two
+        late = (
+            self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
+        )  # of one dive, not of two
         B = _frame(*way)
         S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late
         return Guess(
-            np.array(way), duration, B @ S @ B.T, SPREADS + self.evidence[REPEATED].dives, GIVEN
+            np.array(way),
+            duration,
+            B @ S @ B.T,
+            SPREADS + self.evidence[REPEATED].dives,
+            GIVEN,
         )
 
     def stay(self) -> tuple[float, float]:
@@ -189,8 +202,14 @@ class Habits:
         came = np.array([dive.dr_east, dive.dr_north, log(dive.duration)])
         if self.last is not None:
             for name, (B, log_time) in self._frames(self.last).items():
-                z, was = np.linalg.solve(B, came - (0.0, 0.0, log_time)), self.evidence[name]
-                total, square = FADING * was.total + z, FADING * was.square + np.outer(z, z)
+                z, was = (
+                    np.linalg.solve(B, came - (0.0, 0.0, log_time)),
+                    self.evidence[name],
+                )
+                total, square = (
+                    FADING * was.total + z,
+                    FADING * was.square + np.outer(z, z),
+                )
                 self.evidence = {
                     **self.evidence,
                     name: Evidence(FADING * was.dives + 1.0, total, square),
@@ -200,7 +219,10 @@ class Habits:
             self.drifts = FADING * self.drifts + (1.0, way.east, way.north, size)
             self.stays = [*self.stays, way.seconds]
         if held:
-            wider = (w * exp(RATE * (0.9 - one)) for w, one in zip(self.width, held, strict=True))
+            wider = (
+                w * exp(RATE * (0.9 - one))
+                for w, one in zip(self.width, held, strict=True)
+            )
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
         self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])
         self.last = dive

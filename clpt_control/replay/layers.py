@@ -19,7 +19,11 @@ from .cells import half_axes
 from .places import Place, compass, velocity
 from .wording import within
 
-DIVE, NEXT, AIMED = ("start_", "forecast_"), ("from_", ""), ("from_", "end_")  # start, centre
+DIVE, NEXT, AIMED = (
+    ("start_", "forecast_"),
+    ("from_", ""),
+    ("from_", "end_"),
+)  # start, centre
 CORNERS = 48
 LAST = 12  # dives whose ellipses are drawn
 
@@ -42,13 +46,18 @@ def place_in(row: dict[str, Any], which: str) -> Place:
 
 def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
-    long, short, bearing = (row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing"))
+    long, short, bearing = (
+        row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing")
+    )
     begin, end = (place_in(row, which) for which in kind)
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     places = []
     for k in range(CORNERS):
-        along, across = long * cos(2 * pi * k / CORNERS), short * sin(2 * pi * k / CORNERS)
+        along, across = (
+            long * cos(2 * pi * k / CORNERS),
+            short * sin(2 * pi * k / CORNERS),
+        )
         away = along * sine - across * cosine, along * cosine + across * sine
         places.append(place_from(*begin, east + away[0], north + away[1]))
     return [*places, places[0]]
@@ -80,7 +89,8 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
     before = None
     for row in found["each_dive"]:
         start, end, reckoned, forecast = (
-            place_in(row, which) for which in ("start_", "end_", "reckoned_", "forecast_")
+            place_in(row, which)
+            for which in ("start_", "end_", "reckoned_", "forecast_")
         )
         layers += [
             Layer("miss", "LineString", [reckoned, end], row),
@@ -95,7 +105,8 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
             ]
         before = end
     layers += [
-        Layer("ring", "Polygon", ring_of(row), row) for row in found["each_dive"][1:][-LAST:]
+        Layer("ring", "Polygon", ring_of(row), row)
+        for row in found["each_dive"][1:][-LAST:]
     ]
     ahead = found.get("next_dive")
     if ahead is not None:
@@ -103,10 +114,15 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
         layers += [
             Layer("way", "LineString", [last, goal], ahead),
             Layer("next", "Point", [goal], ahead, words_of_next(ahead), ahead["time"]),
-            Layer("ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]),
+            Layer(
+                "ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]
+            ),
         ]
     for leg in found.get("aim") or ():
-        target, (begin, end) = place_in(leg, ""), (place_in(leg, which) for which in AIMED)
+        target, (begin, end) = (
+            place_in(leg, ""),
+            (place_in(leg, which) for which in AIMED),
+        )
         layers += [
             Layer("target", "Point", [target], leg, leg["place"]),
             Layer("aim", "LineString", [begin, target], leg),

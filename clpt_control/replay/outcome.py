@@ -55,8 +55,13 @@ def learned_words(replay: Replay) -> str:
     step, known = replay.steps[-1], replay.known()
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
     for part in replay.model.flow[1:]:
-        p = step.parts.get(part if part in OTHERS else "tides")  # all tides come or go together
-        words.append(f"{part}{strength(part, known)}" + ("" if p is None else f" (odds {odds(p)})"))
+        p = step.parts.get(
+            part if part in OTHERS else "tides"
+        )  # all tides come or go together
+        words.append(
+            f"{part}{strength(part, known)}"
+            + ("" if p is None else f" (odds {odds(p)})")
+        )
     if replay.model.learn_speed:
         words += [speed_words(step), compass_words(step)]
     return "; ".join(words)
@@ -69,7 +74,9 @@ def strength(part: str, known: Mapping[str, float]) -> str:
     if part == "model":
         return f" {known[part]:z.2f}"
     waves = ("",) if part in OTHERS else ("_cos", "_sin")
-    axes = [[known[f"{part}{wave}_{axis}"] for wave in waves] for axis in ("east", "north")]
+    axes = [
+        [known[f"{part}{wave}_{axis}"] for wave in waves] for axis in ("east", "north")
+    ]
     return f" {np.linalg.norm(np.array(axes), 2):z.2f} m/s"
 
 
@@ -119,7 +126,9 @@ def rms_of(
     """Return the rms of the known misses of each model, m; None where there is none."""
     found: dict[str, float | None] = {}
     for name in models:
-        known = np.array([size for size in (clpe[name] for clpe in each) if size is not None])
+        known = np.array(
+            [size for size in (clpe[name] for clpe in each) if size is not None]
+        )
         found[name] = float(np.sqrt(np.mean(known**2))) if len(known) else None
     return found
 
@@ -185,7 +194,9 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "held": list(last.not_learned) if last else [],
         "anomalies": [step.anomaly._asdict() for step in steps if step.anomaly],
         "notes": [
-            {"dive": step.dive.number, "note": note} for step in steps for note in step.dive.notes
+            {"dive": step.dive.number, "note": note}
+            for step in steps
+            for note in step.dive.notes
         ],
         "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
         "each_dive": [dict(step.row) for step in steps],

@@ -59,7 +59,9 @@ def velocity(east: float, north: float) -> str:
     ('0.21 m/s to 180', '0.00 m/s')
     """
     angle = direction(east, north)
-    return f"{hypot(east, north):.2f} m/s" + ("" if angle is None else f" to {compass(angle)}")
+    return f"{hypot(east, north):.2f} m/s" + (
+        "" if angle is None else f" to {compass(angle)}"
+    )
 
 
 def east_of(lon: float) -> float:
@@ -89,7 +91,9 @@ def degrees_minutes(angle: float, decimals: int) -> tuple[int, str]:
     """
     size = 10**decimals
     whole, rest = divmod(round(60 * size * abs(angle)), 60 * size)
-    return whole, f"{rest // size:02d}" + f".{rest % size:0{decimals}d}" * bool(decimals)
+    return whole, f"{rest // size:02d}" + f".{rest % size:0{decimals}d}" * bool(
+        decimals
+    )
 
 
 def in_minutes(lat: float, lon: float) -> str:

@@ -8,7 +8,17 @@ from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
 from matplotlib.figure import Figure
 
 from ..arguments import public
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, TITLE, axes_for, figure_of, legend_below
+from ..figures import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    TITLE,
+    axes_for,
+    figure_of,
+    legend_below,
+)
 from .facts import Source, found_of
 from .outcome import rms_of
 from .track_map import map_plot
@@ -59,7 +69,9 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
         size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
-        label = model.replace("_", " ") + ("" if rms is None else f", rms {rms / 1000:.2f} km")
+        label = model.replace("_", " ") + (
+            "" if rms is None else f", rms {rms / 1000:.2f} km"
+        )
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
     for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
@@ -108,10 +120,14 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
         _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
         of_file = _column(found, f"file_current_{axis}")
         if np.isfinite(of_file).any():
-            one.plot(x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x))
+            one.plot(
+                x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x)
+            )
         one.axhline(0, color="black", lw=0.5)
         one.set_ylabel(f"current {axis} (m/s)")
-    axes[0].legend(fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1))
+    axes[0].legend(
+        fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1)
+    )
     if learned:
         _band(axes[2], x, found, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
@@ -152,7 +168,13 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     replay = found_of(replay)
     learned = replay["each_dive"][0]["speed_factor"] is not None
     speed = [["map", "speed"]] if learned else []
-    mosaic = [["map", "clpe"], ["map", "clpe"], ["map", "east"], ["map", "north"], *speed]
+    mosaic = [
+        ["map", "clpe"],
+        ["map", "clpe"],
+        ["map", "east"],
+        ["map", "north"],
+        *speed,
+    ]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
     map_plot(replay, ax=axes[0])
     dive_clpe_plot(replay, ax=axes[1])
@@ -162,7 +184,11 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
 
 def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
     """Draw all figures of what `clpt replay --json` prints, by name."""
-    plots: dict[str, Any] = {"map": map_plot, "clpe": dive_clpe_plot, "current": current_plot}
+    plots: dict[str, Any] = {
+        "map": map_plot,
+        "clpe": dive_clpe_plot,
+        "current": current_plot,
+    }
     return {name: figure_of(plot, found) for name, plot in plots.items()}
 
 
@@ -176,10 +202,14 @@ def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
     return np.array([row.get(key) for row in rows], dtype=float)
 
 
-def _band(ax: Axes, x: np.ndarray, rows: list, key: str, colour: str, label: str = "") -> None:
+def _band(
+    ax: Axes, x: np.ndarray, rows: list, key: str, colour: str, label: str = ""
+) -> None:
     """Draw a number of each dive with two standard errors."""
     value, error = _column(rows, key), _column(rows, f"{key}_error")
-    ax.fill_between(x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0)
+    ax.fill_between(
+        x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0
+    )
     ax.plot(x, value, "-o", color=colour, label=label, **_fine(x))
 
 

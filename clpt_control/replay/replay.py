@@ -103,7 +103,11 @@ class Replay:
         """Return the last dives as a table, the last one first."""
         rows = [cells(step.row) for step in self.steps[: -LISTED - 1 : -1]]
         table = facts([tuple(row.values()) for row in rows], [*rows[0]]) if rows else ""
-        more = [f"The last {LISTED} of {len(self.steps)} dives."] if self.steps[LISTED:] else []
+        more = (
+            [f"The last {LISTED} of {len(self.steps)} dives."]
+            if self.steps[LISTED:]
+            else []
+        )
         return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
 
     @property
@@ -157,7 +161,9 @@ class Replay:
             self.__post_init__()
         for dive in dives[len(self._fed) :]:
             check()
-            self.step(dive if self.flow_model is None else carried(dive, self.flow_model))
+            self.step(
+                dive if self.flow_model is None else carried(dive, self.flow_model)
+            )
             self._fed.append(dive)
             report(len(self._fed))
         return self
@@ -189,7 +195,9 @@ class Replay:
         self._learner.update(dive)
         self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
 
-    def surfacing(self, guess: Guess | None = None, start: Fix | None = None) -> NextDive:
+    def surfacing(
+        self, guess: Guess | None = None, start: Fix | None = None
+    ) -> NextDive:
         """Forecast the end of the next dive.
 
         It goes by a guess, by default that of the vehicle's habits, and begins at `start`, by
@@ -227,7 +235,9 @@ class Replay:
         if not self.steps:
             return None, dive
         last = self.steps[-1]
-        found, dive = doubt_one_fix(last.dive, dive, (last.forecast, last.covariance), self.model)
+        found, dive = doubt_one_fix(
+            last.dive, dive, (last.forecast, last.covariance), self.model
+        )
         return (None if found is last.dive else found), dive
 
     def _learn_again(self, dive: Dive) -> None:
@@ -237,7 +247,11 @@ class Replay:
         self._take(dive, was.forecast, was.covariance, was.headline)
 
     def _take(
-        self, dive: Dive, mean: np.ndarray, covariance: np.ndarray, headline: NextDive | None
+        self,
+        dive: Dive,
+        mean: np.ndarray,
+        covariance: np.ndarray,
+        headline: NextDive | None,
     ) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
         self._before = copy.deepcopy((self._learner, self._watch, self.habits))
@@ -248,7 +262,11 @@ class Replay:
         if headline is not None and last is not None and follows(dive, last):
             held = headline.holds(dive)
         self.habits.learn(dive, way, held or ())
-        previous = np.zeros(2) if last is None else miss(last) * (dive.duration / last.duration)
+        previous = (
+            np.zeros(2)
+            if last is None
+            else miss(last) * (dive.duration / last.duration)
+        )
         away = y - mean
         clpe: dict[str, float | None] = dict(
             zip(MODELS, map(_size, (y, y - previous, away)), strict=True)
@@ -267,7 +285,9 @@ class Replay:
 
 @public
 def next_dive(
-    replay: Replay, duration: float | None = None, through_water: tuple[float, float] | None = None
+    replay: Replay,
+    duration: float | None = None,
+    through_water: tuple[float, float] | None = None,
 ) -> NextDive:
     """Forecast the surfacing of the next dive.
 

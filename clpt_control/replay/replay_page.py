@@ -26,13 +26,23 @@ KEYS = "".join(  # of the map
         ("made", "aimed: way made good, 90 %"),
     )
 )
-LOUD = ("OUT", "SPEED", "overdue", "cannot be read")  # beginnings of cells that are alarms
+LOUD = (
+    "OUT",
+    "SPEED",
+    "overdue",
+    "cannot be read",
+)  # beginnings of cells that are alarms
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
-PHONE, PAPER = 2, 6  # greatest rank of a column that a telephone shows, and a printed page
+PHONE, PAPER = (
+    2,
+    6,
+)  # greatest rank of a column that a telephone shows, and a printed page
 
 
-def replay_page(found: dict[str, Any], again: bool = False, title: str | None = None) -> str:
+def replay_page(
+    found: dict[str, Any], again: bool = False, title: str | None = None
+) -> str:
     """Return the page of what `clpt replay --json` prints, with one dive at least.
 
     A page that is written `again` at each dive is loaded again each minute.
@@ -77,7 +87,9 @@ def _cards(found: dict[str, Any]) -> list[str]:
         title = f"Next surfacing (written {ahead['now'][11:16]} UTC)"
         cards = [_card(title, time, since, first, ahead["time"])]
     else:
-        cards = [_card("Next surfacing", time, f"{since} from the {ahead['now_is']}", first)]
+        cards = [
+            _card("Next surfacing", time, f"{since} from the {ahead['now_is']}", first)
+        ]
     where = places.in_degrees(ahead["latitude"], ahead["longitude"])
     near = f"90 % within {cells.half_axes(ahead)} m"
     record = wording.record_sentence(found["headlines"])
@@ -93,7 +105,9 @@ def _cards(found: dict[str, Any]) -> list[str]:
         cards.append(_card("Factor on speed", value, "1: as fast as its files say"))
     before = f"previous dive's current: {last['clpe']['previous_dive']:.0f} m"
     before += "" if last["inside_90"] else "; outside the 90 % ellipse"
-    cards.append(_card(f"Miss, dive {last['dive']}", f"{last['clpe']['adaptive']:.0f} m", before))
+    cards.append(
+        _card(f"Miss, dive {last['dive']}", f"{last['clpe']['adaptive']:.0f} m", before)
+    )
     for anomaly in found["anomalies"][-1:]:
         change = f"changed by {anomaly['change']:+z.2f} since dive {anomaly['since']}"
         title = f"Mark of dive {anomaly['dive']}"
@@ -104,7 +118,9 @@ def _cards(found: dict[str, Any]) -> list[str]:
 def _paste(found: dict[str, Any]) -> list[str]:
     """Return what goes onto the vehicle."""
     one = found.get("paste")
-    return [f"<h2>To paste: {safe(one['file'])}</h2>", listing(one["text"])] if one else []
+    return (
+        [f"<h2>To paste: {safe(one['file'])}</h2>", listing(one["text"])] if one else []
+    )
 
 
 def _charts(found: dict[str, Any]) -> str:
@@ -127,7 +143,9 @@ def _table(found: dict[str, Any]) -> list[str]:
     rows = found["each_dive"]
     words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
     marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
-    return cell_table(title, [*map(cells.cells, rows[::-1])], cells.COLUMNS, marks[::-1])
+    return cell_table(
+        title, [*map(cells.cells, rows[::-1])], cells.COLUMNS, marks[::-1]
+    )
 
 
 def cell_table(
@@ -153,8 +171,12 @@ def cell_table(
         texts = [safe(row[title]) for title in titles]
         if link:
             texts[0] = f'<a href="{safe(link)}">{texts[0]}</a>'
-        loud = [ALARM if row[title].startswith(LOUD) else styles[title] for title in titles]
-        each = "".join(f"<td{style}>{text}</td>" for style, text in zip(loud, texts, strict=True))
+        loud = [
+            ALARM if row[title].startswith(LOUD) else styles[title] for title in titles
+        ]
+        each = "".join(
+            f"<td{style}>{text}</td>" for style, text in zip(loud, texts, strict=True)
+        )
         lines.append(f"<tr{mark}>{each}</tr>")
     return [*lines, "</tbody></table></div>"]
 
@@ -166,4 +188,8 @@ def _style(rank: int) -> str:
 
 def _remarks(found: dict[str, Any]) -> list[str]:
     lines = [f"<li>{safe(remark)}</li>" for remark in wording.remarks(found)]
-    return ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"] if lines else []
+    return (
+        ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]
+        if lines
+        else []
+    )

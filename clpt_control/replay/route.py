@@ -40,7 +40,9 @@ MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
 MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
-Shape = tuple[str | None, list[Place]]  # places of an area, by its name, or of waypoints
+Shape = tuple[
+    str | None, list[Place]
+]  # places of an area, by its name, or of waypoints
 Area = tuple[str, list[Place]]  # a name and a ring
 
 
@@ -53,7 +55,9 @@ def read_route(path: File) -> tuple[list[Place], list[Area]]:
 
 def _route(text: str) -> tuple[list[Place], list[Area]]:
     try:
-        found = list(_shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text))
+        found = list(
+            _shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text)
+        )
     except Exception as error:  # what is neither can raise anything
         why = f"is neither GeoJSON nor a latitude and a longitude a line: {error}"
         raise DataError(why) from None
@@ -128,17 +132,29 @@ def arrivals(
         report(max(len(times), DRAWS * min(drawn / MOST_DRAWN, 1.0)))
     waypoints = []
     for place, each in zip(targets, np.transpose(times), strict=True):
-        quantiles = np.quantile(each, list(SHARES.values()), method="inverted_cdf").tolist()
+        quantiles = np.quantile(
+            each, list(SHARES.values()), method="inverted_cdf"
+        ).tolist()
         dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
             {**placed("", *place), "place": in_minutes(*place)}
-            | {"made": float(np.isfinite(each).mean()), **dict(zip(SHARES, dates, strict=True))}
+            | {
+                "made": float(np.isfinite(each).mean()),
+                **dict(zip(SHARES, dates, strict=True)),
+            }
         )
     shares = [
         {"name": name, "entered": share, "ring": ring}
-        for (name, ring), share in zip(areas, np.mean(entered, axis=0).tolist(), strict=True)
+        for (name, ring), share in zip(
+            areas, np.mean(entered, axis=0).tolist(), strict=True
+        )
     ]
-    return {"draws": len(times), "dives": DIVES, "waypoints": waypoints, "areas": shares}
+    return {
+        "draws": len(times),
+        "dives": DIVES,
+        "waypoints": waypoints,
+        "areas": shares,
+    }
 
 
 def _draw(

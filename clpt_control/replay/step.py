@@ -28,7 +28,9 @@ from .surfacing import ELLIPSE, NextDive, ellipse
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
-LEARNED = 0.87  # share of a prior's standard error; a parameter with more is not learned
+LEARNED = (
+    0.87  # share of a prior's standard error; a parameter with more is not learned
+)
 
 
 @dataclass
@@ -59,7 +61,9 @@ class Step:
         """Take what an estimator knows that has learned the dive."""
         p, P, left = learner.estimate()
         model = learner.model
-        flow = [k for k, part in enumerate(model.parts) if part not in ("speed", "compass")]
+        flow = [
+            k for k, part in enumerate(model.parts) if part not in ("speed", "compass")
+        ]
         H = model.regressor(self.dive, ended=True)[:, flow] / self.dive.duration
         self.current = H @ p[flow]
         self.current_error = np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T))
@@ -69,7 +73,12 @@ class Step:
             for name, part, share in zip(model.names, model.parts, left, strict=True)
             if share >= LEARNED and part != "gaussians"
         )
-        self.speed, self.speed_error, self.compass, self.compass_error = 1.0, 0.0, 0.0, 0.0
+        self.speed, self.speed_error, self.compass, self.compass_error = (
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+        )
         if model.learn_speed:
             k = model.names.index("speed")
             a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
@@ -77,7 +86,9 @@ class Step:
             by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
             factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
             self.speed, self.speed_error = float(f), float(factor)
-            self.compass, self.compass_error = np.degrees((np.arctan2(b, a), compass)).tolist()
+            self.compass, self.compass_error = np.degrees(
+                (np.arctan2(b, a), compass)
+            ).tolist()
         return self
 
     @property

@@ -30,7 +30,11 @@ NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many stand
 SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
-ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")  # as `ellipse` has them
+ELLIPSE = (
+    "ellipse_90_long",
+    "ellipse_90_short",
+    "ellipse_90_bearing",
+)  # as `ellipse` has them
 
 
 def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
@@ -74,7 +78,9 @@ class NextDive:
 
     def holds(self, dive: Dive) -> tuple[bool, bool]:
         """Whether the end of the dive that came lies in the ellipse, and in the time."""
-        away = np.array(displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse))
+        away = np.array(
+            displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse)
+        )
         inside = away @ np.linalg.solve(self.covariance, away) <= CHI_SQUARED
         return bool(inside), abs(dive.t_gpse - self.plan.t_gpse) <= self.time_90
 
@@ -104,7 +110,9 @@ def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
     """Return a dive without an end, straight and at constant speed."""
     east, north = map(float, guess.way)
     end, no = start[0] + guess.duration, (nan, nan, nan, nan)
-    return Dive(last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max)
+    return Dive(
+        last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max
+    )
 
 
 def check_flown(speed: float, duration: float) -> None:

@@ -41,7 +41,25 @@ LARGER = 1.6  # times, that a waypoint may make the chart
 SHORTEST = 500.0  # m, of the longer side
 NARROWEST, MARGIN = 0.6, 0.06  # of the longer side: the other one, and on each side
 MOST = 89.5  # degrees of the middle; at a pole there is no east
-STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)  # minutes
+STEPS = (
+    0.01,
+    0.02,
+    0.05,
+    0.1,
+    0.2,
+    0.5,
+    1,
+    2,
+    5,
+    10,
+    15,
+    30,
+    60,
+    120,
+    300,
+    600,
+    1800,
+)  # minutes
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 POINTS = 72  # units of SVG in an inch
 FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
@@ -50,7 +68,13 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
     # kind of a layer, mark or line, its size, that of a mark for many dives, style
     ("track", "-", 1.3, 0, {"color": BLUE, "label": "fix to fix"}),
     ("drift", ":", 0.8, 0, {"color": BLUE, "label": "drift at the surface"}),
-    ("ring", "-", 0.6, 0, {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"}),
+    (
+        "ring",
+        "-",
+        0.6,
+        0,
+        {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"},
+    ),
     ("miss", "--", 0.6, 0, {"color": RED, "label": "miss"}),
     ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
     ("forecast", "+", 8, 3.5, {"color": GREEN, "label": "forecast", "mew": 1.2}),
@@ -96,7 +120,10 @@ def map_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     found = found_of(replay)
     ax = _drawn(found, ax, (0.9, 1.7))
     last = found["each_dive"][-1]
-    dive, when = literal(plain(f"{found['vehicle']}: dive {last['dive']}")), clock(last["end"])
+    dive, when = (
+        literal(plain(f"{found['vehicle']}: dive {last['dive']}")),
+        clock(last["end"]),
+    )
     ax.set_title(f"{dive} surfaced {when}", **TITLE)
     ax.set(xlabel="longitude", ylabel="latitude")
     legend_below(ax, 3)
@@ -125,7 +152,10 @@ def edges_of(points: np.ndarray, degree: np.ndarray) -> np.ndarray:
 def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) -> Axes:
     """Draw what `clpt replay --json` prints, inches around it."""
     found = whole["each_dive"]
-    of = {kind: [one.places for one in layers] for kind, layers in layers_of(whole).items()}
+    of = {
+        kind: [one.places for one in layers]
+        for kind, layers in layers_of(whole).items()
+    }
     areas = whole["route"]["areas"] if "route" in whole else []
     first = east_of(of["track"][0][0][1])
 
@@ -163,12 +193,21 @@ def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) 
     fixes = at(of["fix"])[:, ::2]
     urls = np.array([f"#dive{k}" for k in range(len(found))])
     inside = np.array([row["inside_90"] for row in found])
-    for some, colour, label in ((inside, "black", "fix"), (~inside, RED, "fix outside 90 %")):
+    for some, colour, label in (
+        (inside, "black", "fix"),
+        (~inside, RED, "fix outside 90 %"),
+    ):
         if some.any():
             x, y = fixes[:, some]
             here = urls[some].tolist()
-            ax.scatter(x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=here)
-    beside: dict[str, Any] = {"xytext": (5, 4), "textcoords": "offset points", "zorder": 6}
+            ax.scatter(
+                x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=here
+            )
+    beside: dict[str, Any] = {
+        "xytext": (5, 4),
+        "textcoords": "offset points",
+        "zorder": 6,
+    }
     for k in with_room(fixes.T * degree * inch):
         name = literal(plain(found[k]["dive"]))
         ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **beside)
@@ -180,10 +219,17 @@ def _mark(ax: Axes, degree: np.ndarray) -> None:
     """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
     (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
     wide = (east - west) * degree[0]
-    for axis, names, span in ((ax.xaxis, "EW", east - west), (ax.yaxis, "NS", north - south)):
-        step = next((step for step in STEPS if step >= 12 * span), STEPS[-1])  # five lines
+    for axis, names, span in (
+        (ax.xaxis, "EW", east - west),
+        (ax.yaxis, "NS", north - south),
+    ):
+        step = next(
+            (step for step in STEPS if step >= 12 * span), STEPS[-1]
+        )  # five lines
         axis.set_major_locator(MultipleLocator(step / 60))
-        axis.set_major_formatter(FuncFormatter(partial(grid_label, names=names, step=step)))
+        axis.set_major_formatter(
+            FuncFormatter(partial(grid_label, names=names, step=step))
+        )
         axis.set_tick_params(labelsize=8)
     length = next((one for one in reversed(LENGTHS) if one <= wide / 4), LENGTHS[0])
     end = east - 0.04 * (east - west)
@@ -223,7 +269,9 @@ def with_room(points: np.ndarray) -> list[int]:
     return found
 
 
-def grid_label(angle: float, place: int | None = None, *, names: str, step: float) -> str:
+def grid_label(
+    angle: float, place: int | None = None, *, names: str, step: float
+) -> str:
     """Return degrees and minutes of a parallel ("NS") or meridian ("EW") of a grid.
 
     >>> grid_label(-42.9, names="NS", step=2), grid_label(190.505, names="EW", step=0.1)

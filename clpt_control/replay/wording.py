@@ -63,8 +63,12 @@ def when(ahead: dict[str, Any]) -> str:
     ...       "now_is": "clock"})
     '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
     """
-    words = f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
-    return words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
+    words = (
+        f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
+    )
+    return (
+        words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
+    )
 
 
 def heading_words(leg: dict[str, Any]) -> str:
@@ -78,7 +82,10 @@ def heading_words(leg: dict[str, Any]) -> str:
 
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
-    text, made = f"aim at {place(leg['latitude'], leg['longitude'])}, ", leg["made_good"]
+    text, made = (
+        f"aim at {place(leg['latitude'], leg['longitude'])}, ",
+        leg["made_good"],
+    )
     if leg["bearing"] is not None:
         text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
     if leg["state"] == AGAINST:
@@ -93,7 +100,11 @@ def aim_sentence(leg: dict[str, Any]) -> str:
         way = f"{leg['through_water']:.0f} of {full} through the water"
         text += f", {way}; there at {clock(leg['end'])}"
     else:
-        text += f", {made:.0f} m made good of {full}" if made >= 0 else f", {-made:.0f} m are lost"
+        text += (
+            f", {made:.0f} m made good of {full}"
+            if made >= 0
+            else f", {-made:.0f} m are lost"
+        )
         text += f", then {leg['left'] / 1000:.1f} km"
     if leg["state"] == UNDER_WAY:
         text += f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
@@ -111,7 +122,9 @@ def route_sentences(route: dict[str, Any]) -> list[str]:
     """Return a sentence for each waypoint of a route, and for each area."""
     lines = []
     for one in route["waypoints"]:
-        times = [clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")]
+        times = [
+            clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")
+        ]
         early, middle, late = times
         text = f"there {middle}" if middle else "not there"
         text += f"; cannot be made before {early} (90 %)" if early else ""
@@ -121,7 +134,9 @@ def route_sentences(route: dict[str, Any]) -> list[str]:
             text += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
         lines.append(f"route to {one['place']}: {text}")
     entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
-    return lines + [f"{name}: entered in {share:.0f} % of the draws" for name, share in entered]
+    return lines + [
+        f"{name}: entered in {share:.0f} % of the draws" for name, share in entered
+    ]
 
 
 def remarks(summary: dict[str, Any]) -> list[str]:
@@ -137,9 +152,13 @@ def remarks(summary: dict[str, Any]) -> list[str]:
         )
     if summary["each_dive"]:
         lines.append(record_sentence(summary["headlines"]))
-        lines.append(f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %")
+        lines.append(
+            f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %"
+        )
         if summary["parts"]:
-            chances = ", ".join(f"{name} {p:.2f}" for name, p in summary["parts"].items())
+            chances = ", ".join(
+                f"{name} {p:.2f}" for name, p in summary["parts"].items()
+            )
             lines.append(f"probability that a part is present: {chances}")
         lines.append(f"learned: {summary['said']}")
     if summary["held"]:

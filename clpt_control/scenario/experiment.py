@@ -35,7 +35,10 @@ SPANS = (  # keys of times from one jump to the next
     *("reference.dwell", "flow.disturbance.period", "learning.sample"),
     *("localization.interval", "localization.noise_period"),
 )
-NUMBERS = 110, 24  # of a sample, and of a sample for each function: measured, twice at most
+NUMBERS = (
+    110,
+    24,
+)  # of a sample, and of a sample for each function: measured, twice at most
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
@@ -85,7 +88,11 @@ class Scenario(tables.Table):
                 "localization.interval above 0, the time from one to the next; other laws read the "
                 "position at all times, with the interval 0 or left out"
             )
-        late = {} if fixes is None else {"localization.interval": fixes.interval + fixes.latency}
+        late = (
+            {}
+            if fixes is None
+            else {"localization.interval": fixes.interval + fixes.latency}
+        )
         late |= {} if sample is None else {"learning.sample": sample}
         for key, time in late.items():
             if time > self.run.duration:
@@ -93,7 +100,9 @@ class Scenario(tables.Table):
                     f"{key}: nothing is learned before t = {time}, and run.duration is "
                     f"{self.run.duration}; must be at most that"
                 )
-        spans = {key: value for key, value, _ in self.every_key() if value and key in SPANS}
+        spans = {
+            key: value for key, value, _ in self.every_key() if value and key in SPANS
+        }
         N, samples = self.basis.N, self.run.duration / self.run.output_step
         size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
         if size > MOST_BYTES:
@@ -146,7 +155,9 @@ class Scenario(tables.Table):
         """Periods of the basis functions, units.time; inf is steady."""
         if self.basis.periods is not None:
             return np.array(self.basis.periods)
-        return np.array([period(c, self.units.time) for c in self.basis.constituents or ()])
+        return np.array(
+            [period(c, self.units.time) for c in self.basis.constituents or ()]
+        )
 
     @property
     def frequencies(self) -> np.ndarray:
@@ -271,7 +282,9 @@ class Scenario(tables.Table):
         2.0
         """
         nested, reference = scenario_tables(self), self.reference
-        if values.get("reference.kind", reference.kind) != reference.kind:  # its keys are others
+        if (
+            values.get("reference.kind", reference.kind) != reference.kind
+        ):  # its keys are others
             nested["reference"] = {"dwell": reference.dwell}
         for key, value in values.items():
             *path, last = str(key).split(".")
@@ -279,7 +292,9 @@ class Scenario(tables.Table):
             for name in path:
                 table = table.setdefault(name, {})
                 if not isinstance(table, dict):
-                    raise ScenarioError(f"scenario: unknown key {key}: {name} is no table of keys")
+                    raise ScenarioError(
+                        f"scenario: unknown key {key}: {name} is no table of keys"
+                    )
             if value is None:
                 table.pop(last, None)
             else:

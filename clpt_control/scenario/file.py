@@ -21,9 +21,13 @@ from ..files.reading import open_netcdf, read_bytes
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
-TEAM = "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
+TEAM = (
+    "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
+)
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
-OWN_PARTS = "own_parts"  # attribute of a run: what else of its diagram was given in Python
+OWN_PARTS = (
+    "own_parts"  # attribute of a run: what else of its diagram was given in Python
+)
 REFERENCE = "reference"  # name of the part that makes the waypoints
 EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
 NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equations
@@ -32,7 +36,10 @@ LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
 LATEST = 1  # format that is written; all up to it are read
 IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
 BEYOND = {  # attribute of a run -> what its scenario does not hold, and what repeats it in Python
-    CHANGED: ("parameters given at call time", "the parameters to simulate(params=...)"),
+    CHANGED: (
+        "parameters given at call time",
+        "the parameters to simulate(params=...)",
+    ),
     OWN_LAW: ("a law given in Python", IN_PYTHON),
     OWN_PARTS: ("parts given in Python", IN_PYTHON),
 }
@@ -75,10 +82,14 @@ def read_text(path: Path) -> str:
     if path.suffix == ".nc":
         return run_text(path)
     try:
-        raw = read_bytes(path, hint="`clpt init` writes a scenario to start from", most=LARGEST)
+        raw = read_bytes(
+            path, hint="`clpt init` writes a scenario to start from", most=LARGEST
+        )
         return raw.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ScenarioError(f"{path}: is not text; a scenario is a TOML file in UTF-8") from None
+        raise ScenarioError(
+            f"{path}: is not text; a scenario is a TOML file in UTF-8"
+        ) from None
     except DataError as error:
         raise ScenarioError(str(error)) from None
 
@@ -101,9 +112,13 @@ def tables_of(text: str, name: str) -> Nested:
     except tomllib.TOMLDecodeError as error:
         raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
     except RecursionError:
-        raise ScenarioError(f"{name}: brackets are nested too deep; at most 3 levels") from None
+        raise ScenarioError(
+            f"{name}: brackets are nested too deep; at most 3 levels"
+        ) from None
     except ValueError:  # a whole number of thousands of digits
-        raise ScenarioError(f"{name}: a number has too many digits; write it as 1e300") from None
+        raise ScenarioError(
+            f"{name}: a number has too many digits; write it as 1e300"
+        ) from None
 
 
 def folder_of(run: Any) -> Path:
@@ -140,7 +155,9 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> Nested:
     """Return a scenario as nested dicts; its field's path is relative to `folder`, if given."""
     tables = scenario_tables(scenario)
     if folder is not None and scenario.field_path is not None:
-        relative = os.path.relpath(scenario.field_path.resolve(), Path(folder).resolve())
+        relative = os.path.relpath(
+            scenario.field_path.resolve(), Path(folder).resolve()
+        )
         tables["flow"]["field"] = Path(relative).as_posix()
     return tables
 
@@ -239,7 +256,9 @@ def own_parts(attributes: Mapping[str, Any]) -> set[str]:
 
 def paper_text() -> str:
     """Return the paper's scenario as commented TOML text."""
-    return resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")
+    return (
+        resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")
+    )
 
 
 def paper_scenario() -> Scenario:

@@ -17,7 +17,9 @@ def _square_is_a_number(value: float) -> float:
     return value
 
 
-_Squared = AfterValidator(_square_is_a_number)  # laws square and divide by settings, V by gains
+_Squared = AfterValidator(
+    _square_is_a_number
+)  # laws square and divide by settings, V by gains
 _Gain = Annotated[Positive, _Squared] | None
 KINDS: dict[str, Any] = {  # what a law's setting may be
     "positive": Annotated[Positive, _Squared],
@@ -58,7 +60,9 @@ else:
 def _law(name: str) -> str:
     if name not in LAWS:
         *names, last = (f"'{known}'" for known in LAWS)
-        allowed = f"must be {', '.join(names)} or {last}; `clpt laws` says what each does"
+        allowed = (
+            f"must be {', '.join(names)} or {last}; `clpt laws` says what each does"
+        )
         raise PydanticCustomError("law", "{allowed}", {"allowed": allowed})
     return name
 
@@ -113,9 +117,19 @@ class Learning(OwnTables):
         adapted += ["feedback", "feedforward"] if self.adapt_gains else []
         required = ["theta_estimate"] if row.given_estimate else []
         if row.at_fixes:
-            idle |= {"gain", "gains", "adapt_gains", "hedging", "sample", "feedback", "feedforward"}
+            idle |= {
+                "gain",
+                "gains",
+                "adapt_gains",
+                "hedging",
+                "sample",
+                "feedback",
+                "feedforward",
+            }
         else:
-            required += ["gain"] if adapted and row.gain is None and self.gains is None else []
+            required += (
+                ["gain"] if adapted and row.gain is None and self.gains is None else []
+            )
             required += [] if self.adapt_gains else ["feedback", "feedforward"]
         for key in given:
             if key in idle:

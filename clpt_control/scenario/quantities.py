@@ -24,11 +24,17 @@ class Quantity(NamedTuple):
 
 QUANTITIES = {
     "basis.centers": Quantity(
-        "basis_x.centers basis_z.centers basis_x_true.centers", axes="basis axis", unit="x"
+        "basis_x.centers basis_z.centers basis_x_true.centers",
+        axes="basis axis",
+        unit="x",
     ),
-    "basis.widths": Quantity("basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"),
+    "basis.widths": Quantity(
+        "basis_x.widths basis_z.widths basis_x_true.widths", axes="basis"
+    ),
     "basis.periods": Quantity(axes="basis", unit="time"),
-    "basis.phases": Quantity("basis_x.phases basis_z.phases basis_x_true.phases", axes="basis"),
+    "basis.phases": Quantity(
+        "basis_x.phases basis_z.phases basis_x_true.phases", axes="basis"
+    ),
     "flow.parameters": Quantity(
         "true_flow.theta lyapunov.theta", "", "theta", axes="axis basis", unit="alpha"
     ),
@@ -41,8 +47,12 @@ QUANTITIES = {
     "localization.latency": Quantity(
         "adaptation.latency", "fixes.latency", jumps=True, unit="time"
     ),
-    "localization.noise": Quantity("measurement.noise fixes.noise", "fixes.noise", unit="x"),
-    "localization.noise_period": Quantity("measurement.period", jumps=True, unit="time"),
+    "localization.noise": Quantity(
+        "measurement.noise fixes.noise", "fixes.noise", unit="x"
+    ),
+    "localization.noise_period": Quantity(
+        "measurement.period", jumps=True, unit="time"
+    ),
     "localization.dropouts": Quantity("fixes.dropouts"),
     "localization.seed": Quantity("measurement.seed fixes.seed"),
     "model.parameters": Quantity(
@@ -69,9 +79,15 @@ QUANTITIES = {
     ),
     "learning.gains.parameters": Quantity("adaptation.gain", "gains.parameters"),
     "learning.gains.feedback": Quantity("adaptation.gain_K", "gains.feedback"),
-    "learning.gains.feedforward": Quantity("adaptation.gain_Gamma", "gains.feedforward"),
+    "learning.gains.feedforward": Quantity(
+        "adaptation.gain_Gamma", "gains.feedforward"
+    ),
     "learning.theta_estimate": Quantity(
-        "injection.theta_hat", "theta_estimate", "theta_hat", axes="axis basis", unit="alpha"
+        "injection.theta_hat",
+        "theta_estimate",
+        "theta_hat",
+        axes="axis basis",
+        unit="alpha",
     ),
     "vehicle.position": Quantity(known="position", state="x"),
     "learning.position": Quantity(state="z"),
@@ -79,8 +95,12 @@ QUANTITIES = {
     "learning.feedback": Quantity(state="K"),
     "learning.feedforward": Quantity(state="Gamma"),
 }
-CALL_TIME_NAMES = {key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters}
-STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}  # as states are ordered
+CALL_TIME_NAMES = {
+    key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters
+}
+STARTS = {
+    key: one.state for key, one in QUANTITIES.items() if one.state
+}  # as states are ordered
 
 
 # --- which parameters have a key's value ---------------------------------------------------------
@@ -105,7 +125,11 @@ def keys_of(scenario: Any, name: str) -> list[str]:
 def key_hint(name: str) -> str:
     """Return what to write in a scenario in place of a call-time name, or nothing."""
     key = " or ".join(key for key, names in CALL_TIME_NAMES.items() if name in names)
-    return f"{name} is the name at call time, in params; the scenario's key is {key}" if key else ""
+    return (
+        f"{name} is the name at call time, in params; the scenario's key is {key}"
+        if key
+        else ""
+    )
 
 
 def call_time_hint(key: str, known: set[str]) -> str:

@@ -18,7 +18,13 @@ if TYPE_CHECKING:
 
 ON_THE_PLANE = (  # variables of a run
     *("position", "predicted_position", "measured_position", "clpe", "reference"),
-    *("feedback_gain", "feedforward_gain", "true_flow", "velocity", "commanded_velocity"),
+    *(
+        "feedback_gain",
+        "feedforward_gain",
+        "true_flow",
+        "velocity",
+        "commanded_velocity",
+    ),
 )
 DIMS = {  # variable of a run -> its dimensions, after those of a team
     "time": ("time",),
@@ -30,7 +36,15 @@ DIMS = {  # variable of a run -> its dimensions, after those of a team
     "lyapunov": ("time",),
 }
 SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
-TEXTS = ("title", "source", "software", "status", "message", "engine", "method")  # attributes
+TEXTS = (
+    "title",
+    "source",
+    "software",
+    "status",
+    "message",
+    "engine",
+    "method",
+)  # attributes
 LARGEST = 1e75  # number whose fourth power is finite
 KINDS = {  # of datasets -> the attribute that says so; the first counts
     "team": TEAM,
@@ -71,7 +85,9 @@ def check_response(run: "xarray.Dataset") -> None:
         raise DataError("the run has no sample along time; clpt.simulate makes runs")
     names = {"state", "parameter"} & run.coords.keys()
     for name, one in run.variables.items():
-        finite = name in names or (one.dtype.kind in "iuf" and np.all(np.isfinite(one.values)))
+        finite = name in names or (
+            one.dtype.kind in "iuf" and np.all(np.isfinite(one.values))
+        )
         if not finite or (name in run.data_vars and "time" not in one.dims):
             raise DataError(
                 f"the run's {name!s:.40} holds no finite numbers along time; run it again"
@@ -88,9 +104,13 @@ def check_attributes(run: "xarray.Dataset") -> None:
     """Refuse texts and the solver's counts that are none."""
     for name, value in run.attrs.items():
         count = str(name).startswith("solver_")
-        if (count or name in TEXTS) and not isinstance(value, int | np.integer if count else str):
+        if (count or name in TEXTS) and not isinstance(
+            value, int | np.integer if count else str
+        ):
             kind = "a whole number" if count else "a text"
-            raise DataError(f"the run's attribute {name} is {value!r:.40}; must be {kind}")
+            raise DataError(
+                f"the run's attribute {name} is {value!r:.40}; must be {kind}"
+            )
 
 
 def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> None:
@@ -106,7 +126,9 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
         sizes["vehicle"] = len(system.members)
         vehicles = np.ravel(run["vehicle"].values) if "vehicle" in run else ()
         if list(map(str, vehicles)) != list(system.members):
-            raise DataError(f"the run's vehicles are not {', '.join(system.members)}, its team's")
+            raise DataError(
+                f"the run's vehicles are not {', '.join(system.members)}, its team's"
+            )
     check_attributes(run)
     for name, dims in DIMS.items():
         if "vehicle" in sizes and name not in SHARED:
@@ -129,7 +151,10 @@ def check_run(run: "xarray.Dataset", system: Scenario | Team, *names: str) -> No
                 f"the run's {name} holds what is no finite number, or one beyond {LARGEST:g}; run "
                 "it again"
             )
-    times, last = run.time.values, max(first.run.duration, MOST_WAYPOINTS * first.reference.dwell)
+    times, last = (
+        run.time.values,
+        max(first.run.duration, MOST_WAYPOINTS * first.reference.dwell),
+    )
     if not np.all(np.diff(times) > 0):
         raise DataError("the run is not whole: its times do not increase")
     if not 0 <= times[0] <= times[-1] <= last:

@@ -50,7 +50,9 @@ class Table(pydantic.BaseModel):
         for key, value in values.items() if isinstance(values, dict) else ():
             if key not in cls.model_fields:
                 inner = value if isinstance(value, dict) else ()
-                other = next(filter(None, (key_hint(f"{key}.{name}") for name in inner)), "")
+                other = next(
+                    filter(None, (key_hint(f"{key}.{name}") for name in inner)), ""
+                )
                 close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
                 hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
                 allowed = f"{hint} here: {', '.join(cls.model_fields)}"
@@ -80,7 +82,9 @@ class Table(pydantic.BaseModel):
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
         """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
-        with _one_sentence((options.get("context") or {}).get("name", cls.__name__.lower())):
+        with _one_sentence(
+            (options.get("context") or {}).get("name", cls.__name__.lower())
+        ):
             return super().model_validate(obj, **options)
 
 
@@ -90,20 +94,31 @@ def sentence(problem: Any) -> str:
     where = [part for part in problem["loc"] if part not in tags]
     key = ""
     for part in where:
-        key += f"[{part}]" if isinstance(part, int) else f".{part}" if key else str(part)
-    message = problem["msg"].replace("Input should be", "must be").replace("Value error, ", "")
+        key += (
+            f"[{part}]" if isinstance(part, int) else f".{part}" if key else str(part)
+        )
+    message = (
+        problem["msg"]
+        .replace("Input should be", "must be")
+        .replace("Value error, ", "")
+    )
     kind = problem["type"]
     if kind == "missing":
         return f"missing key {key}"
     if kind == "unknown_key":
         more = problem["ctx"]
-        return more["other"] or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
+        return (
+            more["other"]
+            or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
+        )
     if kind in ("union_tag_not_found", "union_tag_invalid"):
         return f'{key}.kind: must be "circle" or "waypoints"'
     if kind == "value_error" and len(where) <= 1:
         return message
     if kind in ("too_long", "too_short", "missing_argument"):
-        message = message.replace("Tuple should", "must").replace(" after validation", "")
+        message = message.replace("Tuple should", "must").replace(
+            " after validation", ""
+        )
     if kind == "tuple_type":
         message = "must be a list, in brackets"
     if kind in ("model_type", "model_attributes_type"):
@@ -131,7 +146,9 @@ Positive = Annotated[Number, Field(gt=0)]
 NotNegative = Annotated[Number, Field(ge=0)]
 Period = Annotated[float, Strict(), pydantic.AfterValidator(_period)]
 Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
-Seed = Annotated[int, pydantic.BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)]
+Seed = Annotated[
+    int, pydantic.BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)
+]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
@@ -260,7 +277,11 @@ class Localization(Table):
     @property
     def fixes(self) -> Fixes | None:
         """What a law knows of the fixes; None where the position is read at all times."""
-        return Fixes(self.interval, self.latency, self.noise) if self.interval > 0 else None
+        return (
+            Fixes(self.interval, self.latency, self.noise)
+            if self.interval > 0
+            else None
+        )
 
     def _mistakes(self) -> Iterator[str]:
         if (self.interval == 0) != (self.noise_period is not None):

@@ -32,8 +32,18 @@ from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
-OWN = ("vehicle", "reference", "localization", "learning")  # tables that a member may have
-OWN_STARTS = ("position", "feedback", "feedforward", "parameters")  # its keys of [learning]
+OWN = (
+    "vehicle",
+    "reference",
+    "localization",
+    "learning",
+)  # tables that a member may have
+OWN_STARTS = (
+    "position",
+    "feedback",
+    "feedforward",
+    "parameters",
+)  # its keys of [learning]
 FEWEST, MOST = 2, 100  # vehicles
 APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 1e-3
 
@@ -63,7 +73,10 @@ class Team(Table):
     @classmethod
     def _all_are_neighbours(cls, values: Any) -> Any:
         if isinstance(values, dict) and values.get("edges") is None:
-            return {**values, "edges": tuple(combinations(values.get("members") or (), 2))}
+            return {
+                **values,
+                "edges": tuple(combinations(values.get("members") or (), 2)),
+            }
         return values
 
     def _mistakes(self) -> Iterator[str]:
@@ -119,8 +132,13 @@ class Team(Table):
     __str__ = __repr__
 
     def _repr_html_(self) -> str:
-        graph = [("coupling", self.coupling), ("connectivity", f"{self.connectivity:.3g}")]
-        return fragment("Team", self.first.title, facts([*graph, *self.members.items()]))
+        graph = [
+            ("coupling", self.coupling),
+            ("connectivity", f"{self.connectivity:.3g}"),
+        ]
+        return fragment(
+            "Team", self.first.title, facts([*graph, *self.members.items()])
+        )
 
     @public
     def neighbours(self, name: str) -> list[str]:
@@ -164,7 +182,9 @@ def shared_tables(scenario: Scenario) -> Nested:
 def _without_own(tables: Nested) -> Nested:
     """Return the tables of a scenario without what a vehicle has of its own."""
     shared = {table: value for table, value in tables.items() if table not in OWN[:-1]}
-    shared["learning"] = {k: v for k, v in shared["learning"].items() if k not in OWN_STARTS}
+    shared["learning"] = {
+        k: v for k, v in shared["learning"].items() if k not in OWN_STARTS
+    }
     return shared
 
 
@@ -195,7 +215,9 @@ def load_team(path: str | Path) -> Team:
     """
     team = load_either(path)
     if not isinstance(team, Team):
-        raise ScenarioError(f"{path}: is a scenario of one vehicle; a team has a table [team]")
+        raise ScenarioError(
+            f"{path}: is a scenario of one vehicle; a team has a table [team]"
+        )
     return team
 
 
@@ -227,9 +249,19 @@ def system_from_text(text: str, name: str, folder: Path | None) -> Scenario | Te
 def team_to_text(team: Team, folder: Path | None = None) -> str:
     """Return a team as TOML text; its field's path is relative to `folder`, if given."""
     tables = _without_own(file.placed_tables(team.first, folder))
-    members = {name: _own(scenario, team.first.title) for name, scenario in team.members.items()}
+    members = {
+        name: _own(scenario, team.first.title)
+        for name, scenario in team.members.items()
+    }
     return file.toml(
-        {**tables, "team": {"coupling": team.coupling, "edges": team.edges, "members": members}}
+        {
+            **tables,
+            "team": {
+                "coupling": team.coupling,
+                "edges": team.edges,
+                "members": members,
+            },
+        }
     )
 
 
@@ -237,7 +269,9 @@ def _own(scenario: Scenario, title: str) -> Nested:
     """Return the keys of a vehicle alone, of those that were set; `title` is the team's."""
     tables = scenario_tables(scenario)
     own = {table: tables[table] for table in OWN[:-1] if table in tables}
-    starts = {key: value for key, value in tables["learning"].items() if key in OWN_STARTS}
+    starts = {
+        key: value for key, value in tables["learning"].items() if key in OWN_STARTS
+    }
     named = {} if scenario.title == title else {"title": scenario.title}
     return {**named, **own, **({"learning": starts} if starts else {})}
 
@@ -276,7 +310,9 @@ def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     """Return the scenario or team that a run carries; with `files` its field's file must exist."""
     attributes = getattr(run, "attrs", {})
     if file.TEAM in attributes and "scenario" in attributes:
-        raise DataError("the run carries a scenario and a team; must be of one of the two")
+        raise DataError(
+            "the run carries a scenario and a team; must be of one of the two"
+        )
     if file.TEAM not in attributes:
         return file.scenario_of_run(run, files)
     folder = file.folder_of(run) if files else None

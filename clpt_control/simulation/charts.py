@@ -77,7 +77,9 @@ def track_plot(
         named = ["Waypoints", "track"] if len(points) else ["Track"]
         if label is None:
             for k, point in enumerate(points if len(points) <= 40 else (), 1):
-                ax.annotate(str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8)
+                ax.annotate(
+                    str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8
+                )
             ax.plot(*path[0], "s", color="black", markersize=5, label="start")
             named += ["flow at t = 0"] * draw_first_flow(ax, run, scenario, grid)
         ax.set_title(", ".join(named), **TITLE)
@@ -85,24 +87,37 @@ def track_plot(
     return ax
 
 
-def draw_track(ax: Any, run: "xarray.Dataset", points: np.ndarray, cycle: float = np.inf) -> None:
+def draw_track(
+    ax: Any, run: "xarray.Dataset", points: np.ndarray, cycle: float = np.inf
+) -> None:
     """Draw a track, pale after its first cycle, and waypoints or what the vehicle followed."""
     path, first = run.position.values, run.time.values <= cycle
     ax.plot(*path[first].T, color=BLUE, linewidth=1.2, label="track")
     if not first.all():
-        ax.plot(*path[~first].T, color=BLUE, linewidth=0.5, alpha=0.4, label="later cycles")
+        ax.plot(
+            *path[~first].T, color=BLUE, linewidth=0.5, alpha=0.4, label="later cycles"
+        )
     if "predicted_position" in run:
         predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
-        ax.plot(*run.predicted_position.values[first].T, label="prediction", **predicted)
+        ax.plot(
+            *run.predicted_position.values[first].T, label="prediction", **predicted
+        )
     if len(points):
-        rings: dict[str, Any] = {"markersize": 6, "mfc": "none", "mew": 1.5, "zorder": 3}
+        rings: dict[str, Any] = {
+            "markersize": 6,
+            "mfc": "none",
+            "mew": 1.5,
+            "zorder": 3,
+        }
         ax.plot(*points.T, "o", color=RED, label="waypoints", **rings)
     elif "reference" in run:
         desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
         ax.plot(*run.reference.values.T, label="desired position", **desired)
 
 
-def draw_first_flow(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any) -> bool:
+def draw_first_flow(
+    ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any
+) -> bool:
     """Draw the flow at the start; return whether there is any."""
     from .flows import flow_to_draw
 
@@ -115,7 +130,9 @@ def draw_first_flow(ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: An
     return size > 0
 
 
-def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) -> np.ndarray:
+def square_chart(
+    ax: Any, scenario: Scenario, places: np.ndarray, count: int
+) -> np.ndarray:
     """Make axes a square about places; return where arrows of the flow begin, `count` a side.
 
     They lie within the field of a measured current.
@@ -124,7 +141,9 @@ def square_chart(ax: Any, scenario: Scenario, places: np.ndarray, count: int) ->
     low, high = places.min(0), places.max(0)
     middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
     low, high = middle - half, middle + half
-    ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal")
+    ax.set(
+        xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal"
+    )
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     if scenario.field_path is not None:
         from ..currents.plane import read_field
@@ -154,8 +173,12 @@ def told_apart(axes: Any, label: str | None, color: str | None) -> Iterator[None
     from matplotlib.colors import is_color_like
 
     if color is not None and not is_color_like(color):
-        raise ClptError(f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'")
-    marks = dict(zip(COLOURS, ("", *"osD^v"), strict=True))  # tell runs apart in black and white
+        raise ClptError(
+            f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'"
+        )
+    marks = dict(
+        zip(COLOURS, ("", *"osD^v"), strict=True)
+    )  # tell runs apart in black and white
     several = np.ravel(np.asarray(axes, dtype=object))
     before = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in several]
     yield

@@ -22,7 +22,11 @@ STATES = "states"
 
 @public
 def response_plot(
-    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+    run: "xarray.Dataset",
+    *,
+    ax: Any = None,
+    label: str | None = None,
+    color: str | None = None,
 ) -> Any:
     """Draw each port of a diagram's run over time.
 
@@ -57,7 +61,9 @@ def response_plot(
     """
     ports = ports_along(run)
     if "time" not in run.dims:
-        raise DataError("the run is of one time, over which nothing is drawn; cut it by a slice")
+        raise DataError(
+            "the run is of one time, over which nothing is drawn; cut it by a slice"
+        )
     if not 0 < len(ports) <= PORTS:
         raise DataError(
             f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "
@@ -69,7 +75,9 @@ def response_plot(
             signals = signals_of(run[port])
             for k, (name, column) in enumerate(signals.items()):
                 said = literal(name) if len(signals) <= MOST_NAMED else None
-                one.plot(run.time.values, column, label=said, linewidth=1.1, **line_style(k))
+                one.plot(
+                    run.time.values, column, label=said, linewidth=1.1, **line_style(k)
+                )
             one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
             if 1 < len(signals) <= MOST_NAMED:
                 one.legend(frameon=False, fontsize=8, loc="upper right", ncols=6)
@@ -79,7 +87,11 @@ def response_plot(
 
 @public
 def compare(
-    runs: Mapping[str, "xarray.Dataset"], plot: str | None = None, *, ax: Any = None, **options: Any
+    runs: Mapping[str, "xarray.Dataset"],
+    plot: str | None = None,
+    *,
+    ax: Any = None,
+    **options: Any,
 ) -> Any:
     """Draw several runs in one figure, each in colour and marks.
 
@@ -124,9 +136,14 @@ def compare(
         plot = "run" if of_scenarios else "response"
     if plot not in COMPARED:
         raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
-    if plot == "response" and len({tuple(ports_along(run)) for run in runs.values()}) > 1:
+    if (
+        plot == "response"
+        and len({tuple(ports_along(run)) for run in runs.values()}) > 1
+    ):
         some = next(map(ports_along, runs.values()))[:1]
-        raise DataError(f"not all runs have the same signals: choose some, as run[{some}]")
+        raise DataError(
+            f"not all runs have the same signals: choose some, as run[{some}]"
+        )
     for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
     if own_figure:  # the legends stand beside
@@ -147,7 +164,9 @@ def check_runs(runs: "Mapping[str, xarray.Dataset]") -> None:
         for key, one in run.variables.items():
             unit = str(one.attrs.get("units", ""))
             if unit and units.setdefault(str(key), unit) != unit:
-                raise DataError(f"not all runs have {key} in one unit: {units[str(key)]}, {unit}")
+                raise DataError(
+                    f"not all runs have {key} in one unit: {units[str(key)]}, {unit}"
+                )
 
 
 COMPARED: dict[str, Callable[..., Any]] = {
@@ -161,14 +180,18 @@ COMPARED: dict[str, Callable[..., Any]] = {
 
 def ports_along(run: "xarray.Dataset") -> list[str]:
     """Return the names of the ports along time; states are none."""
-    return [str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES]
+    return [
+        str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES
+    ]
 
 
 def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
     """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
     name = str(port.name)
     index = f"{name.rstrip('_')}_{INDEX}"
-    dims = sorted((str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != index)
+    dims = sorted(
+        (str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != index
+    )
     whole = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1)
     signals = {}
     for k, at in enumerate(np.ndindex(*(port.sizes[dim] for dim in dims))):
@@ -177,9 +200,13 @@ def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
             value = port[dim].values[i]
             if dim.rstrip("_") == index:
                 words.append(f"[{value}]")
-            elif isinstance(value, tuple):  # of a member, of which each varied name has one
+            elif isinstance(
+                value, tuple
+            ):  # of a member, of which each varied name has one
                 names = port.indexes[dim].names
-                words += [f" {name} {one}" for name, one in zip(names, value, strict=True)]
+                words += [
+                    f" {name} {one}" for name, one in zip(names, value, strict=True)
+                ]
             else:
                 words.append(f" {dim} {value}")
         signals[name + "".join(words)] = whole[:, k]

@@ -35,7 +35,15 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
 }
-SPEEDS = ("flow_z", "v_x", "v_c", "v_z", "psi", "delta", "unflown")  # ports without a word above
+SPEEDS = (
+    "flow_z",
+    "v_x",
+    "v_c",
+    "v_z",
+    "psi",
+    "delta",
+    "unflown",
+)  # ports without a word above
 LIMITED = {  # where the vehicle's speed has a limit
     "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
     "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
@@ -43,7 +51,12 @@ LIMITED = {  # where the vehicle's speed has a limit
 MEASURED = {  # where the vehicle reads its position with noise
     "position": (TRUE, "true position", 1, 0),
     "measured_position": ("x", "measured position, which the vehicle reads", 1, 0),
-    "clpe": ("e", "controlled Lagrangian prediction error, of the measured position", 1, 0),
+    "clpe": (
+        "e",
+        "controlled Lagrangian prediction error, of the measured position",
+        1,
+        0,
+    ),
 }
 
 
@@ -72,20 +85,29 @@ def run_frame(
     variables: dict[str, Series] = {}
     wanted = {**VARIABLES, **(MEASURED if f"{TRUE}[0]" in column else {})}
     wanted |= LIMITED if "v_c[0]" in column else {}
-    row, own = scenario.learning.row, own_parts(beyond) | ({LAW} if OWN_LAW in beyond else set())
+    row, own = (
+        scenario.learning.row,
+        own_parts(beyond) | ({LAW} if OWN_LAW in beyond else set()),
+    )
     by_functions = ("time", "axis", "basis")
 
     def of(port: str, *shape: int) -> Any:
-        return columns([column[f"{port}[{k}]"] for k in range(int(np.prod(shape)))], *shape)
+        return columns(
+            [column[f"{port}[{k}]"] for k in range(int(np.prod(shape)))], *shape
+        )
 
-    def add(name: str, dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> None:
+    def add(
+        name: str, dims: tuple[str, ...], series: Any, long_name: str, unit: str
+    ) -> None:
         variables[name] = Series(dims, series, {"long_name": long_name, "units": unit})
 
     for name, (port, long_name, lengths, rates) in wanted.items():
         if f"{port}[0]" not in column:
             continue
         unit = " ".join([units.length] * lengths + [f"{units.time}-1"] * rates)
-        dims, shape = (by_functions, (2, N)) if port == "alpha" else (("time", "axis"), (2,))
+        dims, shape = (
+            (by_functions, (2, N)) if port == "alpha" else (("time", "axis"), (2,))
+        )
         add(name, dims, of(port, *shape), long_name, unit)
     estimate, speed = _estimate(scenario, signals, of), f"{units.length} {units.time}-1"
     long_name = "estimate of the flow parameters theta"
@@ -93,7 +115,13 @@ def run_frame(
     if row.readout and LAW not in own:
         until = f"theta_hat until {row.error_left} is small enough"
         long_name = f"readout of the flow parameters theta; {until}"
-        add("flow_parameters_readout", by_functions, of(row.readout, 2, N), long_name, speed)
+        add(
+            "flow_parameters_readout",
+            by_functions,
+            of(row.readout, 2, N),
+            long_name,
+            speed,
+        )
         if beside := _beside_the_basis(scenario):
             comment = f"not theta exactly: {beside} is taken for flow of the basis"
             variables["flow_parameters_readout"].attributes["comment"] = comment
@@ -112,8 +140,12 @@ def run_frame(
         V = _lyapunov(row.V(p, truth, along_run=True), column)
         add("lyapunov", ("time",), V, "Lyapunov candidate V", f"{units.length}2")
     there = {port for port, *_ in wanted.values()}
-    others = {k: at for k, at in ports_of(column).items() if k in more and k not in there}
-    in_units = {port: unit or (speed if port in SPEEDS else "") for port, unit in more.items()}
+    others = {
+        k: at for k, at in ports_of(column).items() if k in more and k not in there
+    }
+    in_units = {
+        port: unit or (speed if port in SPEEDS else "") for port, unit in more.items()
+    }
     more_variables, more_axes = port_variables(
         others, {2: "axis", **({} if N == 2 else {N: "basis"})}, variables, in_units
     )
@@ -182,7 +214,9 @@ def diagram_frame(name: str, labels: Labels, units: Labels, states: Labels) -> F
     return Frame(variables, axes, {"title": f"Response of {name}"}, states=states)
 
 
-def beyond_scenario_of(params: Params, attributes: Mapping[str, str] = {}) -> dict[str, str]:
+def beyond_scenario_of(
+    params: Params, attributes: Mapping[str, str] = {}
+) -> dict[str, str]:
     """Return attributes for what the scenario does not hold, with call-time parameters added."""
     plain = {name: np.asarray(value).tolist() for name, value in (params or {}).items()}
     before = json.loads(attributes.get(CHANGED, "{}"))
@@ -192,19 +226,28 @@ def beyond_scenario_of(params: Params, attributes: Mapping[str, str] = {}) -> di
 
 def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
     """Return V along the run, as a function of the signals."""
-    labels = [f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)]
+    labels = [
+        f"{port}[{k}]" for port, size in block.input_ports.items() for k in range(size)
+    ]
     places = np.array([column.get(label, 0) for label in labels])
 
     def along(signals: np.ndarray) -> np.ndarray:
         inputs = signals[:, places]
-        for k in range(2 if f"{TRUE}[0]" in column else 0):  # e is not of the measured position
+        for k in range(
+            2 if f"{TRUE}[0]" in column else 0
+        ):  # e is not of the measured position
             off = signals[:, column[f"{TRUE}[{k}]"]] - signals[:, column[f"z[{k}]"]]
             inputs[:, labels.index(f"e[{k}]")] = off
         if "weighted" in block.input_ports:
             N = block.input_ports["weighted"] // 2
             alpha, P = (signals[:, column[f"{port}[0]"] :] for port in ("alpha", "P"))
-            alpha, P = alpha[:, : 2 * N].reshape(-1, 2, N), P[:, : N * N].reshape(-1, N, N)
-            inputs[:, -2 * N :] = error_by_P(block.parameters, alpha, P).reshape(-1, 2 * N)
+            alpha, P = (
+                alpha[:, : 2 * N].reshape(-1, 2, N),
+                P[:, : N * N].reshape(-1, N, N),
+            )
+            inputs[:, -2 * N :] = error_by_P(block.parameters, alpha, P).reshape(
+                -1, 2 * N
+            )
         return on_arrays(block, "output", 0.0, np.zeros((0, len(inputs))), inputs.T)[0]
 
     return along

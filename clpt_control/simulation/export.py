@@ -31,9 +31,17 @@ from .starts import stacked_state
 
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count
-ROUNDING = "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
-PARTS = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8").split("//\n")
-FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, PARTS)  # and ends of a step of each kind
+ROUNDING = (
+    "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
+)
+PARTS = (
+    (resources.files("clpt_control.data") / "diagram.c")
+    .read_text("utf-8")
+    .split("//\n")
+)
+FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(
+    Template, PARTS
+)  # and ends of a step of each kind
 
 
 @public
@@ -90,12 +98,21 @@ def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
         run = compiled(system, params)
         start = stacked_state("initial_state", own, run.runner.nstates)
         numbers = {f"params: {name}": value for name, value in (params or {}).items()}
-        for node, given in zip(run.wiring.nodes, run.runner.sweep.parameters, strict=True):
-            for name, value in given._asdict().items():  # which may have no limit, an infinite one
+        for node, given in zip(
+            run.wiring.nodes, run.runner.sweep.parameters, strict=True
+        ):
+            for (
+                name,
+                value,
+            ) in given._asdict().items():  # which may have no limit, an infinite one
                 numbers[f"{node.name}.{name}"] = np.where(np.isinf(value), 0.0, value)
         for name, value in {**numbers, "initial_state": start}.items():
-            if (one := np.asarray(value)).dtype.kind == "f" and not np.isfinite(one).all():
-                raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
+            if (one := np.asarray(value)).dtype.kind == "f" and not np.isfinite(
+                one
+            ).all():
+                raise DiagramError(
+                    f"{name} = {value}: must be finite, to be written as C"
+                )
         return CFile(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
@@ -116,7 +133,9 @@ class CFile:
             raise Uncompiled(found)
         sweep.derivative(0.0, start)
         self.given = sweep.parameters
-        fields = ((k, *one) for k, p in enumerate(self.given) for one in p._asdict().items())
+        fields = (
+            (k, *one) for k, p in enumerate(self.given) for one in p._asdict().items()
+        )
         # of equal ones too; long arrays are tables
         apart = {(k, field): k for k, field, value in fields if np.size(value) <= LARGE}
         self.layout = lay_out(self.wiring, self.given, apart)
@@ -135,17 +154,33 @@ class CFile:
         """The text."""
         discrete, jumping = bool(self.wiring.dt), bool(self.layout.jumps)
         (named, values), states = self.parameters(), len(self.start)
-        enums = [self.enum(letter, own, len(own)) for letter, own in self.labels.items()]
-        functions = [f"\n{self.program.function(name)}" for name in self.program.functions]
+        enums = [
+            self.enum(letter, own, len(own)) for letter, own in self.labels.items()
+        ]
+        functions = [
+            f"\n{self.program.function(name)}" for name in self.program.functions
+        ]
         fields: dict[str, Any] = {
-            **{"name": self.name, "title": _comment(self.run.name), "within": "t + 0.5 * dt"},
-            **{"kept": self.kept, "room": self.room, "states": states, "n": max(1, states)},
+            **{
+                "name": self.name,
+                "title": _comment(self.run.name),
+                "within": "t + 0.5 * dt",
+            },
+            **{
+                "kept": self.kept,
+                "room": self.room,
+                "states": states,
+                "n": max(1, states),
+            },
             "rates": "dx/dt",
             "step": "one step of Runge and Kutta's method of order 4, inputs held",
             "enums": "".join([*enums, self.enum("p", named, len(values))]),
             **{"p0": _numbers(values), "x0": _numbers(self.start)},
             "functions": "".join([*self.program.shared(self.layout.T), *functions]),
-            **{"intervals": as_lines(self.intervals()), "outputs": as_lines(self.outputs())},
+            **{
+                "intervals": as_lines(self.intervals()),
+                "outputs": as_lines(self.outputs()),
+            },
             **{"asked": as_lines(self.asked()), "begin": as_lines(self.sampling())},
             "some": " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps),
         }
@@ -168,7 +203,9 @@ class CFile:
                 at = self.record.place(first)
                 shape = np.shape(getattr(self.given[k], field))
                 for j, place in enumerate(np.ndindex(shape)):
-                    named[at + j] = f"{label}[{','.join(map(str, place))}]" if place else label
+                    named[at + j] = (
+                        f"{label}[{','.join(map(str, place))}]" if place else label
+                    )
         values = np.delete(self.layout.P, self.record.set_by_integrator)
         return [named[at] for at in sorted(named)], values
 
@@ -187,8 +224,14 @@ class CFile:
     def outputs(self) -> Iterator[str]:
         """Yield what outputs are of signals and inputs."""
         for k, row in enumerate(self.wiring.outputs):
-            terms = [(f"w[{at}]" if at >= 0 else f"u[{~at}]", gain) for at, gain in row.items()]
-            parts = [one if gain == 1.0 else f"{c_number(gain)} * {one}" for one, gain in terms]
+            terms = [
+                (f"w[{at}]" if at >= 0 else f"u[{~at}]", gain)
+                for at, gain in row.items()
+            ]
+            parts = [
+                one if gain == 1.0 else f"{c_number(gain)} * {one}"
+                for one, gain in terms
+            ]
             yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
         yield "(void)u; (void)y;"
 
@@ -203,7 +246,10 @@ class CFile:
 
     def period_of(self, k: int) -> str:
         """Return the period of a block that has intervals; "" where its interval is fixed."""
-        node, each = self.wiring.nodes[k], self.wiring.nodes[k].system.breakpoints_function
+        node, each = (
+            self.wiring.nodes[k],
+            self.wiring.nodes[k].system.breakpoints_function,
+        )
         if self.given[k].interval >= 0.0:
             return ""
         if not isinstance(each, Each):
@@ -225,7 +271,8 @@ class CFile:
         """Return what asks of each block whether it jumps."""
         at = {k: j for j, k in enumerate(self.layout.intervals)}
         return [
-            f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];" for k in self.layout.jumps
+            f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];"
+            for k in self.layout.jumps
         ]
 
     def sampling(self) -> Iterator[str]:

@@ -13,7 +13,17 @@ import numpy as np
 
 from ..arguments import public
 from ..errors import ClptError
-from ..figures import BLUE, GREEN, GREY, ORANGE, RED, SAME, TITLE, legend_below, new_figure
+from ..figures import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    SAME,
+    TITLE,
+    legend_below,
+    new_figure,
+)
 from ..files import check_writable, write_file
 from ..html import fragment
 from ..progress import progress_bar
@@ -42,7 +52,9 @@ class Movie:
 
     def _repr_html_(self) -> str:
         data = b64encode(self.gif).decode()
-        return fragment("", "", f'<img alt="film of a run" src="data:image/gif;base64,{data}">')
+        return fragment(
+            "", "", f'<img alt="film of a run" src="data:image/gif;base64,{data}">'
+        )
 
 
 @public
@@ -148,7 +160,13 @@ def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> 
 
 # --- what is shown at each time -------------------------------------------------------------------
 
-SIGNALS = ("position", "predicted_position", "clpe", "reference", "flow_parameters_estimate")
+SIGNALS = (
+    "position",
+    "predicted_position",
+    "clpe",
+    "reference",
+    "flow_parameters_estimate",
+)
 ARROWS = 9  # on a side
 FAINT = "#AAAAAA"
 LENGTH, LONGEST = 1.8, 2.4  # steps of the grid: the longest true arrow, any learned one
@@ -170,9 +188,16 @@ def draw_samples(ax: Any, run: "xarray.Dataset", at: np.ndarray) -> Iterator[int
     )
     kind, flow = ("true", true) if true.any() else ("learned", learned)
     longest = float(np.hypot(*flow.reshape(-1, 2).T).max())
-    unit = LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)  # of a chart, of a speed
+    unit = (
+        LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)
+    )  # of a chart, of a speed
     arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1 / unit}
-    arrows |= {"minlength": 0, "headwidth": 3.2, "headlength": 3.6, "headaxislength": 3.2}
+    arrows |= {
+        "minlength": 0,
+        "headwidth": 3.2,
+        "headlength": 3.6,
+        "headaxislength": 3.2,
+    }
     note = f"longest {kind} arrow {longest:.2g} {units.length}/{units.time}"
     ax.set_title(note if longest else "", loc="right", fontsize=8, color=GREY)
     ax.plot(*points.T, "o", color="black", ms=5, mfc="none")
@@ -188,7 +213,13 @@ def draw_samples(ax: Any, run: "xarray.Dataset", at: np.ndarray) -> Iterator[int
             moving.append(ax.quiver(*grid.T, *bounded.T, **of))
         x, z, zc = path[k], run.predicted_position.values[k], run.reference.values[k]
         now = "waypoint, now" if len(points) else "desired"
-        prediction = {"color": GREEN, "ms": 8, "mfc": "none", "mew": 1.8, "label": "prediction"}
+        prediction = {
+            "color": GREEN,
+            "ms": 8,
+            "mfc": "none",
+            "mew": 1.8,
+            "label": "prediction",
+        }
         moving += ax.plot(*path[: k + 1].T, color=BLUE, lw=1.0, alpha=0.7)
         moving += ax.plot(*zc, "o", color="black", ms=5, label=now)
         moving += ax.plot(*np.transpose([x, z]), color=RED, lw=1.6, label="CLPE")

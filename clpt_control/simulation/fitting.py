@@ -25,7 +25,10 @@ from .tangents import RunWithDerivatives, Sensitive, varied_places
 
 UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
 TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
-ROUNDS, SETTLED = 6, 1e-3  # in which the noise of several outputs is estimated, until it moves less
+ROUNDS, SETTLED = (
+    6,
+    1e-3,
+)  # in which the noise of several outputs is estimated, until it moves less
 CLOSE = 1e-10  # of steps and sums, where least squares ends
 
 
@@ -132,7 +135,9 @@ def fit_parameters(
     """
     times, measured = _read(data, timepts)
     solver = {"rtol": rtol, "atol": atol, "method": method}
-    ready = Sensitive(system, times, list(parameters), inputs, initial_state, params, **solver)
+    ready = Sensitive(
+        system, times, list(parameters), inputs, initial_state, params, **solver
+    )
     fitting = _Fitting(ready, measured, parameters)
     strange = measured.keys() - fitting.known if isinstance(data, dict) else set()
     if inputs is None:
@@ -148,8 +153,12 @@ def fit_parameters(
 def _read(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Return times, and measured arrays by name, samples first."""
     if hasattr(data, "data_vars") and "time" in data.dims:
-        variables = {str(name): one for name, one in data.data_vars.items() if "time" in one.dims}
-        arrays = {name: one.transpose("time", ...).values for name, one in variables.items()}
+        variables = {
+            str(name): one for name, one in data.data_vars.items() if "time" in one.dims
+        }
+        arrays = {
+            name: one.transpose("time", ...).values for name, one in variables.items()
+        }
         return checked_times("data.time", data.time.values), arrays
     if not isinstance(data, Mapping) or hasattr(data, "data_vars"):
         raise ArgumentError(
@@ -166,9 +175,15 @@ class _Fitting:
 
     def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any):
         self.ready, self.names = ready, [*ready.places]
-        ports = {one: [k] for k, one in enumerate(ready.labels)} | ports_of(ready.labels)
+        ports = {one: [k] for k, one in enumerate(ready.labels)} | ports_of(
+            ready.labels
+        )
         self.known, self.inputs = ports.keys(), ports_of(ready.input_labels).keys()
-        n, places, columns = len(ready.times) - ready.skipped, list[int](), list[np.ndarray]()
+        n, places, columns = (
+            len(ready.times) - ready.skipped,
+            list[int](),
+            list[np.ndarray](),
+        )
         self.outputs: list[str] = []
         for name, values in measured.items():
             if name not in ports or not np.isfinite(values).any():
@@ -182,7 +197,9 @@ class _Fitting:
                 )
             places += ports[name]
             columns += list(values.reshape(n, -1).T)
-            self.outputs += [ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]]
+            self.outputs += [
+                ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]
+            ]
         if not places:
             raise ArgumentError(
                 f"data: has no finite numbers of the outputs {', '.join(ports_of(ready.labels))}"
@@ -190,7 +207,9 @@ class _Fitting:
         self.places, self.measured = places, np.array(columns).T
         self.there = np.isfinite(self.measured)
         if self.there.sum() <= len(self.names):
-            raise ArgumentError(f"data: {self.there.sum()} numbers for {len(self.names)} unknowns")
+            raise ArgumentError(
+                f"data: {self.there.sum()} numbers for {len(self.names)} unknowns"
+            )
         self.begin, self.low, self.high = self._bounds(begin)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
@@ -200,10 +219,17 @@ class _Fitting:
         for name, one in parameters.items():
             begin, *bounds = one if isinstance(one, tuple) else (one,)
             count = len(varied_places(name, self.ready.wiring, self.ready.states))
-            given = [np.ravel(numbers(name, v)) for v in (begin, *(bounds or (-np.inf, np.inf)))]
+            given = [
+                np.ravel(numbers(name, v))
+                for v in (begin, *(bounds or (-np.inf, np.inf)))
+            ]
             if len(given) == 3 and all(len(v) in (1, count) for v in given):
-                start, low, high = row = np.array([np.broadcast_to(v, count) for v in given])
-                if np.all(np.isfinite(start) & (low <= start) & (start <= high) & (low < high)):
+                start, low, high = row = np.array(
+                    [np.broadcast_to(v, count) for v in given]
+                )
+                if np.all(
+                    np.isfinite(start) & (low <= start) & (start <= high) & (low < high)
+                ):
                     rows.append(row)
                     continue
             what = "a number" if count == 1 else f"{count} numbers"
@@ -219,10 +245,16 @@ class _Fitting:
             try:
                 result = self.ready.run(values)
             except SimulationError as error:
-                said = ", ".join(f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True))
-                raise SimulationError(f"at {said}: {error}; begin closer, or give bounds") from None
+                said = ", ".join(
+                    f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True)
+                )
+                raise SimulationError(
+                    f"at {said}: {error}; begin closer, or give bounds"
+                ) from None
             if len(result.outputs) < len(self.measured):
-                raise SimulationError(f"the run ends before the data: {result.solution.message}")
+                raise SimulationError(
+                    f"the run ends before the data: {result.solution.message}"
+                )
             self.last = values.copy(), result
         return self.last[1]
 
@@ -238,7 +270,9 @@ class _Fitting:
 
     def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
         """Return the derivatives of what is left."""
-        return (self.run(values).outputs[:, self.places, 1:] / noise[:, None])[self.there]
+        return (self.run(values).outputs[:, self.places, 1:] / noise[:, None])[
+            self.there
+        ]
 
     def fit(self) -> Fit:
         """Take steps until nothing gets better, and the noise of several outputs settles."""
@@ -257,11 +291,16 @@ class _Fitting:
             self.ready.confirm(values, self.run(values))
             residuals = np.zeros(self.there.shape)
             residuals[self.there] = self.residuals(values, np.ones(len(noise)))
-            spent = np.zeros(self.there.shape)  # by each number, of as many as there are unknowns
+            spent = np.zeros(
+                self.there.shape
+            )  # by each number, of as many as there are unknowns
             J = result.jac[:, result.active_mask == 0]
             spent[self.there] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
             freedom = np.maximum(count - spent.sum(axis=0), 1e-9)
-            before, noise = noise, np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least)
+            before, noise = (
+                noise,
+                np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least),
+            )
             if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
                 break
         return self._found(values, noise, result.active_mask == 0)
@@ -274,7 +313,9 @@ class _Fitting:
         freedom = len(residuals) - int(free.sum())
         variance = float(residuals @ residuals) / freedom
         value, begun = np.abs(values)[free], np.abs(self.begin)[free]
-        scale = np.where(value > UNFELT * begun, value, begun)  # of a zero, that of its start
+        scale = np.where(
+            value > UNFELT * begun, value, begun
+        )  # of a zero, that of its start
         scale[scale == 0.0] = 1.0
         _, strength, directions = np.linalg.svd(J[:, free] * scale, full_matrices=False)
         identified = strength > UNFELT * strength.max(initial=0.0)
@@ -310,7 +351,11 @@ class _Fitting:
 
 def _sentence(names: Sequence[str], direction: np.ndarray) -> str:
     """Return of which change together the data know nothing."""
-    parts = [(name, v) for name, v in zip(names, direction, strict=True) if abs(v) > TAKES_PART]
+    parts = [
+        (name, v)
+        for name, v in zip(names, direction, strict=True)
+        if abs(v) > TAKES_PART
+    ]
     if len(parts) == 1:
         return f"the data do not tell {parts[0][0]}"
     largest = max(abs(v) for _, v in parts)

@@ -44,7 +44,10 @@ if TYPE_CHECKING:
 
 @public
 def flow_velocity(
-    scenario: Scenario, points: ArrayLike, timepts: ArrayLike, parameters: np.ndarray | None = None
+    scenario: Scenario,
+    points: ArrayLike,
+    timepts: ArrayLike,
+    parameters: np.ndarray | None = None,
 ) -> np.ndarray:
     """Return the flow at places and times, true or learned.
 
@@ -84,7 +87,11 @@ def flow_velocity(
 
 
 def flow_to_draw(
-    run: "xarray.Dataset", scenario: Scenario, points: np.ndarray, timepts: ArrayLike, *learned: Any
+    run: "xarray.Dataset",
+    scenario: Scenario,
+    points: np.ndarray,
+    timepts: ArrayLike,
+    *learned: Any,
 ) -> np.ndarray:
     """Return a run's flow at places and times, or 0 where its scenario does not hold it."""
     makers = {"basis_x"} if learned else {"basis_x", "true_flow"}
@@ -183,7 +190,11 @@ def speed_figures(
     flow_faster = None
     if len(edges):
         longest = float(np.diff(edges)[::2].max())
-        flow_faster = {"first": float(edges[0]), "longest": longest, "share": share(faster)}
+        flow_faster = {
+            "first": float(edges[0]),
+            "longest": longest,
+            "share": share(faster),
+        }
     figures = {"max_speed": max_speed, "share_at_limit": share(at_limit)}
     return {**figures, "faster_flow": flow_faster}
 

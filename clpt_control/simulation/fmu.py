@@ -47,7 +47,11 @@ KINDS = {  # of variables, and what is said of them
     "rate": {"causality": "local", **MOVING, "initial": "calculated"},
     "input": {"causality": "input", **MOVING},
     "output": {"causality": "output", **MOVING, "initial": "calculated"},
-    "parameter": {"causality": "parameter", "variability": "tunable", "initial": "exact"},
+    "parameter": {
+        "causality": "parameter",
+        "variability": "tunable",
+        "initial": "exact",
+    },
     "constant": {"causality": "local", "variability": "constant", "initial": "exact"},
 }
 STRUCTURE = {  # of modelDescription.xml: which variables are listed
@@ -55,7 +59,14 @@ STRUCTURE = {  # of modelDescription.xml: which variables are listed
     "ContinuousStateDerivative": ("rate",),
     "InitialUnknown": ("output", "rate"),
 }
-LONG_AGO = (1980, 1, 1, 0, 0, 0)  # the time of each file within: the same diagram, the same bytes
+LONG_AGO = (
+    1980,
+    1,
+    1,
+    0,
+    0,
+    0,
+)  # the time of each file within: the same diagram, the same bytes
 
 
 @public
@@ -108,9 +119,15 @@ def _packed(file: CFile) -> bytes:
     text = file.text
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text += _functions(file, token)
-    fields = {"name": file.name, "token": token, "title": quoteattr(_name(file.run.name))}
+    fields = {
+        "name": file.name,
+        "token": token,
+        "title": quoteattr(_name(file.run.name)),
+    }
     held: dict[str, str | bytes] = {
-        "modelDescription.xml": Template(DESCRIPTION).substitute(fields, **_variables(file)),
+        "modelDescription.xml": Template(DESCRIPTION).substitute(
+            fields, **_variables(file)
+        ),
         "sources/buildDescription.xml": Template(BUILD).substitute(fields),
         f"sources/{file.name}.c": text,
         **_binary(file.name, text),
@@ -118,14 +135,18 @@ def _packed(file: CFile) -> bytes:
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w") as folder:
         for name, content in held.items():
-            folder.writestr(zipfile.ZipInfo(name, LONG_AGO), content, zipfile.ZIP_DEFLATED)
+            folder.writestr(
+                zipfile.ZipInfo(name, LONG_AGO), content, zipfile.ZIP_DEFLATED
+            )
     return packed.getvalue()
 
 
 def _functions(file: CFile, token: str) -> str:
     """Return the functions that an importer calls."""
     lines = {
-        "asked": [f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.asked()],
+        "asked": [
+            f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.asked()
+        ],
         "next": [
             f"at = {period} * (kept[{j}] + 1.0); if (at < next) next = at;"
             for j, (_, period) in enumerate(file.periods)
@@ -134,7 +155,11 @@ def _functions(file: CFile, token: str) -> str:
         "outputs": file.outputs(),
     }
     body = {name: as_lines(own) for name, own in lines.items()}
-    sizes = {"count": file.kept, "room": file.room, "jumps": int(bool(file.layout.jumps))}
+    sizes = {
+        "count": file.kept,
+        "room": file.room,
+        "jumps": int(bool(file.layout.jumps)),
+    }
     return Template(FUNCTIONS).substitute(name=file.name, token=token, **sizes, **body)
 
 
@@ -143,7 +168,9 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
     compiler = shutil.which(os.environ.get("CC", "cc"))
     system = platform.system()
     if compiler is None or system not in ENDINGS:
-        note("the FMU holds its source alone: there is no C compiler (cc, or the variable CC)")
+        note(
+            "the FMU holds its source alone: there is no C compiler (cc, or the variable CC)"
+        )
         return {}
     machine = PROCESSORS.get(platform.machine(), platform.machine())
     try:
@@ -151,7 +178,9 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
             source, made = Path(folder) / "model.c", Path(folder) / "made"
             source.write_text(text, "utf-8")
             done = subprocess.run(
-                [compiler, *FLAGS, "-o", made, source, "-lm"], capture_output=True, text=True
+                [compiler, *FLAGS, "-o", made, source, "-lm"],
+                capture_output=True,
+                text=True,
             )
             if not done.returncode:
                 place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
@@ -173,7 +202,9 @@ def _variables(file: CFile) -> dict[str, str]:
         taken.add(name)
         kinds.append(kind)
         attributes = {"name": name, "valueReference": f"{place}", **KINDS[kind], **own}
-        pairs = " ".join(f"{key}={quoteattr(value)}" for key, value in attributes.items())
+        pairs = " ".join(
+            f"{key}={quoteattr(value)}" for key, value in attributes.items()
+        )
         lines.append(f"    <Float64 {pairs}/>")
     structure = [
         f'    <{tag} valueReference="{place}"/>'

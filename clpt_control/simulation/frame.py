@@ -50,8 +50,13 @@ class Frame:
     def __post_init__(self) -> None:
         self.axes = {name: _index(name, *one) for name, one in self.axes.items()}
         if self.states is not None:
-            self.axes["state"] = _index("state", np.array(self.states, dtype=object), STATE)
-        self._latest: tuple[bytes | None, Any] = None, None  # times, and the axis made of them
+            self.axes["state"] = _index(
+                "state", np.array(self.states, dtype=object), STATE
+            )
+        self._latest: tuple[bytes | None, Any] = (
+            None,
+            None,
+        )  # times, and the axis made of them
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a Dataset of a run's signals and states; each has attributes of its own."""
@@ -62,14 +67,18 @@ class Frame:
             for name, one in self.variables.items()
         }
         if self.states is not None:
-            variables["states"] = Variable(("time", "state"), solution.x, STATES, fastpath=True)
+            variables["states"] = Variable(
+                ("time", "state"), solution.x, STATES, fastpath=True
+            )
         known, time = self._latest
         if (times := solution.t.tobytes()) != known:
             time = _index("time", solution.t.copy(), self.since)
             self._latest = times, time
         axes = {"time": time, **self.axes}
         variables |= {
-            name: type(one)(one.dims, one._data, one.attrs, fastpath=True)  # a copy, but quicker
+            name: type(one)(
+                one.dims, one._data, one.attrs, fastpath=True
+            )  # a copy, but quicker
             for name, (_, one) in axes.items()
         }
         attributes = {**self.attributes, **how_it_ran(solution)}
@@ -78,7 +87,9 @@ class Frame:
         indexes = {name: index for name, (index, _) in axes.items()}
         # the same as Dataset(...), which would search and align the indexes
         dims = {name: variable.size for name, (_, variable) in axes.items()}
-        run = Dataset._construct_direct(variables, set(axes), dims, attributes, indexes, {})
+        run = Dataset._construct_direct(
+            variables, set(axes), dims, attributes, indexes, {}
+        )
         if self.folder is not None:
             run.encoding["folder"] = self.folder
         return run
@@ -96,7 +107,10 @@ def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
 
 
 def port_variables(
-    ports: dict[str, list[int]], dims: Mapping[int, str], taken: Any, units: Mapping[str, str]
+    ports: dict[str, list[int]],
+    dims: Mapping[int, str],
+    taken: Any,
+    units: Mapping[str, str],
 ) -> tuple[dict[str, Series], Axes]:
     """Return the variables of ports, each with the columns of its signals, and their axes.
 
@@ -112,7 +126,10 @@ def port_variables(
             dim = dims.get(size, f"{port}_{INDEX}")
             more = (dim if dim not in ports else f"{dim}_",)
         if size > 1 and size not in dims:
-            axes[more[0]] = np.arange(size), {"long_name": f"signal of {port}, counted from 0"}
+            axes[more[0]] = (
+                np.arange(size),
+                {"long_name": f"signal of {port}, counted from 0"},
+            )
         unit = {"units": units[port]} if units.get(port) else {}
         name = port
         while name in taken or (name != port and name in ports):

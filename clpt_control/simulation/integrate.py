@@ -110,14 +110,26 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    how: dict[str, Any] = {"rtol": rtol, "atol": atol, "method": method and checked_method(method)}
-    limits: dict[str, Any] = {"max_step": max_step, "first_step": first_step, "progress": progress}
+    how: dict[str, Any] = {
+        "rtol": rtol,
+        "atol": atol,
+        "method": method and checked_method(method),
+    }
+    limits: dict[str, Any] = {
+        "max_step": max_step,
+        "first_step": first_step,
+        "progress": progress,
+    }
     before = 0  # samples before those asked for
     if isinstance(system, Scenario | Team):
         if stop is not None:
-            raise SimulationError("stop: is for a diagram; simulate closed_loop(scenario) with it")
+            raise SimulationError(
+                "stop: is for a diagram; simulate closed_loop(scenario) with it"
+            )
         if inputs is not None:
-            raise SimulationError("a scenario has no inputs; simulate closed_loop(..., external=)")
+            raise SimulationError(
+                "a scenario has no inputs; simulate closed_loop(..., external=)"
+            )
         timepts, before = _from_zero(system, timepts)
         if initial_state is not None or params:
             if isinstance(system, Team):
@@ -133,7 +145,9 @@ def simulate(
         with ready(key, lambda: run_type(system, engine)) as run:
             result = run.run(timepts, **system.run.solver, **limits)
     else:
-        overrides = any(one is not None for one in (inputs, initial_state, stop, *how.values()))
+        overrides = any(
+            one is not None for one in (inputs, initial_state, stop, *how.values())
+        )
         diagram, times, skipped, inputs, start, options = request_of(
             system, timepts, inputs, initial_state, **how, **limits
         )
@@ -142,7 +156,9 @@ def simulate(
         key = diagram_key(diagram, params, *asked) if stop is None else None
         with ready(key, lambda: DiagramRun(diagram, params, *asked, stop)) as run:
             result = run.run(times, inputs, start, **options)
-            result.attrs |= run.beyond_scenario if overrides or not run.is_unchanged else {}
+            result.attrs |= (
+                run.beyond_scenario if overrides or not run.is_unchanged else {}
+            )
     result = result.isel(time=slice(before, None)) if before else result
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(result):
         note_speeds(result, speeds_of(result, run.max_speed), run.scenario.units)
@@ -199,7 +215,10 @@ def request_of(
         times = checked_times("timepts", timepts)
     inputs = known.get("inputs") if inputs is None else inputs
     start = known.get("initial_state") if initial_state is None else initial_state
-    how = {k: known.get(k, one) if one is None or one is np.inf else one for k, one in how.items()}
+    how = {
+        k: known.get(k, one) if one is None or one is np.inf else one
+        for k, one in how.items()
+    }
     return diagram, times, skipped, inputs, start, how
 
 

@@ -13,10 +13,24 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..arguments import public
-from ..blocks import clpe, disturbance, field, flow, learner, localization, reference, vehicle
+from ..blocks import (
+    clpe,
+    disturbance,
+    field,
+    flow,
+    learner,
+    localization,
+    reference,
+    vehicle,
+)
 from ..blocks.laws.table import LAWS
 from ..blocks.localization import TRUE
-from ..engine.diagram.interconnection import PARAMETER_HINTS, Diagram, connect, wiring_of_blocks
+from ..engine.diagram.interconnection import (
+    PARAMETER_HINTS,
+    Diagram,
+    connect,
+    wiring_of_blocks,
+)
 from ..engine.diagram.wiring import (
     Node,
     Part,
@@ -77,7 +91,11 @@ def changed_blocks(
         raise DiagramError(
             f"{law.name}: makes alpha of N = {functions_of(law)} functions; the scenario has {N}"
         )
-    car, learning, delta = scenario.vehicle, scenario.learning, scenario.flow.disturbance
+    car, learning, delta = (
+        scenario.vehicle,
+        scenario.learning,
+        scenario.flow.disturbance,
+    )
     at_fixes = learning.row.at_fixes
     if at_fixes and law is not None:
         raise DiagramError(
@@ -114,8 +132,12 @@ def changed_blocks(
         blocks.append(learner.learning_controller(N))
         blocks.append(learner.learning_model(hedged=scenario.hedged))
         if learning.row.given_estimate:
-            blocks.append(learner.known_flow_injection(alpha_M, learning.theta_estimate))
-        elif learning.row.makes_estimate and (law is None or "theta_hat" in output_ports(law)):
+            blocks.append(
+                learner.known_flow_injection(alpha_M, learning.theta_estimate)
+            )
+        elif learning.row.makes_estimate and (
+            law is None or "theta_hat" in output_ports(law)
+        ):
             blocks.append(learner.known_flow_injection(alpha_M))
         else:
             blocks.append(learner.learned_flow_injection(alpha_M))
@@ -152,7 +174,9 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     from ..currents.plane import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
-    return field.gridded_flow(gridded, scenario.flow.outside, disturbed, scenario.units, position)
+    return field.gridded_flow(
+        gridded, scenario.flow.outside, disturbed, scenario.units, position
+    )
 
 
 class LoopOf(NamedTuple):
@@ -177,11 +201,19 @@ class LoopOf(NamedTuple):
 
 def _alike(one: Node, other: Node) -> bool:
     numbers = [
-        [number for own in params for number in (own if isinstance(own, Parameters) else [own])]
+        [
+            number
+            for own in params
+            for number in (own if isinstance(own, Parameters) else [own])
+        ]
         for params in (one.system.params.values(), other.system.params.values())
     ]
     wired = (one.name, one.wires) == (other.name, other.wires)
-    return wired and len(numbers[0]) == len(numbers[1]) and all(map(np.array_equal, *numbers))
+    return (
+        wired
+        and len(numbers[0]) == len(numbers[1])
+        and all(map(np.array_equal, *numbers))
+    )
 
 
 def loop_of(system: Scenario | Diagram) -> LoopOf:
@@ -270,7 +302,12 @@ def remaining_parts(
 ) -> tuple[list[Part], tuple[str, ...]]:
     """Return the parts that remain where some ports come from outside, and these ports."""
     blocks = changed_blocks(scenario, changes, external)
-    ports = {port for block in blocks for of in (input_ports, output_ports) for port in of(block)}
+    ports = {
+        port
+        for block in blocks
+        for of in (input_ports, output_ports)
+        for port in of(block)
+    }
     for port in external:
         if port not in ports:
             raise DiagramError(
@@ -278,10 +315,16 @@ def remaining_parts(
             )
     outside = {*external, *({TRUE} if "x" in external else ())}
     remaining = [block for block in blocks if not set(output_ports(block)) & outside]
-    cut = [block for block in blocks if block not in remaining and block.name in changes.names]
+    cut = [
+        block
+        for block in blocks
+        if block not in remaining and block.name in changes.names
+    ]
     while True:
         used = {port for block in (*remaining, *cut) for port in input_ports(block)}
-        idle = [b for b in remaining if b.name != "clpe" and not set(output_ports(b)) & used]
+        idle = [
+            b for b in remaining if b.name != "clpe" and not set(output_ports(b)) & used
+        ]
         if not idle or not external:
             break
         remaining = [block for block in remaining if block not in idle]

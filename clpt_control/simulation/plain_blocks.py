@@ -28,10 +28,14 @@ LARGEST = 10**7  # numbers of one value of a record
 MOST = 10**8  # of all values of a record together
 
 
-def _listed(times: np.ndarray, until: float, p: Any, t0: float, t1: float) -> np.ndarray:
+def _listed(
+    times: np.ndarray, until: float, p: Any, t0: float, t1: float
+) -> np.ndarray:
     """Return the breakpoints in (t0, t1] of those that a function gave, up to a time."""
     if t1 > until:
-        raise BlockError(f"jumps are recorded up to t = {until:g}; t = {t1:g} is asked for")
+        raise BlockError(
+            f"jumps are recorded up to t = {until:g}; t = {t1:g} is asked for"
+        )
     return times[(times > t0) & (times <= t1)]
 
 
@@ -40,10 +44,14 @@ class RecordedBlock(Block):
 
     def __init__(self, plain: Mapping[str, Any]):
         name, jumps, policy = plain["name"], plain["jumps"], plain["guard"]
-        shapes: dict[str, Any] = {f"{kind}s": _shapes(plain[f"{kind}s"]) for kind in KINDS}
+        shapes: dict[str, Any] = {
+            f"{kind}s": _shapes(plain[f"{kind}s"]) for kind in KINDS
+        }
         sizes = {str(size): _size(number) for size, number in plain["sizes"].items()}
         values = {field: _value(value) for field, value in plain["parameters"].items()}
-        self._plain_records = {role: _record(lines) for role, lines in plain["records"].items()}
+        self._plain_records = {
+            role: _record(lines) for role, lines in plain["records"].items()
+        }
         self.fixed, self.of_package = frozenset(plain["fixed"]), plain["package"]
         for kind in KINDS:  # before anything of that size is made
             ports = sized(name, shapes[f"{kind}s"], sizes)
@@ -58,14 +66,25 @@ class RecordedBlock(Block):
         if "output" not in functions:
             shapes["outputs"] = None
         declared = {field: plain[field] for field in ("opaque", "units")}
-        declared |= {"parameters": values, "shapes": _shapes(plain["shapes"]), "sizes": sizes}
-        functions["guard"] = policy and Guard(functions["guard"], policy, partial(_left, name))
+        declared |= {
+            "parameters": values,
+            "shapes": _shapes(plain["shapes"]),
+            "sizes": sizes,
+        }
+        functions["guard"] = policy and Guard(
+            functions["guard"], policy, partial(_left, name)
+        )
         super().__init__(name, **shapes, **declared, breakpoints=jumps, **functions)
         self.dt = plain["dt"]
         self.breakpoints(0.0, 0.0)  # so that it is told here what cannot be asked
         given = self.parameters._asdict().items()
         numbers = {field: np.shape(v) for field, v in given if not isinstance(v, int)}
-        leaves = {"t": {"t": ()}, "x": self.state_shapes, "u": self.input_shapes, "p": numbers}
+        leaves = {
+            "t": {"t": ()},
+            "x": self.state_shapes,
+            "u": self.input_shapes,
+            "p": numbers,
+        }
         for role, record in self._plain_records.items():
             check_record(record, leaves, self.sizes, self._roles[role][1])
 
@@ -75,7 +94,9 @@ class RecordedBlock(Block):
     def _read(self, role: str) -> Record | Unread:
         return self._plain_records[role]
 
-    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def _evaluate(
+        self, role: str, size: int, t: float, x: Any, u: Any, p: Any
+    ) -> np.ndarray:
         return on_arrays(self, role, t, np.asarray(x), np.asarray(u), p)
 
     def with_values(self, changes: Mapping[str, Any]) -> Any:
@@ -96,13 +117,17 @@ def _left(name: str, t: float, u: Any, p: Any) -> str:
 # --- a block as plain data ------------------------------------------------------------------------
 
 
-def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> dict[str, Any]:
+def plain_block(
+    block: Block, name: str, p: Any, begin: float, end: float
+) -> dict[str, Any]:
     """Return a block with these parameters as plain data, for runs between two times."""
     labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
     if isinstance(block, Sampled):
         return {
             "sampled": block.period,
-            "inner": plain_block(block.inner, name, inner_parameters(block, p), begin, end),
+            "inner": plain_block(
+                block.inner, name, inner_parameters(block, p), begin, end
+            ),
             "called": block._inner,
             "labels": labels,
         }
@@ -114,7 +139,10 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
     elif jumps is not None:
         until = 3 * abs(end) + 1.0  # beyond what a block asks at once
         times = np.concatenate(
-            [block.breakpoints(min(begin, 0.0), 0.0, p), block.breakpoints(0.0, until, p)]
+            [
+                block.breakpoints(min(begin, 0.0), 0.0, p),
+                block.breakpoints(0.0, until, p),
+            ]
         )
         listed = {"times": np.unique(times).tolist(), "until": until}
         pinned = set(p._fields)
@@ -123,7 +151,9 @@ def plain_block(block: Block, name: str, p: Any, begin: float, end: float) -> di
         **block.declared,
         "sizes": block.sizes,
         "parameters": {
-            name: _plain_value(value) for name, value in p._asdict().items() if is_read(block, name)
+            name: _plain_value(value)
+            for name, value in p._asdict().items()
+            if is_read(block, name)
         },
         "shapes": block.parameter_shapes,
         "records": records,
@@ -146,7 +176,12 @@ def _plain_value(value: Any) -> Any:
 
 def _plain_record(record: Record) -> dict[str, Any]:
     lines = [
-        [kind, arguments, shape, np.frombuffer(at).tolist() if kind == "constant" else at]
+        [
+            kind,
+            arguments,
+            shape,
+            np.frombuffer(at).tolist() if kind == "constant" else at,
+        ]
         for kind, arguments, shape, at in record.operations
     ]
     return {"operations": lines, "outputs": record.outputs, "shapes": record.shapes}
@@ -169,14 +204,19 @@ def block_of(plain: Mapping[str, Any]) -> Block:
 def _sampled(plain: Mapping[str, Any]) -> Block:
     block = Sampled(block_of(plain["inner"]), plain["sampled"])
     block._name_ports(
-        {kind: {old: new for new, old in ports.items()} for kind, ports in plain["called"].items()}
+        {
+            kind: {old: new for new, old in ports.items()}
+            for kind, ports in plain["called"].items()
+        }
     )
     return block
 
 
 def _size(value: Any) -> int:
     if type(value) is not int or not 0 <= value <= LARGEST:
-        raise BlockError(f"a size is {value!r:.40}; must be a whole number up to {LARGEST:g}")
+        raise BlockError(
+            f"a size is {value!r:.40}; must be a whole number up to {LARGEST:g}"
+        )
     return value
 
 
@@ -199,7 +239,9 @@ def _record(plain: Mapping[str, Any]) -> Record:
     for kind, arguments, shape, at in plain["operations"]:
         at = np.array(at, dtype=float).tobytes() if kind == "constant" else _fixed(at)
         lines.append(Operation(kind, tuple(arguments), _shape(shape), at))
-    return Record(tuple(lines), tuple(plain["outputs"]), tuple(map(_shape, plain["shapes"])))
+    return Record(
+        tuple(lines), tuple(plain["outputs"]), tuple(map(_shape, plain["shapes"]))
+    )
 
 
 def _fixed(value: Any) -> Any:
@@ -224,12 +266,20 @@ def check_record(
             raise BlockError(f"line {k} of a record, {operation.kind!s:.20}, is none")
         shapes.append(shape)
     if (count := sum(map(prod, shapes))) > MOST:
-        raise BlockError(f"a record has {count:.3g} numbers; at most {MOST:g} can be held")
+        raise BlockError(
+            f"a record has {count:.3g} numbers; at most {MOST:g} can be held"
+        )
     for outputs in (record.outputs, record.shapes):
         if len(outputs) != len(out):
-            raise BlockError(f"a record has {len(outputs)} outputs; must have {len(out)}")
-    for ref, shape, wanted in zip(record.outputs, record.shapes, out.values(), strict=True):
-        if bound(shape, sizes) != wanted or not _spreads(_shape_of(ref, shapes), wanted):
+            raise BlockError(
+                f"a record has {len(outputs)} outputs; must have {len(out)}"
+            )
+    for ref, shape, wanted in zip(
+        record.outputs, record.shapes, out.values(), strict=True
+    ):
+        if bound(shape, sizes) != wanted or not _spreads(
+            _shape_of(ref, shapes), wanted
+        ):
             raise BlockError("an output of a record has another shape than its port")
 
 
@@ -237,7 +287,9 @@ def _shape_of(ref: Any, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
     if type(ref) is float:
         return ()
     if type(ref) is not int or not 0 <= ref < len(shapes):
-        raise BlockError(f"a record speaks of its value {ref!r:.20}, which is not there yet")
+        raise BlockError(
+            f"a record speaks of its value {ref!r:.20}, which is not there yet"
+        )
     return shapes[ref]
 
 
@@ -275,11 +327,17 @@ def _fits(
     if at is not None:
         return False
     if kind == "argmin":
-        return len(arguments) == 1 and len(arguments[0]) == 1 and arguments[0][0] > 0 == len(shape)
+        return (
+            len(arguments) == 1
+            and len(arguments[0]) == 1
+            and arguments[0][0] > 0 == len(shape)
+        )
     if kind == "fill":
         return arguments == [()]
     if kind == "stack":
-        return len(arguments) == shape[0] and all(_spreads(a, shape[1:]) for a in arguments)
+        return len(arguments) == shape[0] and all(
+            _spreads(a, shape[1:]) for a in arguments
+        )
     if kind == "join":
         alike = all(a[1:] == shape[1:] for a in arguments)
         return alike and sum(a[0] for a in arguments) == shape[0]

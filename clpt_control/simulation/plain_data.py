@@ -25,7 +25,11 @@ Entry = tuple[int, int, float]  # row, column, gain
 
 
 def plain_diagram(
-    wiring: Wiring, parameters: Sequence[Any], names: Mapping[str, Any], begin: float, end: float
+    wiring: Wiring,
+    parameters: Sequence[Any],
+    names: Mapping[str, Any],
+    begin: float,
+    end: float,
 ) -> dict[str, Any]:
     """Return a diagram as plain data, its blocks with these parameters, for runs between times.
 
@@ -39,7 +43,11 @@ def plain_diagram(
             for to, source, gain in node.fed(external)
         ]
 
-    shown = [(to, k, gain) for to, row in enumerate(wiring.outputs) for k, gain in row.items()]
+    shown = [
+        (to, k, gain)
+        for to, row in enumerate(wiring.outputs)
+        for k, gain in row.items()
+    ]
     if any(k < 0 for _, k, _ in shown):
         raise Unread("an input of the diagram is an output of it")
     flat: list[str] = []  # names of blocks
@@ -63,10 +71,14 @@ def plain_diagram(
 def diagram_of(plain: Mapping[str, Any]) -> Diagram:
     """Return the diagram that plain data hold."""
     blocks = [block_of(one) for one in plain["blocks"]]
-    inputs, outputs = (sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True))
+    inputs, outputs = (
+        sum(n) for n in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True)
+    )
     external, shown = len(plain["inputs"]), len(plain["outputs"])
     if 8 * (inputs * (outputs + external) + shown * (outputs + inputs)) > MOST_BYTES:
-        raise DiagramError(f"{plain['name']}: is larger than python-control's matrices may be")
+        raise DiagramError(
+            f"{plain['name']}: is larger than python-control's matrices may be"
+        )
     diagram = control.InterconnectedSystem(
         blocks,
         inputs=plain["inputs"],
@@ -86,7 +98,9 @@ def _matrix(entries: Sequence[Entry], shape: tuple[int, int]) -> np.ndarray:
     matrix = np.zeros(shape)
     for row, column, gain in entries:
         if not (0 <= row < shape[0] and 0 <= column < shape[1]):
-            raise DiagramError(f"a wire leads to the signal {row} from {column}, of {shape}")
+            raise DiagramError(
+                f"a wire leads to the signal {row} from {column}, of {shape}"
+            )
         matrix[row, column] = gain
     return matrix
 
@@ -134,7 +148,9 @@ def _system(system: Any, numbers: list[Any], functions: list[Any]) -> Any:
         numbers += [system.A, system.B, system.C, system.D]
         return own
     kind, plain = type(system), control.NonlinearIOSystem
-    if kind._rhs is not plain._rhs or kind._out is not plain._out:  # they are an object's
+    if (
+        kind._rhs is not plain._rhs or kind._out is not plain._out
+    ):  # they are an object's
         raise Unread("its class has its own equations")
     functions += [system.updfcn, system.outfcn]
     return own

@@ -18,12 +18,21 @@ if TYPE_CHECKING:
 
 DIRECTIONS = "east", "north"  # of x1 and x2
 MANY = 100  # samples an interval, for its mean square
-OVERVIEW = [["track", "clpe"], ["track", "size"], ["east", "north"], ["gains 1", "gains 2"]]
+OVERVIEW = [
+    ["track", "clpe"],
+    ["track", "size"],
+    ["east", "north"],
+    ["gains 1", "gains 2"],
+]
 
 
 @public
 def clpe_plot(
-    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+    run: "xarray.Dataset",
+    *,
+    ax: Any = None,
+    label: str | None = None,
+    color: str | None = None,
 ) -> Any:
     """Draw CLPE over time, with cycles above (figure 2).
 
@@ -64,21 +73,39 @@ def clpe_plot(
     early = time <= (2 * cycle if count else np.inf)
     with told_apart(axes, label, color):
         for i in range(2):
-            top.plot(time[early], e[early, i], label=f"$e_{i + 1}$", lw=1.1, **line_style(i))
-        top.set(ylabel=f"CLPE ({units.length})", xlim=(0, max(time[early], default=2 * cycle)))
+            top.plot(
+                time[early], e[early, i], label=f"$e_{i + 1}$", lw=1.1, **line_style(i)
+            )
+        top.set(
+            ylabel=f"CLPE ({units.length})",
+            xlim=(0, max(time[early], default=2 * cycle)),
+        )
         top.set_title("CLPE", **TITLE)
         size = np.hypot(*e.T)
-        shade: dict[str, Any] = {"color": BLUE, "linewidth": 0.5, "alpha": 0.5 if count else 1}
+        shade: dict[str, Any] = {
+            "color": BLUE,
+            "linewidth": 0.5,
+            "alpha": 0.5 if count else 1,
+        }
         bottom.semilogy(time, positive(size), label="|e|", **shade)
         if count:
             number = np.floor(time / dwell + 1e-9).astype(int)
             counts = np.bincount(number)
-            rms = np.sqrt(np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan))
-            few = len(size) < MANY * len(counts)  # the pictures of a long run have fewer samples
+            rms = np.sqrt(
+                np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan)
+            )
+            few = len(size) < MANY * len(
+                counts
+            )  # the pictures of a long run have fewer samples
             name = f"rms of each {dwell:g} {units.time}{', of the samples shown' * few}"
             steps = dwell * np.arange(len(counts))
             bottom.step(
-                steps, positive(rms), where="post", color="black", linewidth=1.2, label=name
+                steps,
+                positive(rms),
+                where="post",
+                color="black",
+                linewidth=1.2,
+                label=name,
             )
         bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
         bottom.set_xlim(0, time[-1])
@@ -86,7 +113,9 @@ def clpe_plot(
             one.legend(frameon=False, fontsize=8)
     if count and not (top.child_axes or bottom.child_axes):
         for one in axes:
-            above = one.secondary_xaxis("top", functions=(lambda t: t / cycle, lambda n: n * cycle))
+            above = one.secondary_xaxis(
+                "top", functions=(lambda t: t / cycle, lambda n: n * cycle)
+            )
             above.locator_params(axis="x", integer=True)
             above.tick_params(labelsize=7, colors=GREY)
         top.child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
@@ -158,7 +187,9 @@ def learning_plot(
         truth = ", true values thin" if theta is not None else ""
         top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
         top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
-        for k, (gain, symbol) in enumerate((("feedback", "K"), ("feedforward", r"\Gamma"))):
+        for k, (gain, symbol) in enumerate(
+            (("feedback", "K"), ("feedforward", r"\Gamma"))
+        ):
             line, known = line_style(k), getattr(scenario.vehicle, gain)
             values = run[f"{gain}_gain"].values[:, i]
             bottom.plot(time, values, label=f"${symbol}_{axis}$", linewidth=1.2, **line)
@@ -172,7 +203,9 @@ def learning_plot(
             one.legend(frameon=False, fontsize=9, ncols=3)
             if end > 2 * cycle:
                 one.set_xscale("symlog", linthresh=cycle)
-                ticks = [cycle * k / 4 for k in range(4)] + [cycle * 2**k for k in range(5)]
+                ticks = [cycle * k / 4 for k in range(4)] + [
+                    cycle * 2**k for k in range(5)
+                ]
                 ticks = [t for t in ticks if t <= end]
                 one.set_xticks(ticks, [f"{t:g}" for t in ticks])
                 one.minorticks_off()
@@ -182,7 +215,11 @@ def learning_plot(
 
 @public
 def run_plot(
-    run: "xarray.Dataset", *, ax: Any = None, label: str | None = None, color: str | None = None
+    run: "xarray.Dataset",
+    *,
+    ax: Any = None,
+    label: str | None = None,
+    color: str | None = None,
 ) -> Any:
     """Draw track, CLPE and learning of both axes in one figure.
 

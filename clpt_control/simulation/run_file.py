@@ -86,7 +86,9 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     if text:
         run = run.assign_attrs({file.EQUATIONS: text})
     elif is_response(run):
-        run = run.assign_attrs({file.NOT_REPEATED: why or run.attrs.get(file.NOT_REPEATED, LOST)})
+        run = run.assign_attrs(
+            {file.NOT_REPEATED: why or run.attrs.get(file.NOT_REPEATED, LOST)}
+        )
     return run.assign_attrs({file.FORM: file.LATEST})
 
 
@@ -146,7 +148,11 @@ CONDITIONS = (
     *("timepts", "initial_state", "inputs"),
     *("rtol", "atol", "method", "max_step", "first_step"),
 )
-BEYOND = file.OWN_LAW, file.OWN_PARTS, file.CHANGED  # attributes for what a scenario does not hold
+BEYOND = (
+    file.OWN_LAW,
+    file.OWN_PARTS,
+    file.CHANGED,
+)  # attributes for what a scenario does not hold
 
 
 class RecordedScenario(NamedTuple):
@@ -159,7 +165,9 @@ class RecordedScenario(NamedTuple):
 class RunRecord:
     """How a diagram ran: `text` is JSON, or raises an `Unread` that says why there is none."""
 
-    def __init__(self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]):
+    def __init__(
+        self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]
+    ):
         self.run, self.engine = run, engine  # a `DiagramRun`, and what ran it
         self.conditions = conditions
         self.inputs = tuple(map(np.array, inputs.samples))  # copies
@@ -190,7 +198,9 @@ class RunRecord:
         except DataError as error:  # a name that no block of a file has
             raise Unread(str(error)) from None
         arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
-        same = repr(again.code.program) == repr(runner.code.program)  # NaN differs from itself
+        same = repr(again.code.program) == repr(
+            runner.code.program
+        )  # NaN differs from itself
         if not (same and all(np.array_equal(*pair) for pair in arrays)):
             raise Unread("its blocks have changed since it ran")
         return text
@@ -212,8 +222,12 @@ def diagram_of_text(text: str) -> Diagram:
         diagram, run = diagram_of(plain["diagram"]), plain["run"]
         diagram.recorded = {name: run[name] for name in CONDITIONS}
         at, values = (np.array(one, dtype=float) for one in run["inputs"])
-        diagram.recorded["inputs"] = Inputs((at, values.reshape(diagram.ninputs, len(at))))
-        state = np.array(run["initial_state"], dtype=float).reshape(diagram.nstates or 0)
+        diagram.recorded["inputs"] = Inputs(
+            (at, values.reshape(diagram.ninputs, len(at)))
+        )
+        state = np.array(run["initial_state"], dtype=float).reshape(
+            diagram.nstates or 0
+        )
         rest = [run[name] or 0.0 for name in ("rtol", "atol", "max_step", "first_step")]
         if not np.isfinite(np.concatenate([at, values.ravel(), state, rest[:2]])).all():
             raise DataError("a number is not finite")
@@ -235,7 +249,9 @@ def repeats_by_equations(path: Path) -> bool:
         return False
     with open_netcdf(path) as data:
         beyond = data.attrs.keys() & {*BEYOND}
-        return file.EQUATIONS in data.attrs and bool(beyond or "scenario" not in data.attrs)
+        return file.EQUATIONS in data.attrs and bool(
+            beyond or "scenario" not in data.attrs
+        )
 
 
 @public
@@ -273,7 +289,9 @@ def load_diagram(path: str | Path) -> Diagram:
     with open_netcdf(Path(path)) as data:
         file.check_form(data.attrs, path)
         attributes = {name: str(value) for name, value in data.attrs.items()}
-    text, why = (attributes.get(name, "") for name in (file.EQUATIONS, file.NOT_REPEATED))
+    text, why = (
+        attributes.get(name, "") for name in (file.EQUATIONS, file.NOT_REPEATED)
+    )
     if not text and "scenario" in attributes:
         return closed_loop(file.load_scenario(path))
     if not text:
@@ -281,7 +299,9 @@ def load_diagram(path: str | Path) -> Diagram:
     try:
         diagram = diagram_of_text(text)
         if "scenario" in attributes:
-            scenario = file.scenario_from_text(attributes["scenario"], "the run", Path(path).parent)
+            scenario = file.scenario_from_text(
+                attributes["scenario"], "the run", Path(path).parent
+            )
             beyond = {name: attributes[name] for name in BEYOND if name in attributes}
             diagram.recorded["experiment"] = RecordedScenario(scenario, beyond)
     except ClptError as error:

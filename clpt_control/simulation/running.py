@@ -17,7 +17,15 @@ import numpy as np
 from ..blocks.localization import TRUE
 from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.interconnection import wiring_of_blocks, with_stop
-from ..engine.diagram.wiring import Params, Part, Sizes, Wiring, read_anew, units_of, wiring_of
+from ..engine.diagram.wiring import (
+    Params,
+    Part,
+    Sizes,
+    Wiring,
+    read_anew,
+    units_of,
+    wiring_of,
+)
 from ..engine.model.ports import ports_of, split, whole_labels
 from ..engine.solver.engine_choice import make_runner, run_checked
 from ..engine.solver.native_diagram import NativeDiagram
@@ -58,7 +66,9 @@ class SystemRun:
     def labels(self) -> list[str]:
         """The labels of all signals."""
         blocks = [node.system for node in self.wiring.nodes]
-        return [label for block in blocks for label in whole_labels(block.output_labels)]
+        return [
+            label for block in blocks for label in whole_labels(block.output_labels)
+        ]
 
     @property
     def parameters(self) -> dict[str, Any]:
@@ -119,7 +129,9 @@ class TeamRun(SystemRun):
         self.team = team
         super().__init__("the team", wiring_of_blocks(team_blocks(team)), None, engine)
         members = team.members.values()
-        self.start = np.concatenate([state_of(one, paper_blocks(one)) for one in members])
+        self.start = np.concatenate(
+            [state_of(one, paper_blocks(one)) for one in members]
+        )
 
     def _vehicles(self) -> dict[str, Signals]:
         """Return each vehicle's signals; where any has a port, all have it.
@@ -127,7 +139,9 @@ class TeamRun(SystemRun):
         The position that a vehicle without noise reads is the true one; without a speed limit the
         velocity that is commanded is flown.
         """
-        vehicles: dict[str, Signals] = {name: Signals({}, {}) for name in self.team.members}
+        vehicles: dict[str, Signals] = {
+            name: Signals({}, {}) for name in self.team.members
+        }
         for kind, every in enumerate(self.signals(self.labels)):
             for name, value in every.items():
                 vehicle, own = split(name)
@@ -136,7 +150,9 @@ class TeamRun(SystemRun):
             if any(f"{port}[0]" in one.column for one in vehicles.values()):
                 for one in vehicles.values():
                     for k in range(2):
-                        one.column.setdefault(f"{port}[{k}]", one.column[f"{other}[{k}]"])
+                        one.column.setdefault(
+                            f"{port}[{k}]", one.column[f"{other}[{k}]"]
+                        )
         return vehicles
 
     def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
@@ -148,13 +164,17 @@ class TeamRun(SystemRun):
             run_frame(scenario, vehicles[name]).filled(solution, signals)
             for name, scenario in team.members.items()
         ]
-        names = xarray.Variable("vehicle", [*team.members], {"long_name": "vehicle of the team"})
+        names = xarray.Variable(
+            "vehicle", [*team.members], {"long_name": "vehicle of the team"}
+        )
         whole = xarray.concat(runs, names, data_vars=None, coords="minimal")
         if "flow_parameters" in whole:  # one flow
             whole["flow_parameters"] = runs[0].flow_parameters
         if "lyapunov" in whole:
             total = whole.lyapunov.sum("vehicle", keep_attrs=True)
-            whole["lyapunov"] = total.assign_attrs(long_name="V of the team, the sum over vehicles")
+            whole["lyapunov"] = total.assign_attrs(
+                long_name="V of the team, the sum over vehicles"
+            )
         attributes = dict(runs[0].attrs)
         del attributes["scenario"]
         whole.attrs = {**attributes, TEAM: team_to_text(team)}
@@ -181,7 +201,9 @@ class DiagramRun(SystemRun):
     ):
         read_anew(diagram)
         self.loop: LoopOf | None = getattr(diagram, "origin", None)
-        self.experiment = self.loop or (getattr(diagram, "recorded", None) or {}).get("experiment")
+        self.experiment = self.loop or (getattr(diagram, "recorded", None) or {}).get(
+            "experiment"
+        )
         self.scenario = self.experiment and self.experiment.scenario
         wiring = wiring_of(diagram, params, sizes)
         wiring = wiring if stop is None else with_stop(wiring, stop)
@@ -190,24 +212,35 @@ class DiagramRun(SystemRun):
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
         outputs, inputs = map(whole_labels, (outputs, inputs))
-        taken = ports_of(outputs)  # an input with the name of an output gets another one
+        taken = ports_of(
+            outputs
+        )  # an input with the name of an output gets another one
         parts = [label.rpartition("[") for label in inputs]
         self.signal_labels = outputs + [
-            "".join((f"{port}_input" if port in taken else port, *rest)) for port, *rest in parts
+            "".join((f"{port}_input" if port in taken else port, *rest))
+            for port, *rest in parts
         ]
 
-    def run(self, times: np.ndarray, inputs: Any = None, x0: Any = None, **options: Any) -> Any:
+    def run(
+        self, times: np.ndarray, inputs: Any = None, x0: Any = None, **options: Any
+    ) -> Any:
         """Run from a state at the first time to the last; the Dataset carries what repeats it."""
         self.check_memory(len(times))
         u = read_inputs(inputs, times, self.wiring.ninputs)
-        state = stacked_state("initial_state", 0.0 if x0 is None else x0, self.runner.nstates)
+        state = stacked_state(
+            "initial_state", 0.0 if x0 is None else x0, self.runner.nstates
+        )
         if self.experiment is not None:
             self._check_first_alpha(state)
         options["inputs"] = u
-        solution, blocks = run_checked(self.runner, self.name, state, times, self.params, **options)
+        solution, blocks = run_checked(
+            self.runner, self.name, state, times, self.params, **options
+        )
         signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
         run = self.dataset(solution, signals.T)
-        conditions = {name: value for name, value in options.items() if name in CONDITIONS}
+        conditions = {
+            name: value for name, value in options.items() if name in CONDITIONS
+        }
         conditions |= {"timepts": times.copy(), "initial_state": state}
         run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
         return run
@@ -216,8 +249,12 @@ class DiagramRun(SystemRun):
         """Refuse a first alpha that is not the alpha_0 of which a law makes its readout."""
         at = state_columns(node.system for node in self.wiring.nodes)
         left = at.get(self.scenario.learning.row.error_left)
-        for p in self.runner.sweep.parameters if left and np.all(state[left] == 1) else ():
-            if "alpha_0" in p._fields and np.any(state[at["alpha"]] != np.ravel(p.alpha_0)):
+        for p in (
+            self.runner.sweep.parameters if left and np.all(state[left] == 1) else ()
+        ):
+            if "alpha_0" in p._fields and np.any(
+                state[at["alpha"]] != np.ravel(p.alpha_0)
+            ):
                 raise SimulationError(
                     "initial_state: alpha is not adaptation.alpha_0, of which the readout is made; "
                     "give both, or learning.parameters of the scenario"
@@ -235,7 +272,11 @@ class DiagramRun(SystemRun):
         if self.loop is None:
             return {}
         outside = f"{REFERENCE}: from outside" if "zc" in self.loop.external else ""
-        parts = [self.loop.changes.description, outside, f"{self.name}: run as a diagram"]
+        parts = [
+            self.loop.changes.description,
+            outside,
+            f"{self.name}: run as a diagram",
+        ]
         return {OWN_PARTS: ", ".join(filter(None, parts))}
 
     @cached_property
@@ -249,16 +290,22 @@ class DiagramRun(SystemRun):
         """The Dataset of its runs; for a `closed_loop` it is its scenario's."""
         units, signals = signal_units(self.wiring), self.signals(self.signal_labels)
         if self.experiment is None:
-            return diagram_frame(self.name, *map(tuple, (self.signal_labels, units, self.states)))
+            return diagram_frame(
+                self.name, *map(tuple, (self.signal_labels, units, self.states))
+            )
         beyond = beyond_scenario_of(self.params, self.experiment.beyond_scenario)
-        ports = {port: units[at[0]] for port, at in ports_of(self.signal_labels).items()}
+        ports = {
+            port: units[at[0]] for port, at in ports_of(self.signal_labels).items()
+        }
         return run_frame(self.experiment.scenario, signals, beyond, ports, self.states)
 
 
 def state_labels(wiring: Wiring) -> list[str]:
     """Return the names of all states, as python-control calls them."""
     nodes = [(node.name.replace(".", "_"), node.system) for node in wiring.nodes]
-    return [f"{name}_{label}" for name, system in nodes for label in system.state_labels]
+    return [
+        f"{name}_{label}" for name, system in nodes for label in system.state_labels
+    ]
 
 
 def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
@@ -266,7 +313,9 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
-    if len(states) != wiring.nodes[-1].states.stop:  # python-control keeps one of equal labels
+    if (
+        len(states) != wiring.nodes[-1].states.stop
+    ):  # python-control keeps one of equal labels
         states = state_labels(wiring)
     return named.output_labels, named.input_labels, states
 
@@ -274,7 +323,9 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
 def signal_units(wiring: Wiring) -> list[str]:
     """Return the units of outputs, then of inputs; "" for a sum of several."""
     blocks, inputs = units_of(wiring)
-    single = [next(iter(row)) if [*row.values()] == [1.0] else None for row in wiring.outputs]
+    single = [
+        next(iter(row)) if [*row.values()] == [1.0] else None for row in wiring.outputs
+    ]
     outputs = ["" if k is None else blocks[k] if k >= 0 else inputs[~k] for k in single]
     return outputs + inputs
 

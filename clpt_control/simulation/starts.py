@@ -50,7 +50,11 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
     hidden: dict[str, slice] = {}
     end = 0
     for name, part in leaves(parts, "_"):
-        ports = part.state_ports if isinstance(part, Block) else {part.name: part.nstates or 0}
+        ports = (
+            part.state_ports
+            if isinstance(part, Block)
+            else {part.name: part.nstates or 0}
+        )
         for port, size in ports.items():
             column = slice(end, end := end + size)
             if _is_signal(part, port, size):
@@ -70,7 +74,9 @@ def _is_signal(part: Part, port: str, size: int) -> bool:
     return not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
 
 
-def state_of(scenario: Scenario, parts: Iterable[Part], law: Part | None = None) -> np.ndarray:
+def state_of(
+    scenario: Scenario, parts: Iterable[Part], law: Part | None = None
+) -> np.ndarray:
     """Return the state of parts at t = 0; what no key of the scenario starts is 0."""
     parts = list(parts)
     columns = state_columns(parts)
@@ -111,7 +117,9 @@ def initial_state(system: Scenario | Diagram) -> np.ndarray:
     if isinstance(system, Scenario):
         return state_of(system, paper_blocks(system))
     if system.origin is None:
-        raise DiagramError(f"{system.name}: knows no scenario; one that closed_loop makes does")
+        raise DiagramError(
+            f"{system.name}: knows no scenario; one that closed_loop makes does"
+        )
     return state_of(system.origin.scenario, system.syslist, system.origin.changes.law)
 
 
@@ -159,6 +167,8 @@ def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
     """Return a scenario or a team with tolerances and method, where these are not None."""
     values = {f"run.{key}": value for key, value in solver.items() if value is not None}
     if values and isinstance(system, Team):
-        members = {name: one.with_values(values) for name, one in system.members.items()}
+        members = {
+            name: one.with_values(values) for name, one in system.members.items()
+        }
         return Team(members=members, edges=system.edges, coupling=system.coupling)
     return system.with_values(values) if values else system

@@ -81,8 +81,13 @@ def run_and_report(
     """
     end, step = system.run.duration, system.run.output_step
     members = [*system.members.values()] if isinstance(system, Team) else [system]
-    even = sample_times(end, min(step_of_means(one, MOST // len(members)) for one in members))
-    own, marks = sample_times(end, step), np.array([t for t in TIMES if t <= end], dtype=float)
+    even = sample_times(
+        end, min(step_of_means(one, MOST // len(members)) for one in members)
+    )
+    own, marks = (
+        sample_times(end, step),
+        np.array([t for t in TIMES if t <= end], dtype=float),
+    )
     dense = simulate(system, union(own, marks, even), progress=progress)
     reached, stopped = dense.time.values, dense.attrs["status"] == "stopped"
     at = nearest(reached, own[own < reached[-1]] if stopped else own)
@@ -102,7 +107,9 @@ def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
         "status": run.attrs.get("status", "finished"),
         "message": str(run.attrs.get("message", "no reason is recorded")),
         "end": float(run.time[-1]),
-        "solver": {k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)},
+        "solver": {
+            k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)
+        },
     }
 
 
@@ -118,7 +125,9 @@ def figures_of(
     at = _at_times(dense)
     if isinstance(system, Scenario):
         return _achieved(system, run, fine, at)
-    apart = {k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()}
+    apart = {
+        k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()
+    }
     figures: dict[str, Any] = {
         "vehicles": list(system.members),
         "coupling": system.coupling,
@@ -130,7 +139,9 @@ def figures_of(
         own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
         for key, value in _achieved(scenario, own, own_fine, own_at).items():
             figures.setdefault(key, {})[name] = value
-    del figures["clpe_rms_per_cycle"]  # rounds of several vehicles are no rounds of the team
+    del figures[
+        "clpe_rms_per_cycle"
+    ]  # rounds of several vehicles are no rounds of the team
     return figures
 
 
@@ -148,13 +159,20 @@ def _achieved(
     """Return what one vehicle achieved; `at` are samples of its run by time."""
     figures, unknown = clpe_of_samples(scenario, fine), unknown_parts(run)
     if "flow_parameters" in run:
-        wrong = {k: one.flow_parameters_estimate - run.flow_parameters for k, one in at.items()}
-        figures["max_flow_parameter_error"] = {k: float(abs(v).max()) for k, v in wrong.items()}
+        wrong = {
+            k: one.flow_parameters_estimate - run.flow_parameters
+            for k, one in at.items()
+        }
+        figures["max_flow_parameter_error"] = {
+            k: float(abs(v).max()) for k, v in wrong.items()
+        }
     if "vehicle_controller" not in unknown:
         car = scenario.vehicle
         true = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
         figures["max_gain_error"] = {
-            key: max(float(np.abs(one[name] - gain).max()) for name, gain in true.items())
+            key: max(
+                float(np.abs(one[name] - gain).max()) for name, gain in true.items()
+            )
             for key, one in at.items()
         }
     if scenario.flow.field is not None and "true_flow" not in unknown:
@@ -193,8 +211,13 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     """
     cure = "clpt.simulation.run_and_report(scenario) gives a summary"
     check_holds("claims: summary", summary, ["clpe_rms_per_cycle"], cure)
-    rms, keys = summary["clpe_rms_per_cycle"], ("max_flow_parameter_error", "max_gain_error")
-    if len(rms) < 2 or not all({"200", "2000"} <= summary.get(key, {}).keys() for key in keys):
+    rms, keys = (
+        summary["clpe_rms_per_cycle"],
+        ("max_flow_parameter_error", "max_gain_error"),
+    )
+    if len(rms) < 2 or not all(
+        {"200", "2000"} <= summary.get(key, {}).keys() for key in keys
+    ):
         raise DataError(
             "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
         )
@@ -203,13 +226,25 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     claim = "CLPE goes to zero over about one cycle"
     criterion = "rms |e| in the second cycle at most 10 % of the first"
     rows = [(claim, criterion, measured, "holds" if share <= 0.1 else "fails")]
-    about = "the six flow parameters converge to their true values", "the gains converge likewise"
+    about = (
+        "the six flow parameters converge to their true values",
+        "the gains converge likewise",
+    )
     criterion = "largest error at most 0.05 after one cycle, t = 200"
     for claim, key in zip(about, keys, strict=True):
         early, late = summary[key]["200"], summary[key]["2000"]
         verdict = "fails"
         if late <= 0.05:
-            verdict = "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
-        rows.append((claim, criterion, f"{early:.3g} at t = 200, {late:.3g} at t = 2000", verdict))
+            verdict = (
+                "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
+            )
+        rows.append(
+            (
+                claim,
+                criterion,
+                f"{early:.3g} at t = 200, {late:.3g} at t = 2000",
+                verdict,
+            )
+        )
     names = ("claim", "criterion", "measured", "verdict")
     return [dict(zip(names, row, strict=True)) for row in rows]

@@ -69,9 +69,14 @@ def varied_places(
     names: str | Iterable[str], wiring: Wiring, states: Sequence[str]
 ) -> dict[str, Place]:
     """Return what is varied by these names, number by number: parameters, states of the start."""
-    parameters, places = [node.system.parameters for node in wiring.nodes], dict[str, Place]()
+    parameters, places = (
+        [node.system.parameters for node in wiring.nodes],
+        dict[str, Place](),
+    )
     known = places_of(wiring, parameters, states)
-    starts = {f"{START}.{name}": own[-1] for name, own in known.items() if own[-1].states}
+    starts = {
+        f"{START}.{name}": own[-1] for name, own in known.items() if own[-1].states
+    }
     starts[START] = Place(states=tuple(range(len(states))))
     for name in [names] if isinstance(names, str) else names:
         place = starts.get(name) or place_of(name, known, parameters)
@@ -84,8 +89,13 @@ def varied_places(
             )
         places |= {f"{START}.{states[k]}": Place(states=(k,)) for k in place.states}
         if place.fields:
-            value, whole = value_at(place, parameters, np.zeros(0)), name.partition("[")[0]
-            every = np.ndindex(np.shape(value)) if place.element is ... else [place.element]
+            value, whole = (
+                value_at(place, parameters, np.zeros(0)),
+                name.partition("[")[0],
+            )
+            every = (
+                np.ndindex(np.shape(value)) if place.element is ... else [place.element]
+            )
             for at in every:
                 label = f"{whole}[{','.join(map(str, at))}]" if at else name
                 places[label] = place._replace(element=at)
@@ -97,7 +107,9 @@ def varied_places(
                     "index, an `if`, or a library that is no NumPy), so its derivative is not known"
                 )
     if not places:
-        raise SimulationError("to: nothing is varied; name a parameter, or a state of the start")
+        raise SimulationError(
+            "to: nothing is varied; name a parameter, or a state of the start"
+        )
     return places
 
 
@@ -125,9 +137,14 @@ class Sensitive:
             self.places = varied_places(to, self.wiring, self.states)
             self.runner = self._compile(params)
         except (Uncompiled, Unread) as error:
-            raise SimulationError(f"{self.name}: has no known derivative: {error}") from None
+            raise SimulationError(
+                f"{self.name}: has no known derivative: {error}"
+            ) from None
         outputs = len(self.wiring.outputs)
-        self.labels, self.input_labels = run.signal_labels[:outputs], run.signal_labels[outputs:]
+        self.labels, self.input_labels = (
+            run.signal_labels[:outputs],
+            run.signal_labels[outputs:],
+        )
         self.units = signal_units(run.wiring)[:outputs]
         self.inputs = read_inputs(inputs, times, run.wiring.ninputs)
         state = 0.0 if start is None else start
@@ -143,7 +160,9 @@ class Sensitive:
             if may_jump(node.system)
             or (k in varied_blocks and node.system.breakpoints_function is not None)
         ]
-        fields = {field: field for place in self.places.values() for field in place.fields}
+        fields = {
+            field: field for place in self.places.values() for field in place.fields
+        }
         return NativeDiagram(self.wiring, params, Directions(directions), fields)
 
     def _parameters(self, place: Place) -> Varied:
@@ -158,7 +177,9 @@ class Sensitive:
     @property
     def values(self) -> np.ndarray:
         """What is varied, as it was given."""
-        return np.array([value_at(place, self.given, self.start) for place in self.places.values()])
+        return np.array(
+            [value_at(place, self.given, self.start) for place in self.places.values()]
+        )
 
     def with_values(self, values: np.ndarray) -> tuple[np.ndarray, list[Any]]:
         """Return the start, and parameters of blocks, with other values of what is varied."""
@@ -175,7 +196,9 @@ class Sensitive:
         for row, place in zip(x[1:], self.places.values(), strict=True):
             row[list(place.states)] = 1.0
         runner, solver = self.runner.with_parameters(given), {**self.solver, **solver}
-        solution, why = run_compared(runner, x.ravel(), self.times, inputs=self.inputs, **solver)
+        solution, why = run_compared(
+            runner, x.ravel(), self.times, inputs=self.inputs, **solver
+        )
         if why:
             raise SimulationError(f"{self.name}: its derivative is not known: {why}")
         every = runner.signals(solution, self.inputs)
@@ -184,7 +207,9 @@ class Sensitive:
         u[..., 0] = self.inputs.along(solution.t).T
         rows = np.concatenate([every, u], axis=1)[self.skipped :]
         outputs = np.array([self.wiring.output_map @ row for row in rows])
-        states = solution.x.reshape(len(every), *x.shape).transpose(0, 2, 1)[self.skipped :]
+        states = solution.x.reshape(len(every), *x.shape).transpose(0, 2, 1)[
+            self.skipped :
+        ]
         done = replace(solution, t=solution.t[self.skipped :], x=states[..., 0])
         return RunWithDerivatives(done, outputs, states)
 
@@ -195,15 +220,25 @@ class Sensitive:
             size = abs(value) or 1.0
             if not self.doubtful or np.isinf(size):  # which has nothing beside it
                 continue
-            along, way = found.every[..., 1 + j] * size, size * (np.arange(len(values)) == j)
-            wrong, before = np.ones(along.shape, dtype=bool), np.full(along.shape, np.inf)
+            along, way = (
+                found.every[..., 1 + j] * size,
+                size * (np.arange(len(values)) == j),
+            )
+            wrong, before = (
+                np.ones(along.shape, dtype=bool),
+                np.full(along.shape, np.inf),
+            )
             for h in STEPS:
-                more, less = (self.run(values + s * way, **solver).every[..., 0] for s in (h, -h))
+                more, less = (
+                    self.run(values + s * way, **solver).every[..., 0] for s in (h, -h)
+                )
                 n = min(len(more), len(less), len(along))
                 off = np.abs((more[:n] - less[:n]) / (2.0 * h) - along[:n])
                 # what is left may be of rounding where it is less than that of the ones before
                 rounding = 10 * EXACT["rtol"] / h * np.abs(more).max(axis=0)
-                near = CLOSE * np.abs(along).max(axis=0) + rounding * (off <= 0.2 * before[:n])
+                near = CLOSE * np.abs(along).max(axis=0) + rounding * (
+                    off <= 0.2 * before[:n]
+                )
                 wrong, before = wrong[:n] & (off > near), off
                 if not wrong.any():
                     break
@@ -283,15 +318,23 @@ def dataset_of(
     """Return the derivatives of ports, signals and states as a Dataset."""
     import xarray
 
-    frame = diagram_frame(ready.name, *map(tuple, (ready.labels, ready.units, ready.states)))
+    frame = diagram_frame(
+        ready.name, *map(tuple, (ready.labels, ready.units, ready.states))
+    )
     each = [
-        frame.filled(replace(found.solution, x=found.states[..., j]), found.outputs[..., j])
+        frame.filled(
+            replace(found.solution, x=found.states[..., j]), found.outputs[..., j]
+        )
         for j in range(1, 1 + len(ready.places))
     ]
     if "parameter" in each[0].variables:
-        raise SimulationError("parameter: is a dimension of the result; rename it in the system")
+        raise SimulationError(
+            "parameter: is a dimension of the result; rename it in the system"
+        )
     names = xarray.Variable("parameter", [*ready.places])
-    data = xarray.concat(each, names, combine_attrs="override").transpose(..., "parameter")
+    data = xarray.concat(each, names, combine_attrs="override").transpose(
+        ..., "parameter"
+    )
     data.attrs["title"] = f"Sensitivities of {ready.name}"
     for name, one in data.data_vars.items():
         one.attrs["long_name"] = f"derivative of {name} by each parameter"

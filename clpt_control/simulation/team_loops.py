@@ -48,7 +48,11 @@ def team_blocks(team: Team) -> list[Block]:
     blocks = []
     for name, scenario in team.members.items():
         law = pulled_law(LAWS[TEAM_LAW].block(scenario.known_to_law))
-        blocks += [within(one, name) for one in changed_blocks(scenario, changes_of(law))]
+        blocks += [
+            within(one, name) for one in changed_blocks(scenario, changes_of(law))
+        ]
         neighbours = team.neighbours(name)
-        blocks.append(consensus_block(name, neighbours, scenario.basis.N, team.coupling))
+        blocks.append(
+            consensus_block(name, neighbours, scenario.basis.N, team.coupling)
+        )
     return blocks

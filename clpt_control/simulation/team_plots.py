@@ -11,7 +11,14 @@ from ..figures import COLOURS, GREY, TITLE, axes_for, figure_of
 from ..scenario.file import TEAM
 from ..scenario.recorded_run import check_run
 from ..scenario.team import team_of_run
-from .charts import draw_first_flow, draw_track, positive, square_chart, told_apart, track_plot
+from .charts import (
+    draw_first_flow,
+    draw_track,
+    positive,
+    square_chart,
+    told_apart,
+    track_plot,
+)
 from .comparing import response_plot
 from .plots import clpe_plot, learning_plot
 
@@ -61,13 +68,19 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     known = "flow_parameters" in run
     wrong = run.flow_parameters_estimate - (run.flow_parameters if known else 0.0)
     errors = abs(wrong).max(("axis", "basis"))
-    apart = (run.alpha.max("vehicle") - run.alpha.min("vehicle")).max(("axis", "basis")).values
+    apart = (
+        (run.alpha.max("vehicle") - run.alpha.min("vehicle"))
+        .max(("axis", "basis"))
+        .values
+    )
     bottom.semilogy(time, positive(apart), ":", color=GREY, label="disagreement")
     for k, name in enumerate(team.members):
         own = run.sel(vehicle=name)
         with told_apart(axes, name, COLOURS[k % len(COLOURS)]):
             draw_track(chart, own, points[k])
-            top.semilogy(time, positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7)
+            top.semilogy(
+                time, positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7
+            )
             bottom.semilogy(
                 time,
                 positive(errors.sel(vehicle=name).values),
@@ -76,7 +89,9 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
     top.set(ylabel=f"|CLPE| ({units.length})")
     top.set_title("Prediction errors", **TITLE)
-    bottom.set(xlabel=f"time ({units.time})", ylabel=f"size ({units.length}/{units.time})")
+    bottom.set(
+        xlabel=f"time ({units.time})", ylabel=f"size ({units.length}/{units.time})"
+    )
     learned = "error of a flow parameter" if known else "flow parameter"
     bottom.set_title(f"Largest {learned} of each vehicle", **TITLE)
     for ax in (top, bottom):
@@ -98,7 +113,11 @@ def run_figures(
         "figure4": (learning_plot, 2),
     }
     if "scenario" not in run.attrs:
-        plots = {"team": (team_plot,)} if TEAM in run.attrs else {"response": (response_plot,)}
+        plots = (
+            {"team": (team_plot,)}
+            if TEAM in run.attrs
+            else {"response": (response_plot,)}
+        )
     results: dict[Path, Any] = {}
     for name, (plot, *axis) in plots.items():
         figure = figure_of(plot, run, *axis)

@@ -41,7 +41,9 @@ class Changes(NamedTuple):
     @property
     def description(self) -> str:
         """Replaced parts, except the law, and inserted parts as one line of text."""
-        replaced_parts = {name: part for name, part in self.replace.items() if name != LAW}
+        replaced_parts = {
+            name: part for name, part in self.replace.items() if name != LAW
+        }
         inserted_parts = {
             signal if isinstance(signal, str) else " to ".join(signal): part
             for signal, part in self.insert.items()
@@ -69,7 +71,9 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
     inserting = _checked_mapping("insert", insert, "{('v_x', 'vehicle'): lag}")
     if law is not None:
         if LAW in replacing:
-            raise DiagramError(f"law and replace = {LAW!r}: are one and the same; give one of them")
+            raise DiagramError(
+                f"law and replace = {LAW!r}: are one and the same; give one of them"
+            )
         replacing[LAW] = law
     changes = Changes(
         {name: as_part(part) for name, part in replacing.items()},
@@ -123,11 +127,15 @@ def inserted(parts: Sequence[Part], insert: Mapping[Any, Part]) -> list[Part]:
         signal, *users = (key or ("",)) if isinstance(key, tuple) else (key,)
         argument, sizes = f"insert = {key!r}", _output_sizes(parts)
         if signal not in sizes:
-            raise DiagramError(f"{argument}: must begin with one of {', '.join(sorted(sizes))}")
+            raise DiagramError(
+                f"{argument}: must begin with one of {', '.join(sorted(sizes))}"
+            )
         readers = [reader.name for reader in parts if signal in input_ports(reader)]
         wrong = [user for user in users if user not in readers]
         if wrong or not readers:
-            remedy = f", not to {wrong[0]!r}" if wrong else "; give a signal that is taken"
+            remedy = (
+                f", not to {wrong[0]!r}" if wrong else "; give a signal that is taken"
+            )
             raise DiagramError(
                 f"{argument}: '{signal}' goes to {', '.join(readers) or 'nobody'}{remedy}"
             )
@@ -143,7 +151,9 @@ def inserted(parts: Sequence[Part], insert: Mapping[Any, Part]) -> list[Part]:
     return parts
 
 
-def with_ports(part: Part, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> Part:
+def with_ports(
+    part: Part, inputs: Mapping[str, str], outputs: Mapping[str, str]
+) -> Part:
     """Return a part with renamed inputs and outputs: {old: new}."""
     if isinstance(part, Block):
         return renamed(part, part.name, inputs, outputs)
@@ -162,7 +172,11 @@ def with_ports(part: Part, inputs: Mapping[str, str], outputs: Mapping[str, str]
 
 def _output_sizes(parts: Sequence[Part]) -> dict[str, int]:
     """Return the output ports of parts, each with its number of signals."""
-    return {port: size for part in parts for port, size in counts_of(part.output_labels).items()}
+    return {
+        port: size
+        for part in parts
+        for port, size in counts_of(part.output_labels).items()
+    }
 
 
 def _in_place(part: Part, old: Part, sizes: Mapping[str, int], argument: str) -> Part:
@@ -178,13 +192,18 @@ def _in_place(part: Part, old: Part, sizes: Mapping[str, int], argument: str) ->
     return _between(part, (source, size), (result, sizes[result]), argument)
 
 
-def _between(part: Part, source: tuple[str, int], result: tuple[str, int], argument: str) -> Part:
+def _between(
+    part: Part, source: tuple[str, int], result: tuple[str, int], argument: str
+) -> Part:
     """Return a part that reads one port and writes another, each (name, number of signals)."""
     inputs, outputs = input_ports(part), output_ports(part)
     own_input = next(iter(inputs)) if len(inputs) == 1 else source[0]
     candidates = outputs if len(outputs) == 1 else [result[0], source[0]]
     own_output = next((port for port in candidates if port in outputs), result[0])
-    for verb, port, ports in (("takes", own_input, inputs), ("makes", own_output, outputs)):
+    for verb, port, ports in (
+        ("takes", own_input, inputs),
+        ("makes", own_output, outputs),
+    ):
         if port not in ports:
             raise DiagramError(
                 f"{argument}: {part.name} {verb} {', '.join(ports)}; call the one that is meant "

@@ -50,7 +50,10 @@ from .excitation.regressor import error_matrices
 if TYPE_CHECKING:
     import xarray
 
-PRINTED = {"known-flow": "(16)", "learned-flow": "(33)"}  # law -> the equation of its bound
+PRINTED = {
+    "known-flow": "(16)",
+    "learned-flow": "(33)",
+}  # law -> the equation of its bound
 
 
 @dataclass(frozen=True)
@@ -84,7 +87,9 @@ class PrintedBound:
     @property
     def rms(self) -> float:
         """Root mean square of e, over that of the drive divided by k."""
-        e, drive = (np.trapezoid(values**2, self.times) for values in (self.size, self.drive))
+        e, drive = (
+            np.trapezoid(values**2, self.times) for values in (self.size, self.drive)
+        )
         return float(self.k * np.sqrt(e / drive))
 
 
@@ -94,15 +99,21 @@ def drive_along(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     Delta of Eq. (32); with the known-flow law Delta + (theta - theta_hat) phi(x, t), Eq. (16).
     """
     if scenario.flow.parameters is None:
-        raise ScenarioError("flow.field: a gridded field has no parameters theta to compare with")
+        raise ScenarioError(
+            "flow.field: a gridded field has no parameters theta to compare with"
+        )
     known = scenario.learning.row.given_estimate
     estimate = scenario.learning.theta_estimate if known else scenario.flow.parameters
-    modelled = flow_velocity(scenario, run.position.values, run.time.values, np.array(estimate))
+    modelled = flow_velocity(
+        scenario, run.position.values, run.time.values, np.array(estimate)
+    )
     return run.true_flow.values - modelled
 
 
 @public
-def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> PrintedBound:
+def printed_bound(
+    scenario: Scenario, run: "xarray.Dataset", start: float
+) -> PrintedBound:
     """Set a run beside the bound printed for its law.
 
     Parameters
@@ -141,7 +152,12 @@ def printed_bound(scenario: Scenario, run: "xarray.Dataset", start: float) -> Pr
         raise ScenarioError(
             f'learning.law = "{law}": has no printed bound; must be {" or ".join(PRINTED)}'
         )
-    check_holds("printed_bound: run", run, ["time", "clpe"], "clpt.simulate(scenario) makes a run")
+    check_holds(
+        "printed_bound: run",
+        run,
+        ["time", "clpe"],
+        "clpt.simulate(scenario) makes a run",
+    )
     late = run.time.values >= start
     return PrintedBound(
         PRINTED[law],
@@ -163,7 +179,9 @@ def scalar_matrix(w: float, gain: float = 1.0) -> np.ndarray:
     return error_matrices(np.array([w]), nothing, nothing, np.ones(2), gain)[0, :2, :2]
 
 
-def exact_run(pieces: Iterable[Piece], start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def exact_run(
+    pieces: Iterable[Piece], start: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Return times (nt,), 0 and those sampled, and states (nt, n) from a start (n,)."""
     from scipy.linalg import expm
 
@@ -190,11 +208,15 @@ def square_wave_counterexample(gain: float = 100.0, periods: int = 60) -> Printe
     There are 200 samples per half period; the last quarter of the run is measured.
     """
     A, half = scalar_matrix(1.0, gain), np.pi / np.sqrt(gain)
-    pieces = [(half, A, sign * PUSHED, 200) for _ in range(periods) for sign in (1.0, -1.0)]
+    pieces = [
+        (half, A, sign * PUSHED, 200) for _ in range(periods) for sign in (1.0, -1.0)
+    ]
     return _scalar_bound(pieces, 1.5 * periods * half)
 
 
-def burst_counterexample(faint: float = 0.2, quiet: float = 250.0, cycles: int = 4) -> PrintedBound:
+def burst_counterexample(
+    faint: float = 0.2, quiet: float = 250.0, cycles: int = 4
+) -> PrintedBound:
     """Run Delta = 1 with a regressor that is faint, then 1, from e = eta = 0.
 
     The regressor is periodic and so persistently exciting.  `quiet` is the length of its faint
@@ -207,12 +229,20 @@ def burst_counterexample(faint: float = 0.2, quiet: float = 250.0, cycles: int =
 
 
 AMPLITUDE = 0.05  # m/s
-RESONANT = 3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+RESONANT = (
+    3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+)
 
 
-def with_square_wave(scenario: Scenario, amplitude: float, frequency: float) -> Scenario:
+def with_square_wave(
+    scenario: Scenario, amplitude: float, frequency: float
+) -> Scenario:
     """Return the scenario started true, with Delta = (amplitude sign(sin(frequency t)), 0)."""
-    wave = {"kind": "square", "amplitude": [amplitude, 0.0], "period": 2 * np.pi / frequency}
+    wave = {
+        "kind": "square",
+        "amplitude": [amplitude, 0.0],
+        "period": 2 * np.pi / frequency,
+    }
     return started_true(scenario).with_values({"flow.disturbance": wave})
 
 
@@ -255,7 +285,9 @@ def disturbance_counterexample(
     """
     scenario = with_square_wave(paper_scenario(), AMPLITUDE, RESONANT)
     scenario = scenario.with_values({"run.duration": end})
-    run = simulate(scenario, sample_times(end, np.pi / RESONANT / samples), progress=progress)
+    run = simulate(
+        scenario, sample_times(end, np.pi / RESONANT / samples), progress=progress
+    )
     return printed_bound(scenario, run, start)
 
 
@@ -283,7 +315,9 @@ def known_flow_counterexample(
     return printed_bound(scenario, simulate(scenario, sample_times(end, step)), start)
 
 
-def limited_speed_counterexample(end: float = 400.0, max_speed: float = 1.5) -> tuple[float, float]:
+def limited_speed_counterexample(
+    end: float = 400.0, max_speed: float = 1.5
+) -> tuple[float, float]:
     """Refute Theorem 3.2 of a vehicle whose speed is limited, where nothing tells the learner.
 
     Started at the true parameters, so that nothing but what is not flown makes e.  Return the

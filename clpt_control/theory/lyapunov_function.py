@@ -61,7 +61,9 @@ class FailureSearch(PointSearch):
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
         return self.rate_beside(self.case.claim, (1, -1), (False,))
 
-    def rate_beside(self, claim: sympy.Expr, signs: tuple, stills: tuple) -> Failure | None:
+    def rate_beside(
+        self, claim: sympy.Expr, signs: tuple, stills: tuple
+    ) -> Failure | None:
         """Return a point at which V' of the running blocks lies beside a claim, and V' there."""
         residual = tidied(self.case.rate - claim)
         for sign, still in product(signs, stills):
@@ -117,13 +119,21 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
         zero = zero if case.never_positive(case.rate.xreplace(zero)) else {}
     rate = case.readable_rate()
     at = f" where {' = '.join(inputs)} = 0" if zero else ""
-    steps = [valued(case), definite, exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero))]
+    steps = [
+        valued(case),
+        definite,
+        exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)),
+    ]
     if case.claim is not None:
         residual = tidied(case.rate - case.claim)
         left = "" if vanishes(residual) else f"left over: {short(residual)}"
-        steps.append(exact(f"V' = {short(case.in_signals(case.claim))}", not left, left))
+        steps.append(
+            exact(f"V' = {short(case.in_signals(case.claim))}", not left, left)
+        )
 
-    def result(status: str, claim: str, at: Failure | tuple[None, None] = (None, None)) -> Verdict:
+    def result(
+        status: str, claim: str, at: Failure | tuple[None, None] = (None, None)
+    ) -> Verdict:
         return Verdict(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
 
     if failed := first_failure(steps):
@@ -136,17 +146,27 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
         return result("refuted at a jump", jump.claim, rise)
     if not running.holds:
         return result("open", first_failure(steps))
-    status = " ".join(filter(None, ["proved" + at, apart, "" if jump.holds else "between jumps"]))
-    return result(status, f"V' = {short(rate)} <= 0{at}{case.as_they_are}; {definite.claim}")
+    status = " ".join(
+        filter(None, ["proved" + at, apart, "" if jump.holds else "between jumps"])
+    )
+    return result(
+        status, f"V' = {short(rate)} <= 0{at}{case.as_they_are}; {definite.claim}"
+    )
 
 
 def _refuted(case: SystemWithV, search: FailureSearch, found: Verdict) -> Verdict:
     """Return what is found of a V, refuted by a point where it is open and there is one."""
     _, definite, falls, *claimed = found.steps
-    below = "V falls without end" if case.rest is None else "V is below its value at rest"
+    below = (
+        "V falls without end" if case.rest is None else "V is below its value at rest"
+    )
     tried = [
         ("V' > 0", search.rises_at, falls.holds),
-        ("V' is not as claimed", search.not_as_claimed, case.claim is None or claimed[0].holds),
+        (
+            "V' is not as claimed",
+            search.not_as_claimed,
+            case.claim is None or claimed[0].holds,
+        ),
         (below, search.no_least, definite.holds),
     ]
     rate, steps = case.readable_rate(), found.steps
@@ -154,7 +174,9 @@ def _refuted(case: SystemWithV, search: FailureSearch, found: Verdict) -> Verdic
         if holds:
             continue
         at = look()
-        steps += (Step(f"{fails} at a point", at is not None, "counterexample", "", False),)
+        steps += (
+            Step(f"{fails} at a point", at is not None, "counterexample", "", False),
+        )
         if at is not None:
             claim = f"V' = {short(rate)}; {fails}: {at[1]:.3g} at `point`"
             of = replace(found, status="refuted", claim=claim, rate=rate, steps=steps)
@@ -175,7 +197,9 @@ def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure |
     return exact(claim, True), None
 
 
-def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int) -> Verdict:
+def _in_region(
+    case: SystemWithV, search: FailureSearch, within: Any, count: int
+) -> Verdict:
     """Return in which part of a box V' < 0, with inputs of 0."""
     region = Region(case, within)
     level = region.level()
@@ -184,8 +208,16 @@ def _in_region(case: SystemWithV, search: FailureSearch, within: Any, count: int
     at = f" where {' = '.join(inputs)} = 0" if inputs else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
     claim = f"V' < 0 {below}, but at the rest{case.as_they_are}"
-    steps = (valued(case), Step(claim, level > 0.0, "enclosed"), search.running(count, region))
-    failed, V, rate = first_failure(steps), case.in_signals(case.V), case.readable_rate()
+    steps = (
+        valued(case),
+        Step(claim, level > 0.0, "enclosed"),
+        search.running(count, region),
+    )
+    failed, V, rate = (
+        first_failure(steps),
+        case.in_signals(case.V),
+        case.readable_rate(),
+    )
     if failed:
         return Verdict("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
     claim += ": what begins there comes to rest"
@@ -204,7 +236,9 @@ def _best_candidate(
             return found
         if best is None and found.status.startswith("proved"):
             best = found
-    none = "no V was found that is proved: give one, or a rest (at=) about which to search"
+    none = (
+        "no V was found that is proved: give one, or a rest (at=) about which to search"
+    )
     return best or Verdict("open", none, case.V, case.rate)
 
 

@@ -66,11 +66,16 @@ class LawRun:
     @property
     def off(self) -> np.ndarray:
         """theta_hat - theta, shape (time, 2, N)."""
-        return self.run.flow_parameters_estimate.values - self.run.flow_parameters.values
+        return (
+            self.run.flow_parameters_estimate.values - self.run.flow_parameters.values
+        )
 
     def state(self, name: str) -> np.ndarray:
         """A matrix of the law, shape (time, n, n)."""
-        own = [str(label).startswith(f"adaptation_{name}[") for label in self.run.state.values]
+        own = [
+            str(label).startswith(f"adaptation_{name}[")
+            for label in self.run.state.values
+        ]
         n = int(np.sqrt(np.count_nonzero(own)))
         return self.run.states.values[:, own].reshape(-1, n, n)
 
@@ -80,7 +85,9 @@ class LawRun:
 
     def integral(self, values: np.ndarray, weights: np.ndarray) -> float:
         """The integral of sum weights values^2."""
-        return float(np.trapezoid(np.sum(weights * values**2, axis=1), self.run.time.values))
+        return float(
+            np.trapezoid(np.sum(weights * values**2, axis=1), self.run.time.values)
+        )
 
 
 def rise(values: np.ndarray) -> float:
@@ -93,7 +100,9 @@ def rise(values: np.ndarray) -> float:
 def mean_square(along: LawRun) -> float:
     """Return int e^T KD e over 2 V(0) + int d^T KD^-1 d."""
     run, theta_hat = along.run, along.run.flow_parameters_estimate.values
-    known = flow_velocity(along.scenario, run.position.values, run.time.values, theta_hat)
+    known = flow_velocity(
+        along.scenario, run.position.values, run.time.values, theta_hat
+    )
     unknown = along.integral(run.true_flow.values - known, 1 / along.KD)
     return along.share(run.clpe.values, 2 * along.V[0] + unknown)
 
@@ -101,7 +110,9 @@ def mean_square(along: LawRun) -> float:
 def pace(along: LawRun) -> np.ndarray:
     """Return r, per time: the least of KD and of the rates at which the memories pull."""
     p, matrices = along.p, along.row.semidefinite
-    pulls = [p.memory_gain * along.state(name) for name in matrices if name in ("Q", "S")]
+    pulls = [
+        p.memory_gain * along.state(name) for name in matrices if name in ("Q", "S")
+    ]
     roots = np.sqrt([p.get("gain_K", 0.0), p.get("gain_Gamma", 0.0)])
     gains = [name for name in matrices if name in ("Q_1", "Q_2") and np.all(roots > 0)]
     pulls += [np.outer(roots, roots) * along.state(name) for name in gains]
@@ -128,9 +139,15 @@ def level(along: LawRun) -> float:
 
 def balls(along: LawRun) -> float:
     """Return the largest norm of alpha, K or Gamma over what it may have."""
-    limits = (along.p.largest_flow, along.p.largest_feedback, along.p.largest_feedforward)
+    limits = (
+        along.p.largest_flow,
+        along.p.largest_feedback,
+        along.p.largest_feedforward,
+    )
     found = []
-    for name, M in zip(("alpha", "feedback_gain", "feedforward_gain"), limits, strict=True):
+    for name, M in zip(
+        ("alpha", "feedback_gain", "feedforward_gain"), limits, strict=True
+    ):
         norms = np.linalg.norm(along.run[name].values.reshape(len(along.V), -1), axis=1)
         found.append(np.max(norms) / max((1 + along.p.layer) * M, norms[0]))
     return float(max(found))
@@ -147,10 +164,14 @@ def readout(along: LawRun) -> float:
     run, theta = along.run, along.run.flow_parameters.values
     read = run.error_left.values <= 1 - along.p.margin
     off = np.abs(run.flow_parameters_readout.values[read] - theta)
-    return float(np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, along.off[0]]))))
+    return float(
+        np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, along.off[0]])))
+    )
 
 
-CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {  # words; above 1 where it is broken
+CHECKS: dict[
+    str, tuple[str, Callable[[LawRun], float]]
+] = {  # words; above 1 where it is broken
     "falls": ("V never rises", lambda along: rise(along.V)),
     "settles": (
         "CLPE goes to zero, its weighed square integral at most V(0)",
@@ -162,7 +183,9 @@ CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {  # words; above 1 w
     ),
     "zone": (
         "CLPE comes to the zone",
-        lambda along: along.share(beyond(along.run.clpe.values, along.p.zone), along.V[0]),
+        lambda along: along.share(
+            beyond(along.run.clpe.values, along.p.zone), along.V[0]
+        ),
     ),
     "exponential": (
         "V falls exponentially, at the rate that the memories have reached, for good",
@@ -170,8 +193,14 @@ CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {  # words; above 1 w
     ),
     "level": ("V never rises above a level", level),
     "balls": ("what is learned stays within the limits", balls),
-    "shrinks": ("each parameter's error only shrinks", lambda along: rise(abs(along.off))),
-    "estimate": ("the error of the estimate, over its covariance, never rises", estimate),
+    "shrinks": (
+        "each parameter's error only shrinks",
+        lambda along: rise(abs(along.off)),
+    ),
+    "estimate": (
+        "the error of the estimate, over its covariance, never rises",
+        estimate,
+    ),
     "readout": ("the readout is theta", readout),
 }
 
@@ -249,7 +278,9 @@ def largest_disturbance(scenario: Scenario) -> float:
 def truth_of(scenario: Scenario) -> Truth:
     """Return theta, KD and GammaD of a scenario."""
     car = scenario.vehicle
-    return Truth(*map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward)))
+    return Truth(
+        *map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
+    )
 
 
 def checked_promises(scenario: Scenario, **solver: Any) -> dict[str, float]:

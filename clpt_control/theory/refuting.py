@@ -48,7 +48,9 @@ class Search:
     status: str  # "refuted" or "not refuted"
     broken: str  # the promise that is broken and its conditions, or nothing
     scenario: Scenario | None  # repeats it
-    closest: dict[str, float]  # promise -> the largest ratio of all runs; above 1 it is broken
+    closest: dict[
+        str, float
+    ]  # promise -> the largest ratio of all runs; above 1 it is broken
     runs: int
     seconds: float
 
@@ -156,7 +158,9 @@ class CubeNumbers:
 
     def between(self, low: float, high: float, *shape: int) -> np.ndarray:
         """Return numbers between two."""
-        flat = [low + (high - low) * next(self.rest) for _ in range(int(np.prod(shape)))]
+        flat = [
+            low + (high - low) * next(self.rest) for _ in range(int(np.prod(shape)))
+        ]
         return np.reshape(flat, shape)
 
     def scaled(self, low: float, high: float, *shape: int) -> np.ndarray:
@@ -200,18 +204,32 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
     }
     if kind is not None:
         delta = {"kind": kind, "amplitude": strength.tolist()}
-        values["flow.disturbance"] = delta | ({} if kind == "constant" else {"period": period})
-    learning: dict[str, Any] = {"law": law, "position": places[draw.one_of(0, 1)].tolist()}
+        values["flow.disturbance"] = delta | (
+            {} if kind == "constant" else {"period": period}
+        )
+    learning: dict[str, Any] = {
+        "law": law,
+        "position": places[draw.one_of(0, 1)].tolist(),
+    }
     gains = [float(draw.scaled(0.05, 20)), *draw.scaled(0.02, 5, 2).tolist()]
-    adapts, first = draw.one_of(True, False), draw.between(0, 3, 2, 2) * draw.one_of(NEAR_0, 1)
+    adapts, first = (
+        draw.one_of(True, False),
+        draw.between(0, 3, 2, 2) * draw.one_of(NEAR_0, 1),
+    )
     noise = draw.one_of(0, 0, 0, 0.02)
     if row.at_fixes:
         values["localization"] = {"interval": dwell / 3, "noise": noise}
     else:
         first = first if adapts else np.array([KD, GammaD])
-        learning |= {"adapt_gains": adapts, "feedback": first[0], "feedforward": first[1]}
+        learning |= {
+            "adapt_gains": adapts,
+            "feedback": first[0],
+            "feedforward": first[1],
+        }
         needed = [row.alpha_by_gain, adapts, adapts]
-        keys = zip(("parameters", "feedback", "feedforward"), gains, needed, strict=True)
+        keys = zip(
+            ("parameters", "feedback", "feedforward"), gains, needed, strict=True
+        )
         learning["gains"] = {key: gain for key, gain, wanted in keys if wanted} or None
         if noise:
             values["localization"] = {"noise": noise, "noise_period": 1.0}

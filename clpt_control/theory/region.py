@@ -59,7 +59,10 @@ RISING: dict[Any, Callable[..., Any]] = {
     **{sympy.atan: np.arctan, sympy.asinh: np.arcsinh, sympy.log: np.log},
 }
 EXACT = ("sign", "floor", "ceil", "trunc", "maximum", "minimum", "clip")
-STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {"or_": np.maximum, "and_": np.minimum}
+STEPS = {name: ON_NUMBERS[name] for name in EXACT} | {
+    "or_": np.maximum,
+    "and_": np.minimum,
+}
 
 
 def enclosed(expression: sympy.Expr, boxes: dict[Any, Interval]) -> Interval:
@@ -79,7 +82,11 @@ def _enclosed(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
 def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
     if e.is_number:
         value = np.array([float(e)])
-        return (value, value) if e.is_Integer and abs(e) < 2**53 else _outward(value, value)
+        return (
+            (value, value)
+            if e.is_Integer and abs(e) < 2**53
+            else _outward(value, value)
+        )
     of, name = [_enclosed(one, known) for one in e.args], e.func.__name__
     if e.is_Add:
         return reduce(plus, of)
@@ -101,16 +108,23 @@ def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
         lows, highs = zip(*of, strict=True)
         return STEPS[name](*lows), STEPS[name](*highs)
     if name in COMPARED:
-        (a, b), compare = of if name in ("gt", "ge") else of[::-1], COMPARED["g" + name[1]]
+        (a, b), compare = (
+            of if name in ("gt", "ge") else of[::-1],
+            COMPARED["g" + name[1]],
+        )
         return 1.0 * compare(a[0], b[1]), 1.0 * compare(a[1], b[0])
     if name == "inside":
         u, a, b = of
-        return 1.0 * ((a[1] < u[0]) & (u[1] < b[0])), 1.0 * ((a[0] < u[1]) & (u[0] < b[1]))
+        return 1.0 * ((a[1] < u[0]) & (u[1] < b[0])), 1.0 * (
+            (a[0] < u[1]) & (u[0] < b[1])
+        )
     if name == "not_":
         return 1.0 - of[0][1], 1.0 - of[0][0]
     if name == "where":
         return _chosen(*of)
-    raise DiagramError(f"within: {short(e, 60)} is no function whose range in a box is known")
+    raise DiagramError(
+        f"within: {short(e, 60)} is no function whose range in a box is known"
+    )
 
 
 def plus(a: Interval, b: Interval) -> Interval:
@@ -192,18 +206,29 @@ class Region:
         zero = dict.fromkeys(case.inputs, sympy.S.Zero)
         zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
         V, rate, *self.motion = (
-            decided(e.xreplace(zero)) for e in (case.V, case.rate, *case.eq.motion.values())
+            decided(e.xreplace(zero))
+            for e in (case.V, case.rate, *case.eq.motion.values())
         )
         moving = sympy.Tuple(V, *self.motion).free_symbols - {*self.states}
         if moving or case.eq.jumps:
-            why = "it jumps" if case.eq.jumps else f"it moves with {', '.join(map(str, moving))}"
-            raise DiagramError(f"within: {case.system.name} has no region that lasts, for {why}")
+            why = (
+                "it jumps"
+                if case.eq.jumps
+                else f"it moves with {', '.join(map(str, moving))}"
+            )
+            raise DiagramError(
+                f"within: {case.system.name} has no region that lasts, for {why}"
+            )
         if not is_smooth(V):
-            raise DiagramError(f"within: V = {short(V, 60)} bends; give one that is smooth")
+            raise DiagramError(
+                f"within: V = {short(V, 60)} bends; give one that is smooth"
+            )
         self.least = V.xreplace(self.rest)
         both = ((e, tidied(e)) for e in (V - self.least, rate))
         self.V, self.rate = (min(ways, key=sympy.count_ops) for ways in both)
-        self.slopes = {e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)}
+        self.slopes = {
+            e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)
+        }
 
     def slopes_of(self, e: sympy.Expr) -> list[sympy.Expr]:
         """Return the derivatives of an expression by each state; at a kink, of one side."""
@@ -235,9 +260,14 @@ class Region:
             if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
                 continue
             slopes = self.slopes_of(rate)
-            if not all(vanishes(decided(e.xreplace(self.rest))) for e in (rate, *motion, *slopes)):
+            if not all(
+                vanishes(decided(e.xreplace(self.rest)))
+                for e in (rate, *motion, *slopes)
+            ):
                 return None
-            second = [[enclosed(e, boxes) for e in self.slopes_of(slope)] for slope in slopes]
+            second = [
+                [enclosed(e, boxes) for e in self.slopes_of(slope)] for slope in slopes
+            ]
             if _is_negative(np.array(second)[..., 0]):
                 return low, high
         return None
@@ -251,11 +281,18 @@ class Region:
         if near is None:
             return 0.0
         edges = [(k, end[k]) for end in (self.low, self.high) for k in range(len(end))]
-        low, high = (np.array([end] * (1 + len(edges))) for end in (self.low, self.high))
+        low, high = (
+            np.array([end] * (1 + len(edges))) for end in (self.low, self.high)
+        )
         for row, (k, value) in enumerate(edges, 1):
             low[row, k] = high[row, k] = value
         floor, cap, looked = self.range(self.V, low, high)[0], np.inf, 0
-        while looked < MOST and len(floor) and cap > 0 and floor.min() < (1 - ENOUGH) * cap:
+        while (
+            looked < MOST
+            and len(floor)
+            and cap > 0
+            and floor.min() < (1 - ENOUGH) * cap
+        ):
             order = np.argsort(floor, kind="stable")
             first, later = order[:BATCH], order[BATCH:]
             a, b = low[first], high[first]
@@ -270,7 +307,8 @@ class Region:
             parts = _halved(a, b, self.high - self.low)
             floors = np.maximum(self.range(self.V, *parts)[0], np.tile(floors, 2))
             low, high = (
-                np.vstack([own[later], more]) for own, more in zip((low, high), parts, strict=True)
+                np.vstack([own[later], more])
+                for own, more in zip((low, high), parts, strict=True)
             )
             floor = np.append(floor[later], floors)
             low, high, floor = (one[floor <= cap] for one in (low, high, floor))
@@ -299,7 +337,9 @@ def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
     """Return both halves of boxes, each cut across its side that is the largest of the whole."""
     side, rows = np.argmax((high - low) / whole, axis=1), np.arange(len(low))
     lows, highs = np.vstack([low, low]), np.vstack([high, high])
-    highs[rows, side] = lows[rows + len(low), side] = (0.5 * low + 0.5 * high)[rows, side]
+    highs[rows, side] = lows[rows + len(low), side] = (0.5 * low + 0.5 * high)[
+        rows, side
+    ]
     return lows, highs
 
 

@@ -47,7 +47,9 @@ def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
         slope = number.xreplace(rest).xreplace(zero)
         if slope.is_number and not vanishes(slope):
             value = f"= {short(slope)}" if slope.is_finite else "has no value"
-            raise DiagramError(f"{case.system.name}: {s}' {value} at the rest: give it (at=)")
+            raise DiagramError(
+                f"{case.system.name}: {s}' {value} at the rest: give it (at=)"
+            )
         rates[s] = sympy.expand(number.xreplace({q: q + rest[q] for q in rest}))
     if len(rates) > MOST:
         raise DiagramError(
@@ -63,7 +65,9 @@ def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
     """Yield z^T P z with A^T P + P A = -I where A is Hurwitz."""
     states = list(rates)
     zero = dict.fromkeys([*states, *inputs], sympy.S.Zero)
-    A = sympy.Matrix([[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()])
+    A = sympy.Matrix(
+        [[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()]
+    )
     A = A.xreplace(zero).applyfunc(decided)
     if not all(one.is_Rational for one in A):
         return
@@ -74,7 +78,9 @@ def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
         P = sympy.Matrix(n, n, lambda i, j: known[min(i, j), max(i, j)])
         (found,) = sympy.linsolve(list(A.T * P + P * A + sympy.eye(n)), *known.values())
         shares = zip(places, found, strict=True)
-        yield sympy.Add(*(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares))
+        yield sympy.Add(
+            *(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares)
+        )
 
 
 def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
@@ -104,7 +110,9 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     found = dict[Monomial, Monomial | None]()
     for powers in monomials:
         odd = {k for k, n in enumerate(powers) if n % 2}
-        signed = frozenset(k for k in odd if not gens[k].is_nonnegative and gens[k] != TIME)
+        signed = frozenset(
+            k for k in odd if not gens[k].is_nonnegative and gens[k] != TIME
+        )
         if not odd:
             found[powers] = tuple(n // 2 for n in powers)
         elif not signed or signed in rises:
@@ -122,11 +130,16 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
     terms, states = _terms(rates), [*rates]
     slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
     whole = {  # exp(1e8 x) is no power of exp(x)
-        e: sympy.Dummy(str(e), positive=True) for e in sympy.Tuple(*slopes).atoms(sympy.exp)
+        e: sympy.Dummy(str(e), positive=True)
+        for e in sympy.Tuple(*slopes).atoms(sympy.exp)
     }
     slopes = [one.xreplace(whole) for one in slopes]
-    gens = sorted({*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str)
-    falls = defaultdict[Monomial, dict](dict)  # -V', monomial by monomial: term -> its share
+    gens = sorted(
+        {*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str
+    )
+    falls = defaultdict[Monomial, dict](
+        dict
+    )  # -V', monomial by monomial: term -> its share
     for k, slope in enumerate(slopes):
         for powers, share in sympy.Poly(slope, *gens).terms() if slope else ():
             falls[powers][k] = -share
@@ -141,10 +154,15 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
     products = {both for both, *_ in crossed}
 
     row = {
-        powers: k for k, powers in enumerate([*roots, *(one for one in falls if one not in roots)])
+        powers: k
+        for k, powers in enumerate(
+            [*roots, *(one for one in falls if one not in roots)]
+        )
     }
     squares, n, total = len(roots), len(terms), len(terms) + len(crossed)
-    shares = scipy.sparse.lil_array((len(falls), total))  # -V' less the cross terms, of c and q
+    shares = scipy.sparse.lil_array(
+        (len(falls), total)
+    )  # -V' less the cross terms, of c and q
     made_up = scipy.sparse.lil_array((squares, total))  # of their sizes
     for powers, own in falls.items():
         for k, share in own.items():
@@ -165,7 +183,9 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
     small = np.repeat([1.0, 0.0], [n, total - n])
     found = scipy.optimize.linprog(
         np.concatenate([small, small, np.repeat([-HELD, -(HELD**2)], len(states))]),
-        side_by_side([sizes + signed, sizes - signed, np.eye(squares + holds, holds, -squares)]),
+        side_by_side(
+            [sizes + signed, sizes - signed, np.eye(squares + holds, holds, -squares)]
+        ),
         np.zeros(squares + holds),
         side_by_side([equal, -equal, none]),
         np.zeros(len(none)),
@@ -177,13 +197,19 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
         yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
 
 
-def _rounded(values: np.ndarray, exact: list[dict[int, sympy.Expr]]) -> list[sympy.Expr]:
+def _rounded(
+    values: np.ndarray, exact: list[dict[int, sympy.Expr]]
+) -> list[sympy.Expr]:
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
-    found = [sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values]
+    found = [
+        sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values
+    ]
     numbers = [row.get(k, 0) for row in exact for k in used]
     reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]
     for row, pivot in enumerate(pivots):
-        found[used[pivot]] = -sympy.Add(*(reduced[row, j] * found[used[j]] for j in free))
+        found[used[pivot]] = -sympy.Add(
+            *(reduced[row, j] * found[used[j]] for j in free)
+        )
     return found

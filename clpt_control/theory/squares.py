@@ -19,7 +19,15 @@ from ..engine.diagram.symbol_names import TIME
 from ..engine.diagram.symbolic_equations import Equations
 from ..errors import DiagramError
 from .proving.proof import Step, exact
-from .proving.signs import MOST_TERMS, factored, nonpositive, rising_in, terms_of, tidied, vanishes
+from .proving.signs import (
+    MOST_TERMS,
+    factored,
+    nonpositive,
+    rising_in,
+    terms_of,
+    tidied,
+    vanishes,
+)
 from .proving.symbolic_loop import Numbers
 from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
@@ -46,7 +54,11 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     words = {f: sympy.Dummy(str(f.func), real=True) for f in free}
     back = {dummy: f for f, dummy in words.items()}
     inner = [f.args[0] for f in V.atoms(sympy.Function) if f.args[0].is_Add]
-    sums = {a: sympy.Dummy("sum", real=True) for a in inner if len(a.free_symbols - fixed) > 1}
+    sums = {
+        a: sympy.Dummy("sum", real=True)
+        for a in inner
+        if len(a.free_symbols - fixed) > 1
+    }
     back |= {dummy: a for a, dummy in sums.items()}
     V = V.xreplace(words).xreplace(sums)
     moving = sorted(V.free_symbols - fixed, key=str)
@@ -57,14 +69,23 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     for term in sympy.Add.make_args(sympy.Add(*parts)):
         factor, rest = term.as_independent(*moving, as_Add=False)
         base, power = rest.as_base_exp()
-        if _positive(factor) and power.is_Integer and power.is_even and power.is_positive:
+        if (
+            _positive(factor)
+            and power.is_Integer
+            and power.is_even
+            and power.is_positive
+        ):
             form_of[term] = base
         elif rest.is_polynomial(*moving):
             low.append(term)
-        elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:  # it holds no form
+        elif (
+            term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1
+        ):  # it holds no form
             more.append(term)
         else:
-            others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(term)
+            others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(
+                term
+            )
     for symbols, terms in others.items():
         if len(symbols) != 1:
             return None
@@ -78,7 +99,9 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
             return None
         low.append(rising[0])
         form_of[sympy.Add(*terms) - rising[0]] = rising[1]
-    if any(term.free_symbols & set(moving) for term in low):  # squares are completed with them
+    if any(
+        term.free_symbols & set(moving) for term in low
+    ):  # squares are completed with them
         plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
         form_of = {term: form for term, form in form_of.items() if term not in plain}
@@ -86,7 +109,9 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
     if whole is None:
         return None
     both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
-    return Squares(whole.constant, *([one.xreplace(back) for one in terms] for terms in both))
+    return Squares(
+        whole.constant, *([one.xreplace(back) for one in terms] for terms in both)
+    )
 
 
 def _completed(p: sympy.Expr, moving: list) -> Squares | None:
@@ -101,7 +126,9 @@ def _completed(p: sympy.Expr, moving: list) -> Squares | None:
     for powers, c in poly.terms():
         even, holds = any(powers) and not any(n % 2 for n in powers), _positive(c)
         if even and (holds or c.is_nonnegative) and (sum(powers) > 2 or not holds):
-            root = sympy.Mul(*(s ** (n // 2) for s, n in zip(symbols, powers, strict=True)))
+            root = sympy.Mul(
+                *(s ** (n // 2) for s, n in zip(symbols, powers, strict=True))
+            )
             high.terms.append(c * root**2)
             high.forms.extend([root.as_base_exp()[0]] * holds)
     for s in symbols:
@@ -113,7 +140,9 @@ def _completed(p: sympy.Expr, moving: list) -> Squares | None:
         below = sympy.expand(below if a.is_number else sympy.cancel(below))
         rest = _completed(below, moving)
         if rest is not None:
-            return Squares(rest.constant, [a * form**2, *rest.terms], [form, *rest.forms])
+            return Squares(
+                rest.constant, [a * form**2, *rest.terms], [form, *rest.forms]
+            )
         break
     if not high.terms:
         return None
@@ -137,12 +166,19 @@ def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | N
     if cosine is not None and cosine[k].is_positive:
         return least, sympy.sin(cosine[m] * s / 2)
     slope = along(g, {s: sympy.S.One})
-    if least.is_finite and any(rising_in(one(s * slope), s) for one in (tidied, factored)):
+    if least.is_finite and any(
+        rising_in(one(s * slope), s) for one in (tidied, factored)
+    ):
         return least, s
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None
     bend = factored(sympy.diff(slope, s))
-    bends = least.is_finite and vanishes(slope.subs(s, 0)) and bend != 0 and bend.is_nonnegative
+    bends = (
+        least.is_finite
+        and vanishes(slope.subs(s, 0))
+        and bend != 0
+        and bend.is_nonnegative
+    )
     return (least, s) if bends else None  # so that g rises without bound
 
 
@@ -157,7 +193,9 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
     if total is None or not vanishes(total.constant):
         return False
     zero = dict.fromkeys(states, 0)
-    return all(vanishes(form.subs(zero)) for form in total.forms) and holds_all(total, states)
+    return all(vanishes(form.subs(zero)) for form in total.forms) and holds_all(
+        total, states
+    )
 
 
 def holds_all(total: Squares, states: list) -> bool:
@@ -205,7 +243,9 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,)) -> bool:
     totals = (squares(-one, fixed) for one in dict.fromkeys((e, sympy.Add(*left))))
     if any(total and total.constant.is_nonnegative for total in totals):
         return True
-    return any(interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e)))
+    return any(
+        interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e))
+    )
 
 
 # --- states that V does not hold ----------------------------------------------------------------
@@ -220,7 +260,9 @@ def states_beside(
     held, and the forms hold the others beside it.  Inputs are bounded; a form that grows with time
     holds nothing.  `known` is what symbols are.
     """
-    still = {f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat}
+    still = {
+        f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat
+    }
     motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
     fixed = set(eq.values)
     forms = [form.xreplace(still) for form in forms]
@@ -232,7 +274,9 @@ def states_beside(
     }
     unturned = [r.xreplace(turning) for r in (*motion.values(), *forms)]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
-        if isinstance(form, sympy.sin):  # its angle up to whole turns, which is all that counts
+        if isinstance(
+            form, sympy.sin
+        ):  # its angle up to whole turns, which is all that counts
             seen = any(one.has(*form.free_symbols - fixed) for one in unturned)
             forms[k] = sympy.S.Zero if seen else form.args[0]
     forms = [form for form in forms if degree(form, lambda s: s == TIME) == 0]
@@ -240,16 +284,22 @@ def states_beside(
     forms += [form for inner_squares in inner for form in inner_squares.forms]
     left, at, free = list(motion), dict[Any, Any](), list[Any]()
     while left:
-        one = next(filter(None, (_state_of(f.xreplace(at), left, fixed) for f in forms)), None)
+        one = next(
+            filter(None, (_state_of(f.xreplace(at), left, fixed) for f in forms)), None
+        )
         if one is not None:
             at |= one
             left = [s for s in left if s not in one]
         else:
-            varies = {s: bool(sympy.diff(motion[s], s).free_symbols - fixed) for s in left}
+            varies = {
+                s: bool(sympy.diff(motion[s], s).free_symbols - fixed) for s in left
+            }
             degrees = {s: degree(motion[s], (left + free).__contains__) for s in left}
             free.append(min(left, key=lambda s: (varies[s], degrees[s])))
             left.remove(free[-1])
-    unheld = [(port, [s for s in own.flat if s in free]) for port, own in eq.states.items()]
+    unheld = [
+        (port, [s for s in own.flat if s in free]) for port, own in eq.states.items()
+    ]
     whole = ([port] if len(of) == eq.states[port].size else of for port, of in unheld)
     names = ", ".join(map(str, chain.from_iterable(whole)))
     if not free:
@@ -257,13 +307,20 @@ def states_beside(
     plain = [motion[s].xreplace(at) for s in free]
     rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
-    jumps = [new.xreplace(known).xreplace(at) for s, new in after if s in free and new != s]
+    jumps = [
+        new.xreplace(known).xreplace(at) for s, new in after if s in free and new != s
+    ]
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
     if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):
         inputs = " and bounded inputs" if rest.has(*still.values()) else ""
-        return "", exact(f"{names}: linear and stable, driven by what V holds{inputs}", True)
-    both = [*zip(plain, rates, strict=True), *((new,) for new in jumps)]  # expansion hides roots
+        return "", exact(
+            f"{names}: linear and stable, driven by what V holds{inputs}", True
+        )
+    both = [
+        *zip(plain, rates, strict=True),
+        *((new,) for new in jumps),
+    ]  # expansion hides roots
     if all(min(degree(f, free.__contains__) for f in one) <= 1 for one in both):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
         return f"but for {names}", grows
@@ -291,7 +348,11 @@ def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr]
     a, *rest = sympy.Poly(form, s).all_coeffs()
     if not a.is_nonzero or a.free_symbols - fixed:
         return None
-    if len(rest) > 1:  # of higher degree it holds s where nothing else in it moves freely
-        alone = all(isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s})
+    if (
+        len(rest) > 1
+    ):  # of higher degree it holds s where nothing else in it moves freely
+        alone = all(
+            isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s}
+        )
         return {s: bounded} if alone else None
     return {s: (bounded - rest[0]) / a}

@@ -41,7 +41,11 @@ def by_name(eq: Equations) -> dict[str, np.ndarray]:
     """Return the symbols that a function of signals may ask for, by name."""
     found = {name.replace(".", "_"): symbols for name, symbols in eq.named.items()}
     found = {name: symbols for name, symbols in found.items() if name.isidentifier()}
-    found = {name: symbols for name, symbols in found.items() if not hasattr(np.ndarray, name)}
+    found = {
+        name: symbols
+        for name, symbols in found.items()
+        if not hasattr(np.ndarray, name)
+    }
     return found | {"t": np.array(TIME)}
 
 
@@ -50,15 +54,21 @@ def of_signals(system: Any, V: Any) -> Any:
     if not isinstance(V, sympy.Expr):
         return V
     named = by_name(on_symbols(system))
-    places = {s: (name, k) for name, own in named.items() for k, s in enumerate(own.flat)}
-    places = {s: at for s, at in places.items() if s.is_Symbol or isinstance(s, AppliedUndef)}
+    places = {
+        s: (name, k) for name, own in named.items() for k, s in enumerate(own.flat)
+    }
+    places = {
+        s: at for s, at in places.items() if s.is_Symbol or isinstance(s, AppliedUndef)
+    }
     if unknown := V.free_symbols - places.keys():
         raise DiagramError(
             f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
             f"{', '.join(map(str, places))}"
         )
     run = sympy.lambdify([*places], V, "numpy")
-    return lambda s: run(*(np.ravel(getattr(s, name))[k] for name, k in places.values()))
+    return lambda s: run(
+        *(np.ravel(getattr(s, name))[k] for name, k in places.values())
+    )
 
 
 class SystemWithV:
@@ -69,10 +79,17 @@ class SystemWithV:
         names = Numbers if numbers else Names
         self.eq: Equations = on_symbols(system, names, watch=_watched)
         if self.eq.discrete:
-            raise DiagramError(f"{system.name}: is of discrete time, in which nothing has a rate")
+            raise DiagramError(
+                f"{system.name}: is of discrete time, in which nothing has a rate"
+            )
         if not self.eq.motion:
             raise DiagramError(f"{system.name}: has no states, so V' says nothing")
-        named = {**self.eq.signals, **self.eq.states, **self.eq.inputs, **self.eq.fields}
+        named = {
+            **self.eq.signals,
+            **self.eq.states,
+            **self.eq.inputs,
+            **self.eq.fields,
+        }
         for name in sorted({"t", "Abs", *NUMBERS_OF} & named.keys()):
             raise DiagramError(
                 f"{system.name}: has a {name}, as time or a function is called; rename it"
@@ -102,14 +119,19 @@ class SystemWithV:
         Where it may have no value is put down.
         """
         if not callable(source):
-            found = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
+            found = sympy.sympify(
+                self.eq[source] if isinstance(source, str) else source
+            )
             if not isinstance(found, sympy.Expr):
                 raise DiagramError(f"{self.system.name}: {source} is no single number")
             return found
         named = by_name(self.eq)
         ports = {name: symbols.shape for name, symbols in named.items()}
         block = Block(
-            "V", output=lambda t, x, u, p: {"V": source(u)}, inputs=ports, outputs={"V": 1}
+            "V",
+            output=lambda t, x, u, p: {"V": source(u)},
+            inputs=ports,
+            outputs={"V": 1},
         )
         record = block.array_record("output")
 
@@ -180,7 +202,9 @@ class SystemWithV:
             slope = tidied(along(self.V, {s: sympy.S.One}))
             if slope != 0 and not goes_down(f, slope):
                 terms = sympy.Add.make_args(f)
-                others += [slope * g for g in terms if g == f or not goes_down(g, slope)]
+                others += [
+                    slope * g for g in terms if g == f or not goes_down(g, slope)
+                ]
         return self.never_positive(sympy.Add(*others))
 
     # --- in the user's words -------------------------------------------------------------------
@@ -193,14 +217,18 @@ class SystemWithV:
             for index, value in np.ndenumerate(symbols):
                 value = sympy.expand(value)
                 if value.is_Add:
-                    symbol = sympy.Symbol(element_name(port, symbols.shape, index), real=True)
+                    symbol = sympy.Symbol(
+                        element_name(port, symbols.shape, index), real=True
+                    )
                     names |= {value: symbol, sympy.expand(-value): -symbol}
 
         return names
 
     def in_signals(self, e: sympy.Expr) -> sympy.Expr:
         """Return an expression in the diagram's own signals, each signal in place of its sum."""
-        return e.replace(lambda one: one.is_Add, lambda one: self.sums.get(sympy.expand(one), one))
+        return e.replace(
+            lambda one: one.is_Add, lambda one: self.sums.get(sympy.expand(one), one)
+        )
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""

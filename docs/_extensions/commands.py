@@ -19,7 +19,10 @@ class Commands(SphinxDirective):
         for file in Path(cli.__file__).parent.glob("*.py"):
             self.env.note_dependency(str(file))
         text = "\n\n".join(
-            section(command, command.make_context(f"clpt {name}", [], resilient_parsing=True))
+            section(
+                command,
+                command.make_context(f"clpt {name}", [], resilient_parsing=True),
+            )
             for name, command in get_command(cli.application()).commands.items()
         )
         return self.parse_text_to_nodes(text, allow_section_headings=True)
@@ -28,13 +31,17 @@ class Commands(SphinxDirective):
 def section(command, context) -> str:
     """Markdown of a command: its usage, what it does, arguments and options, an example."""
     usage = f"{context.info_name} {' '.join(command.collect_usage_pieces(context))}"
-    about, _, example = inspect.cleandoc(command.help or "").partition("\n\b\nExample:\n")
+    about, _, example = inspect.cleandoc(command.help or "").partition(
+        "\n\b\nExample:\n"
+    )
     parts = [f"## {context.info_name}", f"```text\n{usage}\n```", plain(about, "\n\n")]
     for parameter in command.get_params(context):
         record = parameter.get_help_record(context)
         if record and parameter.name != "help":
             words, said = record
-            words = parameter.metavar if parameter.param_type_name == "argument" else words
+            words = (
+                parameter.metavar if parameter.param_type_name == "argument" else words
+            )
             parts.append(f"`{words}`\n: {plain(said) or '-'}")
     if example:
         parts.append(f"```text\n{dedent(example).strip()}\n```")

@@ -34,4 +34,6 @@ def mathml(node, as_block):
     except MathError as problem:
         raise ValueError(f"{node.source}:{node.line}: {problem}: {source}") from None
     # a bar or a prime is no operator between two things: browsers would put space about it
-    return re.sub(r"<mo([^>]*)>([|‖'])</mo>", r'<mo\1 lspace="0" rspace="0">\2</mo>', found)
+    return re.sub(
+        r"<mo([^>]*)>([|‖'])</mo>", r'<mo\1 lspace="0" rspace="0">\2</mo>', found
+    )

@@ -14,7 +14,10 @@ class Names(SphinxDirective):
 
     def run(self) -> list:
         """Write the table and what autodoc is asked, and parse both."""
-        values = {name: getattr(import_module(self.arguments[0]), name) for name in self.content}
+        values = {
+            name: getattr(import_module(self.arguments[0]), name)
+            for name in self.content
+        }
         lines = [f".. currentmodule:: {self.arguments[0]}", "", ".. list-table::", ""]
         for name, value in values.items():
             kind = "mod" if inspect.ismodule(value) else "obj"

@@ -36,7 +36,9 @@ class Pictures(SphinxPostTransform):
                 raise ValueError(f"{self.env.docname}: the page {page} has no picture")
             picture = found.deepcopy()
             if isinstance(picture, nodes.image):
-                picture["alt"] = f"the picture of the page {self.env.titles[page].astext()}"
+                picture["alt"] = (
+                    f"the picture of the page {self.env.titles[page].astext()}"
+                )
             place.replace_self(picture)
 
 

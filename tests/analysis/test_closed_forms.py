@@ -18,9 +18,18 @@ from analysis.against_adcp import compared, read_adcp
 from analysis.headlines import headline, main, record
 from analysis.margins import KINDS, closed_form, margin
 from analysis.mean_square import mean_square_bound, mean_square_sides
-from analysis.worst_disturbance import influences, peak_gains, regressor_matrices, worst_disturbance
+from analysis.worst_disturbance import (
+    influences,
+    peak_gains,
+    regressor_matrices,
+    worst_disturbance,
+)
 from clpt_control.geodesy import place_from
-from clpt_control.theory.counterexamples import exact_run, scalar_matrix, with_square_wave
+from clpt_control.theory.counterexamples import (
+    exact_run,
+    scalar_matrix,
+    with_square_wave,
+)
 from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor
 from examples import auv, mrac, pendulum, tank
 
@@ -28,7 +37,9 @@ from examples import auv, mrac, pendulum, tank
 def test_peak_gain_in_closed_form():
     """One lag: (1 - e^{-kt})/k; adaptation at 10 rad/s: near 4/pi."""
     lag = np.full((1000, 1, 1), -2.0)
-    assert peak_gains(lag, 0.001, [1000]) == pytest.approx((1 - np.exp(-2)) / 2, rel=1e-5)
+    assert peak_gains(lag, 0.001, [1000]) == pytest.approx(
+        (1 - np.exp(-2)) / 2, rel=1e-5
+    )
     ringing = np.broadcast_to(scalar_matrix(1.0, gain=100.0), (2000, 2, 2))
     assert peak_gains(ringing, 0.01, [2000]) == pytest.approx(4 / np.pi, rel=3e-3)
 
@@ -40,7 +51,10 @@ def test_the_worst_disturbance_is_attained_by_the_closed_loop():
     influence = influences(A, step, [len(A)])[:, 0]
     predicted = peak_gains(A, step, [len(A)])[0]
     scenario = with_square_wave(paper, size, 3.5).with_values({"run.duration": end})
-    loop, times = clpt.closed_loop(scenario, external="delta"), np.linspace(0, end, len(influence))
+    loop, times = (
+        clpt.closed_loop(scenario, external="delta"),
+        np.linspace(0, end, len(influence)),
+    )
     given = {"rtol": 1e-6, "atol": 1e-9, "initial_state": clpt.initial_state(scenario)}
     run = response(loop, times, inputs=[size * np.sign(influence), 0.0], **given)
     reached = abs(run.states[0, -1] - run.states[2, -1]) / size
@@ -55,7 +69,9 @@ def test_the_worst_disturbance_of_the_second_and_later_cycles():
 
 
 def test_mean_square_bound_along_the_papers_runs():
-    paper = clpt.paper_scenario().with_values({"run.duration": 200, "run.output_step": 0.02})
+    paper = clpt.paper_scenario().with_values(
+        {"run.duration": 200, "run.output_step": 0.02}
+    )
     noise = {"kind": "noise", "amplitude": [0.1, 0.2], "period": 0.5, "seed": 3}
     disturbed = paper.with_values({"flow.disturbance": noise})
     for scenario in (paper, disturbed, with_square_wave(paper, 0.05, 3.5)):
@@ -131,7 +147,9 @@ def test_learned_speed_and_current_are_those_of_the_adcp(facts):
 FIRST, *MORE = KINDS
 
 
-@pytest.mark.parametrize("kind", [FIRST, *(pytest.param(k, marks=pytest.mark.slow) for k in MORE)])
+@pytest.mark.parametrize(
+    "kind", [FIRST, *(pytest.param(k, marks=pytest.mark.slow) for k in MORE)]
+)
 def test_where_w_is_held_the_margin_is_the_closed_form(kind):
     """A steady flow and one waypoint, where the vehicle stands; 3 % are the bisection's."""
     still = {"basis.periods": [float("inf")] * 3, "basis.kernel": "gaussian"}
@@ -150,7 +168,9 @@ def test_the_closed_forms_are_where_a_pole_crosses(k, g):
     """The poles of the linear loops, a hair below and above."""
     plant = control.tf([g], [1, k, 0])
     for share, stable in ((0.98, True), (1.02, False)):
-        tau, late, step = (share * closed_form(one, k, g) for one in ("lag", "delay", "sampler"))
+        tau, late, step = (
+            share * closed_form(one, k, g) for one in ("lag", "delay", "sampler")
+        )
         for behind in (control.tf([1], [tau, 1]), control.tf(*control.pade(late, 6))):
             assert (control.feedback(plant * behind).poles().real.max() < 0) == stable
         a = np.exp(-k * step)
@@ -163,11 +183,19 @@ def rohrs(w, unmodelled):
     """Rohrs' loop: y_p = 2/(s+1) 229/(s^2+30s+229) u, model 3/(s+3), both gains adapted by 1."""
 
     reference = control.nlsys(
-        None, lambda t, x, u, p: [0.3 + 1.85 * np.sin(w * t)], inputs=0, outputs=["r"], name="ref"
+        None,
+        lambda t, x, u, p: [0.3 + 1.85 * np.sin(w * t)],
+        inputs=0,
+        outputs=["r"],
+        name="ref",
     )
     lag = control.tf([229], [1, 30, 229]) if unmodelled else 1
-    plant = control.ss(control.tf([2], [1, 1]) * lag, inputs=["u"], outputs=["y"], name="plant")
-    model = control.ss(control.tf([3], [1, 3]), inputs=["r"], outputs=["ym"], name="model")
+    plant = control.ss(
+        control.tf([2], [1, 1]) * lag, inputs=["u"], outputs=["y"], name="plant"
+    )
+    model = control.ss(
+        control.tf([3], [1, 3]), inputs=["r"], outputs=["ym"], name="model"
+    )
     adaptation = control.nlsys(
         lambda t, x, u, p: [-(u[1] - u[2]) * u[0], -(u[1] - u[2]) * u[1]],
         lambda t, x, u, p: [x[0] * u[0] + x[1] * u[1], x[0], x[1]], states=2, name="law",
@@ -183,7 +211,9 @@ def rohrs(w, unmodelled):
 def test_rohrs_example_loses_stability_by_the_lag_alone():
     """At the frequency where the unmodelled phase is 180 degrees ky drifts until all is lost."""
     assert np.all(np.abs(rohrs(16.1, False).y.values) < 3)
-    says(clpt.SimulationError, r"the integration stopped at t = 2\d\.", rohrs, 16.1, True)
+    says(
+        clpt.SimulationError, r"the integration stopped at t = 2\d\.", rohrs, 16.1, True
+    )
 
 
 # --- the judge of a replay's headline ------------------------------------------------------------
@@ -195,13 +225,17 @@ def test_a_fix_on_the_ellipse_is_one_half_axis_away():
     replay = clpt.replay.replay_dives(DIVES[:6])
     said = clpt.replay.next_dive(replay).as_dict()
     turn = np.radians(said["ellipse_90_bearing"])
-    along, across = np.array([[np.sin(turn), np.cos(turn)], [-np.cos(turn), np.sin(turn)]])
+    along, across = np.array(
+        [[np.sin(turn), np.cos(turn)], [-np.cos(turn), np.sin(turn)]]
+    )
     for way in (said["ellipse_90_long"] * along, said["ellipse_90_short"] * across):
         lat, lon = place_from(said["latitude"], said["longitude"], *way)
         found = headline(replay, replace(DIVES[6], lat_gpse=lat, lon_gpse=lon))
         assert found.away == pytest.approx(1.0, rel=1e-3)
         assert found.miss == pytest.approx(np.hypot(*way), rel=1e-6)
-    assert found.size**2 == pytest.approx(said["ellipse_90_long"] * said["ellipse_90_short"])
+    assert found.size**2 == pytest.approx(
+        said["ellipse_90_long"] * said["ellipse_90_short"]
+    )
 
 
 def test_a_pair_with_dives_missing_between_is_left_out():
@@ -227,8 +261,13 @@ NUMBER = re.compile(r"-?\d[\d.]*(e[-+]\d+)?")
 def rows(said):
     """The rows of a table, by their first cell, without its head."""
     lines = [line for line in said.splitlines() if line.startswith("| ")]
-    cells = [[cell.strip(" `") for cell in line.strip("|").split("|")] for line in lines]
-    return {row[0]: [float(c) if NUMBER.fullmatch(c) else c for c in row[1:]] for row in cells[1:]}
+    cells = [
+        [cell.strip(" `") for cell in line.strip("|").split("|")] for line in lines
+    ]
+    return {
+        row[0]: [float(c) if NUMBER.fullmatch(c) else c for c in row[1:]]
+        for row in cells[1:]
+    }
 
 
 @pytest.fixture
@@ -297,7 +336,8 @@ def test_each_study_leaves_a_table_and_a_figure(tmp_path):
 def test_which_law_when_compares_fast_laws_with_the_papers():
     paper, clear = clpt.paper_scenario(), laws.PAPER["as assumed"]
     both = [
-        {**laws.candidates(paper)[name], **clear} for name in (laws.PRINTED, "composite-memory")
+        {**laws.candidates(paper)[name], **clear}
+        for name in (laws.PRINTED, "composite-memory")
     ]
     printed, memory = (laws.on_papers_scenario(paper, values, 4) for values in both)
     assert np.all(printed.error[1:] > 0.05)

@@ -24,7 +24,9 @@ def study(tmp_path):
         made.said = ran(sys.executable, *words, cwd=ROOT).stdout
         assert inked(tmp_path / f"{name}.png") > 0.01
         lines = (tmp_path / f"{name}.md").read_text().splitlines()
-        rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| ")]
+        rows = [
+            line.strip("| ").split(" | ") for line in lines if line.startswith("| ")
+        ]
         return [[cell.strip() for cell in row] for row in rows[1:]]
 
     return made
@@ -34,14 +36,21 @@ def test_step_response_agrees_with_theory(study):
     values = {name: float(value) for name, value in study("step_response")}
     assert values["largest difference of the two responses"] < 1e-6
     assert values["largest |zc -> e|, learner true"] < 1e-5
-    assert values["initial slope of it (theory: GammaD - Gamma)"] == pytest.approx(0.1, rel=0.02)
+    assert values["initial slope of it (theory: GammaD - Gamma)"] == pytest.approx(
+        0.1, rel=0.02
+    )
 
 
 def test_forecasts_of_flow_estimators(study, tmp_path):
     lines = (DATA / "sg542_dives.csv").read_text().splitlines(keepends=True)
     (tmp_path / "few.csv").write_text("".join(lines[:14]))
-    first = {row[0]: float(row[1]) for row in study("flow_estimators", tmp_path / "few.csv")}
-    assert (len(first), first["tomography, steady"]) == (9, first["least-squares, steady"])
+    first = {
+        row[0]: float(row[1]) for row in study("flow_estimators", tmp_path / "few.csv")
+    }
+    assert (len(first), first["tomography, steady"]) == (
+        9,
+        first["least-squares, steady"],
+    )
     assert max(first.values()) == first["no flow"]
 
 
@@ -52,7 +61,9 @@ def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(study):
         steered, before, aimed, ratio, to_before = map(float, row[2:7])
         assert aimed < 0.5 * steered
         assert aimed < 0.8 * before < 0.8 * steered
-        assert (ratio, to_before) == pytest.approx((aimed / steered, aimed / before), abs=0.01)
+        assert (ratio, to_before) == pytest.approx(
+            (aimed / steered, aimed / before), abs=0.01
+        )
         assert float(row[9]) < 0.5 * float(row[7])  # off a long line
 
 
@@ -66,14 +77,21 @@ def test_readings_find_the_one_that_reproduces_the_paper(study, tmp_path):
 
 
 def test_measured_current_example(tmp_path):
-    words = "examples/measured_current.py", DATA / "maracoos_hfr_2019-01-01.nc", tmp_path
+    words = (
+        "examples/measured_current.py",
+        DATA / "maracoos_hfr_2019-01-01.nc",
+        tmp_path,
+    )
     done = ran(sys.executable, *words, cwd=ROOT)
     assert float(done.stdout.split("ratio ")[1].split()[0]) <= 0.1
     assert inked(tmp_path / "measured_current.png") > 0.01
 
 
 def test_forecasts_of_gliders_in_made_seas(study):
-    ratios = {row[0]: float(row[1]) for row in study("glider_forecasts", "--vehicles", "3")[:16]}
+    ratios = {
+        row[0]: float(row[1])
+        for row in study("glider_forecasts", "--vehicles", "3")[:16]
+    }
     assert len(ratios) == 16
     assert max(ratios.values()) < 1.15
     assert ratios["shelf, M2"] < 0.4

@@ -14,7 +14,14 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.base import random_numbers
-from clpt_control.blocks import disturbance, field, flow, localization, reference, vehicle
+from clpt_control.blocks import (
+    disturbance,
+    field,
+    flow,
+    localization,
+    reference,
+    vehicle,
+)
 from clpt_control.currents.plane import GriddedField
 from clpt_control.engine.model.declaration import Each, multiples
 
@@ -61,7 +68,10 @@ def test_disturbance_is_added_to_the_flow():
 
 
 def test_pinned_interval_stands():
-    block, pinned = reference.reference([[1, 1], [2, 2], [3, 3]], 2.0), {"reference.interval": 4.0}
+    block, pinned = (
+        reference.reference([[1, 1], [2, 2], [3, 3]], 2.0),
+        {"reference.interval": 4.0},
+    )
     for t in (0.0, 1.9, 2.0, 77.0):
         assert block.output(t, [], [], params=pinned)[0] == 2
 
@@ -71,14 +81,23 @@ def test_multiples_are_single_rounded_products():
     np.testing.assert_array_equal(times, [0.1 * k for k in range(1, len(times) + 1)])
     assert times[-1] <= 1000.0 < 0.1 * (len(times) + 1)
     ends = ((4.0, 8.0), (4.5, 5.5), (-9.0, 1.0))
-    assert [multiples(2.0, *between).tolist() for between in ends] == [[6.0, 8.0], [], []]
+    assert [multiples(2.0, *between).tolist() for between in ends] == [
+        [6.0, 8.0],
+        [],
+        [],
+    ]
 
 
 def test_multiples_are_counted_as_they_are_listed():
     for period in (0.1, 1 / 3, 7.0, 0.013):
         each, rng = Each(period), np.random.default_rng(1)
         at = multiples(period, 0.0, 900.0)
-        for t in (*rng.uniform(0, 900, 200), *at[::7], *np.nextafter(at[::7], 0.0), 0.0):
+        for t in (
+            *rng.uniform(0, 900, 200),
+            *at[::7],
+            *np.nextafter(at[::7], 0.0),
+            0.0,
+        ):
             assert each.count(None, t) == np.searchsorted(at, t, side="right")
 
 
@@ -93,7 +112,13 @@ def noise_at(block, **numbers):
 
 COUNT = 20000
 NEIGHBOURS = (0, 1, 2, 12345, random_numbers.MODULUS - 2, random_numbers.MODULUS - 1)
-APART = (3, 3 + 7919, 3 + 104729, 3 + 40503, 3 + 7919 + 104729)  # by numbers of the hash
+APART = (
+    3,
+    3 + 7919,
+    3 + 104729,
+    3 + 40503,
+    3 + 7919 + 104729,
+)  # by numbers of the hash
 
 
 @pytest.fixture(scope="module")
@@ -101,7 +126,9 @@ def noises():
     """Rows of noise: both axes of some seeds, of a position, and of many seeds at one interval."""
     rows, k = [], np.arange(float(COUNT))[:, None]
     for seed in (*NEIGHBOURS, *APART):
-        block = disturbance.disturbance("noise", [1.0, 1.0], period=1.0, seed=float(seed))
+        block = disturbance.disturbance(
+            "noise", [1.0, 1.0], period=1.0, seed=float(seed)
+        )
         rows += [*noise_at(block, interval=k).T]
     for seed in (3.0, 4.0):
         rows += [*noise_at(localization.measurement(1.0, 1.0, seed), interval=k).T]
@@ -134,7 +161,12 @@ def test_the_largest_seed_of_a_scenario_is_no_smaller_one_again():
     largest = int(random_numbers.MODULUS) - 1
     table = {"kind": "noise", "amplitude": [1.0, 1.0], "period": 1.0, "seed": largest}
     paper = clpt.paper_scenario().with_values({"flow.disturbance": table})
-    says(clpt.ScenarioError, "seed", paper.with_values, {"flow.disturbance.seed": largest + 1})
+    says(
+        clpt.ScenarioError,
+        "seed",
+        paper.with_values,
+        {"flow.disturbance.seed": largest + 1},
+    )
 
 
 # --- gridded flow, in place of Eq. (3) --------------------------------------------------------
@@ -178,13 +210,18 @@ velocity = st.floats(-1e6, 1e6).filter(lambda v: v == 0 or abs(v) > 1e-100)
 @settings(max_examples=200, deadline=None)
 @given(v=st.tuples(velocity, velocity), limit=st.floats(1e-3, 1e3))
 def test_at_most_the_limit_in_the_same_direction_and_as_commanded_below(v, limit):
-    found, speed = np.array(vehicle.speed_limit(limit).output(0.0, [], v)), math.hypot(*v)
+    found, speed = (
+        np.array(vehicle.speed_limit(limit).output(0.0, [], v)),
+        math.hypot(*v),
+    )
     assert math.hypot(*found) <= limit * (1 + 1e-14)
     if speed < limit * (1 - 1e-15):
         assert found.tolist() == list(v)
     if speed > limit * (1 + 1e-15):
         assert math.hypot(*found) == pytest.approx(limit, rel=1e-14)
-        assert math.atan2(found[1], found[0]) == pytest.approx(math.atan2(v[1], v[0]), abs=1e-14)
+        assert math.atan2(found[1], found[0]) == pytest.approx(
+            math.atan2(v[1], v[0]), abs=1e-14
+        )
     missing = vehicle.hedging().output(0.0, [], [*v, *found])
     np.testing.assert_allclose(found + missing, v, rtol=1e-15)
 
@@ -194,7 +231,11 @@ AGAINST = [  # speed of the flow, distance at first, and at t
     # 2.5 against 1.5: the distance grows by 1.0 a second
     (2.5, 3.0, lambda t: 3.0 + t),
     # r' = 1 - 1.5 down to r = 1.5 at t = 17, then r' = 1 - r
-    (1.0, 10.0, lambda t: np.where(t <= 17, 10.0 - 0.5 * t, 1.0 + 0.5 * np.exp(17 - t))),
+    (
+        1.0,
+        10.0,
+        lambda t: np.where(t <= 17, 10.0 - 0.5 * t, 1.0 + 0.5 * np.exp(17 - t)),
+    ),
 ]
 
 
@@ -210,7 +251,9 @@ def test_a_vehicle_drifts_or_comes_home_at_what_one_is_faster(speed, start, r):
     }
     run = clpt.simulate(LIMITED.with_values({**CALM, **values}))
     tolerance = 1e-12 if speed > 1.5 else 1e-7
-    np.testing.assert_allclose(run.position, np.outer(r(run.time), along), rtol=tolerance)
+    np.testing.assert_allclose(
+        run.position, np.outer(r(run.time), along), rtol=tolerance
+    )
 
 
 def test_what_is_not_allowed_is_said():
@@ -223,14 +266,20 @@ def test_what_is_not_allowed_is_said():
 
 
 def test_the_limit_has_a_name_at_call_time_and_may_vary():
-    short = LIMITED.with_values({"run.duration": 10, "run.rtol": 1e-12, "run.atol": 1e-13})
+    short = LIMITED.with_values(
+        {"run.duration": 10, "run.rtol": 1e-12, "run.atol": 1e-13}
+    )
     run = clpt.simulate(short, params={"speed_limit.max_speed": 1.1})
-    many = clpt.run_ensemble(short, "vehicle.max_speed=[1.1, 1.5]", 2, trajectories=True)
+    many = clpt.run_ensemble(
+        short, "vehicle.max_speed=[1.1, 1.5]", 2, trajectories=True
+    )
     speeds = many["vehicle.max_speed"].values
     assert sorted(speeds) == [1.1, 1.5]
     for m, speed in enumerate(speeds):
         alone = clpt.simulate(short.with_values({"vehicle.max_speed": float(speed)}))
-        np.testing.assert_allclose(many.position[m], alone.position, rtol=1e-9, atol=1e-9)
+        np.testing.assert_allclose(
+            many.position[m], alone.position, rtol=1e-9, atol=1e-9
+        )
         if speed == 1.1:
             np.testing.assert_allclose(run.position, alone.position, atol=1e-7)
 
@@ -253,7 +302,9 @@ def test_the_vehicle_steers_on_what_it_reads():
 
 def test_the_truth_is_without_noise():
     run = clpt.simulate(NOISY)
-    phi = clpt.equations.evaluate(NOISY.basis_block(), run.time.values, run.position.values)
+    phi = clpt.equations.evaluate(
+        NOISY.basis_block(), run.time.values, run.position.values
+    )
     flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
     np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
     seen = run.measured_position - run.predicted_position
@@ -261,7 +312,9 @@ def test_the_truth_is_without_noise():
     off = ((run.feedback_gain - 1) ** 2 + (run.feedforward_gain - 1) ** 2).sum("axis")
     theta = run.flow_parameters_estimate - run.flow_parameters
     off = off + (theta**2).sum(("axis", "basis"))
-    V = ((run.position - run.predicted_position) ** 2).sum("axis") + off / NOISY.learning.gain
+    V = ((run.position - run.predicted_position) ** 2).sum(
+        "axis"
+    ) + off / NOISY.learning.gain
     np.testing.assert_allclose(run.lyapunov, V / 2, rtol=1e-12)
 
 
@@ -269,21 +322,40 @@ def test_no_noise_is_no_localization():
     quiet = clpt.simulate(NOISY.with_values({"localization.noise": 0.0}))
     plain = clpt.simulate(NOISY.with_values({"localization": None}))
     for name in plain.data_vars:
-        np.testing.assert_allclose(quiet[name], plain[name], rtol=0, atol=1e-7, err_msg=name)
+        np.testing.assert_allclose(
+            quiet[name], plain[name], rtol=0, atol=1e-7, err_msg=name
+        )
     assert set(quiet.data_vars) - set(plain.data_vars) == {"measured_position"}
 
 
 def test_a_measured_track_feeds_the_learner_alone():
     loop = clpt.closed_loop(NOISY, external="x")
     assert loop.input_labels == ["x[0]", "x[1]"]
-    assert {"measurement", "basis_x_true"} <= {one.name for one in clpt.paper_blocks(NOISY)}
+    assert {"measurement", "basis_x_true"} <= {
+        one.name for one in clpt.paper_blocks(NOISY)
+    }
     assert clpt.closed_loop(NOISY, external="x_true").nstates == loop.nstates
 
 
 def test_a_seed_varies_by_a_list_and_every_member_has_its_own_noise():
-    seeds, how = "localization.seed=[0, 1, 2, 3]", {"design": "grid", "trajectories": True}
-    for k, position in enumerate(clpt.run_ensemble(NOISY, seeds, 4, **how).position.values):
+    seeds, how = (
+        "localization.seed=[0, 1, 2, 3]",
+        {"design": "grid", "trajectories": True},
+    )
+    for k, position in enumerate(
+        clpt.run_ensemble(NOISY, seeds, 4, **how).position.values
+    ):
         own = clpt.simulate(NOISY.with_values({"localization.seed": k}))
         np.testing.assert_allclose(position, own.position, rtol=0, atol=1e-10)
-    for vary, said in (("=0:3", "list the values"), ("=[1, 2.5]", "must be a whole number")):
-        says(clpt.ClptError, said, clpt.run_ensemble, NOISY, f"localization.seed{vary}", 2)
+    for vary, said in (
+        ("=0:3", "list the values"),
+        ("=[1, 2.5]", "must be a whole number"),
+    ):
+        says(
+            clpt.ClptError,
+            said,
+            clpt.run_ensemble,
+            NOISY,
+            f"localization.seed{vary}",
+            2,
+        )

@@ -14,15 +14,31 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY, CONCURRENT
 
-LAWS = ("composite-least-squares", "composite-memory", "least-squares", "normalised-gradient")
-AT_200 = dict.fromkeys([*LAWS, "concurrent", "drem"], 2.5e-3)  # the largest error there; of the
-AT_200 |= {"composite-memory": 1e-5, "least-squares": 1e-2}  # paper's 0.257, and at 2000 0.027
+LAWS = (
+    "composite-least-squares",
+    "composite-memory",
+    "least-squares",
+    "normalised-gradient",
+)
+AT_200 = dict.fromkeys(
+    [*LAWS, "concurrent", "drem"], 2.5e-3
+)  # the largest error there; of the
+AT_200 |= {
+    "composite-memory": 1e-5,
+    "least-squares": 1e-2,
+}  # paper's 0.257, and at 2000 0.027
 
 START = {"vehicle.position": [1.3, -0.7]}
 
 
 def test_memory_of_one_function_is_its_integral():
-    own = {"gain": 0.8, "rate": 1.0, "memory_gain": 0.7, "forgetting": 0.0, "filter": 1.5}
+    own = {
+        "gain": 0.8,
+        "rate": 1.0,
+        "memory_gain": 0.7,
+        "forgetting": 0.0,
+        "filter": 1.5,
+    }
     t, theta = np.linspace(0, 8, 9), np.array([[0.6], [-0.4]])
     states, _ = alone(still(COMPOSITE_MEMORY, **own), t, np.ones((1, 9)), theta)
 
@@ -30,21 +46,29 @@ def test_memory_of_one_function_is_its_integral():
         return 1 - 1 / (1 + (1 - np.exp(-1.5 * s)) ** 2)
 
     Q = np.array([quad(seen, 0, end, epsabs=1e-13)[0] for end in t])
-    np.testing.assert_allclose([*states["Q"], *states["b"]], [Q, *(theta * Q)], atol=1e-9)
+    np.testing.assert_allclose(
+        [*states["Q"], *states["b"]], [Q, *(theta * Q)], atol=1e-9
+    )
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_the_filtered_flow_is_that_of_the_true_parameters(law):
-    run = everything(of_law(law, {**START, "run.duration": 15.0, "run.output_step": 0.5}, True))
+    run = everything(
+        of_law(law, {**START, "run.duration": 15.0, "run.output_step": 0.5}, True)
+    )
     F_f = 2.0 * run.position.values - run.q.values  # the filter's pole is twice KD = 1
-    np.testing.assert_allclose(F_f, run.phi_f.values @ run.flow_parameters.values.T, atol=1e-9)
+    np.testing.assert_allclose(
+        F_f, run.phi_f.values @ run.flow_parameters.values.T, atol=1e-9
+    )
     assert np.abs(F_f).max() > 0.1
 
 
 @pytest.mark.parametrize("held", [True, False], ids=["held", "adapted"])
 @pytest.mark.parametrize("law", AT_200)
 def test_the_flow_is_learned(law, held):
-    found = off(clpt.simulate(of_law(law, {"run.duration": 2000.0}, held))).sel(time=[200, 2000])
+    found = off(clpt.simulate(of_law(law, {"run.duration": 2000.0}, held))).sel(
+        time=[200, 2000]
+    )
     assert np.all(found < [AT_200[law], 1e-9])
 
 
@@ -57,7 +81,9 @@ def test_K_and_Gamma_come_from_the_commanded_velocity():
     }
 
     def left(law, **own):
-        run = clpt.simulate(of_law(law, {**more, **own}))[["feedback_gain", "feedforward_gain"]]
+        run = clpt.simulate(of_law(law, {**more, **own}))[
+            ["feedback_gain", "feedforward_gain"]
+        ]
         return np.abs(run.isel(time=-1) - 1).max().to_array()
 
     assert left("learned-flow", **{"learning.gain": 1.0}).min() > 0.1
@@ -88,8 +114,16 @@ AT_REST = {"reference": {"kind": "waypoints", "points": [[0.0, 0.0]], "dwell": 1
 
 def test_priors_must_fit_and_a_track_without_length_needs_the_scales():
     for table, more, said in (
-        ({"priors": [1.0, 2.0]}, {}, "priors: must be 3 numbers, one for each function"),
-        ({"prior": 1.0, "priors": [1.0] * 3}, {}, "priors: must be .* in place of prior"),
+        (
+            {"priors": [1.0, 2.0]},
+            {},
+            "priors: must be 3 numbers, one for each function",
+        ),
+        (
+            {"prior": 1.0, "priors": [1.0] * 3},
+            {},
+            "priors: must be .* in place of prior",
+        ),
         ({"priors": [-1.0] * 3}, {}, "priors"),
         ({"priors": [0.0] * 3}, {}, "priors: must be .* not all 0"),
         ({}, AT_REST, "lie at one place.*give prior and noise"),
@@ -104,7 +138,9 @@ def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     size = {"rows": 3, "columns": 3, "width_km": 15.0, "constituents": tides}
     fitted = clpt.currents.fit_scenario(clpt.currents.sample_currents(), box, **size)
     scenario = clpt.currents.save_fit(fitted, tmp_path / "shoals.toml")
-    scenario = scenario.with_values({"learning.law": LAWS[0], "learning.adapt_gains": False})
+    scenario = scenario.with_values(
+        {"learning.law": LAWS[0], "learning.adapt_gains": False}
+    )
     run = clpt.simulate(scenario)
     late = run.clpe.sel(time=slice(18 - 1e-6, None))
     assert float(np.sqrt((late**2).sum("axis").mean())) <= 0.021
@@ -134,19 +170,29 @@ def test_a_law_with_a_memory_learns_exponentially_after_one_round(law, held):
     assert middle < 0.5 * early
     fallen, to_nothing = np.log(early / middle), np.log(middle / 1e-11)
     assert np.log(middle / max(late, 1e-11)) >= min(2 * fallen, to_nothing) * 0.9
-    assert np.all(np.diff(np.linalg.eigvalsh(square(run, MEMORIES[law]))[:, 0]) >= -1e-7)
+    assert np.all(
+        np.diff(np.linalg.eigvalsh(square(run, MEMORIES[law]))[:, 0]) >= -1e-7
+    )
 
 
 @pytest.mark.parametrize("law", ["projection", "switching-sigma"])
 def test_usual_limits_leave_room_for_a_large_truth_and_others_are_said(law):
-    paper = clpt.paper_scenario().with_values({"vehicle.feedforward": [3, 3], "run.duration": 400})
+    paper = clpt.paper_scenario().with_values(
+        {"vehicle.feedforward": [3, 3], "run.duration": 400}
+    )
     wide = clpt.simulate(paper.with_values({"learning.law": law}))
     np.testing.assert_allclose(wide.clpe, clpt.simulate(paper).clpe, atol=1e-5)
     assert "truth" not in wide.attrs["message"]
-    narrow = {f"learning.{law.replace('-', '_')}.largest_feedforward": 1.0, "run.duration": 2}
+    narrow = {
+        f"learning.{law.replace('-', '_')}.largest_feedforward": 1.0,
+        "run.duration": 2,
+    }
     outside = clpt.paper_scenario().with_values({"learning.law": law, **narrow})
     said = clpt.simulate(outside).attrs["message"]
-    assert "largest_feedforward = 1 is below the truth's 1.41: CLPE need not go to zero" in said
+    assert (
+        "largest_feedforward = 1 is below the truth's 1.41: CLPE need not go to zero"
+        in said
+    )
     assert "truth" not in clpt.simulate(outside.with_values(HELD)).attrs["message"]
 
 
@@ -163,7 +209,11 @@ OWN = {"gain": 0.8, "memory_gain": GAMMA, "window": T, "rate": 1.0}
 
 
 def test_one_function_is_the_closed_form():
-    theta, first, t = np.array([[0.6], [-0.4]]), np.array([[0.3], [0.9]]), np.linspace(0, 6, 61)
+    theta, first, t = (
+        np.array([[0.6], [-0.4]]),
+        np.array([[0.3], [0.9]]),
+        np.linspace(0, 6, 61),
+    )
     x, _ = alone(still(CONCURRENT, **OWN), t, np.ones((1, 61)), theta, alpha=first)
     M = np.maximum(0.0, t - T) / (2 * T)
     S = M / (1 + M)
@@ -181,18 +231,30 @@ def test_what_was_shown_once_is_learned_exponentially_and_for_good(after):
     x, _ = alone(still(CONCURRENT, 2, **OWN), t, phi, theta)
     least = np.linalg.eigvalsh(x["S"].T.reshape(-1, 2, 2))[:, 0]
     assert np.all(np.diff(least) >= -1e-9)  # as Chowdhary and Johnson ask of a stack
-    off, least = np.linalg.norm(x["alpha"].T + theta.ravel(), axis=1)[500:], least[500]  # t = 5
+    off, least = (
+        np.linalg.norm(x["alpha"].T + theta.ravel(), axis=1)[500:],
+        least[500],
+    )  # t = 5
     assert least > 0.1
-    assert np.all(off <= off[0] * np.exp(-2.0 * least * (t[500:] - 5.0)) * (1 + 1e-6) + 1e-12)
+    assert np.all(
+        off <= off[0] * np.exp(-2.0 * least * (t[500:] - 5.0)) * (1 + 1e-6) + 1e-12
+    )
     assert off[-1] < 1e-9 * off[0]
 
 
 def test_the_memory_is_that_of_all_windows_each_normalised_by_itself():
     own = {**START, "run.duration": 6.0, "run.output_step": 0.01}
     run = everything(of_law("concurrent", own, held=True))
-    times, phi, M, T = run.time.values, run.phi_x.values, np.zeros((3, 3)), 1.0  # T = 1/KD
+    times, phi, M, T = (
+        run.time.values,
+        run.phi_x.values,
+        np.zeros((3, 3)),
+        1.0,
+    )  # T = 1/KD
     for a, b in pairwise(range(0, 501, 100)):
         Phi = simpson(phi[a : b + 1], x=times[a : b + 1], axis=0)
-        M += np.outer(Phi, Phi) / (T**2 + Phi @ Phi)  # taken in while the next window runs
+        M += np.outer(Phi, Phi) / (
+            T**2 + Phi @ Phi
+        )  # taken in while the next window runs
         S = M @ np.linalg.inv(np.eye(3) + M)
         np.testing.assert_allclose(square(run, "S")[b + 100], S, atol=1e-9)

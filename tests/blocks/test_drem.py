@@ -40,9 +40,13 @@ def test_the_adjugate_is_numpys(n):
         mixed, Delta = mixing(Q, S)
         assert Delta == pytest.approx(np.linalg.det(A), abs=1e-11 * size)
         for j, k in np.ndindex(n, n):
-            minor = np.delete(np.delete(A, j, 0), k, 1)  # of one number has the determinant 1
+            minor = np.delete(
+                np.delete(A, j, 0), k, 1
+            )  # of one number has the determinant 1
             cofactors[k, j] = (-1) ** (j + k) * np.linalg.det(minor)
-        np.testing.assert_allclose(mixed, S[:, None] * cofactors, rtol=0, atol=1e-11 * size)
+        np.testing.assert_allclose(
+            mixed, S[:, None] * cofactors, rtol=0, atol=1e-11 * size
+        )
 
 
 def test_drem_of_one_function_is_the_closed_form():
@@ -74,7 +78,10 @@ def test_each_error_only_shrinks_and_together(held):
 
 @pytest.mark.parametrize("margin", [0.1, 0.5])
 def test_theta_is_read_in_finite_time(margin):
-    own = {"margin": margin, "rate": 0.02}  # slow, so that much of the first error is left
+    own = {
+        "margin": margin,
+        "rate": 0.02,
+    }  # slow, so that much of the first error is left
     run = clpt.simulate(of_paper(**{**STARTS, "learning.drem": own}))
     off, read = errors(run)
     right = 1 - run.error_left.values >= margin
@@ -92,10 +99,14 @@ def test_the_readout_of_another_start_is_refused_or_right():
     begin[4:10] = first.ravel()
     said = r"alpha is not adaptation\.alpha_0"
     says(clpt.SimulationError, said, clpt.simulate, loop, t, initial_state=begin)
-    run = clpt.simulate(loop, t, initial_state=begin, params={"adaptation.alpha_0": first})
+    run = clpt.simulate(
+        loop, t, initial_state=begin, params={"adaptation.alpha_0": first}
+    )
     off, read = errors(run)
     assert read[-1].max() < 1e-11 < 0.1 < off[-1].max()
-    late = clpt.simulate(loop, t[50:], initial_state=clpt.state_at(clpt.simulate(scenario), 50.0))
+    late = clpt.simulate(
+        loop, t[50:], initial_state=clpt.state_at(clpt.simulate(scenario), 50.0)
+    )
     assert errors(late)[1][-1].max() < 1e-11  # goes on
 
 
@@ -113,9 +124,15 @@ def of_many(N):
     basis = {"centers": ring.T.tolist(), "widths": [3.0] * N, "phases": [0.0] * N}
     return of_paper(
         **{
-            "basis": {"kernel": "exponential", "periods": [9.0 + 2 * k for k in range(N)], **basis},
+            "basis": {
+                "kernel": "exponential",
+                "periods": [9.0 + 2 * k for k in range(N)],
+                **basis,
+            },
             "flow.parameters": np.linspace(-1, 1, 2 * N).reshape(2, N).tolist(),
-            **dict.fromkeys(["model.parameters", "learning.parameters"], [[0.0] * N] * 2),
+            **dict.fromkeys(
+                ["model.parameters", "learning.parameters"], [[0.0] * N] * 2
+            ),
         }
     )
 
@@ -129,7 +146,10 @@ def test_six_functions_are_mixed_and_seven_refused():
 
 
 def test_a_margin_or_an_excitation_that_is_never_reached_is_refused():
-    for said in ("margin = 1.0: must be less than 1", "excitation = 2.0: must be less than or eq"):
+    for said in (
+        "margin = 1.0: must be less than 1",
+        "excitation = 2.0: must be less than or eq",
+    ):
         key, value = said.split(":")[0].split(" = ")
         wrong = {"learning.drem": {key: float(value)}}
         says(clpt.ScenarioError, f"learning.drem.{said}", of_paper, **wrong)
@@ -137,15 +157,22 @@ def test_a_margin_or_an_excitation_that_is_never_reached_is_refused():
 
 BESIDE = [
     ({}, None),
-    ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0]}}, "flow.disturbance"),
+    (
+        {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0]}},
+        "flow.disturbance",
+    ),
     ({"localization": {"noise": 0.02, "noise_period": 1.0}}, "localization.noise"),
 ]
 
 
-@pytest.mark.parametrize(("more", "beside"), BESIDE, ids=["of the basis", "disturbance", "noise"])
+@pytest.mark.parametrize(
+    ("more", "beside"), BESIDE, ids=["of the basis", "disturbance", "noise"]
+)
 def test_a_readout_that_is_not_theta_is_marked(more, beside):
     run = clpt.simulate(of_paper(**{"run.duration": 100, **more}))
     off = np.abs(run.flow_parameters_readout - run.flow_parameters).isel(time=-1).max()
     assert (off > 1e-3) == (beside is not None)
     said = run.flow_parameters_readout.attrs.get("comment", "")
-    assert said == (f"not theta exactly: {beside} is taken for flow of the basis" * bool(beside))
+    assert said == (
+        f"not theta exactly: {beside} is taken for flow of the basis" * bool(beside)
+    )

@@ -31,8 +31,13 @@ def seen(t, forgetting):
 @pytest.mark.parametrize("forgetting", [0.0, 0.2])
 def test_a_constant_regressor_has_a_closed_form(forgetting):
     """phi_f(0) = 1 stays 1: 1/P comes to 1/P(0) + 1/(lambda_0 r^2) by e^(-lambda_0 t)."""
-    t, law = np.linspace(0, 30, 31), still(LEAST_SQUARES, **USUAL, forgetting=forgetting)
-    s, _ = alone(law, t, np.ones((1, 31)), THETA, P=0.8**2, rho=1.0, phi_f=1.0, q=-THETA)
+    t, law = (
+        np.linspace(0, 30, 31),
+        still(LEAST_SQUARES, **USUAL, forgetting=forgetting),
+    )
+    s, _ = alone(
+        law, t, np.ones((1, 31)), THETA, P=0.8**2, rho=1.0, phi_f=1.0, q=-THETA
+    )
 
     def P(t):
         return 1 / (1 / 0.8**2 + seen(t, forgetting) / 0.3**2)
@@ -42,7 +47,9 @@ def test_a_constant_regressor_has_a_closed_form(forgetting):
     held = s["rho"][0] * P(t) / 0.8**2
     np.testing.assert_allclose(-s["alpha"], THETA * (1 - held), atol=1e-9)
     total = [quad(P, 0, end, epsabs=1e-12)[0] for end in t]
-    np.testing.assert_allclose(held, np.exp(np.array(total) / -(0.3**2)), rtol=1e-7)  # eta'/eta
+    np.testing.assert_allclose(
+        held, np.exp(np.array(total) / -(0.3**2)), rtol=1e-7
+    )  # eta'/eta
 
 
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
@@ -133,7 +140,9 @@ def filtered(duration, step=1.0, **own):
     """The paper's scenario with the filter; `own` are keys of its table."""
     values = {"learning.law": "kalman-flow", "learning.parameters": None}
     values |= {f"learning.kalman_flow.{key}": value for key, value in own.items()}
-    return PAPER.with_values({**values, "run.duration": duration, "run.output_step": step})
+    return PAPER.with_values(
+        {**values, "run.duration": duration, "run.output_step": step}
+    )
 
 
 @pytest.mark.parametrize("walk", [0.2, 0.5])
@@ -159,7 +168,10 @@ def test_without_a_walk_the_error_is_the_prior_error_weighed_by_P():
 def test_a_filter_that_starts_true_is_the_known_flow_law():
     start = {"learning.theta_estimate": TRUE, "model.parameters": 0.5 * TRUE}
     known = filtered(100.0).with_values({"learning.law": "known-flow", **start})
-    made, given = everything(known.with_values({"learning.law": "kalman-flow"})), everything(known)
+    made, given = (
+        everything(known.with_values({"learning.law": "kalman-flow"})),
+        everything(known),
+    )
     for name in ("clpe", "predicted_position", "feedback_gain", "alpha", "lyapunov"):
         np.testing.assert_allclose(made[name], given[name], atol=1e-7, err_msg=name)
     assert np.abs(made.flow_parameters_estimate - TRUE).max() < 1e-7
@@ -178,8 +190,13 @@ def test_a_block_of_ones_own_may_make_the_estimate():
     scenario = filtered(60.0)
     table = clpt.paper_blocks(scenario)[-1]
     ports = {"inputs": table.input_shapes, "outputs": table.output_shapes}
-    own = {"states": table.state_shapes, "parameters": table.parameters._replace(walk=0.5)}
-    mine = clpt.Block("mine", update=kalman_flow, output=table.output_function, **ports, **own)
+    own = {
+        "states": table.state_shapes,
+        "parameters": table.parameters._replace(walk=0.5),
+    }
+    mine = clpt.Block(
+        "mine", update=kalman_flow, output=table.output_function, **ports, **own
+    )
     loop = clpt.closed_loop(scenario, law=mine)
     run = clpt.simulate(loop)
     assert loop.syslist[-3].input_ports == {"phi_x": 3, "theta_hat": 6}
@@ -189,7 +206,12 @@ def test_a_block_of_ones_own_may_make_the_estimate():
 
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
     said = 'parameters: law = "kalman-flow" has no use for it; remove'
-    says(clpt.ScenarioError, said, filtered(10.0).with_values, {"learning.parameters": TRUE})
+    says(
+        clpt.ScenarioError,
+        said,
+        filtered(10.0).with_values,
+        {"learning.parameters": TRUE},
+    )
     run = clpt.simulate(filtered(10.0).with_values({"model.parameters": 0.5 * TRUE}))
     np.testing.assert_array_equal(run.flow_parameters_estimate[0], 0.5 * TRUE)
     np.testing.assert_array_equal(run.alpha[-1], 0.5 * TRUE)
@@ -198,9 +220,14 @@ def test_alpha_and_its_start_are_those_of_the_known_flow_law():
 @pytest.mark.parametrize("regressor", [0.1, 1.0, 30.0])
 def test_a_constant_regressor_is_learned_at_its_rate(regressor):
     """phi_f(0) = phi stays, e = 0: eta = theta e^(-gamma_n phi^2 t/(1 + phi^2))."""
-    t, own = np.linspace(0, 8, 9), {"gain": 0.8, "rate": 1.0, "filter": 1.5, "regression_gain": 0.7}
+    t, own = (
+        np.linspace(0, 8, 9),
+        {"gain": 0.8, "rate": 1.0, "filter": 1.5, "regression_gain": 0.7},
+    )
     start = {"phi_f": regressor, "q": -THETA * regressor}
     law, phi = still(NORMALISED_GRADIENT, **own), np.full((1, 9), regressor)
     found, _ = alone(law, t, phi, THETA, **start)
     rate = 0.7 * regressor**2 / (1 + regressor**2)
-    np.testing.assert_allclose(THETA + found["alpha"], THETA * np.exp(-rate * t), atol=1e-8)
+    np.testing.assert_allclose(
+        THETA + found["alpha"], THETA * np.exp(-rate * t), atol=1e-8
+    )

@@ -14,13 +14,21 @@ from clpt_control.simulation.user_parts import functions_of
 from clpt_control.theory.proving.theorem_loop import theorem_scenario
 
 N = 2
-TRUTH = Truth(np.array([[0.1, 0.2], [-0.1, -0.2]]), np.array([1.0, 0.7]), np.array([1.2, -0.5]))
+TRUTH = Truth(
+    np.array([[0.1, 0.2], [-0.1, -0.2]]), np.array([1.0, 0.7]), np.array([1.2, -0.5])
+)
 AT_TRUTH = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD}
 
 
 def made(name, **gains):
     known = theorem_scenario(N, name).known_to_law
-    given = {"parameters": 0.5, "feedback": 0.3, "feedforward": 0.2, "one": False, **gains}
+    given = {
+        "parameters": 0.5,
+        "feedback": 0.3,
+        "feedforward": 0.2,
+        "one": False,
+        **gains,
+    }
     return LAWS[name].block(known._replace(gains=Gains(**given)))
 
 
@@ -36,7 +44,9 @@ def rates(block, seed=0):
     x, u = random.normal(size=block.nstates), random.normal(size=block.ninputs)
     dx = block.dynamics(0.0, x, u)
     given = {port: u[place(block.input_ports, port)] for port in block.input_ports}
-    return {port: dx[place(block.state_ports, port)] for port in block.state_ports}, given
+    return {
+        port: dx[place(block.state_ports, port)] for port in block.state_ports
+    }, given
 
 
 @pytest.mark.parametrize("name", LAWS)
@@ -69,7 +79,9 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
 def test_V_weighs_each_error_by_its_gain(name):
     V = LAWS[name].V(made(name).parameters, TRUTH)
     off = {"e": 0.0, "alpha": 0.1, "K": 0.2, "Gamma": 0.3}
-    u = np.concatenate([AT_TRUTH.get(port, np.zeros(2)) + off[port] for port in V.input_ports])
+    u = np.concatenate(
+        [AT_TRUTH.get(port, np.zeros(2)) + off[port] for port in V.input_ports]
+    )
     alpha = 2 * N * 0.1**2 / 0.5 if name == "learned-flow" else 0.0
     wanted = (alpha + 2 * 0.2**2 / 0.3 + 2 * 0.3**2 / 0.2) / 2
     assert V.output(0.0, [], u)[0] == pytest.approx(wanted, rel=1e-14)
@@ -83,8 +95,16 @@ def test_rates_are_read_for_every_N_unless_they_count(name):
 
 
 KEYS = {
-    **{"learning.gain": 1.3, "vehicle.feedback": [1.1, 0.8], "vehicle.feedforward": [1.1, -0.6]},
-    **{"vehicle.position": [5.0, 6.0], "reference.dwell": 17.0, "localization.interval": 6.0},
+    **{
+        "learning.gain": 1.3,
+        "vehicle.feedback": [1.1, 0.8],
+        "vehicle.feedforward": [1.1, -0.6],
+    },
+    **{
+        "vehicle.position": [5.0, 6.0],
+        "reference.dwell": 17.0,
+        "localization.interval": 6.0,
+    },
     **{"localization.latency": 0.5, "localization.noise": 0.2},
     "model.parameters": [[0.1, 0.2], [0.3, 0.4]],
     "learning.parameters": [[0.5, 0.2], [0.3, 0.4]],
@@ -107,6 +127,10 @@ def test_what_a_law_is_made_of_is_what_changes_it(name):
             continue  # the law has no use for it
         first, second = values(scenario.known_to_law), values(other.known_to_law)
         formed = key in keys_of_law(other)
-        held = {one for one in first if not formed and key in keys_of(other, f"adaptation.{one}")}
+        held = {
+            one
+            for one in first
+            if not formed and key in keys_of(other, f"adaptation.{one}")
+        }
         moved = {one for one in first if not np.array_equal(first[one], second[one])}
         assert bool(moved - held) == formed, (key, moved, held)

@@ -22,8 +22,18 @@ from clpt_control.gliders import write_dive_table
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")
-QUIET = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
-QUIET += ["--disable-sync", "--disable-background-networking", "--disable-component-update"]
+QUIET = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+]
+QUIET += [
+    "--disable-sync",
+    "--disable-background-networking",
+    "--disable-component-update",
+]
 PROBE = """
 <script>
 FOUND
@@ -69,7 +79,9 @@ FRAME = """
 """
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"),
+    pytest.mark.skipif(
+        not CHROMIUM, reason="no Chromium is installed: chromium is not on PATH"
+    ),
 ]
 
 
@@ -104,7 +116,11 @@ def asked(page, probe, tmp_path, width, *words):
     probed.write_text(text.replace("<head>", head, 1), "utf-8")
     frame = tmp_path / "frame.html"
     frame.write_text(FRAME.format(page=probed.as_uri(), width=width), "utf-8")
-    words = (f"--window-size={max(width, 500)},900", "--virtual-time-budget=5000", *words)
+    words = (
+        f"--window-size={max(width, 500)},900",
+        "--virtual-time-budget=5000",
+        *words,
+    )
     tree, console = shown(frame, tmp_path / "profile", *words)
     found = json.loads(re.search(r"<body>(.*?)</body>", tree, re.S)[1])
     assert (console, found["fetched"], found["inner"]) == ([], [], width)
@@ -174,7 +190,16 @@ function found() {
 }
 """
 SECTIONS = {
-    "run": ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"],
+    "run": [
+        "achieved",
+        "loop",
+        "track",
+        "clpe",
+        "learning",
+        "excitation",
+        "scenario",
+        "versions",
+    ],
     "team": ["achieved", "loop", "track", "excitation", "scenario", "versions"],
     "ensemble": ["spread", "varied", "scenario", "versions"],
 }
@@ -206,7 +231,12 @@ def test_the_page_is_quiet(pages, tmp_path, name):
 def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
     words = [DARK] if theme == "dark" else []
     found = asked(pages / f"{name}.html", READ, tmp_path, width, *words)
-    wanted = {"dark": theme == "dark", "faint": [], "flat": 0, "sections": SECTIONS[name]}
+    wanted = {
+        "dark": theme == "dark",
+        "faint": [],
+        "flat": 0,
+        "sections": SECTIONS[name],
+    }
     assert {key: found[key] for key in wanted} == wanted
     assert found["texts"] > 60
 
@@ -215,7 +245,13 @@ def test_the_page_prints(pages, tmp_path):
     """As pages of paper, with the scenario unfolded."""
     made = tmp_path / "run.pdf"
     profile = f"--user-data-dir={tmp_path / 'profile'}"
-    ran(CHROMIUM, *QUIET, profile, f"--print-to-pdf={made}", (pages / "run.html").as_uri())
+    ran(
+        CHROMIUM,
+        *QUIET,
+        profile,
+        f"--print-to-pdf={made}",
+        (pages / "run.html").as_uri(),
+    )
     assert (content := made.read_bytes()).startswith(b"%PDF-")
     assert 2 <= len(re.findall(rb"/Type\s*/Page\b", content)) <= 8
 
@@ -286,7 +322,9 @@ function visit() {
 visit();
 </script>
 """
-BUILT = pytest.mark.skipif(not SITE.is_dir(), reason="no site in build/docs: `make docs` builds it")
+BUILT = pytest.mark.skipif(
+    not SITE.is_dir(), reason="no site in build/docs: `make docs` builds it"
+)
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -338,12 +376,21 @@ def test_every_page_fits_its_screen(served, tmp_path, width, theme):
     visits["/visit.html"] = text.replace("WIDTH", str(width)).replace("THEME", theme)
     words = "--window-size=1400,900", "--virtual-time-budget=600000"
     profile = f"--user-data-dir={tmp_path / 'profile'}", "--enable-logging=stderr"
-    done = ran(CHROMIUM, *QUIET, *profile, *words, "--dump-dom", f"{address}/visit.html")
+    done = ran(
+        CHROMIUM, *QUIET, *profile, *words, "--dump-dom", f"{address}/visit.html"
+    )
     found = json.loads(re.search(r"<body>(.*?)</body>", done.stdout, re.S)[1])
     assert list(found) == json.loads(pages)
     for name, one in found.items():
-        assert (one["theme"], one["scrolls"], one["broken"], one["foreign"]) == (theme, [], [], [])
-        assert one["wide"] <= one["inner"] in (width, width - 15), name  # less its scroll bar
+        assert (one["theme"], one["scrolls"], one["broken"], one["foreign"]) == (
+            theme,
+            [],
+            [],
+            [],
+        )
+        assert one["wide"] <= one["inner"] in (width, width - 15), (
+            name
+        )  # less its scroll bar
     assert found[SEARCH]["hits"] > 2
     said = re.findall(r"CONSOLE.*", done.stderr)
     assert [line for line in said if "[PST]: " not in line] == []  # words of the theme

@@ -13,7 +13,16 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from processes import CLPT, CODE, GUARD, await_line, interrupt, ran, started, without_progress
+from processes import (
+    CLPT,
+    CODE,
+    GUARD,
+    await_line,
+    interrupt,
+    ran,
+    started,
+    without_progress,
+)
 from written import COMMANDS, ENSEMBLE, FOLLOW, RUN, seldom, write_each
 
 LINE = "clpt: interrupted; nothing half-written was left\n"
@@ -130,7 +139,11 @@ def test_a_cluster_ends_with_the_command(files):
     with started([sys.executable, "-c", hear + CODE, *words], cwd=files) as process:
         await_line(process, process.stderr, "20 of 3000 members")
         out, err = interrupt(process)
-    assert (out, process.returncode, bool(re.fullmatch(HELD, err))) == ("", 130, True), err
+    assert (out, process.returncode, bool(re.fullmatch(HELD, err))) == (
+        "",
+        130,
+        True,
+    ), err
 
 
 START = f"""{HEARS}
@@ -146,7 +159,10 @@ ROOT = Path(__file__).parents[2]
 
 def interrupted_after(seconds, words, folder):
     """Interrupt a command and its own processes, as a terminal does; what it says, its status."""
-    start, own = [sys.executable, "-c", START, ROOT, *words], {"start_new_session": True}
+    start, own = (
+        [sys.executable, "-c", START, ROOT, *words],
+        {"start_new_session": True},
+    )
     with started(start, cwd=folder, **own) as process:
         assert process.stdout.read(1) == "."
         time.sleep(seconds)
@@ -160,15 +176,21 @@ def interrupted_after(seconds, words, folder):
 @pytest.mark.parametrize("part", seldom(range(60)))
 def test_interrupts_at_random_from_the_first_import_on(files, part):
     chance = random.Random(part)
-    before = {path: path.stat().st_mtime_ns for path in files.rglob("*") if path.is_file()}
+    before = {
+        path: path.stat().st_mtime_ns for path in files.rglob("*") if path.is_file()
+    }
     for k in range(5 * part, 5 * (part + 1)):  # all sixty tests are 300
         words = [*COMMANDS][k % len(COMMANDS)]
         seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
         status, err = interrupted_after(seconds, words, files)
         told, made = (seconds, words, status, err), COMMANDS[words] or ()
-        finished = status == 0 and not re.search("Traceback|fault", err)  # before the interrupt
+        finished = status == 0 and not re.search(
+            "Traceback|fault", err
+        )  # before the interrupt
         assert finished or (status == 130 and re.fullmatch(f"{LINE}|{HELD}", err)), told
-        paths = [path for path in files.rglob("*") if path not in before and path.is_file()]
+        paths = [
+            path for path in files.rglob("*") if path not in before and path.is_file()
+        ]
         new = [path.name for path in paths]
         assert not [one for one in new if one.endswith((".part", ".partial"))], told
         assert not new or all(fnmatch.filter(new, one) for one in made), told
@@ -182,7 +204,10 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
 # --- the same bytes: cold and warm cache, 1 and 4 threads, any hashes ----------------------------
 
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-TIMED = ("refute", "replay --follow")  # which tell how long something took, or when it was
+TIMED = (
+    "refute",
+    "replay --follow",
+)  # which tell how long something took, or when it was
 SAME = [words for words in COMMANDS if not " ".join(words).startswith(TIMED)]
 SAME.sort(key=lambda words: words[0] != "diagram")
 
@@ -222,14 +247,18 @@ FORKED = pytest.mark.skipif(not hasattr(os, "fork"), reason="cases are forked")
 CASES = Path(__file__).parents[1] / "damaged_inputs.py"
 
 
-THOUSANDS = [pytest.param((k, 1000), marks=pytest.mark.slow) for k in (1000, 2000, 3000)]
+THOUSANDS = [
+    pytest.param((k, 1000), marks=pytest.mark.slow) for k in (1000, 2000, 3000)
+]
 
 
 @FORKED
 @pytest.mark.parametrize("words", [(0, 40, 0), *THOUSANDS])
 def test_damaged_inputs_are_answered(words):
     """A share of them; `make test-slow` asks 3,000."""
-    ended = ran(sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    ended = ran(
+        sys.executable, CASES, *words, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    )
     answers = [json.loads(line) for line in ended.stdout.splitlines()]
     keys = ("case", "wrong", "words", "how", "err")
     assert [{key: one[key] for key in keys} for one in answers if one["wrong"]] == []

@@ -25,7 +25,9 @@ from clpt_control.cli import application
 from clpt_control.cli.printing import print_json, print_table
 
 HERE = Path(__file__).parents[1]
-HEARD = CODE.replace("; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()")
+HEARD = CODE.replace(
+    "; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()"
+)
 NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
 
 
@@ -60,12 +62,19 @@ def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
     keys = [line for line in text.splitlines() if " = " in line or line.startswith("[")]
     assert all("#" in line for line in keys if "title" not in line and line != "[run]")
     refused_for(["exists already"], "init")
-    said, place = "is the scenario; give its run another name", Path("paper.toml").absolute()
+    said, place = (
+        "is the scenario; give its run another name",
+        Path("paper.toml").absolute(),
+    )
     refused_for([said], "run", "paper.toml", "--out", place)
     assert Path("paper.toml").read_text() == text
     assert clpt("init", "--example", "currents").status == 0
-    fitted = clpt("fit", "currents.nc", "--rows", "2", "--columns", "2", "--out", "mine.toml")
-    assert re.search(r"(?s)track radius\W+[\d.]+ km .*residual rms\W+[\d.]+ km h-1 ", fitted.out)
+    fitted = clpt(
+        "fit", "currents.nc", "--rows", "2", "--columns", "2", "--out", "mine.toml"
+    )
+    assert re.search(
+        r"(?s)track radius\W+[\d.]+ km .*residual rms\W+[\d.]+ km h-1 ", fitted.out
+    )
     said = "--example current: must be one of paper, team, currents"
     refused_for([said], "init", "--example", "current")
 
@@ -75,7 +84,13 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     before = Path("p.toml").read_text()
     assert re.match("(?s)flowchart.*learning_controller", clpt("diagram", "p.toml").out)
     refused_for([".svg"], "diagram", "p.toml", "-o", "p.docx")
-    refused_for(["a program's name must end in .c, .h or .fmu"], "export", "p.toml", "-o", "p.toml")
+    refused_for(
+        ["a program's name must end in .c, .h or .fmu"],
+        "export",
+        "p.toml",
+        "-o",
+        "p.toml",
+    )
     assert Path("p.toml").read_text() == before
     for command, name in (("diagram", "p.svg"), ("export", "p.c"), ("export", "p.fmu")):
         assert clpt(command, "p.toml", "-o", name).out == f"{name}: written\n"
@@ -85,7 +100,9 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
 
 
 def test_export_of_a_diagrams_run_has_its_start(clpt):
-    loop = clpt_control.connect([control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")], "u")
+    loop = clpt_control.connect(
+        [control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")], "u"
+    )
     run = clpt_control.simulate(loop, [0, 1], 0.0, [3.0])
     clpt_control.save_run(run, "run.nc")
     clpt("export", "run.nc", "-o", "run.c")
@@ -94,15 +111,23 @@ def test_export_of_a_diagrams_run_has_its_start(clpt):
 
 def test_interrupt_ends_cleanly():
     write({"run.duration": 2e7, "run.output_step": 1e4})
-    with started([sys.executable, "-c", HEARD, "run", "s.toml", "--out", "run.nc"]) as process:
+    with started(
+        [sys.executable, "-c", HEARD, "run", "s.toml", "--out", "run.nc"]
+    ) as process:
         await_line(process, process.stderr, "running s.toml")  # its progress
-        assert interrupt(process) == ("", "clpt: interrupted; nothing half-written was left\n")
+        assert interrupt(process) == (
+            "",
+            "clpt: interrupted; nothing half-written was left\n",
+        )
     assert (process.returncode, [*Path().iterdir()]) == (130, [Path("s.toml")])
 
 
 STREAMS = {  # what a shell does with streams -> status, what is said on standard error
     ">&-": (2, "clpt: standard output: is closed; give it a file or a terminal\n"),
-    ">/dev/full": (2, "clpt: standard output: no space left; give it a place with more\n"),
+    ">/dev/full": (
+        2,
+        "clpt: standard output: no space left; give it a place with more\n",
+    ),
     "2>&-": (0, ""),
     "2>/dev/full": (0, ""),
     "<&-": (0, ""),
@@ -115,7 +140,9 @@ STREAMED = ("--help", "laws", "run", "report", "prove", "replay")
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
 @pytest.mark.parametrize("stream", STREAMS)
-@pytest.mark.parametrize("words", seldom([c for c in COMMANDS if c[0] in STREAMED and c != FOLLOW]))
+@pytest.mark.parametrize(
+    "words", seldom([c for c in COMMANDS if c[0] in STREAMED and c != FOLLOW])
+)
 def test_streams_that_are_closed_full_or_not_read(words, stream):
     if words != ("--help",):
         write_each(Path(), 40)
@@ -131,7 +158,9 @@ def test_streams_that_are_closed_full_or_not_read(words, stream):
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a shell")
 def test_an_output_at_the_limit_of_its_size_is_named():
-    buffered = "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
+    buffered = (
+        "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
+    )
     line = f'ulimit -f 1; {buffered}; "$0" -c "$1" --help > help.txt'
     done = ran("bash", "-c", line, sys.executable, CODE, status=2)
     said = "clpt: standard output: may not become larger; allow more (ulimit -f)\n"
@@ -184,7 +213,10 @@ HOSTILE = "\x1b]0;owned\x07\x1b[2J\r\x9b31m\u202e\u2066\x7f\b"
 
 def steers(text):
     """Letters that steer a terminal."""
-    return {one for one in text if unicodedata.category(one) in ("Cc", "Cf")} - {"\n", "\t"}
+    return {one for one in text if unicodedata.category(one) in ("Cc", "Cf")} - {
+        "\n",
+        "\t",
+    }
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -194,7 +226,9 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
     write({"run.duration": 20, "title": title})
     Path("s.toml").rename(file)
     key = json.dumps(f"key {HOSTILE}")
-    Path("k.toml").write_text(Path(file).read_text() + f"\n[run.{key}]\n{key} = {key}\n")
+    Path("k.toml").write_text(
+        Path(file).read_text() + f"\n[run.{key}]\n{key} = {key}\n"
+    )
     vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", f"e {HOSTILE}")
     for words in (
         *(("run", file, "--out", run), ("excitation", file), ("diagram", file)),
@@ -205,8 +239,15 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
         status, *said = clpt(*words)
         assert (status, steers("".join(said))) == (0, set()), words
     for words in (
-        *(("run", "k.toml", "--out", run), ("run", file, "--out", f"no {HOSTILE}/run.nc")),
-        *((f"run{HOSTILE}",), ("laws", HOSTILE), ("ensemble", file, *vary, "--seed", "1")),
+        *(
+            ("run", "k.toml", "--out", run),
+            ("run", file, "--out", f"no {HOSTILE}/run.nc"),
+        ),
+        *(
+            (f"run{HOSTILE}",),
+            ("laws", HOSTILE),
+            ("ensemble", file, *vary, "--seed", "1"),
+        ),
         ("ensemble", file, "--members", "2", "--vary", f"{HOSTILE}=1:2", "--out", "e"),
         *(("replay", f"{HOSTILE}.nc"), ("fit", f"{HOSTILE}.nc", "--out", "x.toml")),
     ):
@@ -226,7 +267,9 @@ def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
     for name in ("MPLCONFIGDIR", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"):
         env.pop(name, None)
     done = ran(*CLPT, "run", "s.toml", "--out", "r.nc", "--figures", ".", env=env)
-    assert re.fullmatch("(.*there is no folder to keep it in.*\n)?", without_progress(done.stderr))
+    assert re.fullmatch(
+        "(.*there is no folder to keep it in.*\n)?", without_progress(done.stderr)
+    )
     assert Path("figure1.png").exists()
 
 
@@ -258,7 +301,9 @@ def test_figures_that_json_cannot_hold_are_said(capsys):
 # --- manners -------------------------------------------------------------------------------------
 
 CALLED = [one.callback.__name__ for one in application().registered_commands]
-TYPES = re.compile(r"<|\b(TEXT|FLOAT|INTEGER|PATH|None|inf|float|str|int|list|bool)\b|\.\.\.$")
+TYPES = re.compile(
+    r"<|\b(TEXT|FLOAT|INTEGER|PATH|None|inf|float|str|int|list|bool)\b|\.\.\.$"
+)
 
 
 @pytest.mark.parametrize("words", [(), ("--help",), ("-h",)])
@@ -282,10 +327,16 @@ def test_help_is_of_shell_words_80_columns_and_an_example(clpt, name, monkeypatc
     assert not re.search(r"\x1b|\[default: inf\]", text)
     if not name:
         return
-    example = text.split("\n  Example:\n")[1].split("\n\n")[0].replace("\\\n", " ").split()
+    example = (
+        text.split("\n  Example:\n")[1].split("\n\n")[0].replace("\\\n", " ").split()
+    )
     assert example[:2] == ["clpt", name]
-    options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(r" (--[\w-]+)", text)
-    assert {word for word in example if re.match("--?[a-z]", word)} - set(options) == set()
+    options = re.findall(r"^  (-\S+?)[ ,]", text, re.M) + re.findall(
+        r" (--[\w-]+)", text
+    )
+    assert {word for word in example if re.match("--?[a-z]", word)} - set(
+        options
+    ) == set()
 
 
 def test_the_version_is_that_of_the_package(clpt):
@@ -345,7 +396,9 @@ def test_bash_completes(tmp_path, words, offered):
     assert (done.stdout.split(), done.stderr) == (offered, "")
 
 
-def test_each_shell_has_its_script_and_fish_is_told_of_words_or_files(clpt, monkeypatch):
+def test_each_shell_has_its_script_and_fish_is_told_of_words_or_files(
+    clpt, monkeypatch
+):
     for shell in ("bash", "zsh", "fish"):
         monkeypatch.setenv("_CLPT_COMPLETE", f"source_{shell}")
         status, out, err = clpt()
@@ -357,8 +410,14 @@ def test_each_shell_has_its_script_and_fish_is_told_of_words_or_files(clpt, monk
         assert clpt().status == status
 
 
-COMPLETING = {"_CLPT_COMPLETE": "complete_bash", "COMP_CWORD": "1", "COMP_WORDS": "clpt ref"}
-COMMAND = "sys.argv = {}; os.environ.update({}); from clpt_control.cli import main; main()"
+COMPLETING = {
+    "_CLPT_COMPLETE": "complete_bash",
+    "COMP_CWORD": "1",
+    "COMP_WORDS": "clpt ref",
+}
+COMMAND = (
+    "sys.argv = {}; os.environ.update({}); from clpt_control.cli import main; main()"
+)
 LIGHT = {  # code, and what it says
     "the package": ("import clpt_control", ""),
     "help": (COMMAND.format(["clpt", "--help"], {}), "clpt init mine.toml"),

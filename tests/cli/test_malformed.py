@@ -51,17 +51,39 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
     ({"flow.field": "field.nc"}, "flow.parameters", "one of the two"),
     ({"flow.parameters": None, "flow.field": "f" * 5000}, "flow.field", "no such file"),
     ({"localization": {"noise": 0.1}}, "localization.noise_period"),
-    ({"localization": {"noise": 0.1, "noise_period": 1.0, "seed": 2**63}}, ".seed", "less than"),
-    ({"flow.disturbance": {**NOISE, "kind": "square"}}, "flow.disturbance.period", "at least"),
+    (
+        {"localization": {"noise": 0.1, "noise_period": 1.0, "seed": 2**63}},
+        ".seed",
+        "less than",
+    ),
+    (
+        {"flow.disturbance": {**NOISE, "kind": "square"}},
+        "flow.disturbance.period",
+        "at least",
+    ),
     ({"flow.disturbance": {**NOISE, "kind": "sine", "seed": 1}}, ".seed", "noise"),
-    ({"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}}, ".period", "required"),
-    ({"reference": {"kind": "waypoints", "dwell": 1.0, "points": []}}, ".points = []: must have"),
+    (
+        {"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
+        ".period",
+        "required",
+    ),
+    (
+        {"reference": {"kind": "waypoints", "dwell": 1.0, "points": []}},
+        ".points = []: must have",
+    ),
     ({"basis.periods": None, "basis.constituents": ["M2", "K1", "X9"]}, "X9", "steady"),
     ({"basis.constituents": ["M2", "K1", "O1"]}, "basis.periods", "one of the two"),
     (KNOWN, "learning.theta_estimate", "required"),
     ({**AT_FIXES, "localization": {"interval": 5000.0}}, f"{LEARNS} 5000.0"),
-    ({**AT_FIXES, "localization": {"interval": 1900.0, "latency": 200.0}}, f"{LEARNS} 2100.0"),
-    (MANY | {"run.output_step": 0.1}, "2e+04 samples of 20000 basis functions", "84.5 GB of me"),
+    (
+        {**AT_FIXES, "localization": {"interval": 1900.0, "latency": 200.0}},
+        f"{LEARNS} 2100.0",
+    ),
+    (
+        MANY | {"run.output_step": 0.1},
+        "2e+04 samples of 20000 basis functions",
+        "84.5 GB of me",
+    ),
     ({"run.output_step": 1e-4}, "2e+07 samples of 3 basis functions", "GB"),
 ]
 
@@ -97,11 +119,17 @@ def test_text_that_toml_cannot_hold(refused_for):
         refused_for(["s.toml", words], *RUN)
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="pipes with names are not of this system")
+@pytest.mark.skipif(
+    not hasattr(os, "mkfifo"), reason="pipes with names are not of this system"
+)
 @pytest.mark.parametrize("name", ["s.toml", os.devnull])
 def test_what_is_no_file_is_not_waited_for(refused_for, name):
     os.mkfifo("s.toml")
-    for arguments in (("run", name, "--out", "run.nc"), ("diagram", name), ("excitation", name)):
+    for arguments in (
+        ("run", name, "--out", "run.nc"),
+        ("diagram", name),
+        ("excitation", name),
+    ):
         refused_for(["is no regular file; give one"], *arguments)
 
 
@@ -111,19 +139,40 @@ def test_names_that_no_file_can_have(refused_for, name):
     words = ["bytes that are no text" if name == "\udcff" else "name is too long"]
     for arguments in (
         *(("run", "s.toml", "--out", f"{name}.nc"), (*RUN, "--figures", name)),
-        ("ensemble", "s.toml", "--members", 2, "--vary", "learning.gain=1:2", "--out", name),
+        (
+            "ensemble",
+            "s.toml",
+            "--members",
+            2,
+            "--vary",
+            "learning.gain=1:2",
+            "--out",
+            name,
+        ),
         ("init", f"{name}.toml"),
     ):
         refused_for(words, *arguments)
     for arguments in (("run", f"{name}.nc", "--out", "run.nc"), ("excitation", name)):
-        assert len(refused_for(["no such file" * (name == "\udcff")], *arguments)) < 1500
+        assert (
+            len(refused_for(["no such file" * (name == "\udcff")], *arguments)) < 1500
+        )
 
 
 def test_windows_that_cannot_be_summed(refused_for):
     for changes, window, *words in (
         ({}, "1e-300", "window 1e-300 from", "must be positive", "at least 2e-06 long"),
-        ({"basis.periods": [1e-300, 1, 1]}, "60", "window 60: takes 1e+302 pieces", "at most"),
-        ({"vehicle.feedback": [1e300, 1.0]}, "60", "window 60: takes", "/vehicle.feedback"),
+        (
+            {"basis.periods": [1e-300, 1, 1]},
+            "60",
+            "window 60: takes 1e+302 pieces",
+            "at most",
+        ),
+        (
+            {"vehicle.feedback": [1e300, 1.0]},
+            "60",
+            "window 60: takes",
+            "/vehicle.feedback",
+        ),
     ):
         write(changes)
         refused_for(words, "excitation", "s.toml", "--window", window)
@@ -144,7 +193,10 @@ def test_a_diagram_that_python_control_cannot_hold_is_refused(refused_for, monke
 
 
 def test_jumps_are_not_listed_without_end():
-    for period, said in ((1e-300, "multiples from 0 to 2000; at most 2e"), (0.0, "a period of 0")):
+    for period, said in (
+        (1e-300, "multiples from 0 to 2000; at most 2e"),
+        (0.0, "a period of 0"),
+    ):
         says(clpt_control.BlockError, said, multiples, period, 0.0, 2000.0)
 
 
@@ -169,17 +221,41 @@ def test_a_run_that_cannot_be_ends_with_a_sentence(clpt, key, value):
 
 RUN_DAMAGES = {
     "no time": (lambda run: run.drop_vars("time"), "has no time over time"),
-    "a number": (lambda run: run.assign(predicted_position=0.0), "has no predicted_position over"),
+    "a number": (
+        lambda run: run.assign(predicted_position=0.0),
+        "has no predicted_position over",
+    ),
     "other functions": (lambda run: run.isel(basis=[0, 1]), "axis 2, basis 3"),
-    "turned": (lambda run: run.transpose("axis", ...), "has no position over time, axis"),
-    "far times": (lambda run: run.assign_coords(time=run.time + 1e15), "must lie in 0 to"),
-    "a huge place": (lambda run: run.assign(position=run.position + 1e308), "no finite number"),
+    "turned": (
+        lambda run: run.transpose("axis", ...),
+        "has no position over time, axis",
+    ),
+    "far times": (
+        lambda run: run.assign_coords(time=run.time + 1e15),
+        "must lie in 0 to",
+    ),
+    "a huge place": (
+        lambda run: run.assign(position=run.position + 1e308),
+        "no finite number",
+    ),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
     "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
-    "turned round": (lambda run: run.isel(time=slice(None, None, -1)), "its times do not increase"),
-    "twice at one time": (lambda run: run.isel(time=[0, 0, 1, 2]), "its times do not increase"),
-    "no waypoints": (lambda run: run.drop_vars("reference"), "has no reference over time, axis"),
-    "a gap": (lambda run: run.assign(reference=run.reference.where(run.time > 30)), "no finite"),
+    "turned round": (
+        lambda run: run.isel(time=slice(None, None, -1)),
+        "its times do not increase",
+    ),
+    "twice at one time": (
+        lambda run: run.isel(time=[0, 0, 1, 2]),
+        "its times do not increase",
+    ),
+    "no waypoints": (
+        lambda run: run.drop_vars("reference"),
+        "has no reference over time, axis",
+    ),
+    "a gap": (
+        lambda run: run.assign(reference=run.reference.where(run.time > 30)),
+        "no finite",
+    ),
     "one sample": (lambda run: run.isel(time=[0]), "has fewer than two samples"),
     "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "no finite number"),
 }
@@ -199,7 +275,9 @@ def test_a_damaged_run_is_refused_by_all_that_open_runs(refused_for, run, name):
     commands = ["estimate"]
     if name not in NEEDED_BY_ESTIMATE:
         commands += ["report -o out.html", "animate -o out.gif", "excitation"]
-    for command, *out in map(str.split, commands + ["run --out a.nc"] * (name == "no scenario")):
+    for command, *out in map(
+        str.split, commands + ["run --out a.nc"] * (name == "no scenario")
+    ):
         refused_for([said], command, "run.nc", *out)
 
 
@@ -243,7 +321,9 @@ def test_field_files_that_cannot_be_used(refused_for):
 def test_sizes_that_no_machine_holds_are_refused_before_work(refused_for):
     shutil.copy(clpt_control.currents.sample_currents(), "g.nc")
     for rows in ("99999999999999999999", "9" * 400):
-        refused_for([" samples for 8999999"], "fit", "g.nc", "--rows", rows, "--out", "f.toml")
+        refused_for(
+            [" samples for 8999999"], "fit", "g.nc", "--rows", rows, "--out", "f.toml"
+        )
     said = ["a dive of 1e-300 hours at 1 m/s through the water: give 1 s to 720 hours"]
     refused_for(said, "replay", "--sample", "--aim", "-43", "8", "--hours=1e-300")
 

@@ -15,15 +15,21 @@ from examples import team as example
 
 
 def test_a_team_runs_and_runs_again(clpt, printed):
-    Path("team.toml").write_text(team_to_text(team(a=vehicle(), b=vehicle(reference_radius=2.0))))
+    Path("team.toml").write_text(
+        team_to_text(team(a=vehicle(), b=vehicle(reference_radius=2.0)))
+    )
     words = ("run", "team.toml", "--out", "run.nc")
     out = clpt(*words, "--figures", "figures").out
-    assert re.search(r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12", out)
+    assert re.search(
+        r"b: largest flow parameter error \(m/s\) +│ [-.\de]+ at t = 12", out
+    )
     assert inked("figures/team.png") > 0.01
     found = printed("run", "run.nc", "--out", "again.nc")
     assert (found, found["vehicles"]) == (printed(*words), ["a", "b"])
     last = off(clpt_control.load_run("run.nc"))[:, -1].values
-    assert [found["max_flow_parameter_error"][name]["12"] for name in "ab"] == last.tolist()
+    assert [
+        found["max_flow_parameter_error"][name]["12"] for name in "ab"
+    ] == last.tolist()
     assert list(found["max_disagreement"]) == ["10", "12"]
 
 
@@ -46,7 +52,9 @@ def test_what_takes_no_team_says_so(refused_for):
 def test_the_example_draws_what_it_says(capsys):
     example.main(Path("team.png"))
     said = capsys.readouterr().out
-    assert all(f"{who}: smallest eigenvalue" in said for who in ("west alone", "the team"))
+    assert all(
+        f"{who}: smallest eigenvalue" in said for who in ("west alone", "the team")
+    )
     assert Path("team.png").stat().st_size > 10_000
 
 
@@ -72,14 +80,20 @@ def paper(monkeypatch):
 
 @pytest.mark.usefixtures("paper")
 def test_excitation_finds_the_eigenvalue_of_the_design(printed):
-    report = printed("design", "paper.toml", "--out", "new.toml", "--figure", "new.png", *QUICK)
+    report = printed(
+        "design", "paper.toml", "--out", "new.toml", "--figure", "new.png", *QUICK
+    )
     assert inked("new.png") > 0.01
     made = clpt_control.load_scenario("new.toml")
     assert made.reference.kind == "waypoints"
     assert made.waypoints.tolist() == report["after"]["waypoints"]
     for file, key in (("paper.toml", "before"), ("new.toml", "after")):
-        found = printed("excitation", file, "--window", "60", "--start", "60")["eigenvalues"]
-        assert min(found.values())[0] == pytest.approx(report[key]["of_the_run"], rel=1e-9)
+        found = printed("excitation", file, "--window", "60", "--start", "60")[
+            "eigenvalues"
+        ]
+        assert min(found.values())[0] == pytest.approx(
+            report[key]["of_the_run"], rel=1e-9
+        )
 
 
 @pytest.mark.usefixtures("paper")
@@ -110,12 +124,17 @@ METHODS = ("least-squares", "kalman", "tomography")
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_run_gives_a_scenario_with_the_flow_known(clpt, printed, run, method):
-    found = printed("estimate", run, "--method", method, "--until", 200, "--out", "known.toml")
+    found = printed(
+        "estimate", run, "--method", method, "--until", 200, "--out", "known.toml"
+    )
     assert (found["fixes"], found["units"]) == (101, {"length": "m", "time": "s"})
     np.testing.assert_allclose(found["theta"], THETA, rtol=0.05)
     assert found["largest_error"] == pytest.approx(np.abs(found["theta"] - THETA).max())
     fed = clpt_control.load_scenario("known.toml").learning
-    assert (fed.law, np.array(fed.theta_estimate).tolist()) == ("known-flow", found["theta"])
+    assert (fed.law, np.array(fed.theta_estimate).tolist()) == (
+        "known-flow",
+        found["theta"],
+    )
     assert clpt("run", "known.toml", "--out", "again.nc").status == 0
 
 
@@ -131,10 +150,18 @@ def test_mistakes_are_one_sentence(refused_for, run):
     for said, *words in (
         ("method 'guess': must be one of least-squares", run, "--method", "guess"),
         ("every = 0: must be positive", run, "--every", 0),
-        ("every = 1e-300: must be positive, at most the run's length", run, "--every", "1e-300"),
+        (
+            "every = 1e-300: must be positive, at most the run's length",
+            run,
+            "--every",
+            "1e-300",
+        ),
         ("--until 900: must lie within the run", run, "--until", 900),
         ("prior: must be a positive number", run, "--prior", -1),
-        *(("a smaller prior", run, "--noise", "1e-320", "--method", one) for one in METHODS),
+        *(
+            ("a smaller prior", run, "--noise", "1e-320", "--method", one)
+            for one in METHODS
+        ),
         *(("is no run; `clpt run", "paper.toml"), ("none.nc", "none.nc")),
         ("a scenario's name must end in .toml", run, "--out", run),
     ):
@@ -162,7 +189,10 @@ def test_the_command_says_what_the_function_finds(clpt, printed):
     assert report["V"] == pytest.approx(found.V.tolist())
     assert report["time_to_error"] == 200.0
     table = " ".join(clpt(*words).out.split())
-    for said in ("CLPE is at most 0.3 m after 200 s", "start with V(0) <= 0.05, windows of 200 s"):
+    for said in (
+        "CLPE is at most 0.3 m after 200 s",
+        "start with V(0) <= 0.05, windows of 200 s",
+    ):
         assert said in table
 
 

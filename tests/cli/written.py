@@ -13,7 +13,15 @@ import clpt_control as clpt
 from clpt_control.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
-ENSEMBLE = ("ensemble", "s.toml", "--vary", "learning.gain=1:2", "--out", "e.zarr", "--members")
+ENSEMBLE = (
+    "ensemble",
+    "s.toml",
+    "--vary",
+    "learning.gain=1:2",
+    "--out",
+    "e.zarr",
+    "--members",
+)
 FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
 COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or nothing; None: a part
     ("--help",): (),
@@ -24,10 +32,16 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
     (*ENSEMBLE, "64", "--chunk", "8", "--trajectories"): None,
     ("laws", "concurrent", "--json"): (),
     ("report", "r.nc", "-o", "r.html"): ("r.html",),
-    ("replay", "in", "--out", "out", "--aim", "-43.1", "8.5"): ("replay.*", "*.png", "*.kml"),
+    ("replay", "in", "--out", "out", "--aim", "-43.1", "8.5"): (
+        "replay.*",
+        "*.png",
+        "*.kml",
+    ),
     (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
     ("paper", "--out", "out"): ("run.nc", "figure?.png"),
-    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): ("t.toml",),
+    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): (
+        "t.toml",
+    ),
     ("prove", "--theorem", "3.2", "--again"): (),
     ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
     ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),

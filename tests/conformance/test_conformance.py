@@ -15,7 +15,12 @@ from clpt_control.blocks import clpe
 from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import check_block, conformance, readings
 from clpt_control.engine.codegen import vectors
-from clpt_control.engine.conformance.checks import differ, python_values, random_samples, roles
+from clpt_control.engine.conformance.checks import (
+    differ,
+    python_values,
+    random_samples,
+    roles,
+)
 from clpt_control.engine.model.system import linear
 from clpt_control.equations import Block
 from clpt_control.errors import ArgumentError, BlockError, ClptError
@@ -30,10 +35,16 @@ def test_docstrings_name_the_equation():
     """Of the package's own blocks; a user's equation has no number in the paper."""
     for block in BLOCKS:
         functions = [getattr(block, f"{role}_function") for role in roles(block)]
-        texts = [function.__doc__ or "" for function in functions if function is not None]
-        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), block.name
+        texts = [
+            function.__doc__ or "" for function in functions if function is not None
+        ]
+        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), (
+            block.name
+        )
         text = "\n".join(texts)
-        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), block.name
+        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), (
+            block.name
+        )
 
 
 def test_a_report_counts_its_checks_and_repeats():
@@ -63,20 +74,31 @@ def count_calls(a):
 
 def test_memory_is_told(monkeypatch):
     block, calls = static(remembers, 1), itertools.count()
-    monkeypatch.setitem(remembers.__globals__, "count_calls", lambda a: float(next(calls)))
+    monkeypatch.setitem(
+        remembers.__globals__, "count_calls", lambda a: float(next(calls))
+    )
     assert "must keep no memory" in failures(block)
 
 
 def ticking(breakpoints):
     """y = interval, section 2: y[1]."""
-    ports = {"outputs": {"y": 1}, "parameters": {"step": 0.7, "interval": -1.0}, "opaque": True}
-    return Block("mine", output=lambda t, x, u, p: p.interval, breakpoints=breakpoints, **ports)
+    ports = {
+        "outputs": {"y": 1},
+        "parameters": {"step": 0.7, "interval": -1.0},
+        "opaque": True,
+    }
+    return Block(
+        "mine", output=lambda t, x, u, p: p.interval, breakpoints=breakpoints, **ports
+    )
 
 
 def failures(block):
     report = check_block(block)
     told = "\n".join(report.failures)
-    assert (report.ok, all(one.startswith("mine") for one in report.failures)) == (False, True)
+    assert (report.ok, all(one.startswith("mine") for one in report.failures)) == (
+        False,
+        True,
+    )
     with pytest.raises(BlockError) as caught:
         conformance(block)
     assert all(sentence in str(caught.value) for sentence in report.failures)
@@ -86,9 +108,13 @@ def failures(block):
 @pytest.mark.parametrize(
     "make",
     [
-        lambda: Block("mine", update=lambda t, x, u, p: x.__setitem__(0, 1.0), states={"x": 1}),
+        lambda: Block(
+            "mine", update=lambda t, x, u, p: x.__setitem__(0, 1.0), states={"x": 1}
+        ),
         lambda: static(lambda t, x, u, p: u.__setitem__(0, 1.0), 1),
-        lambda: static(lambda t, x, u, p: p.k.__setitem__(0, 1.0), 1, parameters={"k": [1.0]}),
+        lambda: static(
+            lambda t, x, u, p: p.k.__setitem__(0, 1.0), 1, parameters={"k": [1.0]}
+        ),
     ],
 )
 def test_writing_into_what_is_given_makes_no_block(make):
@@ -117,10 +143,14 @@ def test_backends_that_disagree_are_named(monkeypatch):
 
 BROKEN = {  # -> what is told
     "not finite at zero": lambda: static(lambda t, x, u, p: 1.0 / u[0], 1),
-    "mine.output is not finite at zero": lambda: static(lambda t, x, u, p: math.log(u[0] ** 2), 1),
+    "mine.output is not finite at zero": lambda: static(
+        lambda t, x, u, p: math.log(u[0] ** 2), 1
+    ),
     "random inputs only": lambda: static(lambda t, x, u, p: np.sqrt(u[0] - 9.0), 1),
     "mine: cannot be pickled": lambda: static(lambda t, x, u, p: u[0], 1),
-    "breakpoints are not increasing": lambda: ticking(lambda p, t0, t1: np.array([t0, t1 + 1.0])),
+    "breakpoints are not increasing": lambda: ticking(
+        lambda p, t0, t1: np.array([t0, t1 + 1.0])
+    ),
     "differ from those over both": lambda: ticking(
         lambda p, a, b: np.arange(a + p.step, b, p.step)
     ),
@@ -149,13 +179,26 @@ LEAKY = {"e": "m", "theta": "m/s", "gain": "1/s^2", "leak": "s-1", "centre": "m"
 
 def made_leaky(update=leaky):
     parameters = {"gain": 0.8, "leak": 0.1, "centre": [2.0, 3.0]}
-    return Block("mine", update=update, inputs={"e": 2}, states={"theta": 2}, parameters=parameters)
+    return Block(
+        "mine",
+        update=update,
+        inputs={"e": 2},
+        states={"theta": 2},
+        parameters=parameters,
+    )
 
 
 def test_units_that_fit_pass():
     assert len(check_block(made_leaky(), units=LEAKY).checks) == 7
     conformance(made_leaky(), units=LEAKY)
-    hours = {"t": "h", "e": "km", "theta": "km/h", "gain": "h-2", "leak": "1/h", "centre": "km"}
+    hours = {
+        "t": "h",
+        "e": "km",
+        "theta": "km/h",
+        "gain": "h-2",
+        "leak": "1/h",
+        "centre": "km",
+    }
     conformance(made_leaky(), units=hours)
 
 
@@ -173,7 +216,9 @@ SMALLER = [
 
 @pytest.mark.parametrize(("update", "changed", "said"), SMALLER)
 def test_units_that_do_not_fit_are_told(update, changed, said):
-    units = {name: unit for name, unit in {**LEAKY, **changed}.items() if unit is not None}
+    units = {
+        name: unit for name, unit in {**LEAKY, **changed}.items() if unit is not None
+    }
     report = check_block(made_leaky(update), units=units)
     assert not report.ok
     assert re.match(rf"\A.*{said}.*\Z", report.failures[0])
@@ -182,7 +227,12 @@ def test_units_that_do_not_fit_are_told(update, changed, said):
 def test_one_gain_for_all_is_of_no_unit():
     """Eqs. (21)-(23): phi has none, z has that of length, so one gamma for both cannot have one."""
     units = {"e": "m", "phi_x": "1", "z": "m", "zc": "m", "alpha": "m/s", "K": "1/s"}
-    units |= {"Gamma": "1/s", "gain": "1/s^2", "gain_K": "m-2 s-2", "gain_Gamma": "m-2 s-2"}
+    units |= {
+        "Gamma": "1/s",
+        "gain": "1/s^2",
+        "gain_K": "m-2 s-2",
+        "gain_Gamma": "m-2 s-2",
+    }
     conformance(LAW.of(3, gain=0.7, gain_K=0.4, gain_Gamma=1.3), units=units)
     del units["gain_K"], units["gain_Gamma"]
     one = check_block(LAW.of(3, gain=0.7), units=units)
@@ -200,8 +250,12 @@ def test_good_user_blocks_pass(output):
 
 
 def test_a_block_too_large_for_sympy_is_told_so():
-    block = linear(control.ss(-np.eye(150), np.ones((150, 1)), np.ones((1, 150)), 0, name="long"))
-    with pytest.raises(BlockError, match=r"long\.update takes more than 20000 operations"):
+    block = linear(
+        control.ss(-np.eye(150), np.ones((150, 1)), np.ones((1, 150)), 0, name="long")
+    )
+    with pytest.raises(
+        BlockError, match=r"long\.update takes more than 20000 operations"
+    ):
         readings(block)["symbolic"](0.0, np.ones(150), [1.0])
 
 
@@ -238,17 +292,35 @@ def test_alone_in_a_diagram_it_gives_the_same_and_parameters_reach_it(block):
         other = np.where(np.asarray(value) == 0, 0.125, 1.25 * np.asarray(value))
         changed = {f"{block.name}.{field}": 3.0 if field == "interval" else other[()]}
         arrived = block.with_params(changed)
-        np.testing.assert_array_equal(getattr(arrived, field), changed[f"{block.name}.{field}"])
+        np.testing.assert_array_equal(
+            getattr(arrived, field), changed[f"{block.name}.{field}"]
+        )
         p = block.parameters_at(sample.t, arrived)
         try:
-            calls = [system.output(*arguments, params=changed) for system in (block, diagram)]
-        except RuntimeError:  # python-control takes NaN, as of a table too short, for a loop
+            calls = [
+                system.output(*arguments, params=changed) for system in (block, diagram)
+            ]
+        except (
+            RuntimeError
+        ):  # python-control takes NaN, as of a table too short, for a loop
             continue
         finally:
             block._update_params(None)
         ours = python_values(block, "output", sample._replace(p=p))
         assert not any(differ(ours, given) for given in calls), field
-    for unknown in (f"{block.name}.no_such_field", "no_such_block.gain", "no_such_name"):
-        says(BlockError, "unknown parameter", block.output, *arguments, params={unknown: 1.0})
+    for unknown in (
+        f"{block.name}.no_such_field",
+        "no_such_block.gain",
+        "no_such_name",
+    ):
+        says(
+            BlockError,
+            "unknown parameter",
+            block.output,
+            *arguments,
+            params={unknown: 1.0},
+        )
     ours = block.output(*arguments)
-    assert not differ(ours, diagram.output(*arguments, params={"another_block.gain": 1.0}))
+    assert not differ(
+        ours, diagram.output(*arguments, params={"another_block.gain": 1.0})
+    )

@@ -14,7 +14,11 @@ from clpt_control.currents.grid_file import read_currents, sample_currents
 
 GRIDS = Path(__file__).parents[1] / "data/grids"
 BOX = (40.9, 41.55, -69.9, -69.0)
-LAT, LON, TIME = np.linspace(41.0, 41.5, 6), np.linspace(-69.9, -69.1, 8), np.arange(10.0)
+LAT, LON, TIME = (
+    np.linspace(41.0, 41.5, 6),
+    np.linspace(-69.9, -69.1, 8),
+    np.arange(10.0),
+)
 
 
 def sample():
@@ -24,7 +28,9 @@ def sample():
 
 def write(path, u, v, lat=LAT, lon=LON, time=TIME, depth=None, change=as_it_is, **how):
     """Write a gridded current, of which one thing is changed."""
-    made = gridded_current(u, v, lat, lon, time, since="2019-01-01 06:00:00", depth=depth)
+    made = gridded_current(
+        u, v, lat, lon, time, since="2019-01-01 06:00:00", depth=depth
+    )
     change(made).to_netcdf(path, **how)
     return path
 
@@ -94,7 +100,9 @@ def packed(scale, fill):
 def test_packed_values_and_gaps_of_either_component(tmp_path):
     u, v = np.round(sample(), 2)
     u[2, 3, 4] = v[5, 1, 0] = np.nan
-    currents = read_currents(write(tmp_path / "c.nc", u, v, **packed(0.01, -32768)), BOX)
+    currents = read_currents(
+        write(tmp_path / "c.nc", u, v, **packed(0.01, -32768)), BOX
+    )
     gap = np.isnan(u) | np.isnan(v)
     np.testing.assert_array_equal(~currents.measured, gap)
     np.testing.assert_array_equal(np.isnan(currents.v), gap)
@@ -124,10 +132,16 @@ def test_every_cut_of_a_classic_file_is_refused(tmp_path, kind, unlimited):
     np.testing.assert_array_equal(read_currents(tmp_path / "whole.nc").u, sample()[0])
     for percent in (1, 50, 99.99):
         (tmp_path / "cut.nc").write_bytes(whole[: int(percent * len(whole) / 100)])
-        refuses("cut.nc: damaged or cut short: less than", read_currents, tmp_path / "cut.nc")
+        refuses(
+            "cut.nc: damaged or cut short: less than",
+            read_currents,
+            tmp_path / "cut.nc",
+        )
 
 
-@pytest.mark.parametrize(("box", "rows"), [(None, (0, 8)), ((41, 41.5, 178.5, -178.5), (3, 6))])
+@pytest.mark.parametrize(
+    ("box", "rows"), [(None, (0, 8)), ((41, 41.5, 178.5, -178.5), (3, 6))]
+)
 def test_a_file_or_a_box_across_180_degrees_has_no_jump(tmp_path, box, rows):
     u, v = sample()
     lon = np.array([176.0, 177, 178, 179, -180, -179, -178, -177])
@@ -137,14 +151,18 @@ def test_a_file_or_a_box_across_180_degrees_has_no_jump(tmp_path, box, rows):
 
 
 def test_a_grid_around_the_earth_begins_where_the_file_does(tmp_path):
-    lon = np.arange(-180.0, 180.0, 0.7) + 0.1  # the last step is shorter, roundings differ
+    lon = (
+        np.arange(-180.0, 180.0, 0.7) + 0.1
+    )  # the last step is shorter, roundings differ
     u, v = 0.3 * np.random.default_rng(2).normal(size=(2, 10, 6, len(lon)))
     path = write(tmp_path / "c.nc", u, v, lon=lon)
     np.testing.assert_array_equal(read_currents(path).lon, lon)
 
 
 @pytest.mark.parametrize("step", [1.0, -1.0])
-def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(tmp_path, step):
+def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(
+    tmp_path, step
+):
     lon = np.arange(-180.0, 181.0)[:: int(step)]
     u, v = 0.3 * np.random.default_rng(2).normal(size=(2, 10, 6, 361))
     u[..., -1], v[..., -1] = u[..., 0], v[..., 0]
@@ -159,7 +177,10 @@ def test_a_grid_that_ends_with_its_first_meridian_is_as_one_that_does_not(tmp_pa
 
 def empty(name):
     axes = {"lat": LAT, "lon": LON, name: np.zeros(0)}
-    return {"flow": np.zeros((2, 10, len(axes["lat"]), len(axes["lon"]))), name: np.zeros(0)}
+    return {
+        "flow": np.zeros((2, 10, len(axes["lat"]), len(axes["lon"]))),
+        name: np.zeros(0),
+    }
 
 
 def time_says(units, **more):
@@ -171,7 +192,11 @@ def no_dates(calendar):
 
 
 def of_levels(depth, **attributes):
-    return {"flow": levels(*sample()), "depth": depth, "change": saying("depth", **attributes)}
+    return {
+        "flow": levels(*sample()),
+        "depth": depth,
+        "change": saying("depth", **attributes),
+    }
 
 
 SOUTH = np.where(LAT > 41.2, LAT, np.nan)
@@ -185,7 +210,10 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
     (lambda data: data.drop_vars("lat"), "no latitude: .*standard_name 'latitude'"),
     (saying("u", units=None), "u has no units; give --units"),
     (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
-    (lambda data: data.assign_coords(lat=data.lat.astype(str)), "lat holds .*; must hold numbers"),
+    (
+        lambda data: data.assign_coords(lat=data.lat.astype(str)),
+        "lat holds .*; must hold numbers",
+    ),
     (time_says("hours since 0001-01-01"), "'hours since 0001.* of the years 1678 to"),
     (no_dates("360_day"), "calendar '360_day'; must be such as .*, with real dates"),
     (no_dates("mayan"), "calendar 'mayan'; must be such as"),
@@ -193,12 +221,18 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
     ({"time": TIME * np.nan}, "time has values that are not finite"),
     ({"lat": SOUTH}, "lat reaches nan; must be a latitude"),
     ({"time": np.zeros(10)}, "time has a step twice"),
-    ({"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)}, "lon has a value twice .0 and"),
+    (
+        {"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)},
+        "lon has a value twice .0 and",
+    ),
     ({"flow": sample()[:, :1], "time": TIME[:1]}, "time has 1 of the 2 steps"),
     ({"flow": np.full((2, 10, 6, 8), np.nan)}, "no finite value in the box"),
     ({"flow": np.full((2, 10, 6, 8), 9999.0)}, "reaches 9999 m/s: check its units"),
     (of_levels([-30.0, -1.0]), "reaches"),
-    (of_levels([0.5, 10.0], standard_name="height_above_sea_floor"), "depth counts up from"),
+    (
+        of_levels([0.5, 10.0], standard_name="height_above_sea_floor"),
+        "depth counts up from",
+    ),
     (of_levels([0.5, 10.0], positive="up"), "depth counts up from"),
     (empty("lat"), "lat has the length zero; must hold at least one"),
     (empty("lon"), "lon has the length zero; must hold at least one"),
@@ -214,7 +248,10 @@ def test_each_mistake_of_a_file_is_one_sentence(tmp_path, how, sentence):
 def test_each_mistake_of_a_box_is_one_sentence(tmp_path):
     path = write(tmp_path / "c.nc", *sample())
     for box, sentence in (
-        ((50, 51, -69.9, -69), "lat has 0 of the 2 cells that are needed; it goes from 41 to 41.5"),
+        (
+            (50, 51, -69.9, -69),
+            "lat has 0 of the 2 cells that are needed; it goes from 41 to 41.5",
+        ),
         ((41.0, 41.05, -69.9, -69), "lat has 1 of the 2 cells"),
         ((41.0, 41.5, -69.0, -69.9), "must be SOUTH NORTH"),
         ((41.0, np.inf, -69.9, -69), "must be SOUTH NORTH"),
@@ -222,7 +259,9 @@ def test_each_mistake_of_a_box_is_one_sentence(tmp_path):
         refuses(sentence, read_currents, path, box)
 
 
-PLACES = np.meshgrid(np.linspace(41.0, 41.3, 4), np.linspace(-69.3, -69.0, 4), indexing="ij")
+PLACES = np.meshgrid(
+    np.linspace(41.0, 41.3, 4), np.linspace(-69.3, -69.0, 4), indexing="ij"
+)
 
 
 def flow_on(*dims):
@@ -238,11 +277,18 @@ def places_on(*dims):
 
 
 CURVED = r"lat has the dimensions \(y, x\): a curvilinear grid; regrid it .* cdo remapbil or xESMF"
-PROJECTED = {n: (n, np.arange(4.0), {"standard_name": f"projection_{n}_coordinate"}) for n in "xy"}
+PROJECTED = {
+    n: (n, np.arange(4.0), {"standard_name": f"projection_{n}_coordinate"})
+    for n in "xy"
+}
 UNLIKE = [
     (("y", "x"), places_on("y", "x"), CURVED),
     (("node",), places_on("node"), "lat and lon are of each node, no grid; regrid it"),
-    (("y", "x"), PROJECTED, "has a projected grid, of x and y, and no latitude; regrid it"),
+    (
+        ("y", "x"),
+        PROJECTED,
+        "has a projected grid, of x and y, and no latitude; regrid it",
+    ),
 ]
 
 
@@ -263,12 +309,18 @@ def test_units_can_be_given_where_a_file_has_none(refused, facts, tmp_path):
     (tmp_path / "table.csv").write_text("time,u [m/s],v [m/s]\n2019,1,1\n")
     for read, file in ((read_currents, said), (read_record, tmp_path / "table.csv")):
         refuses(sentence, read, file, units="cm/s")
-    assert read_currents(said, units="m s-1").u.max() == pytest.approx(sample()[0].max())
-    assert "furlongs" in refused("fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs")
+    assert read_currents(said, units="m s-1").u.max() == pytest.approx(
+        sample()[0].max()
+    )
+    assert "furlongs" in refused(
+        "fit", path, "--out", tmp_path / "s.toml", "--units", "furlongs"
+    )
 
 
 def test_a_wind_is_no_current_whatever_its_name(tmp_path):
-    path = write(tmp_path / "c.nc", *sample(), change=saying("u", standard_name="eastward_wind"))
+    path = write(
+        tmp_path / "c.nc", *sample(), change=saying("u", standard_name="eastward_wind")
+    )
     refuses("no eastward velocity", read_currents, path)
     with netCDF4.Dataset(path, "a") as file:
         file.createVariable("uo", "f8", file["v"].dimensions)[:] = file["v"][:]
@@ -281,7 +333,11 @@ def test_an_attribute_of_several_numbers_is_no_name_and_no_unit(tmp_path):
     numbers = saying("u lat", standard_name=np.arange(3))
     path = write(tmp_path / "c.nc", *sample(), change=numbers)
     assert read_currents(path).u.shape == read_currents(path).v.shape
-    write(path, *sample(), change=lambda data: saying("u", units=np.arange(3))(numbers(data)))
+    write(
+        path,
+        *sample(),
+        change=lambda data: saying("u", units=np.arange(3))(numbers(data)),
+    )
     refuses(r"u.*\[0 1 2\]", read_currents, path, units="m/s")
 
 

@@ -20,7 +20,11 @@ from clpt_control.simulation.flows import explained_variance
 MARACOOS = sample_currents()
 BOX = (40.9, 41.55, -69.9, -69.0)
 SPEED = 28.9841042  # M2, degrees per hour
-LAT, LON, TIME = np.linspace(40.9, 41.55, 13), np.linspace(-69.9, -69.0, 14), np.arange(25.0)
+LAT, LON, TIME = (
+    np.linspace(40.9, 41.55, 13),
+    np.linspace(-69.9, -69.0, 14),
+    np.arange(25.0),
+)
 
 
 PLANE = Proj(proj="aeqd", ellps="WGS84", lat_0=41.225, lon_0=-69.45)
@@ -33,9 +37,13 @@ def known_flow(places, width, theta):
     x1, x2 = (w / 1000 for w in PLANE(lon, lat))
     east = np.array(PLANE(lon + 1e-5, lat)) - np.array(PLANE(lon - 1e-5, lat))
     east /= np.hypot(*east)
-    kernels = [np.exp(-((x1 - x) ** 2 + (x2 - y) ** 2) / (2 * width**2)) for x, y in places]
+    kernels = [
+        np.exp(-((x1 - x) ** 2 + (x2 - y) ** 2) / (2 * width**2)) for x, y in places
+    ]
     tides = [np.ones(25), np.cos(OMEGA * TIME), np.sin(OMEGA * TIME)]
-    phi = np.array([tide[:, None, None] * kernel for tide in tides for kernel in kernels])
+    phi = np.array(
+        [tide[:, None, None] * kernel for tide in tides for kernel in kernels]
+    )
     f1, f2 = np.tensordot(theta, phi, axes=1) / 3.6
     return east[0] * f1 + east[1] * f2, -east[1] * f1 + east[0] * f2
 
@@ -52,7 +60,9 @@ def known(tmp_path_factory):
     x1 = np.array([PLANE(lon, 41.225)[0] / 1000 for lon in (-69.9, -69.0)])
     x2 = np.array([PLANE(-69.45, lat)[1] / 1000 for lat in (40.9, 41.55)])
     # one and three quarters of the way across, to the metre
-    columns, rows = (np.round(w[0] + np.ptp(w) * np.array([0.25, 0.75]), 3) for w in (x1, x2))
+    columns, rows = (
+        np.round(w[0] + np.ptp(w) * np.array([0.25, 0.75]), 3) for w in (x1, x2)
+    )
     places = [(x, y) for y in rows for x in columns]
     rng = np.random.default_rng(12)
     theta = rng.normal(size=(2, 12))
@@ -81,7 +91,9 @@ def test_width_and_radius_follow_the_box(known, tmp_path):
     assert (small.report["width"], small.report["track_radius"]) == (15.0, 12.0)
     assert small.report["functions_felt_on_the_track"] == 27
     half = fit_scenario(known[0], (41.05, 41.4, -69.7, -69.2))
-    assert half.report["width"] == pytest.approx(15 * np.sqrt(0.35 * 0.5 / (0.65 * 0.9)), rel=0.03)
+    assert half.report["width"] == pytest.approx(
+        15 * np.sqrt(0.35 * 0.5 / (0.65 * 0.9)), rel=0.03
+    )
     assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
     narrow = fit_scenario(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
@@ -114,7 +126,11 @@ def test_a_fit_worse_than_the_mean_current_says_so(clpt, tmp_path):
 @pytest.mark.usefixtures("undrawn")
 def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_path):
     """On the plane it turns by 0.2 %: no variance that anybody asks about."""
-    u, scenario, run = np.full(known[2].shape, 0.5), tmp_path / "s.toml", tmp_path / "run.nc"
+    u, scenario, run = (
+        np.full(known[2].shape, 0.5),
+        tmp_path / "s.toml",
+        tmp_path / "run.nc",
+    )
     uniform = write(tmp_path / "c.nc", u, 0.4 * u)
     assert printed("fit", uniform, "--out", scenario)["explained_variance"] is None
     assert "# explained variance: None" in scenario.read_text()
@@ -130,7 +146,10 @@ def test_a_uniform_current_has_no_share_and_says_so(clpt, printed, known, tmp_pa
 def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u, v = np.random.default_rng(3).normal(size=(2, 25, 13, 14))
     u[12:] = np.nan
-    path, said = write(tmp_path / "c.nc", u, v), r"in 11 h, these .* apart: steady and M2 \(12.43 h"
+    path, said = (
+        write(tmp_path / "c.nc", u, v),
+        r"in 11 h, these .* apart: steady and M2 \(12.43 h",
+    )
     refuses(said, fit_scenario, path, BOX, rows=1, columns=1, width_km=30.0)
 
 
@@ -147,11 +166,20 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
 
     whole, without = fitted(hole, np.arange(61)), fitted(tide[rows], rows)
     for name in ("time", "u", "v"):
-        np.testing.assert_array_equal(getattr(without.field, name), getattr(whole.field, name))
+        np.testing.assert_array_equal(
+            getattr(without.field, name), getattr(whole.field, name)
+        )
     assert without.report == whole.report
-    assert np.hypot(without.field.u, without.field.v).max() <= 3.6 * np.hypot(0.5, 0.5) * (1 + 1e-6)
+    assert np.hypot(without.field.u, without.field.v).max() <= 3.6 * np.hypot(
+        0.5, 0.5
+    ) * (1 + 1e-6)
     assert without.report["missing_fraction"] == pytest.approx(10 / 61)
-    refuses("99 steps are missing, most behind 19 h", fitted, tide[rows], rows + 89 * (rows > 25))
+    refuses(
+        "99 steps are missing, most behind 19 h",
+        fitted,
+        tide[rows],
+        rows + 89 * (rows > 25),
+    )
 
 
 def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
@@ -162,8 +190,14 @@ def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
 
 def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     scenario = save_fit(fit, tmp_path / "north.toml")
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["north.toml", "north_field.nc"]
-    assert (scenario.flow.field, scenario.learning.parameters) == ("north_field.nc", None)
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "north.toml",
+        "north_field.nc",
+    ]
+    assert (scenario.flow.field, scenario.learning.parameters) == (
+        "north_field.nc",
+        None,
+    )
     assert scenario.learning.gain == 5.0
     assert scenario.vehicle.position == scenario.learning.position == (12.0, 0.0)
     assert scenario.run.duration == 24.0
@@ -171,7 +205,9 @@ def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     moved.mkdir()
     for name in ("north.toml", "north_field.nc"):
         (tmp_path / name).rename(moved / name)
-    assert clpt.load_scenario(moved / "north.toml").model_dump() == scenario.model_dump()
+    assert (
+        clpt.load_scenario(moved / "north.toml").model_dump() == scenario.model_dump()
+    )
     text = (moved / "north.toml").read_text()
     assert "# missing fraction: 0.30" in text
     assert str(tmp_path) not in text
@@ -196,8 +232,16 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
 def test_each_mistake_is_one_sentence(known):
     for options, error, sentence in (
         ({"rows": 0}, ArgumentError, "rows = 0: must be a whole number, 1 or more"),
-        ({"width_km": -1.0}, DataError, r"width \(--width-km\) = -1.0 km: must be positive"),
-        ({"width_km": 1e4}, DataError, "cannot separate the basis functions .* another width"),
+        (
+            {"width_km": -1.0},
+            DataError,
+            r"width \(--width-km\) = -1.0 km: must be positive",
+        ),
+        (
+            {"width_km": 1e4},
+            DataError,
+            "cannot separate the basis functions .* another width",
+        ),
         ({"constituents": ()}, DataError, "must be names, each once"),
         ({"constituents": ("M9",)}, ScenarioError, "unknown constituent 'M9'"),
         ({"rows": 50, "columns": 40}, DataError, "samples for 6000 functions"),
@@ -245,12 +289,16 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
     shares = explained_variance(scenario, run)
     assert shares["window"] == [3.0, 4.0]
     refuses("holds no sample", explained_variance, scenario, run, window=(7.0, 8.0))
-    refuses("basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3)))
+    refuses(
+        "basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3))
+    )
     refuses("no gridded field", explained_variance, clpt.paper_scenario(), run)
     track = share(run.true_flow.values[late], learned)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:
-        t, x2, x1, u, v = (np.asarray(file[name][:]) for name in ("time", "y", "x", "u", "v"))
+        t, x2, x1, u, v = (
+            np.asarray(file[name][:]) for name in ("time", "y", "x", "u", "v")
+        )
     t, x2, x1 = np.meshgrid(t, x2, x1, indexing="ij")
     box = share(np.stack([u, v], axis=-1), phi(t, x1, x2) @ theta[-1].T)
     assert shares["box"] == pytest.approx(box, rel=1e-9)
@@ -286,7 +334,10 @@ def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     g = nantucket[0].field
     inside = (x1 >= g.x1[0]) & (x1 <= g.x1[-1]) & (x2 >= g.x2[0]) & (x2 <= g.x2[-1])
     kept = currents.measured & inside
-    t, y1, y2 = (np.broadcast_to(w, u.shape)[kept] for w in (currents.time[:, None, None], x1, x2))
+    t, y1, y2 = (
+        np.broadcast_to(w, u.shape)[kept]
+        for w in (currents.time[:, None, None], x1, x2)
+    )
     field = clpt.equations.evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
     error = np.hypot(field[:, 0] - u[kept], field[:, 1] - v[kept])
     assert np.sqrt(np.mean(error**2)) < 0.02  # m/s, of 0.51

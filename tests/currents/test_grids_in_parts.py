@@ -40,9 +40,15 @@ def test_land_as_zeros_is_a_gap_and_is_said(tmp_path):
     still = current().assign(u=0 * current().u, v=0 * current().v)
     for name in "uv":
         still[name].attrs = {"units": "m/s"}
-    for name, data in ("land", current(land=True)), ("sea", current()), ("still", still):
+    for name, data in (
+        ("land", current(land=True)),
+        ("sea", current()),
+        ("still", still),
+    ):
         data.to_netcdf(tmp_path / f"{name}.nc")
-    land, sea, still = (read_currents(tmp_path / f"{n}.nc") for n in ("land", "sea", "still"))
+    land, sea, still = (
+        read_currents(tmp_path / f"{n}.nc") for n in ("land", "sea", "still")
+    )
     assert (land.land, sea.land, (~land.measured).sum()) == (6, 0, 6 * 26)
     assert not land.measured[:, :2, :3].any()
     assert still.measured.all()  # water at rest everywhere
@@ -61,7 +67,10 @@ def test_zarr_is_read_as_the_file_is(tmp_path, form):
     same(read_currents(tmp_path / "c.zarr"), plain)
     box = (41.0, 41.3, -69.8, -69.2)
     same(read_currents(tmp_path / "c.zarr", box), read_currents(tmp_path / "c.nc", box))
-    assert fit_scenario(tmp_path / "c.zarr", rows=2, columns=2).report["samples"] == plain.u.size
+    assert (
+        fit_scenario(tmp_path / "c.zarr", rows=2, columns=2).report["samples"]
+        == plain.u.size
+    )
     assert read_flow_model(tmp_path / "c.zarr").source == "c.zarr"
     metadata = tmp_path / "c.zarr" / ("zarr.json" if form == 3 else ".zgroup")
     metadata.write_text("{")
@@ -80,10 +89,17 @@ def test_files_of_one_current_are_joined(tmp_path):
         if k == 1:  # the step that the third file has too, and an epoch of its own
             part = part.copy(deep=True)
             part["u"][11:] = 9.0
-            part["time"] = ("time", part.time.values - 1, {"units": "hours since 2024-01-01 01:00"})
+            part["time"] = (
+                "time",
+                part.time.values - 1,
+                {"units": "hours since 2024-01-01 01:00"},
+            )
         part.to_netcdf(folder / f"day{k}.nc")
     same(read_currents(folder), plain)
-    same(read_currents(folder, column=True), read_currents(tmp_path / "c.nc", column=True))
+    same(
+        read_currents(folder, column=True),
+        read_currents(tmp_path / "c.nc", column=True),
+    )
     assert fit_scenario(folder, rows=2, columns=2).report["source"] == "days"
     assert read_flow_model(folder).source == "days"
     whole.isel(lat=slice(1, None)).to_netcdf(folder / "other.nc")
@@ -93,9 +109,13 @@ def test_files_of_one_current_are_joined(tmp_path):
 @pytest.mark.parametrize("minutes", [1, 5, 10, 20, 30])
 def test_a_step_of_two_files_is_one_however_it_is_counted(tmp_path, minutes):
     """A sixth of an hour has no end in binary: hours since 1970 differed by 6e-11 h."""
-    dates = np.datetime64("2019-01-01T03:00") + np.timedelta64(minutes, "m") * np.arange(15)
+    dates = np.datetime64("2019-01-01T03:00") + np.timedelta64(
+        minutes, "m"
+    ) * np.arange(15)
     for k, since in enumerate(("2019-01-01", "1950-01-01")):
-        days = (dates[5 * k : 5 * k + 10] - np.datetime64(since)) / np.timedelta64(1, "D")
+        days = (dates[5 * k : 5 * k + 10] - np.datetime64(since)) / np.timedelta64(
+            1, "D"
+        )
         part = current().isel(time=range(10))
         part["time"] = ("time", days, {"units": f"days since {since}"})
         part["u"][:] = k
@@ -120,7 +140,9 @@ def test_a_box_is_read_as_one_block(tmp_path, monkeypatch):
     data.to_netcdf(tmp_path / "c.nc", encoding={"u": whole, "v": whole})
     blocks, read = [], NetCDF4ArrayWrapper._getitem
     monkeypatch.setattr(
-        NetCDF4ArrayWrapper, "_getitem", lambda of, key: blocks.append(key) or read(of, key)
+        NetCDF4ArrayWrapper,
+        "_getitem",
+        lambda of, key: blocks.append(key) or read(of, key),
     )
     for box in ((10, 12, 10, 15), (10, 12, 177.5, -177.5)):
         blocks.clear()
@@ -138,7 +160,11 @@ def test_a_table_with_a_line_for_each_depth_is_averaged(tmp_path):
     lines = ["# latitude: 41.2", "time,depth,u (m/s),v (m/s)"]
     for k in range(10):
         far, when = "9,9" if k == 0 else ",", f"2024-01-01T{k:02d}:00:00Z"
-        lines += [f"{when},5,{0.1 * k},0.2", f"{when},10,{0.1 * k + 0.02},0.4", f"{when},15,{far}"]
+        lines += [
+            f"{when},5,{0.1 * k},0.2",
+            f"{when},10,{0.1 * k + 0.02},0.4",
+            f"{when},15,{far}",
+        ]
     path = tmp_path / "adcp.csv"
     path.write_text("\n".join(lines))
     record = read_record(path)
@@ -158,7 +184,9 @@ def test_plane_both_ways_and_true_distances():
     x1, x2 = NANTUCKET.to_plane(lat, lon)
     back = NANTUCKET.to_earth(x1, x2)
     np.testing.assert_allclose(back, [lat, lon], atol=1e-9)
-    _, _, metres = Geod(ellps="WGS84").inv(np.full(50, -69.45), np.full(50, 41.225), lon, lat)
+    _, _, metres = Geod(ellps="WGS84").inv(
+        np.full(50, -69.45), np.full(50, 41.225), lon, lat
+    )
     np.testing.assert_allclose(np.hypot(x1, x2), metres / 1000, rtol=1e-9)
     refuses("choose a smaller box", NANTUCKET.to_plane, 60.0, -69.0)
     refuses("km from the origin", NANTUCKET.to_plane, np.nan, -69.0)
@@ -173,9 +201,13 @@ def test_velocities_turn_as_displacements_do():
             here, there = NANTUCKET.to_plane(lat, lon), NANTUCKET.to_plane(lat1, lon1)
             moved = 1000 * (np.array(there) - np.array(here))
             u, v = np.sin(np.radians(bearing)), np.cos(np.radians(bearing))
-            np.testing.assert_allclose(NANTUCKET.rotate(lat, lon, u, v), moved, atol=2e-4)
+            np.testing.assert_allclose(
+                NANTUCKET.rotate(lat, lon, u, v), moved, atol=2e-4
+            )
     leaning = NANTUCKET.rotate(41.5, -69.0, 0.0, 1.0)[0]
-    assert 0.004 < abs(leaning) < 0.007  # 0.3 degrees: what is forgotten without turning
+    assert (
+        0.004 < abs(leaning) < 0.007
+    )  # 0.3 degrees: what is forgotten without turning
 
 
 def test_filling_keeps_measured_values_and_their_range():
@@ -184,7 +216,9 @@ def test_filling_keeps_measured_values_and_their_range():
     gap = rng.random(u.shape) < 0.4
     gap[:, :2, :2] = True  # a corner that was never seen
     u[gap] = np.nan
-    *full, filled = fill_gaps(np.arange(8.0), np.arange(6.0) * 6, np.arange(7.0) * 5, u, v)
+    *full, filled = fill_gaps(
+        np.arange(8.0), np.arange(6.0) * 6, np.arange(7.0) * 5, u, v
+    )
     np.testing.assert_array_equal(np.array(full)[:, ~gap], [u[~gap], v[~gap]])
     assert np.all(np.isfinite(full))
     assert np.nanmin(u) <= full[0].min()
@@ -193,7 +227,11 @@ def test_filling_keeps_measured_values_and_their_range():
 
 
 EVEN = 0.3 * np.arange(6.0), 4 * np.arange(5.0), 6 * np.arange(7.0)
-UNEVEN = np.array([0, 1, 3, 4, 7.0]), np.array([0, 5, 6, 9.0]), np.array([-3, 0, 1, 8, 9.0])
+UNEVEN = (
+    np.array([0, 1, 3, 4, 7.0]),
+    np.array([0, 5, 6, 9.0]),
+    np.array([-3, 0, 1, 8, 9.0]),
+)
 
 
 HARMONIC = [
@@ -232,13 +270,17 @@ def random_field():
     return plane.GriddedField(*axes, *rng.normal(size=(2, 7, 6, 8)))
 
 
-@pytest.mark.parametrize("units", [Units(length="km", time="h"), Units(length="m", time="s")])
+@pytest.mark.parametrize(
+    "units", [Units(length="km", time="h"), Units(length="m", time="s")]
+)
 def test_field_file_read_back_equals_the_data_at_nodes(tmp_path, units):
     field = random_field()
     data = plane.field_dataset(field, Units(length="km", time="h"), {"title": "test"})
     write_file(tmp_path / "f.nc", data)
     read = plane.read_field(tmp_path / "f.nc", units)
-    T, Y, X = (w.ravel() for w in np.meshgrid(read.time, read.x2, read.x1, indexing="ij"))
+    T, Y, X = (
+        w.ravel() for w in np.meshgrid(read.time, read.x2, read.x1, indexing="ij")
+    )
     values = evaluate(gridded_flow(read), T, np.column_stack([X, Y]))
     size = 1.0 if units.length == "km" else 1000.0 / 3600.0
     wanted = size * np.column_stack([field.u.ravel(), field.v.ravel()])
@@ -250,7 +292,11 @@ def test_field_block_equals_scipys_interpolating_spline():
     """Independent: B-splines by collocation, not-a-knot, axis after axis."""
     field = random_field()
     rng = np.random.default_rng(6)
-    t, x2, x1 = rng.uniform(0, 6, 40), rng.uniform(-20, 20, 40), rng.uniform(-30, 30, 40)
+    t, x2, x1 = (
+        rng.uniform(0, 6, 40),
+        rng.uniform(-20, 20, 40),
+        rng.uniform(-30, 30, 40),
+    )
     mine = evaluate(gridded_flow(field), t, np.column_stack([x1, x2]))
     for k in range(40):
         for component, values in enumerate((field.u, field.v)):

@@ -10,7 +10,15 @@ import utide
 import xarray
 from made_fields import gridded_current
 from refusals import refuses
-from tidal_records import KNOWN, LATITUDE, MARACOOS, times, waves, write_netcdf, write_table
+from tidal_records import (
+    KNOWN,
+    LATITUDE,
+    MARACOOS,
+    times,
+    waves,
+    write_netcdf,
+    write_table,
+)
 
 from clpt_control.currents import (
     check_separable,
@@ -27,7 +35,10 @@ from clpt_control.scenario.tidal_periods import SPEEDS, period, speed
 
 
 def test_speeds_are_those_of_utide():
-    own = {name: 360 * utide.cycles_per_hour[OTHER_NAMES.get(name, name)] for name in SPEEDS}
+    own = {
+        name: 360 * utide.cycles_per_hour[OTHER_NAMES.get(name, name)]
+        for name in SPEEDS
+    }
     # UTide's SA and S1 follow the sun's perigee, Schureman's the mean year
     for name in SPEEDS:
         off = 2.1e-6 if name in ("SA", "S1") else 4e-7
@@ -74,7 +85,9 @@ def test_known_amplitudes_and_phases_are_recovered(gaps):
     f, u, V = (a[0] for a in nodal_corrections(list(KNOWN), time[:1], LATITUDE))
     assert [tide.name for tide in fit.constituents] == list(KNOWN)
     for k, (tide, row) in enumerate(zip(fit.constituents, KNOWN.values(), strict=True)):
-        np.testing.assert_allclose([f[k] * tide.east, f[k] * tide.north], row[::2], atol=2e-3)
+        np.testing.assert_allclose(
+            [f[k] * tide.east, f[k] * tide.north], row[::2], atol=2e-3
+        )
         off = np.array([tide.east_phase, tide.north_phase]) - V[k] - u[k] - row[1::2]
         assert np.abs((off + 180) % 360 - 180).max() < 1.5
     assert fit.mean == pytest.approx((0.1, -0.05), abs=1e-3)
@@ -96,7 +109,9 @@ def test_the_ellipse_is_that_of_the_components():
     assert size.min() == pytest.approx(abs(tide.minor), rel=1e-4)
     assert tide.minor > 0  # north lags east by 70 degrees: counter-clockwise
     k = size.argmax()
-    assert np.degrees(np.arctan2(v[k], u[k])) % 180 == pytest.approx(tide.inclination, abs=0.01)
+    assert np.degrees(np.arctan2(v[k], u[k])) % 180 == pytest.approx(
+        tide.inclination, abs=0.01
+    )
     assert (np.degrees(turn[k]) - tide.phase + 90) % 180 == pytest.approx(90, abs=0.01)
 
 
@@ -112,12 +127,18 @@ def test_estimates_lie_within_their_standard_errors(red):
         noise = np.random.default_rng(seed).normal(scale=0.1, size=clean.shape)
         for k in range(1, len(time)):
             noise[:, k] += red * noise[:, k - 1]
-        found = fit_tides(time, *(clean + noise), LATITUDE, ["M2", "K1"]).constituents[0]
-        misses.append([(getattr(found, k) - getattr(truth, k)) / found.errors[k] for k in keys])
+        found = fit_tides(time, *(clean + noise), LATITUDE, ["M2", "K1"]).constituents[
+            0
+        ]
+        misses.append(
+            [(getattr(found, k) - getattr(truth, k)) / found.errors[k] for k in keys]
+        )
     size = np.abs(misses)
     assert (size < 3).mean(axis=0).min() >= 0.95
     spread = np.sqrt(np.mean(size**2))
-    assert (0.5 if red else 0.85) < spread < 1.15  # red noise is not thought quieter than white
+    assert (
+        (0.5 if red else 0.85) < spread < 1.15
+    )  # red noise is not thought quieter than white
 
 
 def test_theta_of_a_scenario_is_the_fit():
@@ -126,14 +147,18 @@ def test_theta_of_a_scenario_is_the_fit():
     basis = tidal_basis(fit_tides(time, *flow, LATITUDE, list(KNOWN)), epoch, "km h-1")
     assert basis.constituents == ("steady", *(n for n in KNOWN for _ in range(2)))
     hours = (time - epoch) / np.timedelta64(1, "h")
-    angles = [2 * np.pi * hours / period(name) for name in basis.constituents]  # steady: 0
+    angles = [
+        2 * np.pi * hours / period(name) for name in basis.constituents
+    ]  # steady: 0
     phi = np.cos(np.array(angles) + np.array(basis.phases)[:, None])
     np.testing.assert_allclose(basis.theta @ phi, 3.6 * flow, atol=3.6 * 4e-3)
 
 
 def test_utide_chooses_by_itself():
     time, flow = times(30), waves(times(30))
-    names = {each.name for each in fit_tides(time, *flow, LATITUDE, "auto").constituents}
+    names = {
+        each.name for each in fit_tides(time, *flow, LATITUDE, "auto").constituents
+    }
     assert {*KNOWN} < names
     assert "K2" not in names
     said = "no tide can be told from the mean in 2 h"
@@ -146,7 +171,9 @@ def test_rayleigh_says_which_and_how_long():
     refuses(together, fit_tides, day, *waves(day), LATITUDE, ["M2", "S2"])
     check_separable(["steady", "S2"], 12.0, "x")
     check_separable(["M2"], 1.0, "x")
-    assert refuses("x.nc: ", check_separable, ["M2", "S2", "K2", "steady"], 11.0, "x.nc") == (
+    assert refuses(
+        "x.nc: ", check_separable, ["M2", "S2", "K2", "steady"], 11.0, "x.nc"
+    ) == (
         "x.nc: in 11 h, these cannot be told apart: S2 and K2 (4383 h are needed), M2 and S2 "
         "(354.4 h are needed), M2 and K2 (327.9 h are needed), M2 and steady (12.43 h are needed), "
         "S2 and steady (12 h are needed), K2 and steady (11.97 h are needed)"
@@ -157,15 +184,22 @@ def test_rayleigh_says_which_and_how_long():
 def test_rayleigh_on_a_measured_day(printed, refused, tmp_path):
     sentence = "in 23 h, these cannot be told apart: M2 and S2 (354.4 h are needed)"  # 24 steps
     out = tmp_path / "s.toml"
-    assert sentence in refused("fit", MARACOOS, "--constituents", "steady,M2,S2", "--out", out)
+    assert sentence in refused(
+        "fit", MARACOOS, "--constituents", "steady,M2,S2", "--out", out
+    )
     assert list(tmp_path.iterdir()) == []
     at = ("--at", 41.2, -69.5, "--constituents")
     assert sentence in refused("tides", MARACOOS, *at, "M2,S2")
     tide = printed("tides", MARACOOS, *at, "M2")["constituents"]["M2"]
     assert 0.5 < tide["major"] < 1.1  # strong and clockwise on the shoals
     assert tide["minor"] < 0
-    for mistake, what in (((50, -69.5), "latitude 50 lies outside"), ((41.2, 10), "longitude 10")):
-        assert what in refused("tides", MARACOOS, "--at", *mistake, "--constituents", "M2")
+    for mistake, what in (
+        ((50, -69.5), "latitude 50 lies outside"),
+        ((41.2, 10), "longitude 10"),
+    ):
+        assert what in refused(
+            "tides", MARACOOS, "--at", *mistake, "--constituents", "M2"
+        )
 
 
 def test_the_command_prints_constants(clpt, tmp_path):
@@ -199,8 +233,12 @@ def test_records_are_read_alike_from_every_file(tmp_path):
     loose.write_text(f"# units: m s-1\n# latitude = 41.2\nv,note,time,u\n{rows}")
     net = write_netcdf(tmp_path / "r.nc", time, 100 * flow, units="cm/s")
     cells = (np.array([40.0, 41.2]), np.array([-70.0, -69.0, -68.0]))
-    grid = np.stack([np.stack([flow * k for k in row], -1) for row in ((0, 0, 0), (0, 0, 1))], -2)
-    grid = read_record(write_netcdf(tmp_path / "g.nc", time, grid, cells=cells), at=(41.0, 292.1))
+    grid = np.stack(
+        [np.stack([flow * k for k in row], -1) for row in ((0, 0, 0), (0, 0, 1))], -2
+    )
+    grid = read_record(
+        write_netcdf(tmp_path / "g.nc", time, grid, cells=cells), at=(41.0, 292.1)
+    )
     assert grid.latitude == 41.2
     for other in (read_record(loose), read_record(net), grid):
         np.testing.assert_array_equal(other.time, one.time)
@@ -221,9 +259,13 @@ TIMES = [
 @pytest.mark.parametrize(("unit", "cells"), TIMES)
 def test_times_of_a_table_are_as_its_header_says(tmp_path, unit, cells):
     rows = "".join(f"{cell},0.1,0.2\n" for cell in cells)
-    (tmp_path / "r.csv").write_text(f"# latitude: -41.2\ntime{unit},u (m/s),v (m/s)\n{rows}")
+    (tmp_path / "r.csv").write_text(
+        f"# latitude: -41.2\ntime{unit},u (m/s),v (m/s)\n{rows}"
+    )
     record = read_record(tmp_path / "r.csv")
-    np.testing.assert_array_equal(record.time, np.array(["2019-01-01", "2019-01-02"], "M8[ms]"))
+    np.testing.assert_array_equal(
+        record.time, np.array(["2019-01-01", "2019-01-02"], "M8[ms]")
+    )
     assert record.latitude == -41.2
 
 
@@ -241,19 +283,40 @@ BAD_TABLES = [
     (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
     (HEADER + "2201,1,2\n", "the year 1700 to 2200"),
     (HEADER + "\n# a gap\n2019-01-01,1,2\n2019-01-02,1,o2\n", "line 6: v is 'o2'"),
-    (HEADER + ROW.format(2) + ROW.format(1), "01:00:00.000 follows .*02:00.*must increase"),
+    (
+        HEADER + ROW.format(2) + ROW.format(1),
+        "01:00:00.000 follows .*02:00.*must increase",
+    ),
     (HEADER + "2019-01-01,,\n2019-01-02,nan,1\n", "no time has a finite value"),
     (HEADER + "2019-01-01,999,1\n", "reaches 999 m/s: check its units"),
-    (HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n", "9.99 m/s: check its units and fill"),
+    (
+        HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n",
+        "9.99 m/s: check its units and fill",
+    ),
     (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
     (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
-    (HEADER.replace("41", "north") + ROW.format(1), "latitude = nan: must be degrees north"),
-    ("time (local),u (m/s),v (m/s)\n" + ROW.format(1), "time is in 'local'; must be in UTC"),
+    (
+        HEADER.replace("41", "north") + ROW.format(1),
+        "latitude = nan: must be degrees north",
+    ),
+    (
+        "time (local),u (m/s),v (m/s)\n" + ROW.format(1),
+        "time is in 'local'; must be in UTC",
+    ),
     (HEADER + ROW.format(1) + ROW.format(2), "changes by 0 m/s only"),
-    (HEADER + "2019,1e-300,0\n2020,2e-300,0\n", "changes by 1e-300 m/s only: check its units"),
-    (HEADER.replace(",", ";") + "0;1;2\n", "columns are separated by semicolons; use commas"),
+    (
+        HEADER + "2019,1e-300,0\n2020,2e-300,0\n",
+        "changes by 1e-300 m/s only: check its units",
+    ),
+    (
+        HEADER.replace(",", ";") + "0;1;2\n",
+        "columns are separated by semicolons; use commas",
+    ),
     (HEADER + ROW.format(1), "1 of 1 times have both components"),
-    ("time,speed (m/s),direction (rad)\n" + ROW.format(1), "direction is in 'rad'; must be in"),
+    (
+        "time,speed (m/s),direction (rad)\n" + ROW.format(1),
+        "direction is in 'rad'; must be in",
+    ),
 ]
 
 
@@ -275,10 +338,22 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
         (tmp_path / "text.nc", m2, "cannot be read as NetCDF"),
         (tmp_path / "bytes.csv", m2, "is no text"),
         (tmp_path / "fifo.csv", m2, "is no regular file; give one"),
-        (write_netcdf(tmp_path / "a.nc", time, np.nan * flow), m2, "no time has a finite value"),
-        (write_netcdf(tmp_path / "b.nc", time, flow, latitude=None), m2, "--latitude DEG"),
+        (
+            write_netcdf(tmp_path / "a.nc", time, np.nan * flow),
+            m2,
+            "no time has a finite value",
+        ),
+        (
+            write_netcdf(tmp_path / "b.nc", time, flow, latitude=None),
+            m2,
+            "--latitude DEG",
+        ),
         (write_netcdf(tmp_path / "c.nc", time[::-1], flow), m2, "times must increase"),
-        (write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"), m2, "calendar '360_day'"),
+        (
+            write_netcdf(tmp_path / "f.nc", time, flow, calendar="360_day"),
+            m2,
+            "calendar '360_day'",
+        ),
         (net, ("--constituents", "M9"), "unknown constituent 'M9'"),
         (net, ("--constituents", "M2,M2"), "each once"),
         (net, ("--constituents", "steady"), "must be tides, each once"),
@@ -289,9 +364,17 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
 
 def test_records_that_are_blind_to_a_tide():
     for time, names, sentence in (
-        (times(30, step=720), ["S2"], "the mean and S2 look alike; take other intervals"),
+        (
+            times(30, step=720),
+            ["S2"],
+            "the mean and S2 look alike; take other intervals",
+        ),
         (times(30, step=1440), ["M2", "S2"], "look alike"),
-        (times(30, step=10000), ["M2", "S2"], "measurements for 5 numbers to fit; at least 10"),
+        (
+            times(30, step=10000),
+            ["M2", "S2"],
+            "measurements for 5 numbers to fit; at least 10",
+        ),
         (times(1)[::-1], ["M2"], "times must increase"),
     ):
         flow = np.cos(np.radians((time - time[0]) / np.timedelta64(1, "h")))
@@ -313,7 +396,11 @@ def profiler(system="earth", **attrs):
         {
             "dir": [*("ENU" if system == "earth" else "XYZ"), "err"],
             "range": [1.0, 2.0, 3.0],
-            "time": ("time", 1.55e9 + 3600 * hours, {"units": "seconds since 1970-01-01"}),
+            "time": (
+                "time",
+                1.55e9 + 3600 * hours,
+                {"units": "seconds since 1970-01-01"},
+            ),
         },
         {"coord_sys": system, "latitude": 41.0, **attrs},
     )
@@ -322,18 +409,26 @@ def profiler(system="earth", **attrs):
 def test_a_profilers_file_is_a_record(tmp_path):
     profiler(declination=-14.0).to_netcdf(tmp_path / "adcp.nc")
     record = read_record(tmp_path / "adcp.nc")
-    assert (record.u.mean(), record.v) == (pytest.approx(0.4, abs=0.01), pytest.approx(0.2))
+    assert (record.u.mean(), record.v) == (
+        pytest.approx(0.4, abs=0.01),
+        pytest.approx(0.2),
+    )
     assert record.latitude == 41.0
     profiler().to_netcdf(tmp_path / "magnetic.nc")
     refuses("set_declination", read_record, tmp_path / "magnetic.nc")
     profiler("inst", declination=0.0).to_netcdf(tmp_path / "inst.nc")
-    refuses("of 'inst'; dolfyn.rotate2 turns it to earth", read_record, tmp_path / "inst.nc")
+    refuses(
+        "of 'inst'; dolfyn.rotate2 turns it to earth", read_record, tmp_path / "inst.nc"
+    )
 
 
 def test_speed_and_direction_are_read_as_east_and_north(tmp_path):
     path = tmp_path / "adcp.txt"
     rows = "".join(f"2019-01-01T0{k}:00:00Z,{100 + k},{90 * k}\n" for k in range(4))
-    for header, units in (("speed (cm/s),direction (deg)", None), ("speed,direction", "cm/s")):
+    for header, units in (
+        ("speed (cm/s),direction (deg)", None),
+        ("speed,direction", "cm/s"),
+    ):
         path.write_text(f"# latitude: 41.2\ntime,{header}\n{rows}")
         record = read_record(path, units=units)
         assert record.u == pytest.approx([0.0, 1.01, 0.0, -1.03])

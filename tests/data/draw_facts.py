@@ -18,7 +18,11 @@ import numpy as np
 
 HERE = Path(__file__).parent
 PACKAGE = HERE.parents[1] / "clpt_control" / "data"
-STEPS = [f"{axis}_displacement{model}" for axis in ("east", "north") for model in ("", "_gsm")]
+STEPS = [
+    f"{axis}_displacement{model}"
+    for axis in ("east", "north")
+    for model in ("", "_gsm")
+]
 SAYS = """
 units calendar positive standard_name scale_factor valid_min valid_max comment missing_value
 long_name unit_long cf_role coordinates flag_values
@@ -51,7 +55,10 @@ longitude_gps_end latitude longitude depth wcur_x wcur_y time_uv latitude_uv lon
 def thinned(source, target, names, kept, summed=()):
     """Copy variables, of each dimension in `kept` the given rows; steps are summed up."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    with netCDF4.Dataset(source) as old, netCDF4.Dataset(target, "w", format=old.data_model) as new:
+    with (
+        netCDF4.Dataset(source) as old,
+        netCDF4.Dataset(target, "w", format=old.data_model) as new,
+    ):
         new.setncatts(kept_of(old, WHOSE.split()))
         own = [name for name in names if name in old.variables]
         used = {dim for name in own for dim in old[name].dimensions}
@@ -82,7 +89,11 @@ def thinned(source, target, names, kept, summed=()):
 def kept_of(item, names):
     """Return attributes by name, of a long text its beginning."""
     found = {name: item.getncattr(name) for name in names if name in item.ncattrs()}
-    long = [n for n, value in found.items() if isinstance(value, str) and len(value) > LONGEST]
+    long = [
+        n
+        for n, value in found.items()
+        if isinstance(value, str) and len(value) > LONGEST
+    ]
     return found | {name: f"{found[name][:LONGEST]} (cut)" for name in long}
 
 
@@ -97,8 +108,14 @@ def dive(source, target, k, copies=1):
         deepest = {}
         for name in ("depth", "ctd_depth", "eng_depth"):
             if name in data.variables:
-                deepest.setdefault(data[name].dimensions[0], []).append(np.nanargmax(data[name][:]))
-        dims = {n: len(dim) for n, dim in data.dimensions.items() if n.endswith("_data_point")}
+                deepest.setdefault(data[name].dimensions[0], []).append(
+                    np.nanargmax(data[name][:])
+                )
+        dims = {
+            n: len(dim)
+            for n, dim in data.dimensions.items()
+            if n.endswith("_data_point")
+        }
         kept = {name: every(k, n, *deepest.get(name, ())) for name, n in dims.items()}
     thinned(source, target, OF_A_DIVE.split() + STEPS, kept, STEPS)
     target.write_bytes(target.read_bytes() * copies)
@@ -108,7 +125,9 @@ def mission(source, target, names, rows, k):
     """Draw the first rows of an OG1 mission, all fixes among them."""
     with netCDF4.Dataset(source) as data:
         (name,) = (name for name in data.dimensions if name.lower() == "n_measurements")
-        fix = next(key for key in ("LATITUDE_GPS", "time_gps_end") if key in data.variables)
+        fix = next(
+            key for key in ("LATITUDE_GPS", "time_gps_end") if key in data.variables
+        )
         places = np.ma.filled(data[fix][:rows], np.nan)
         is_new = np.isfinite(places) & (np.diff(places, prepend=np.nan) != 0)
         thinned(source, target, names, {name: every(k, rows, *np.flatnonzero(is_new))})
@@ -120,9 +139,13 @@ def dive_rows(source, target):
     lines[0] += ",dr_east_m,dr_north_m,dac_east,dac_north"
     for path in sorted(source.glob("*.nc")):
         with netCDF4.Dataset(path) as data:
-            fixes = [data[f"log_gps_{name}"][:].tolist() for name in ("time", "lat", "lon")]
+            fixes = [
+                data[f"log_gps_{name}"][:].tolist() for name in ("time", "lat", "lon")
+            ]
             steps = [float(np.sum(data[name][:])) for name in STEPS[::2]]
-            own = [float(data[f"depth_avg_curr_{axis}"][...]) for axis in ("east", "north")]
+            own = [
+                float(data[f"depth_avg_curr_{axis}"][...]) for axis in ("east", "north")
+            ]
             numbers = [*(column[k] for k in (1, 2) for column in fixes), *steps, *own]
             lines.append(",".join(map(repr, [int(data.dive_number), *numbers])))
     target.write_text("\n".join(lines) + "\n")
@@ -169,7 +192,9 @@ def main(shared):
         ("sg015_20040929T140907_delayed.nc", OF_OG1.split(), 2002, 4),
         ("sp028_20230202T1637_R.nc", OF_SPRAY.split(), 372, 6),
     ):
-        mission(shared / "glider/og1" / name, HERE / "glider/og1" / name, names, rows, k)
+        mission(
+            shared / "glider/og1" / name, HERE / "glider/og1" / name, names, rows, k
+        )
     segments(shared / "glider/slocum_rosie", HERE / "glider/slocum_rosie")
     for name in ("sea035m10_dives.csv", "sg542_2016_dives.csv", "sg171_adcp.csv"):
         shutil.copyfile(shared / "glider" / name, HERE / "glider" / name)

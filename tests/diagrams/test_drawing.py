@@ -42,7 +42,9 @@ def random_diagram(seed):
     random, systems = np.random.default_rng(seed), []
     for k in range(int(random.integers(3, 11))):
         m, r = random.integers(1, 4), random.integers(1, 3)
-        ports = (" ".join(f"{of}{j}" for j in range(n)) for of, n in (("u", m), ("y", r)))
+        ports = (
+            " ".join(f"{of}{j}" for j in range(n)) for of, n in (("u", m), ("y", r))
+        )
         systems.append(first_order(f"s{k}", *ports))
     connections = []
     for system in systems:
@@ -51,7 +53,9 @@ def random_diagram(seed):
             source = other.output_labels[random.integers(other.noutputs)]
             connections.append([f"{system.name}.{label}", f"{other.name}.{source}"])
     ends = {"inplist": ["s0.u0", "s2.u0"], "inputs": ["r", "d"], "outlist": ["s1.y0"]}
-    return control.interconnect(systems, connections, outputs=["out"], check_unused=False, **ends)
+    return control.interconnect(
+        systems, connections, outputs=["out"], check_unused=False, **ends
+    )
 
 
 DIAGRAMS = {
@@ -92,25 +96,38 @@ def mermaid_arrows(text):
 
 def test_mermaid_arrows_are_those_of_the_connection_map():
     loop = clpt.closed_loop(PAPER, ("zc",))
-    outputs = [(s.name, label.split("[")[0]) for s in loop.syslist for label in s.output_labels]
+    outputs = [
+        (s.name, label.split("[")[0]) for s in loop.syslist for label in s.output_labels
+    ]
     inputs = [s.name for s in loop.syslist for _ in s.input_labels]
     expected = {}
     for to, source in np.argwhere(loop.connect_map):
-        expected.setdefault((outputs[source][0], inputs[to]), set()).add(outputs[source][1])
+        expected.setdefault((outputs[source][0], inputs[to]), set()).add(
+            outputs[source][1]
+        )
     for to in np.argwhere(loop.input_map)[:, 0]:
         expected[("zc", inputs[to])] = {"zc"}
     assert mermaid_arrows(mermaid(loop)) == expected
 
 
 def test_mermaid_shows_gains_nested_diagrams_and_parts_of_a_port():
-    arrows = {("C", "P"): {"u"}, ("P", "C"): {"-1 y"}, ("P", "P"): {"0.5 y"}, ("r", "C"): {"r"}}
+    arrows = {
+        ("C", "P"): {"u"},
+        ("P", "C"): {"-1 y"},
+        ("P", "P"): {"0.5 y"},
+        ("r", "C"): {"r"},
+    }
     assert mermaid_arrows(mermaid(negative())) == arrows
     inner = mermaid(nested())
     assert '(["r"])' in inner  # an input is round
     assert mermaid_arrows(inner)["inner.plant", "sensor"] == {"y"}
     assert mermaid_arrows(inner)["controller", "inner.actuator"] == {"v"}
     blocks = [first_order("two", "u", "y[0] y[1]"), first_order("one", "u", "y")]
-    links = {"connections": [["one.u", "two.y[1]"]], "inplist": ["two.u"], "outlist": ["one.y"]}
+    links = {
+        "connections": [["one.u", "two.y[1]"]],
+        "inplist": ["two.u"],
+        "outlist": ["one.y"],
+    }
     part = control.interconnect(blocks, check_unused=False, **links)
     assert mermaid_arrows(mermaid(part))["two", "one"] == {"y[1]"}
 
@@ -150,7 +167,9 @@ def test_arrows_go_around_boxes_and_join_the_right_ones(drawn):
         assert last, "arrows drawn as not feedback close a circle"
         after = {name: own for name, own in after.items() if name not in last}
     for (k, (a, b)), (m, (c, d)) in combinations(pieces, 2):
-        for along, across in ((0, 1), (1, 0)) if k != m else ():  # none on top of another
+        for along, across in (
+            ((0, 1), (1, 0)) if k != m else ()
+        ):  # none on top of another
             if a[across] == b[across] == c[across] == d[across]:
                 assert min(b[along], d[along]) <= max(a[along], c[along])
 
@@ -164,7 +183,9 @@ BACK = {
 
 def test_the_picture_of_the_paper_is_what_an_engineer_would_draw():
     _, nets, nodes = layout(clpt.closed_loop(PAPER))
-    back = {source: set() for source in BACK} | {net.source: set() for net in nets if net.back}
+    back = {source: set() for source in BACK} | {
+        net.source: set() for net in nets if net.back
+    }
     for net in nets:
         back.get(net.source, set()).update(net.back)
     assert back == BACK
@@ -191,12 +212,22 @@ def test_svg_holds_every_block_arrow_and_equation(drawn, tmp_path):
         assert set(net.targets.values()) <= words
 
 
-OTHERS = {"font.size": 30, "lines.linewidth": 9, "savefig.bbox": "tight", "svg.fonttype": "path"}
+OTHERS = {
+    "font.size": 30,
+    "lines.linewidth": 9,
+    "savefig.bbox": "tight",
+    "svg.fonttype": "path",
+}
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".png", ".pdf", ".mmd"])
 def test_files_are_the_same_every_time_whatever_a_users_settings(tmp_path, suffix):
-    starts = {".svg": b"<?xml", ".png": b"\x89PNG", ".pdf": b"%PDF", ".mmd": b"flowchart LR"}
+    starts = {
+        ".svg": b"<?xml",
+        ".png": b"\x89PNG",
+        ".pdf": b"%PDF",
+        ".mmd": b"flowchart LR",
+    }
     for name, settings in (("a", {}), ("b", OTHERS | {"font.family": "serif"})):
         with matplotlib.rc_context(settings):
             draw(nested(), tmp_path / (name + suffix))

@@ -26,7 +26,9 @@ PENDULUM = control.nlsys(
 @pytest.mark.parametrize("angle", [0.0, 0.3, np.pi, 2.5])
 def test_a_pendulum_has_its_closed_form(angle):
     made = clpt.linearize(PENDULUM, [angle, 0.7], [0.2])
-    np.testing.assert_allclose(made.A, [[0, 1], [-9.81 * np.cos(angle), -0.1]], rtol=1e-15)
+    np.testing.assert_allclose(
+        made.A, [[0, 1], [-9.81 * np.cos(angle), -0.1]], rtol=1e-15
+    )
     np.testing.assert_array_equal(made.B, [[0], [1]])
     assert (made.state_labels, made.input_labels) == (["theta", "omega"], ["torque"])
     on_the_moon = clpt.linearize(PENDULUM, [angle, 0.7], [0.2], params={"g": 1.62})
@@ -36,7 +38,9 @@ def test_a_pendulum_has_its_closed_form(angle):
 SCENARIO = clpt.paper_scenario()
 
 
-@pytest.mark.parametrize("law", ["learned-flow", "least-squares", "projection", "composite-memory"])
+@pytest.mark.parametrize(
+    "law", ["learned-flow", "least-squares", "projection", "composite-memory"]
+)
 def test_as_python_control_by_differences(law):
     scenario = SCENARIO.with_values({"learning.law": law})
     loop = clpt.closed_loop(scenario, external="zc")
@@ -44,8 +48,13 @@ def test_as_python_control_by_differences(law):
     x, u = 0.3 * random.standard_normal(loop.nstates), random.standard_normal(2)
     own, theirs = clpt.linearize(loop, x, u, 7.0), control.linearize(loop, x, u, t=7.0)
     for name in "ABCD":
-        np.testing.assert_allclose(getattr(own, name), getattr(theirs, name), atol=2e-5)  # theirs
-    assert (own.input_labels, own.output_labels) == (loop.input_labels, loop.output_labels)
+        np.testing.assert_allclose(
+            getattr(own, name), getattr(theirs, name), atol=2e-5
+        )  # theirs
+    assert (own.input_labels, own.output_labels) == (
+        loop.input_labels,
+        loop.output_labels,
+    )
 
 
 def test_a_linear_system_is_itself_whatever_its_time():
@@ -55,7 +64,9 @@ def test_a_linear_system_is_itself_whatever_its_time():
         made = clpt.linearize(given, np.ones(4), np.ones(3))
         assert made.dt == dt
         for name in "ABCD":
-            np.testing.assert_allclose(getattr(made, name), getattr(given, name), atol=1e-15)
+            np.testing.assert_allclose(
+                getattr(made, name), getattr(given, name), atol=1e-15
+            )
 
 
 TABLE = np.linspace(0.0, 4.0, 5), np.array([0.0, 1.0, 4.0, 9.0, 16.0])
@@ -67,31 +78,55 @@ RATES = {  # whether the rate has a kink, a jump or neither at a place, and what
     "branch": ("bent", lambda y, v: v + (y if y > 0 else 3 * y), 0.0),
     "small": ("bent", lambda y, v: v - y * abs(y) - 1e-5 * abs(y), 0.0),
     "twice": ("bent", lambda y, v: v - np.cos(y) * abs(abs(y)), 0.0),
-    "both": ("bent", lambda y, v: v + np.where((y > 0) & (v > 0), np.minimum(y, v), 0.0), 0.0),
+    "both": (
+        "bent",
+        lambda y, v: v + np.where((y > 0) & (v > 0), np.minimum(y, v), 0.0),
+        0.0,
+    ),
     "sign": ("torn", lambda y, v: v - np.sign(y), 0.0),
     "beside a steep slope": ("torn", lambda y, v: v - 1e6 * y - 1e-3 * np.sign(y), 0.0),
     "the slope of neither side": ("torn", lambda y, v: v - y * np.sign(y), 0.0),
     "likewise": ("torn", lambda y, v: v - y * np.sign(y) ** 2, 0.0),
     "floor": ("torn", lambda y, v: v - np.floor(y), 2.0),
-    "steps beside a steep slope": ("torn", lambda y, v: v - 1e3 * y - 0.01 * np.floor(y), 2.0),
-    "no value beside": ("torn", lambda y, v: v + np.where(y < 2.0, np.log(y - 2.0), y % 2.0), 2.0),
+    "steps beside a steep slope": (
+        "torn",
+        lambda y, v: v - 1e3 * y - 0.01 * np.floor(y),
+        2.0,
+    ),
+    "no value beside": (
+        "torn",
+        lambda y, v: v + np.where(y < 2.0, np.log(y - 2.0), y % 2.0),
+        2.0,
+    ),
     "mod": ("torn", lambda y, v: v - y % 1.0, 3.0),
     "atan2": ("torn", lambda y, v: v - np.arctan2(y, -1.0), 0.0),
     "where": ("torn", lambda y, v: v - np.where(y > 0, 1.0, -1.0), 0.0),
     "comparison": ("torn", lambda y, v: v - (y > 0) * 1.0, 0.0),
-    "two conditions": ("torn", lambda y, v: v - np.where((y > 0) & (v > 0), 1.0, 0.0), 0.0),
+    "two conditions": (
+        "torn",
+        lambda y, v: v - np.where((y > 0) & (v > 0), 1.0, 0.0),
+        0.0,
+    ),
     "trunc": ("torn", lambda y, v: v - np.trunc(y), 1.0),
     "a node of a table": ("bent", lambda y, v: v + np.interp(y, *TABLE), 2.0),
     "a saw": ("bent", lambda y, v: v + np.abs(y % 2.0 - 1.0), 2.0),
     "a node of a spline": ("smooth", lambda y, v: v + SPLINE(y), 2.0),
-    "wholes and parts": ("smooth", lambda y, v: v + np.floor(y) + (y - np.floor(y)), 2.0),
+    "wholes and parts": (
+        "smooth",
+        lambda y, v: v + np.floor(y) + (y - np.floor(y)),
+        2.0,
+    ),
     "beside a kink": ("smooth", lambda y, v: v - abs(y), 1e-6),
     "an angle ahead": ("smooth", lambda y, v: v - np.arctan2(y, 1.0), 0.0),
     "beside a jump": ("smooth", lambda y, v: v - np.sign(y), -1e-6),
     "a drag at rest": ("smooth", lambda y, v: v - y * abs(y), 0.0),
     "a drag at rest, by its sign": ("smooth", lambda y, v: v - np.sign(y) * y**2, 0.0),
     "a drag of one side": ("smooth", lambda y, v: v - y * np.maximum(y, 0.0), 0.0),
-    "two ways of one slope": ("smooth", lambda y, v: v + np.where(y > 0, y * y, -y * y), 0.0),
+    "two ways of one slope": (
+        "smooth",
+        lambda y, v: v + np.where(y > 0, y * y, -y * y),
+        0.0,
+    ),
     "a whole number cut at zero": ("smooth", lambda y, v: v - y - np.trunc(y), 0.0),
     "infinity": ("smooth", lambda y, v: v - y if np.isfinite(y) else 0 * y, 0.5),
     "no number": ("smooth", lambda y, v: v - y if not np.isnan(y * v) else 0 * y, 0.5),
@@ -100,27 +135,40 @@ RATES = {  # whether the rate has a kink, a jump or neither at a place, and what
 
 
 @pytest.mark.parametrize("name", RATES)
-def test_a_kink_is_said_a_jump_is_refused_and_nothing_is_said_where_it_is_smooth(name, recwarn):
+def test_a_kink_is_said_a_jump_is_refused_and_nothing_is_said_where_it_is_smooth(
+    name, recwarn
+):
     kind, rate, at = RATES[name]
     warnings.simplefilter("always")
     if kind == "torn":
-        with pytest.raises(clpt.DiagramError, match=r"the rate of b\.y jumps at this point"):
+        with pytest.raises(
+            clpt.DiagramError, match=r"the rate of b\.y jumps at this point"
+        ):
             clpt.linearize(block(rate), [at])
         return
     A = clpt.linearize(block(rate), [at]).A
-    said = [(str(one.message).count("the rate of b.y has a kink"), one.filename) for one in recwarn]
+    said = [
+        (str(one.message).count("the rate of b.y has a kink"), one.filename)
+        for one in recwarn
+    ]
     assert said == [(1, __file__)] * (kind == "bent")
     sides = [(rate(at + h, 0.0) - rate(at, 0.0)) / h for h in (1e-8, -1e-8)]
     assert min(abs(A[0, 0] - slope) for slope in sides) < 1e-5
 
 
 def test_a_slope_without_end_is_refused_by_the_name_of_what_has_none():
-    with pytest.raises(clpt.DiagramError, match=r"along y\[0\] has no finite slope .* add a small"):
+    with pytest.raises(
+        clpt.DiagramError, match=r"along y\[0\] has no finite slope .* add a small"
+    ):
         clpt.linearize(block(lambda y, v: np.sqrt(y) + v), [0.0])
     names = {"inputs": 0, "outputs": ["a", "b", "c"], "states": ["p", "q", "r"]}
     size = lambda t, x, u, p: [x[0], np.linalg.norm(x[1:]), x[2]]  # noqa: E731
-    with pytest.raises(clpt.DiagramError, match=r"what b does along . has no finite slope"):
-        clpt.linearize(control.nlsys(lambda t, x, u, p: -x, size, **names), [1.0, 0.0, 0.0])
+    with pytest.raises(
+        clpt.DiagramError, match=r"what b does along . has no finite slope"
+    ):
+        clpt.linearize(
+            control.nlsys(lambda t, x, u, p: -x, size, **names), [1.0, 0.0, 0.0]
+        )
 
 
 def test_minimal_leaves_out_what_is_not_reached_or_not_seen():
@@ -148,8 +196,12 @@ def test_what_is_given_is_as_in_python_control():
 
 def test_the_interval_is_that_of_the_time():
     ports = {"states": {"y": 1}, "parameters": {"interval": -1.0}}
-    ports["breakpoints"] = lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
-    steps = clpt.Block("steps", update=lambda t, x, u, p: {"y": -p.interval * x.y}, **ports)
+    ports["breakpoints"] = lambda p, t0, t1: np.arange(
+        np.floor(t0) + 1, np.floor(t1) + 1
+    )
+    steps = clpt.Block(
+        "steps", update=lambda t, x, u, p: {"y": -p.interval * x.y}, **ports
+    )
     assert clpt.linearize(steps, [1.0], t=3.5).A == -3.0
 
 

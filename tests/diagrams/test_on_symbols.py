@@ -14,7 +14,10 @@ from clpt_control.engine.record.symbolic import rational
 
 PENDULUM = clpt.Block(
     "pendulum",
-    update=lambda t, x, u, p: [x.omega, -(p.w[0] ** 2) * np.sin(x.theta) - p.w[1] * x.omega],
+    update=lambda t, x, u, p: [
+        x.omega,
+        -(p.w[0] ** 2) * np.sin(x.theta) - p.w[1] * x.omega,
+    ],
     **{"states": {"theta": 1, "omega": 1}, "parameters": {"w": [2.0, 0.1]}},
 )
 
@@ -67,14 +70,18 @@ def test_a_state_behind_an_output_of_its_name_has_its_block_before_it():
     one = clpt.equations(offset("plant"))
     assert repr(one) == "plant.x' = -plant.x\nx = 2*plant.x + 1"
     links, blocks = [["b.u", "a.x"]], [offset("a"), offset("b")]
-    both = clpt.equations(control.interconnect(blocks, links, inplist=["a.u"], outlist=["b.x"]))
+    both = clpt.equations(
+        control.interconnect(blocks, links, inplist=["a.u"], outlist=["b.x"])
+    )
     assert both["b.x"] == 2 * both["b.state.x"] + 1
 
 
 ERROR = control.summing_junction(["r", "-y"], "e", name="error")
 PLANT = control.tf([1, 3], [1, 2, 0], inputs="e", outputs="y", name="plant")
 SYSTEMS = {
-    "the paper's loop with places given": clpt.closed_loop(clpt.paper_scenario(), external="zc"),
+    "the paper's loop with places given": clpt.closed_loop(
+        clpt.paper_scenario(), external="zc"
+    ),
     "transfer functions": clpt.connect([ERROR, PLANT], external="r"),
     "a pendulum": control.interconnect([PENDULUM], outlist=["pendulum"]),
 }
@@ -84,7 +91,10 @@ SYSTEMS = {
 def test_symbols_are_the_numbers_of_python_control(name):
     diagram, random = SYSTEMS[name], np.random.default_rng(0)
     eq = clpt.equations(diagram, numbers=True)
-    x, u = random.standard_normal(diagram.nstates), random.standard_normal(diagram.ninputs)
+    x, u = (
+        random.standard_normal(diagram.nstates),
+        random.standard_normal(diagram.ninputs),
+    )
     flat = [*eq.motion, *(s for own in eq.inputs.values() for s in own.flat)]
     known = dict(zip(flat, map(sympy.Float, [*x, *u]), strict=True))
     known[sympy.Symbol("t", real=True)] = sympy.Float(1.5)
@@ -92,13 +102,24 @@ def test_symbols_are_the_numbers_of_python_control(name):
     def at(values):
         return [float(sympy.sympify(e).xreplace(known).evalf(20)) for e in values]
 
-    np.testing.assert_allclose(at(eq.motion.values()), diagram.dynamics(1.5, x, u), rtol=1e-12)
+    np.testing.assert_allclose(
+        at(eq.motion.values()), diagram.dynamics(1.5, x, u), rtol=1e-12
+    )
     made = [e for own in eq.signals.values() for e in own.flat]
     np.testing.assert_allclose(at(made), diagram.output(1.5, x, u), rtol=1e-12)
 
 
-CONSTANTS = {0.1: "1/10", 1 / 3: "1/3", 0.1 + 0.2: "3/10", 1 + 1e-9: "1000000001/1000000000"}
-CONSTANTS |= {2**0.5: "14142135623730951/10000000000000000", -100 / 7: "-100/7", np.inf: "oo"}
+CONSTANTS = {
+    0.1: "1/10",
+    1 / 3: "1/3",
+    0.1 + 0.2: "3/10",
+    1 + 1e-9: "1000000001/1000000000",
+}
+CONSTANTS |= {
+    2**0.5: "14142135623730951/10000000000000000",
+    -100 / 7: "-100/7",
+    np.inf: "oo",
+}
 
 
 @pytest.mark.parametrize("number", CONSTANTS)
@@ -111,13 +132,17 @@ def test_discrete_time_has_next_states_and_no_derivative():
     eq = clpt.equations(control.ss([[0.5]], [[1.0]], [[1.0]], 0, dt=0.1))
     assert str(eq).splitlines()[0] == "x[0]+ = x[0]/2 + u[0](t)".replace("[0]", "")
     says(clpt.DiagramError, "discrete time", eq.derivative, eq["x"])
-    with pytest.raises(clpt.DiagramError, match="x is of several signals; give one of them"):
+    with pytest.raises(
+        clpt.DiagramError, match="x is of several signals; give one of them"
+    ):
         clpt.equations(control.ss(np.eye(2), np.eye(2), np.eye(2), 0)).derivative("x")
 
 
 def test_jumps_are_shown():
     ports = {"states": {"m": 1}, "parameters": {"interval": -1.0}}
-    ports["breakpoints"] = lambda p, t0, t1: np.arange(np.floor(t0) + 1, np.floor(t1) + 1)
+    ports["breakpoints"] = lambda p, t0, t1: np.arange(
+        np.floor(t0) + 1, np.floor(t1) + 1
+    )
     rate, jump = lambda t, x, u, p: -p.interval * x, lambda t, x, u, p: x / 2
     block = clpt.Block("memory", update=rate, jump=jump, **ports)
     for numbers in (False, True):  # the interval is none: it is counted
@@ -134,7 +159,9 @@ def test_what_samples_is_printed_by_its_updates():
 
 
 def test_what_cannot_be_traced_is_refused():
-    dice = clpt.Block("dice", update=lambda t, x, u, p: x * random.random(), states={"y": 1})
+    dice = clpt.Block(
+        "dice", update=lambda t, x, u, p: x * random.random(), states={"y": 1}
+    )
     says(clpt.DiagramError, "dice", clpt.equations, dice)
 
 
@@ -143,7 +170,9 @@ def test_equations_too_long_to_read_are_made_and_counted():
         M = np.eye(5) + np.outer(np.cos(x), np.cos(x)) + np.outer(np.sin(x), x)
         return -np.linalg.solve(M, x + np.array([p["k"], 0, 0, 0, 0]))
 
-    arm = control.nlsys(rate, None, inputs=0, states=5, outputs=5, params={"k": 1.0}, name="arm")
+    arm = control.nlsys(
+        rate, None, inputs=0, states=5, outputs=5, params={"k": 1.0}, name="arm"
+    )
     eq = clpt.equations(arm)
     assert len(repr(eq)) < 1000  # it was without end
     assert re.match(r"x\[0\]' = \(\d+ parts\)\n", repr(eq))
@@ -158,4 +187,6 @@ def test_a_param_whose_value_an_if_asks_is_as_it_is():
     equations = clpt.equations(plant)
     assert str(equations) == "y' = -k*y"
     assert equations.pinned == [(plant.name, "mode")]
-    assert "with the parameters as they are" in str(clpt.theory.lyapunov(plant, lambda s: s.y**2))
+    assert "with the parameters as they are" in str(
+        clpt.theory.lyapunov(plant, lambda s: s.y**2)
+    )

@@ -98,7 +98,9 @@ def test_python_control_is_refused_where_it_would_be_wrong():
     said = "law samples its inputs, which control.linearize does not see; call clpt.linearize"
     says(clpt.DiagramError, said, control.linearize, loop, np.zeros(4), [0.0])
     smooth = clpt.connect([error(), plant(inputs="e")], external="r")
-    np.testing.assert_allclose(control.linearize(smooth, [0, 0], [0]).A, A - B @ C, atol=1e-6)
+    np.testing.assert_allclose(
+        control.linearize(smooth, [0, 0], [0]).A, A - B @ C, atol=1e-6
+    )
 
 
 def test_periods_without_a_small_multiple_are_refused():

@@ -9,7 +9,9 @@ import clpt_control as clpt
 @pytest.fixture(scope="module")
 def scenario():
     """Two and a half rounds of the paper's waypoints, four times faster."""
-    return clpt.paper_scenario().with_values({"run.duration": 125, "reference.dwell": 5})
+    return clpt.paper_scenario().with_values(
+        {"run.duration": 125, "reference.dwell": 5}
+    )
 
 
 @pytest.fixture(scope="module")

@@ -29,20 +29,32 @@ def system(update, **more):
 
 
 def lag():
-    ports = {"inputs": 1, "outputs": 1, "states": 1, "params": {"tau": 1.0}, "name": "lag"}
+    ports = {
+        "inputs": 1,
+        "outputs": 1,
+        "states": 1,
+        "params": {"tau": 1.0},
+        "name": "lag",
+    }
     return system(lambda t, x, u, p: (u - x) / p["tau"], **ports)
 
 
 def spring(name, K, port, **more):
     """x' = -K x + u: two numbers."""
     ports = {"inputs": {"f": 2}, "outputs": {port: 2}, "states": {"x": 2}}
-    rate, ports["parameters"] = lambda t, x, u, p: -p.K * x.x + u.f, {"K": np.array(K), **more}
+    rate, ports["parameters"] = (
+        lambda t, x, u, p: -p.K * x.x + u.f,
+        {"K": np.array(K), **more},
+    )
     return clpt.Block(name, update=rate, output=lambda t, x, u, p: x.x, **ports)
 
 
 def springs():
     """Two blocks of one kind, with equal numbers."""
-    made = [spring(name, [1.0, 2.0], port, turns=3) for name, port in (("one", "a"), ("two", "b"))]
+    made = [
+        spring(name, [1.0, 2.0], port, turns=3)
+        for name, port in (("one", "a"), ("two", "b"))
+    ]
     return clpt.connect(made, external="f", name="springs")
 
 

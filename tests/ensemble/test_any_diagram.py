@@ -18,36 +18,61 @@ def engine(request, monkeypatch):
 
 def test_a_lag_swept_over_its_time_constant_is_its_closed_form():
     taus = np.geomspace(0.1, 10, 9)
-    given = {"timepts": TIMES, "inputs": 2.0, "trajectories": True, "rtol": 1e-10, "atol": 1e-12}
+    given = {
+        "timepts": TIMES,
+        "inputs": 2.0,
+        "trajectories": True,
+        "rtol": 1e-10,
+        "atol": 1e-12,
+    }
     data = clpt.run_ensemble(lag(), {"tau": taus}, **given)
     assert list(data.unstack().y_final.dims) == ["tau"]
     assert list(data.data_vars) == sorted(data.data_vars)
     y = 2 * (1 - np.exp(-TIMES / taus[:, None]))
     rms = np.sqrt(np.trapezoid(y**2, TIMES) / LAST)
-    for name, wanted in {"y": y, "y_final": y[:, -1], "y_rms": rms, "y_max": y[:, -1]}.items():
+    for name, wanted in {
+        "y": y,
+        "y_final": y[:, -1],
+        "y_rms": rms,
+        "y_max": y[:, -1],
+    }.items():
         np.testing.assert_allclose(data[name], wanted, rtol=0, atol=1e-8, err_msg=name)
 
 
 def test_a_discrete_loop_is_python_controls():
     cubic = lambda t, x, u, p: p["a"] * x + u - 0.1 * x**3  # noqa: E731
-    plant = system(cubic, params={"a": 0.9}, dt=0.1, inputs="u", states="y", name="plant")
+    plant = system(
+        cubic, params={"a": 0.9}, dt=0.1, inputs="u", states="y", name="plant"
+    )
     error = control.summing_junction(["r", "-y"], "e", name="error", dt=0.1)
 
     def loop_of(B):
-        own = control.ss(0.5, B, 0.1, 0.2, 0.1, inputs="e", outputs="u", name="regulator")
+        own = control.ss(
+            0.5, B, 0.1, 0.2, 0.1, inputs="e", outputs="u", name="regulator"
+        )
         return control.interconnect([plant, own, error], inputs="r", outputs=["y", "u"])
 
     t = np.arange(0, 3.01, 0.1)
-    vary = {"a": [0.5, 0.9, 1.2], "regulator.B": [[[0.5]], [[1.0]]], "plant_y": [0.0, 1.0]}
-    data = clpt.run_ensemble(loop_of(1.0), vary, timepts=t, inputs=1.0, trajectories=True)
+    vary = {
+        "a": [0.5, 0.9, 1.2],
+        "regulator.B": [[[0.5]], [[1.0]]],
+        "plant_y": [0.0, 1.0],
+    }
+    data = clpt.run_ensemble(
+        loop_of(1.0), vary, timepts=t, inputs=1.0, trajectories=True
+    )
     assert data.sizes["member"] == 12
     for m in range(12):
         one = data.isel(member=m)
         again, x0 = loop_of(one["regulator.B"].values), [float(one.plant_y), 0]
         params = {"a": float(one.a)}
-        wanted = control.input_output_response(again, t, np.ones_like(t), x0, params=params)
+        wanted = control.input_output_response(
+            again, t, np.ones_like(t), x0, params=params
+        )
         np.testing.assert_allclose(one.y, wanted.outputs[0], rtol=0, atol=1e-12)
-        assert float(one.y_rms) == pytest.approx(np.sqrt(np.mean(wanted.outputs[0] ** 2)))
+        assert float(one.y_rms) == pytest.approx(
+            np.sqrt(np.mean(wanted.outputs[0] ** 2))
+        )
 
 
 # --- names ------------------------------------------------------------------------------------
@@ -62,18 +87,26 @@ def pulled_by(f, x0, K):
 def tanks():
     """A plain name reaches every system that reads it; with the system's name it reaches one."""
     rate, k = (lambda t, x, u, p: -p["k"] * x), {"k": 1.0}
-    made = [system(rate, params=k, outputs=name, states=name, name=f"tank_{name}") for name in "ab"]
+    made = [
+        system(rate, params=k, outputs=name, states=name, name=f"tank_{name}")
+        for name in "ab"
+    ]
     return control.interconnect(made, connections=False, outputs=["a", "b"])
 
 
 def listed():
     """A parameter that is a list, and one that is not declared."""
-    rate = lambda t, x, u, p: [-p["K"][0] * x[0], -p["K"][1] * x[1] * p.get("slow", 1.0)]  # noqa: E731
+
+    def rate(t, x, u, p):
+        return [-p["K"][0] * x[0], -p["K"][1] * x[1] * p.get("slow", 1.0)]
+
     return system(rate, params={"K": [1, 2]}, outputs=2, states=2)
 
 
 def nested():
-    inner = clpt.connect([spring("spring", [1.0, 1.0], "a")], external="f", name="inner")
+    inner = clpt.connect(
+        [spring("spring", [1.0, 1.0], "a")], external="f", name="inner"
+    )
     ports = {"inputs": ["r[0]", "r[1]"], "outputs": ["f[0]", "f[1]"], "name": "gain"}
     gain = control.ss([], [], [], 2 * np.eye(2), **ports)
     return clpt.connect([gain, inner], external="r", name="outer")
@@ -82,8 +115,12 @@ def nested():
 def reads_any():
     """Whatever is named could be one that `total` asks its params for."""
     asked = lambda t, x, u, p: [{k.upper(): v for k, v in p.items()}["A"] * u[0]]  # noqa: E731
-    gain = control.nlsys(None, asked, inputs="y", outputs="v", params={"a": 2.0}, name="total")
-    return clpt.connect([control.ss(-1, 1, 1, 0, inputs="r", outputs="y", name="lag"), gain], "r")
+    gain = control.nlsys(
+        None, asked, inputs="y", outputs="v", params={"a": 2.0}, name="total"
+    )
+    return clpt.connect(
+        [control.ss(-1, 1, 1, 0, inputs="r", outputs="y", name="lag"), gain], "r"
+    )
 
 
 def turns():
@@ -100,7 +137,10 @@ def jump_times(p, t0, t1):
 
 def stairs():
     ports = {"outputs": {"y": 1}, "states": {"x": 1}, "breakpoints": jump_times}
-    rate, ports["parameters"] = lambda t, x, u, p: [p.interval], {"period": 1.0, "interval": -1.0}
+    rate, ports["parameters"] = (
+        lambda t, x, u, p: [p.interval],
+        {"period": 1.0, "interval": -1.0},
+    )
     return clpt.Block("stairs", update=rate, output=lambda t, x, u, p: x.x[0], **ports)
 
 
@@ -127,9 +167,24 @@ PERIODS, ODD = [0.4, 0.7, 1.3], system(unread, params={"a": 1.0}, name="odd")
 HELD = [pulled_by(1, 1, [1, 2])] * 2  # equal numbers of the other block stay
 FINALS = [  # a diagram, what varies, the initial state, outputs at the end by their closed forms
     (springs(), {"one.K": [[1.0, 2.0], [3.0, 0.5]]}, 1, {"a": TWO, "b": HELD}),
-    (springs(), {"one.K[1]": [0.5]}, 1, {"a": [pulled_by(1, 1, [1, 0.5])], "b": HELD[:1]}),
-    (springs(), {"one_x[0]": [4.0]}, 1, {"a": [pulled_by(1, [4, 1], [1, 2])], "b": HELD[:1]}),
-    (springs(), {"one_x": [[2.0, 3.0]]}, 1, {"a": [pulled_by(1, [2, 3], [1, 2])], "b": HELD[:1]}),
+    (
+        springs(),
+        {"one.K[1]": [0.5]},
+        1,
+        {"a": [pulled_by(1, 1, [1, 0.5])], "b": HELD[:1]},
+    ),
+    (
+        springs(),
+        {"one_x[0]": [4.0]},
+        1,
+        {"a": [pulled_by(1, [4, 1], [1, 2])], "b": HELD[:1]},
+    ),
+    (
+        springs(),
+        {"one_x": [[2.0, 3.0]]},
+        1,
+        {"a": [pulled_by(1, [2, 3], [1, 2])], "b": HELD[:1]},
+    ),
     (springs(), {"f[1]": [4.0]}, 1, {"a": [pulled_by([1, 4], 1, [1, 2])]}),
     (springs(), {"f": [[1.0, 2.0]]}, 1, {"a": [pulled_by([1, 2], 1, [1, 2])]}),
     (tanks(), {"k": [0.3]}, 1, {"a": [np.exp(-1.5)], "b": [np.exp(-1.5)]}),
@@ -173,10 +228,15 @@ def test_what_cannot_be_compiled_says_so():
 def test_samples_at_jumps_that_vary_are_taken_after_them():
     """0.2 k and the multiples of 0.1 among the samples are one time, and not one float."""
     ports = {"states": {"n": 1}, "parameters": {"period": 0.5, "interval": -1.0}}
-    ports |= {"breakpoints": Each("period"), "jump": lambda t, x, u, p: p.interval + 0.0 * x}
+    ports |= {
+        "breakpoints": Each("period"),
+        "jump": lambda t, x, u, p: p.interval + 0.0 * x,
+    }
     count = clpt.Block("count", update=lambda t, x, u, p: 0.0 * x, **ports)
     times, periods = np.linspace(0, 2.3, 24), [0.5, 0.3, 0.2, 0.1, 0.05, 1.1]
-    data = clpt.run_ensemble(count, {"count.period": periods}, timepts=times, trajectories=True)
+    data = clpt.run_ensemble(
+        count, {"count.period": periods}, timepts=times, trajectories=True
+    )
     expected = np.floor(times / np.array(periods)[:, None] + 1e-9)
     np.testing.assert_allclose(data.n, expected, atol=1e-12)
     np.testing.assert_allclose(data.n_final, expected[:, -1], atol=1e-12)
@@ -184,21 +244,31 @@ def test_samples_at_jumps_that_vary_are_taken_after_them():
 
 def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     """A team's diagram has the ports west/x and east/x."""
-    names = {"outputs": ["west/y[0]", "west/y[1]"], "states": ["west/x[0]", "west/x[1]"]}
+    names = {
+        "outputs": ["west/y[0]", "west/y[1]"],
+        "states": ["west/x[0]", "west/x[1]"],
+    }
     west = system(lambda t, x, u, p: -x, name="west/lag", **names)
     run = clpt.simulate(west, TIMES, 0, [1.0, 2.0])
     clpt.save_run(run, tmp_path / "run.nc")
     assert clpt.load_run(tmp_path / "run.nc").equals(run)
     assert clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")).equals(run)
-    given = {"vary": {"west/x": [[1.0, 2.0], [2.0, 1.0]]}, "timepts": TIMES, "trajectories": True}
+    given = {
+        "vary": {"west/x": [[1.0, 2.0], [2.0, 1.0]]},
+        "timepts": TIMES,
+        "trajectories": True,
+    }
     here, there, again = (
-        clpt.run_ensemble(west, out=out, **given) for out in (None, *[tmp_path / "e.zarr"] * 2)
+        clpt.run_ensemble(west, out=out, **given)
+        for out in (None, *[tmp_path / "e.zarr"] * 2)
     )
     assert here.equals(there)
     assert here.equals(again)
     np.testing.assert_array_equal(here["west/y"].isel(member=0), run["west/y"])
     odd = clpt.simulate(control.ss(-1, 1, 1, 0, outputs="<y>"), TIMES, 1.0)
-    with pytest.raises(clpt.ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"):
+    with pytest.raises(
+        clpt.ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"
+    ):
         clpt.save_run(odd, tmp_path / "run.nc")
 
 
@@ -211,15 +281,22 @@ class Counting:
 
 def test_what_is_read_otherwise_is_found_before_members_run():
     made = Counting()
-    odd, given = system(made, params={"a": 1.0}), {"timepts": TIMES, "initial_state": 1.0}
+    odd, given = (
+        system(made, params={"a": 1.0}),
+        {"timepts": TIMES, "initial_state": 1.0},
+    )
     for made.rate in (1.0, 2.0):
         found = clpt.run_ensemble(odd, {"a": [1.0, 2.0]}, **given)
-        np.testing.assert_allclose(found.y_final, np.exp([-5, -10]) ** made.rate, atol=1e-9)
+        np.testing.assert_allclose(
+            found.y_final, np.exp([-5, -10]) ** made.rate, atol=1e-9
+        )
 
 
 def test_a_member_that_fails_is_nan_and_said():
     given = {"vary": {"x": [-1.0, 0.1, 1.0]}, "timepts": TIMES, "trajectories": True}
-    with pytest.warns(UserWarning, match="1 of 3 members did not finish; the first is member 2"):
+    with pytest.warns(
+        UserWarning, match="1 of 3 members did not finish; the first is member 2"
+    ):
         data = clpt.run_ensemble(system(lambda t, x, u, p: x**2), **given)
     np.testing.assert_allclose(data.y_final[:2], [-1 / 6, 0.2], atol=1e-8)
     assert (data.status > 1).values.tolist() == [False, False, True]
@@ -231,12 +308,17 @@ def test_a_member_that_fails_is_nan_and_said():
 
 def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):
     scenario = clpt.paper_scenario().with_values({"run.rtol": 1e-4, "run.atol": 1e-5})
-    loop, start = clpt.closed_loop(scenario, external="delta"), clpt.initial_state(scenario)
+    loop, start = (
+        clpt.closed_loop(scenario, external="delta"),
+        clpt.initial_state(scenario),
+    )
     given = {"timepts": [0, 20, 40], "inputs": np.zeros((2, 3)), "initial_state": start}
     run = clpt.simulate(loop, **given)
     clpt.save_run(run, tmp_path / "run.nc")
     exact = clpt.simulate(loop, rtol=1e-10, **given)
     for own in (loop, clpt.load_diagram(tmp_path / "run.nc")):
-        found = clpt.run_ensemble(own, {"adaptation.gain": [0.8, 1.6]}, trajectories=True, **given)
+        found = clpt.run_ensemble(
+            own, {"adaptation.gain": [0.8, 1.6]}, trajectories=True, **given
+        )
         assert np.allclose(found.e[0], run.clpe, rtol=0, atol=1e-12)
         assert np.abs(found.e[0] - exact.clpe).max() > 1e-9

@@ -30,13 +30,23 @@ from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import open_store
-from clpt_control.errors import ClptError, DataError, DiagramError, ScenarioError, SimulationError
+from clpt_control.errors import (
+    ClptError,
+    DataError,
+    DiagramError,
+    ScenarioError,
+    SimulationError,
+)
 
 DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")
-LINUX = pytest.mark.skipif(not Path("/proc/self/net/tcp").exists(), reason="no /proc/net")
+LINUX = pytest.mark.skipif(
+    not Path("/proc/self/net/tcp").exists(), reason="no /proc/net"
+)
 
 
-@pytest.mark.parametrize(("threads", "chunk", "batch"), [(1, 7, None), (2, 3, None), (3, 40, 8)])
+@pytest.mark.parametrize(
+    ("threads", "chunk", "batch"), [(1, 7, None), (2, 3, None), (3, 40, 8)]
+)
 def test_threads_chunks_and_batches_do_not_matter(
     scenario, whole, tmp_path, monkeypatch, threads, chunk, batch
 ):
@@ -74,7 +84,9 @@ def test_killed_and_started_again(quick, tmp_path):
     assert 0 < len(missing) < members // 20
     counts = []
     again = clpt.load_scenario(file)
-    run_ensemble(again, VARY, members, seed=1, out=out, chunk=20, progress=counts.append)
+    run_ensemble(
+        again, VARY, members, seed=1, out=out, chunk=20, progress=counts.append
+    )
     assert (counts[0], counts[-1]) == (members - 20 * len(missing), members)
     run_ensemble(again, VARY, members, seed=1, out=wanted, chunk=20)
     assert files(out) == files(wanted)
@@ -105,7 +117,12 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
                 diagram, vary = drawn(seed)
-                given = {"members": 11, "timepts": TIMES[:5], "inputs": 0.1, "trajectories": True}
+                given = {
+                    "members": 11,
+                    "timepts": TIMES[:5],
+                    "inputs": 0.1,
+                    "trajectories": True,
+                }
                 whole = clpt.run_ensemble(diagram, vary, threads=1, **given)
                 cut = clpt.run_ensemble(diagram, vary, threads=3, chunk=4, **given)
         except ClptError:  # a loop of functions, or nothing that is left to vary
@@ -116,21 +133,28 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
 
 
 @pytest.mark.parametrize(
-    "seed", [16, 40, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 3, 51))]
+    "seed",
+    [16, 40, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 3, 51))],
 )
 def test_members_are_what_python_runs_block_by_block(seed):
     diagram, given = random_diagram(draw := random.Random(seed)), (TIMES[:5], 0.1, 0.2)
     first = VariedDiagram(diagram, (), *given)
-    names = [name for name in sorted(first.names) if place_of(name, first.names, first.given)]
+    names = [
+        name for name in sorted(first.names) if place_of(name, first.names, first.given)
+    ]
     # "v" of all blocks and "system0.v" are one number
-    names = [name for name in names if not any(one.endswith(f".{name}") for one in names)]
+    names = [
+        name for name in names if not any(one.endswith(f".{name}") for one in names)
+    ]
     vary = dict.fromkeys(draw.sample(names, min(4, len(names))), "0.4:0.9")
     varied = VariedDiagram(diagram, read_varies(vary), *given)
     named = dict(zip(("timepts", "inputs", "initial_state"), given, strict=True))
     data = clpt.run_ensemble(diagram, vary, 5, trajectories=True, **named)
     python = Ensemble(varied, vary, "python")
     for m in range(5):
-        parameters, start, inputs = varied.member({key: data[key].values[m] for key in vary})
+        parameters, start, inputs = varied.member(
+            {key: data[key].values[m] for key in vary}
+        )
         alone = python.native.with_parameters(parameters)
         solution = alone.run(start, TIMES[:5], inputs=inputs, method="dop853")
         every = np.vstack([alone.signals(solution, inputs).T, inputs.along(solution.t)])
@@ -138,7 +162,9 @@ def test_members_are_what_python_runs_block_by_block(seed):
         for port, places in ports_of(varied.outputs).items():
             found = data[port if port in data else f"{port}_"].values[m].reshape(5, -1)
             size = 1 + np.abs(wanted[:, places]).max()
-            np.testing.assert_allclose(found, wanted[:, places], rtol=0, atol=1e-6 * size)
+            np.testing.assert_allclose(
+                found, wanted[:, places], rtol=0, atol=1e-6 * size
+            )
 
 
 def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
@@ -147,7 +173,13 @@ def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
             raise KeyboardInterrupt
 
     out = tmp_path / "e.zarr"
-    given = {"vary": "tau=0.5:2", "members": 100, "timepts": TIMES, "inputs": 1.0, "chunk": 10}
+    given = {
+        "vary": "tau=0.5:2",
+        "members": 100,
+        "timepts": TIMES,
+        "inputs": 1.0,
+        "chunk": 10,
+    }
     with pytest.raises(KeyboardInterrupt):
         clpt.run_ensemble(lag(), out=out, progress=stop, threads=2, **given)
     assert 0 < len(open_store(out).missing()) < 10
@@ -156,15 +188,23 @@ def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
     assert 0 < counts[0] < 100
     assert_identical(data, clpt.run_ensemble(lag(), **given))
     before = files(out)
-    other = system(lambda t, x, u, p: (u - 2 * x) / p["tau"], inputs=1, params={"tau": 1.0})
+    other = system(
+        lambda t, x, u, p: (u - 2 * x) / p["tau"], inputs=1, params={"tau": 1.0}
+    )
     for of, more in ((other, {}), (lag(), {"inputs": 2.0}), (lag(), {"rtol": 1e-9})):
-        with pytest.raises(DataError, match="holds an ensemble of another diagram; give another"):
+        with pytest.raises(
+            DataError, match="holds an ensemble of another diagram; give another"
+        ):
             clpt.run_ensemble(of, out=out, **given | more)
     assert files(out) == before
-    with pytest.raises(DataError, match="is an ensemble of a diagram, not of a scenario"):
+    with pytest.raises(
+        DataError, match="is an ensemble of a diagram, not of a scenario"
+    ):
         clpt.report(out, tmp_path / "page.html")
     odd = system(unread, params={"a": 1.0}, name="odd")
-    with pytest.raises(DiagramError, match=r"^out: odd\.update: "):  # it cannot be told from others
+    with pytest.raises(
+        DiagramError, match=r"^out: odd\.update: "
+    ):  # it cannot be told from others
         clpt.run_ensemble(odd, {"a": [1.0]}, timepts=TIMES, out=tmp_path / "odd.zarr")
     assert [*tmp_path.iterdir()] == [out]
 
@@ -176,13 +216,18 @@ def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
 @DASK
 @pytest.mark.parametrize("of", ["a diagram", "a law"])
 def test_a_cluster_gets_the_block(quick, tmp_path, of):
-    loop, given = mrac(), {"vary": {"gain": [0.5, 1.0], "plant.a": [-1.0, 0.0]}, "inputs": 1.0}
+    loop, given = (
+        mrac(),
+        {"vary": {"gain": [0.5, 1.0], "plant.a": [-1.0, 0.0]}, "inputs": 1.0},
+    )
     given |= {"timepts": TIMES}
     if of == "a law":
         loop = clpt.closed_loop(quick, law=law_blocks.papers_law(gain=1.1))
         given = {"vary": "flow.parameters~normal:0.1", "members": 8}
     here = run_ensemble(loop, chunk=2, **given)
-    there = run_ensemble(loop, out=tmp_path / "e", threads=1, dask="local", chunk=2, **given)
+    there = run_ensemble(
+        loop, out=tmp_path / "e", threads=1, dask="local", chunk=2, **given
+    )
     for name in here.data_vars:
         assert here[name].values.tobytes() == there[name].values.tobytes(), name
 
@@ -193,7 +238,12 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
     from distributed import Client, LocalCluster
 
     given, killed = {"members": 240, "seed": 1, "chunk": 10}, []
-    here = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
+    here = {
+        "n_workers": 2,
+        "threads_per_worker": 1,
+        "processes": True,
+        "dashboard_address": ":0",
+    }
     with LocalCluster(**here) as cluster, Client(cluster) as client:
         pids = list(client.run(os.getpid).values())
 
@@ -202,7 +252,11 @@ def test_a_dask_worker_is_killed(scenario, tmp_path):
                 killed.append(pids[0])
                 os.kill(pids[0], signal.SIGKILL)
 
-        to = {"out": tmp_path / "d.zarr", "dask": cluster.scheduler_address, "progress": kill_one}
+        to = {
+            "out": tmp_path / "d.zarr",
+            "dask": cluster.scheduler_address,
+            "progress": kill_one,
+        }
         data = run_ensemble(scenario, VARY, **given, **to)
     assert killed
     assert_identical(data, run_ensemble(scenario, VARY, **given))
@@ -239,7 +293,9 @@ def test_a_process_of_this_machine_is_killed(quick, tmp_path):
             os.kill(multiprocessing.active_children()[0].pid, signal.SIGKILL)
 
     given = {"seed": 1, "chunk": 4, "threads": 2, "dask": "local"}
-    with pytest.raises(SimulationError, match=r"a worker was lost .* what is done is kept$"):
+    with pytest.raises(
+        SimulationError, match=r"a worker was lost .* what is done is kept$"
+    ):
         run_ensemble(quick, VARY, 80, out=out, progress=kill_one, **given)
     assert 0 < len(open_store(out).missing()) < 20
     data = run_ensemble(quick, VARY, 80, out=out, **given)
@@ -251,13 +307,23 @@ def test_a_process_of_this_machine_is_killed(quick, tmp_path):
 def test_a_lost_scheduler_is_one_sentence(scenario, tmp_path):
     clpt.save_scenario(scenario, tmp_path / "s.toml")
     known, out = tmp_path / "scheduler.json", tmp_path / "e.zarr"
-    words = ("ensemble", tmp_path / "s.toml", "--vary", VARY[0], "--members", "400", "--out", out)
+    words = (
+        "ensemble",
+        tmp_path / "s.toml",
+        "--vary",
+        VARY[0],
+        "--members",
+        "400",
+        "--out",
+        out,
+    )
     here = ("--scheduler-file", known, "--host", "127.0.0.1", "--no-dashboard")
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
     def service(name, *more):
         return started(
-            [sys.executable, "-m", f"distributed.cli.dask_{name}", *here, *more], **quiet
+            [sys.executable, "-m", f"distributed.cli.dask_{name}", *here, *more],
+            **quiet,
         )
 
     def wait(for_what, process):
@@ -265,18 +331,26 @@ def test_a_lost_scheduler_is_one_sentence(scenario, tmp_path):
             assert process.poll() is None
             time.sleep(0.05)
 
-    with service("scheduler", "--port", "0") as scheduler, service("worker", "--nthreads", "1"):
+    with (
+        service("scheduler", "--port", "0") as scheduler,
+        service("worker", "--nthreads", "1"),
+    ):
         wait(lambda: known.exists() and known.read_text().endswith("}"), scheduler)
         address = json.loads(known.read_text())["address"]
         with started((*CLPT, *words, "--chunk", "4", "--dask", address)) as process:
             begun = out / "done"
-            wait(lambda: begun.exists() and len(open_store(out, "r").missing()) <= 95, process)
+            wait(
+                lambda: begun.exists() and len(open_store(out, "r").missing()) <= 95,
+                process,
+            )
             scheduler.kill()
             said, err = process.communicate(timeout=GUARD)
     lost = f"clpt: dask: the scheduler {address} was lost; what is done is kept; {out} holds "
     assert (process.returncode, said) == (1, "")
     told = without_progress(err).removeprefix(lost)
-    assert re.fullmatch(r"\d+ of 400 members; the same command goes on from there\n", told)
+    assert re.fullmatch(
+        r"\d+ of 400 members; the same command goes on from there\n", told
+    )
     assert 0 < len(open_store(out, "r").missing()) <= 95
     data = run_ensemble(scenario, VARY[0], 400, out=out, chunk=4)
     assert_identical(data, run_ensemble(scenario, VARY[0], 400, chunk=4))

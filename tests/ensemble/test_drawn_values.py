@@ -20,11 +20,15 @@ REFERENCE = Path(__file__).parents[1] / "reference"
 
 
 def draw(scenario, vary, members, design="lhs", seed=0):
-    return draw_members(VariedScenario(scenario), read_varies(vary), members, design, seed)
+    return draw_members(
+        VariedScenario(scenario), read_varies(vary), members, design, seed
+    )
 
 
 def test_a_latin_hypercube_draws_once_from_each_part(scenario):
-    values = draw(scenario, ["learning.gain=0.2:2.0", "learning.position=-1:1"], 64, seed=5)
+    values = draw(
+        scenario, ["learning.gain=0.2:2.0", "learning.position=-1:1"], 64, seed=5
+    )
     position = values["learning.position"].T
     for column in ((values["learning.gain"] - 0.2) / 1.8, *((position + 1) / 2)):
         assert sorted(np.floor(column * 64).astype(int)) == list(range(64))
@@ -33,7 +37,9 @@ def test_a_latin_hypercube_draws_once_from_each_part(scenario):
 
 @pytest.mark.parametrize("design", ["lhs", "random"])
 def test_normal_has_an_absolute_deviation_about_the_scenario(scenario, design):
-    values = draw(scenario, "flow.parameters~normal:0.1", 4000, design)["flow.parameters"]
+    values = draw(scenario, "flow.parameters~normal:0.1", 4000, design)[
+        "flow.parameters"
+    ]
     assert values.shape == (4000, 2, 3)
     centred = values - np.array(scenario.flow.parameters)
     np.testing.assert_allclose(centred.mean(axis=0), 0, atol=0.01)
@@ -42,7 +48,11 @@ def test_normal_has_an_absolute_deviation_about_the_scenario(scenario, design):
 
 
 def test_a_grid_has_every_combination(scenario):
-    vary = ["learning.gain=[0.5, 1, 2]", "reference.radius=2:4", "vehicle.feedforward=0.5:1.5"]
+    vary = [
+        "learning.gain=[0.5, 1, 2]",
+        "reference.radius=2:4",
+        "vehicle.feedforward=0.5:1.5",
+    ]
     values = draw(scenario, vary, 3 * 27, "grid")
     found = np.column_stack([*values.values()])
     assert len(np.unique(found, axis=0)) == 81
@@ -54,7 +64,9 @@ def test_a_grid_has_every_combination(scenario):
 
 def test_levels_of_arrays_and_balance(scenario):
     rows = [[0.5, 0.5], [1.0, 2.0]]
-    values = draw(scenario, f"vehicle.feedback={json.dumps(rows)}", 10)["vehicle.feedback"]
+    values = draw(scenario, f"vehicle.feedback={json.dumps(rows)}", 10)[
+        "vehicle.feedback"
+    ]
     assert sorted(map(tuple, values)) == [(0.5, 0.5)] * 5 + [(1.0, 2.0)] * 5
 
 
@@ -62,7 +74,10 @@ def test_values_depend_on_seed_design_members_and_number_alone(scenario):
     alone = draw(scenario, "learning.gain=0.2:2.0", 50, seed=2)["learning.gain"]
     among = draw(scenario, VARY[::-1], 50, seed=2)["learning.gain"]
     assert alone.tobytes() == among.tobytes()
-    others = [draw(scenario, VARY, 50, seed=3), draw(scenario, VARY, 50, "random", seed=2)]
+    others = [
+        draw(scenario, VARY, 50, seed=3),
+        draw(scenario, VARY, 50, "random", seed=2),
+    ]
     assert all(alone.tobytes() != other["learning.gain"].tobytes() for other in others)
 
 
@@ -85,7 +100,11 @@ MISTAKES = [
     ("reference.count=5:10", {}, "cannot vary; "),
     ("run.duration=1:2", {}, "cannot vary; "),
     ("learning.gain=-1:2", {}, "to 0; narrow learning.gain=-1:2"),
-    ("learning.gain=[1, 2, -3, 4]", {"members": 4, **GRID}, "member 2: learning.gain = -3.0: mu"),
+    (
+        "learning.gain=[1, 2, -3, 4]",
+        {"members": 4, **GRID},
+        "member 2: learning.gain = -3.0: mu",
+    ),
     (GAIN, {"members": 0}, "members = 0: must be a whole number, at least 1"),
     (GAIN, {"members": 2.5}, "members = 2.5: must be a whole number"),
     (GAIN, {"members": 10**20}, "would draw 1e+20 numbers; at most 2e+08"),
@@ -118,30 +137,50 @@ def test_every_key_that_may_vary_can(quick):
         data = run_ensemble(disturbed, f"{key}={json.dumps([level])}", 1)
         assert data["status"].values.tolist() == [1], key
         one = clpt_control.simulate(disturbed.with_values({key: level}))
-        end = float(np.abs(one.flow_parameters_estimate - one.flow_parameters)[-1].max())
+        end = float(
+            np.abs(one.flow_parameters_estimate - one.flow_parameters)[-1].max()
+        )
         assert abs(float(data["flow_parameter_error"][0, -1]) - end) < 1e-7, key
 
 
 @pytest.mark.parametrize("number", [0, 17, 39])
 def test_a_member_is_a_run_of_its_own(scenario, whole, number):
-    member, keys = whole.isel(member=number), [re.split("[=~]", vary)[0] for vary in VARY]
-    run, _, summary = run_and_report(scenario.with_values({k: member[k].values for k in keys}))
-    for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
+    member, keys = (
+        whole.isel(member=number),
+        [re.split("[=~]", vary)[0] for vary in VARY],
+    )
+    run, _, summary = run_and_report(
+        scenario.with_values({k: member[k].values for k in keys})
+    )
+    for name in (
+        "position",
+        "predicted_position",
+        "alpha",
+        "feedback_gain",
+        "feedforward_gain",
+    ):
         np.testing.assert_allclose(member[name], run[name], rtol=0, atol=1e-6)
     np.testing.assert_array_equal(whole["time"], run["time"])
     for name in ("flow_parameter_error", "gain_error"):
         error = float(member[name].sel(mark=100))
         assert error == pytest.approx(summary[f"max_{name}"]["100"], abs=1e-6)
-    np.testing.assert_allclose(member.clpe_rms, summary["clpe_rms_per_cycle"], atol=1e-7)
+    np.testing.assert_allclose(
+        member.clpe_rms, summary["clpe_rms_per_cycle"], atol=1e-7
+    )
     assert float(member.clpe_rms_whole) == pytest.approx(summary["clpe_rms"], abs=1e-7)
     assert member.sizes["cycle"] == 2
 
 
 @pytest.mark.parametrize("name", ["paper", "known_flow_biased"])
 def test_reference_numbers(reference, name):
-    scenario, numbers = clpt_control.load_scenario(REFERENCE / f"{name}.toml"), reference[name]
+    scenario, numbers = (
+        clpt_control.load_scenario(REFERENCE / f"{name}.toml"),
+        reference[name],
+    )
     data = run_ensemble(scenario, f"learning.gain=[{scenario.learning.gain}]", 1)
-    np.testing.assert_allclose(data["clpe_rms"][0], numbers["clpe_rms_per_cycle"], atol=1e-6)
+    np.testing.assert_allclose(
+        data["clpe_rms"][0], numbers["clpe_rms_per_cycle"], atol=1e-6
+    )
     wanted = numbers.get("max_flow_parameter_error") or {}
     for t in {"100", "200", "2000"} & wanted.keys():
         got = float(data["flow_parameter_error"].sel(mark=float(t))[0])
@@ -151,8 +190,21 @@ def test_reference_numbers(reference, name):
 def test_the_command(clpt, printed, refused, quick, tmp_path):
     file, out, figure = tmp_path / "s.toml", tmp_path / "e.zarr", tmp_path / "e.png"
     clpt_control.save_scenario(quick, file)
-    many = ("--members", 12, "--vary", VARY[0], "--vary", VARY[1], "--seed", 4, "--out", out)
-    assert printed("ensemble", file, *many, "--figure", figure)["ended"] == {"finished": 12}
+    many = (
+        "--members",
+        12,
+        "--vary",
+        VARY[0],
+        "--vary",
+        VARY[1],
+        "--seed",
+        4,
+        "--out",
+        out,
+    )
+    assert printed("ensemble", file, *many, "--figure", figure)["ended"] == {
+        "finished": 12
+    }
     assert inked(figure) > 0.01
     assert f"{quick.title or file}: 12 finished" in clpt("ensemble", file, *many).out
     wrong = ("--members", 3, "--vary", "x=1:2", "--out", tmp_path / "f.zarr")

@@ -26,13 +26,21 @@ def assert_members_are_runs(data, scenario, *keys, **changes):
     for member in data.member.values:
         own = scenario.with_values({k: data[k].values[member] for k in keys})
         run = clpt.simulate(clpt.closed_loop(own, **changes) if changes else own)
-        error = np.abs(run.flow_parameters_estimate.values[-1] - run.flow_parameters.values).max()
-        assert float(data.flow_parameter_error[member, -1]) == pytest.approx(error, rel=1e-6)
+        error = np.abs(
+            run.flow_parameters_estimate.values[-1] - run.flow_parameters.values
+        ).max()
+        assert float(data.flow_parameter_error[member, -1]) == pytest.approx(
+            error, rel=1e-6
+        )
         if "gain_error" not in data:
             continue
         true = own.vehicle.feedback, own.vehicle.feedforward
-        wrong = np.abs(np.array([run.feedback_gain[-1], run.feedforward_gain[-1]]) - true).max()
-        assert float(data.gain_error[member, -1]) == pytest.approx(wrong, rel=1e-6, abs=1e-12)
+        wrong = np.abs(
+            np.array([run.feedback_gain[-1], run.feedforward_gain[-1]]) - true
+        ).max()
+        assert float(data.gain_error[member, -1]) == pytest.approx(
+            wrong, rel=1e-6, abs=1e-12
+        )
 
 
 ONE_EACH = {"learning.gain": None, "learning.gains": EACH}
@@ -63,24 +71,34 @@ def test_keys_vary_one_by_one(quick, values, keys, range_):
 
 
 BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient"}
-BESIDE |= {"least-squares", "composite-least-squares"}  # like another law: by `make test-slow`
+BESIDE |= {
+    "least-squares",
+    "composite-least-squares",
+}  # like another law: by `make test-slow`
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS]
+    "name",
+    [pytest.param(n, marks=pytest.mark.slow) if n in BESIDE else n for n in LAWS],
 )
 def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
     law = LAWS[name]
     values = {
         "learning.law": name,
-        "learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2 if law.given_estimate else None,
+        "learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2
+        if law.given_estimate
+        else None,
         "learning.parameters": None,
         **(AT_FIXES if law.at_fixes else {"learning.gain": 0.8}),
     }
     varied = {"localization.interval" if law.at_fixes else "learning.gain": "0.2:2.0"}
-    for setting in [key for key, one in law.settings.items() if one.allowed == "positive"][:1]:
+    for setting in [
+        key for key, one in law.settings.items() if one.allowed == "positive"
+    ][:1]:
         key, usual = f"learning.{law.table}.{setting}", law.settings[setting].default
-        if usual is None:  # made of the scenario's other keys; a plain default need not be named
+        if (
+            usual is None
+        ):  # made of the scenario's other keys; a plain default need not be named
             usual = values[key] = 0.5
         varied[key] = f"[{usual}, {2 * usual}]"
     scenario = quick.with_values(values)
@@ -104,7 +122,11 @@ def frozen_law(kept=None):
 
 def halving():
     """A part with a number that is equal to that of a key, and stays."""
-    ports = {"inputs": {"v_x": 2}, "outputs": {"y": 2}, "parameters": {"KD": np.ones(2)}}
+    ports = {
+        "inputs": {"v_x": 2},
+        "outputs": {"y": 2},
+        "parameters": {"KD": np.ones(2)},
+    }
     return Block("part", output=lambda t, x, u, p: 0.5 * p.KD * u.v_x, **ports)
 
 
@@ -119,10 +141,16 @@ def slow(tau):
         (slow(0.5), {"vehicle.max_speed": 3.0}, GAIN),
         ({"law": frozen_law()}, {}, THETA),
         ({"law": remembering_law()}, {}, THETA),
-        ({"insert": {("v_x", "vehicle"): halving()}}, {}, "vehicle.feedback=[[1, 1], [2, 0.5]]"),
+        (
+            {"insert": {("v_x", "vehicle"): halving()}},
+            {},
+            "vehicle.feedback=[[1, 1], [2, 0.5]]",
+        ),
     ],
 )
-def test_members_with_parts_of_ones_own_are_runs_with_them(quick, changes, values, vary):
+def test_members_with_parts_of_ones_own_are_runs_with_them(
+    quick, changes, values, vary
+):
     scenario = quick.with_values(values)
     data = run_ensemble(clpt.closed_loop(scenario, **changes), vary, 2)
     assert_members_are_runs(data, scenario, vary.split("=")[0].split("~")[0], **changes)
@@ -131,7 +159,10 @@ def test_members_with_parts_of_ones_own_are_runs_with_them(quick, changes, value
 @pytest.mark.parametrize(
     ("own", "others"),
     [
-        ({"law": remembering_law()}, [{"law": remembering_law(gain=0.9)}, {"law": papers_law()}]),
+        (
+            {"law": remembering_law()},
+            [{"law": remembering_law(gain=0.9)}, {"law": papers_law()}],
+        ),
         (slow(0.5), [slow(0.6)]),
     ],
 )
@@ -152,7 +183,9 @@ def without_states(t, x, u, p):
 
 
 FIXED = Block("fixed", output=without_states, outputs={"alpha": 6, "K": 2, "Gamma": 2})
-LIMIT = control.nlsys(None, lambda t, x, u, p: np.clip(u, -1, 1), inputs=2, outputs=2, name="limit")
+LIMIT = control.nlsys(
+    None, lambda t, x, u, p: np.clip(u, -1, 1), inputs=2, outputs=2, name="limit"
+)
 BOAT = control.ss(-np.eye(2), np.eye(2), 2 * np.eye(2), 0, name="boat")
 BOAT.set_inputs(["v_x[0]", "v_x[1]"])
 BOAT.set_outputs(["x[0]", "x[1]"])
@@ -163,10 +196,22 @@ PAPERS = papers_law(name="adaptation")
     ("changes", "vary", "said"),
     [
         ({"law": FIXED}, THETA, "fixed: alpha is no state of it"),
-        ({"insert": {"v_x": LIMIT}}, GAIN, "limit: is a NonlinearIOSystem; an ensemble takes"),
+        (
+            {"insert": {"v_x": LIMIT}},
+            GAIN,
+            "limit: is a NonlinearIOSystem; an ensemble takes",
+        ),
         ({"replace": {"vehicle": BOAT}}, GAIN, "boat: x is no state of it"),
-        ({"law": PAPERS}, GAIN, "^vary: learning.gain cannot vary; .* given in Python vary"),
-        ({"law": PAPERS}, "adaptation.gain=1:2", r"^vary: adaptation.gain cannot vary; .* timepts"),
+        (
+            {"law": PAPERS},
+            GAIN,
+            "^vary: learning.gain cannot vary; .* given in Python vary",
+        ),
+        (
+            {"law": PAPERS},
+            "adaptation.gain=1:2",
+            r"^vary: adaptation.gain cannot vary; .* timepts",
+        ),
     ],
 )
 def test_what_members_cannot_be_made_of_is_refused(quick, changes, vary, said):
@@ -177,22 +222,37 @@ def test_what_members_cannot_be_made_of_is_refused(quick, changes, vary, said):
 def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick):
     scenario = quick.with_values({"learning.law": "sigma", "learning.sigma.leak": 0.5})
     loop = clpt.closed_loop(scenario, law=remembering_law())
-    with pytest.raises(ScenarioError, match=r"^vary: learning\.sigma\.leak cannot vary"):
+    with pytest.raises(
+        ScenarioError, match=r"^vary: learning\.sigma\.leak cannot vary"
+    ):
         run_ensemble(loop, "learning.sigma.leak=0.2:2.0", 3)
 
 
 def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
-    loop, times = clpt.closed_loop(quick, law=PAPERS), np.arange(1.0, 4.0)  # it runs from t = 0
-    data = run_ensemble(loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True)
+    loop, times = (
+        clpt.closed_loop(quick, law=PAPERS),
+        np.arange(1.0, 4.0),
+    )  # it runs from t = 0
+    data = run_ensemble(
+        loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True
+    )
     alone = clpt.simulate(loop, times, params={"adaptation.gain": 2.0})
     np.testing.assert_allclose(data.e[1], alone.clpe, atol=1e-12)
-    np.testing.assert_allclose(data.e_max[1], np.abs(alone.clpe).max("time"), atol=1e-12)
-    np.testing.assert_allclose(data.e_rms[1] ** 2, (alone.clpe**2).integrate("time") / 2)
+    np.testing.assert_allclose(
+        data.e_max[1], np.abs(alone.clpe).max("time"), atol=1e-12
+    )
+    np.testing.assert_allclose(
+        data.e_rms[1] ** 2, (alone.clpe**2).integrate("time") / 2
+    )
 
 
-@pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="Dask is not installed")
+@pytest.mark.skipif(
+    not importlib.util.find_spec("distributed"), reason="Dask is not installed"
+)
 def test_a_law_that_cannot_be_sent_is_refused(quick, tmp_path):
-    loop = clpt.closed_loop(quick, law=frozen_law(SimpleNamespace(lock=threading.Lock())))
+    loop = clpt.closed_loop(
+        quick, law=frozen_law(SimpleNamespace(lock=threading.Lock()))
+    )
     with pytest.raises(DiagramError, match="local: cannot be sent to workers; define"):
         run_ensemble(loop, THETA, 3, out=tmp_path / "e.zarr", dask="local")
     assert not (tmp_path / "e.zarr").exists()

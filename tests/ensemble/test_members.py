@@ -37,14 +37,22 @@ TIMES = np.array([0.0, 3.3, 3.4, 17.0, 42.0, 60.0])
 PAPER = clpt.paper_scenario()
 
 
-COMPOSITE = "composite-least-squares", "composite-memory", "least-squares", "normalised-gradient"
+COMPOSITE = (
+    "composite-least-squares",
+    "composite-memory",
+    "least-squares",
+    "normalised-gradient",
+)
 NOISE = {"noise": 0.05, "noise_period": 0.5, "seed": 3}
 WINDOW = {"learning.law": "concurrent", "learning.concurrent": {"window": 1.0}}
 VARIED = {  # what is not as in the paper's scenario, and what differs from member to member
     "waypoints": ({}, members_of(5)),
     "noise": (
         {"localization": NOISE},
-        {"noise": np.linspace(0.0, 0.1, 9), "noise_period": np.tile([0.5, 0.7, 1.1], 3)},
+        {
+            "noise": np.linspace(0.0, 0.1, 9),
+            "noise_period": np.tile([0.5, 0.7, 1.1], 3),
+        },
     ),
     "fixes": (
         {"learning.law": "fix-regression", **AT_FIXES, "localization.noise": 0.01},
@@ -67,18 +75,26 @@ VARIED = {  # what is not as in the paper's scenario, and what differs from memb
 @pytest.mark.parametrize("case", VARIED)
 def test_members_equal_single_runs(case, lanes):
     changes, values = VARIED[case]
-    values = {k if "." in k else f"localization.{k}": each for k, each in values.items()}
+    values = {
+        k if "." in k else f"localization.{k}": each for k, each in values.items()
+    }
     ensemble = ensemble_of(values, lanes, **changes)
     if case == "waypoints":
         assert sorted(ensemble.one_by_one) == ["basis.periods", "reference.dwell"]
     found = ensemble.run(ensemble.members(values), TIMES)
     assert (found.status == 1).all()
-    tolerance = 1e-10  # code of its own: the compiler may join a product and a sum elsewhere
+    tolerance = (
+        1e-10  # code of its own: the compiler may join a product and a sum elsewhere
+    )
     for m in range(len(found.status)):
-        own = ensemble.varied.scenario.with_values({key: value[m] for key, value in values.items()})
+        own = ensemble.varied.scenario.with_values(
+            {key: value[m] for key, value in values.items()}
+        )
         run = clpt.simulate(own, TIMES)
         alpha = found.states[m][:, ensemble.varied.columns["alpha"]].reshape(-1, 2, 3)
-        np.testing.assert_allclose(found.states[m, :, :2], run.position, rtol=0, atol=tolerance)
+        np.testing.assert_allclose(
+            found.states[m, :, :2], run.position, rtol=0, atol=tolerance
+        )
         np.testing.assert_allclose(alpha, run.alpha, rtol=0, atol=tolerance)
         assert found.counts[m, 0] == run.attrs["solver_steps"]
 
@@ -91,7 +107,9 @@ def test_a_member_has_the_same_bits_in_any_company(lanes):
     order = np.random.default_rng(1).permutation(21)
     for part in (order, slice(0, 1), slice(3, 12), slice(20, 21)):
         own = ensemble.members({key: value[part] for key, value in values.items()})
-        np.testing.assert_array_equal(ensemble.run(own, TIMES).states, whole.states[part])
+        np.testing.assert_array_equal(
+            ensemble.run(own, TIMES).states, whole.states[part]
+        )
 
 
 @pytest.mark.parametrize("lanes", [False, True])
@@ -102,7 +120,11 @@ def test_a_stiff_member_does_not_hold_up_the_rest(lanes):
     rows = members.x0, members.P, np.array([0.0, 5.0]), members.schedules, members.group
     runs = Batch(ensemble.native.callee(ensemble.lanes), *rows)
     runs.adaptive(1e-8, 1e-10, most=40)
-    assert list(runs.status) == [Status.FINISHED, Status.TOO_MANY_STEPS, Status.FINISHED]
+    assert list(runs.status) == [
+        Status.FINISHED,
+        Status.TOO_MANY_STEPS,
+        Status.FINISHED,
+    ]
     assert runs.counts[1, [0, 3]].sum() == 40
     assert np.isnan(runs.out[1, -1]).all()
 
@@ -113,13 +135,31 @@ def test_a_flow_faster_than_a_member_is_told(tmp_path, printed):
     for m, speed in enumerate(data["vehicle.max_speed"].values):
         alone = scenario.with_values({"vehicle.max_speed": float(speed)})
         faster = run_and_report(alone).summary["speed"]["faster_flow"] or {"share": 0.0}
-        assert float(data.share_in_faster_flow[m]) == pytest.approx(faster["share"], abs=2e-4)
+        assert float(data.share_in_faster_flow[m]) == pytest.approx(
+            faster["share"], abs=2e-4
+        )
     found = {"members": 2, "largest_share": float(data.share_in_faster_flow.max())}
     assert ensemble_summary(data)["faster_flow"] == found
-    clpt.save_scenario(scenario.with_values({"run.duration": 100}), tmp_path / "slow.toml")
-    given = ("ensemble", tmp_path / "slow.toml", "--members", 2, "--out", tmp_path / "e.zarr")
-    assert printed(*given, "--vary", "vehicle.max_speed=[1.0, 9.0]")["faster_flow"]["members"] == 1
-    free = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), "learning.gain=1:2", 2)
+    clpt.save_scenario(
+        scenario.with_values({"run.duration": 100}), tmp_path / "slow.toml"
+    )
+    given = (
+        "ensemble",
+        tmp_path / "slow.toml",
+        "--members",
+        2,
+        "--out",
+        tmp_path / "e.zarr",
+    )
+    assert (
+        printed(*given, "--vary", "vehicle.max_speed=[1.0, 9.0]")["faster_flow"][
+            "members"
+        ]
+        == 1
+    )
+    free = clpt.run_ensemble(
+        PAPER.with_values({"run.duration": 20}), "learning.gain=1:2", 2
+    )
     assert "faster_flow" not in ensemble_summary(free)
 
 
@@ -127,7 +167,11 @@ def test_every_way_in_which_a_member_ends_has_a_name():
     assert [Status(k).label for k in range(len(STATUS))] == [*STATUS]
     vary = "vehicle.position=[[0, 0], [1e200, 0], [0, 0]]"
     data = clpt.run_ensemble(PAPER.with_values({"run.duration": 20}), vary, 3, "grid")
-    assert len(data.status.flag_values) == len(data.status.flag_meanings.split()) == len(STATUS)
+    assert (
+        len(data.status.flag_values)
+        == len(data.status.flag_meanings.split())
+        == len(STATUS)
+    )
     assert np.isfinite(data.clpe_rms_whole).values.tolist() == [True, False, True]
     assert float(data.end[1]) < 20 == float(data.end[0])
     assert data.gain_error[0].values.tobytes() == data.gain_error[2].values.tobytes()

@@ -20,7 +20,13 @@ from clpt_control.errors import DataError
 @pytest.fixture(scope="module")
 def whole(quick, tmp_path_factory):
     """A whole store of two chunks, with what makes it."""
-    given = {"system": quick, "vary": VARY[0], "members": 6, "chunk": 3, "trajectories": True}
+    given = {
+        "system": quick,
+        "vary": VARY[0],
+        "members": 6,
+        "chunk": 3,
+        "trajectories": True,
+    }
     out = tmp_path_factory.mktemp("stored") / "e.zarr"
     run_ensemble(out=out, **given)
     return out, given
@@ -63,7 +69,11 @@ LOST = "(is no ensemble|damaged, .*its {array} is)"
 DAMAGES = [  # a file, what happens to it, what is said: its array is not as it was made
     ("gain_error/zarr.json", os.unlink, LOST),
     ("learning.gain/zarr.json", edited("shape", [7]), LOST),
-    ("learning.gain/zarr.json", edited("shape", [3 * 10**7]), LOST),  # which is not read
+    (
+        "learning.gain/zarr.json",
+        edited("shape", [3 * 10**7]),
+        LOST,
+    ),  # which is not read
     ("end/zarr.json", edited("data_type", "float32"), LOST),
     ("mark/zarr.json", edited("dimension_names", ["time"]), LOST),
     ("alpha/zarr.json", edited("attributes", {}), LOST),
@@ -75,9 +85,17 @@ DAMAGES = [  # a file, what happens to it, what is said: its array is not as it 
     ("learning.gain/c/1", flipped, LOST),
     ("member/c/0", os.unlink, LOST),
     ("status", shutil.rmtree, LOST),
-    ("mine", lambda at: shutil.copytree(at.parent / "end", at), "holds mine, which is no part of"),
+    (
+        "mine",
+        lambda at: shutil.copytree(at.parent / "end", at),
+        "holds mine, which is no part of",
+    ),
     ("status/c/0", put(os.mkfifo), "c/0: is no regular file"),
-    ("status/c/0", put(lambda at: at.symlink_to(at.parent / "1")), "c/0: is no regular file"),
+    (
+        "status/c/0",
+        put(lambda at: at.symlink_to(at.parent / "1")),
+        "c/0: is no regular file",
+    ),
     ("", put(lambda at: at.write_text("text")), "(is a file|cannot be read as NetCDF)"),
     ("zarr.json", os.unlink, "is a folder without an ensemble"),
 ]
@@ -90,7 +108,10 @@ def test_a_damaged_ensemble_is_a_sentence(whole, out, name, damage, said):
     before = files(out)
     words = rf"e\.zarr.*{said.format(array=re.escape(name.partition('/')[0]))}"
     tracemalloc.start()
-    for go_on in (lambda: run_ensemble(out=out, **whole[1]), lambda: clpt.report(out, "e.html")):
+    for go_on in (
+        lambda: run_ensemble(out=out, **whole[1]),
+        lambda: clpt.report(out, "e.html"),
+    ):
         says(DataError, words, go_on)
     assert tracemalloc.get_traced_memory()[1] < 5 * 10**7
     tracemalloc.stop()
@@ -112,7 +133,9 @@ CHUNKS = [
 def test_a_damaged_chunk_is_run_again(whole, out, name, damage):
     damage(out / name)
     if not name.startswith(("alpha", "done")):  # which a page does not read
-        with pytest.raises(DataError, match=r"is damaged: (chunk \d is not as written|a part of)"):
+        with pytest.raises(
+            DataError, match=r"is damaged: (chunk \d is not as written|a part of)"
+        ):
             clpt.report(out, "e.html")
     run_ensemble(out=out, **whole[1])
     assert files(out) == files(whole[0])
@@ -143,7 +166,13 @@ def test_what_lacks_is_neither_mixed_nor_written_over(whole, out):
     says(DataError, "begun by other versions", run_ensemble, out=out, **whole[1])
     store.group.attrs.update(kept)
     put(lambda at: (at / "mine").mkdir(parents=True))(one)
-    says(DataError, r"clpe_rms_whole.c.1: cannot be written", run_ensemble, out=out, **whole[1])
+    says(
+        DataError,
+        r"clpe_rms_whole.c.1: cannot be written",
+        run_ensemble,
+        out=out,
+        **whole[1],
+    )
 
 
 OTHERS = {"seed": 1, "members": 7, "design": "random", "vary": "learning.gain=1:2"}
@@ -155,14 +184,26 @@ def test_another_ensemble_is_refused(whole, out, what, value):
     before, given = files(out), {**whole[1], what: value}
     if gain := given.pop("scenario", None):
         given["system"] = given["system"].with_values({"learning.gain": gain})
-    says(DataError, f"holds an ensemble of another {what}", run_ensemble, out=out, **given)
+    says(
+        DataError,
+        f"holds an ensemble of another {what}",
+        run_ensemble,
+        out=out,
+        **given,
+    )
     assert files(out) == before
 
 
 def test_where_there_is_none_it_begins(whole, tmp_path, monkeypatch):
     (tmp_path / "new").mkdir()
     assert run_ensemble(out=tmp_path / "new", **whole[1]).sizes["member"] == 6
-    says(DataError, "does not exist", run_ensemble, out=tmp_path / "no" / "e.zarr", **whole[1])
+    says(
+        DataError,
+        "does not exist",
+        run_ensemble,
+        out=tmp_path / "no" / "e.zarr",
+        **whole[1],
+    )
 
     def too_much(work, values):
         raise MemoryError
@@ -178,7 +219,14 @@ def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypa
 
     save_scenario(quick, tmp_path / "s.toml")
     out, write = tmp_path / "e.zarr", Store.write
-    words = ("ensemble", tmp_path / "s.toml", "--vary", "learning.gain=1:2", "--threads", "1")
+    words = (
+        "ensemble",
+        tmp_path / "s.toml",
+        "--vary",
+        "learning.gain=1:2",
+        "--threads",
+        "1",
+    )
 
     def asked(after, members="4", chunk="2"):
         """Run the command, which finds no space after some chunks."""
@@ -192,8 +240,15 @@ def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypa
         return clpt(*words, "--out", out, "--members", members, "--chunk", chunk)
 
     said = "clpt: e.zarr: cannot be written: No space left on device"
-    for ended in (asked(0), asked(0, "24", "24")):  # of the last, members are done, none stored
-        assert (ended.status, ended.err.splitlines()[-1], out.exists()) == (2, said, False)
+    for ended in (
+        asked(0),
+        asked(0, "24", "24"),
+    ):  # of the last, members are done, none stored
+        assert (ended.status, ended.err.splitlines()[-1], out.exists()) == (
+            2,
+            said,
+            False,
+        )
     kept = f"{out} holds 2 of 4 members; the same command goes on from there"
     assert asked(1) == (2, "", f"{said}; {kept}\n")
     outcome = asked(2)

@@ -30,11 +30,17 @@ def short(paper):
 
 
 def scored(law, score, time=np.inf, failed=0, error=1.0):
-    return Score(Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed)
+    return Score(
+        Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed
+    )
 
 
 def test_of_those_as_good_as_the_best_the_quickest_is_taken():
-    near, best, far = scored("a", 1.15, 3.0), scored("b", 1.0, 9.0), scored("c", 1.5, 1.0)
+    near, best, far = (
+        scored("a", 1.15, 3.0),
+        scored("b", 1.0, 9.0),
+        scored("c", 1.5, 1.0),
+    )
     broken, endless = scored("d", 0.5, 0.5, failed=1), scored("e", np.inf)
     assert ranked([far, broken, best, endless, near]) == [near, best, far]
     assert ranked([broken, endless]) == []
@@ -42,11 +48,15 @@ def test_of_those_as_good_as_the_best_the_quickest_is_taken():
 
 def test_CLPE_of_a_candidate_does_not_hang_on_its_samples(paper, monkeypatch):
     """With a strong feedback it peaks for an eighth of a second at each waypoint."""
-    strong = paper.with_values({"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8]})
+    strong = paper.with_values(
+        {"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8]}
+    )
     unknown = unknown_of(strong, None, None, 0)
     one = Candidate("learned-flow", 0.8, False, None, {})
     usual = score_of(unknown, one, 2, 0).clpe_rms
-    monkeypatch.setattr("clpt_control.ensemble.summaries.samples_per_cycle", lambda one: 20_000)
+    monkeypatch.setattr(
+        "clpt_control.ensemble.summaries.samples_per_cycle", lambda one: 20_000
+    )
     assert usual == pytest.approx(score_of(unknown, one, 2, 0).clpe_rms, rel=0.02)
 
 
@@ -58,14 +68,19 @@ def test_the_answer_is_not_seen_and_runs_are_by_the_scenarios_method(short):
     )
     assert usual.report == other.report
     assert usual.scenario.learning == other.scenario.learning
-    assert other.scenario.flow.parameters == ((5, 6, 7), (8, 9, 10))  # it comes with the choice
+    assert other.scenario.flow.parameters == (
+        (5, 6, 7),
+        (8, 9, 10),
+    )  # it comes with the choice
     apart = abs(usual.report["chosen"]["error"] - stiff.report["chosen"]["error"])
     assert 0 < apart < 1e-6
 
 
 def test_what_is_drawn_is_drawn_about_the_belief(paper):
     unknown = unknown_of(paper, None, None, 4)
-    assert unknown.prior == pytest.approx(0.3 * 1.0 * 3.0)  # k = 1/s, the circle reaches 3 m
+    assert unknown.prior == pytest.approx(
+        0.3 * 1.0 * 3.0
+    )  # k = 1/s, the circle reaches 3 m
     assert not np.any(unknown.scenario.flow.parameters)
     told = paper.with_values({"learning.parameters": [[-1, -2, -3], [0, 0, -4]]})
     modelled = paper.with_values({"model.parameters": [[1, 2, 3], [0, 0, 4]]})
@@ -74,7 +89,11 @@ def test_what_is_drawn_is_drawn_about_the_belief(paper):
         np.testing.assert_array_equal(flow, [[1, 2, 3], [0, 0, 4]])
     noisy = paper.with_values({"localization": {"noise": 0.02, "noise_period": 1}})
     unknown = unknown_of(noisy, 0.5, 0.2, 4)
-    assert [*unknown.varies] == ["flow.parameters", "flow.disturbance.seed", "localization.seed"]
+    assert [*unknown.varies] == [
+        "flow.parameters",
+        "flow.disturbance.seed",
+        "localization.seed",
+    ]
     assert (unknown.prior, unknown.noise) == (0.5, 0.02)
     assert unknown.unmodelled == pytest.approx(0.2)
 
@@ -100,20 +119,33 @@ def test_every_law_that_learns_is_a_candidate(paper, name):
 def test_laws_that_cannot_be_tuned_are_skipped_with_the_reason(paper):
     tried, skipped = laws_to_try(())
     assert "is given the flow" in skipped["known-flow"]
-    assert set(skipped) == {law.name for law in LAWS.values() if law.given_estimate or law.at_fixes}
+    assert set(skipped) == {
+        law.name for law in LAWS.values() if law.given_estimate or law.at_fixes
+    }
     assert [law.name for law in tried] == [name for name in LAWS if name not in skipped]
     own = {"learning": {"law": "fix-regression"}, "localization": {"interval": 5.0}}
-    says(ScenarioError, "is the only law that learns at fixes", tune_law, paper.with_values(own))
+    says(
+        ScenarioError,
+        "is the only law that learns at fixes",
+        tune_law,
+        paper.with_values(own),
+    )
 
 
 def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
-    tuned = tune_law(paper, members=4, laws=["learned-flow", "composite-memory"], seed=1)
+    tuned = tune_law(
+        paper, members=4, laws=["learned-flow", "composite-memory"], seed=1
+    )
     chosen, rest = tuned.report["chosen"], tuned.report["candidates"]
     assert chosen["law"] == "composite-memory"
-    assert chosen["error"] < 1e-3 * min(a["error"] for a in rest if a["law"] == "learned-flow")
+    assert chosen["error"] < 1e-3 * min(
+        a["error"] for a in rest if a["law"] == "learned-flow"
+    )
     assert tuned.report["because"].startswith("composite-memory, gain")
     assert "no unmodelled flow and exact positions" in tuned.report["because"]
-    run = clpt_control.simulate(tuned.scenario)  # the scenario's own flow, which was not seen
+    run = clpt_control.simulate(
+        tuned.scenario
+    )  # the scenario's own flow, which was not seen
     error = np.abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
     assert float(error) < 1e-3
 
@@ -131,7 +163,9 @@ def test_a_measured_current_is_taken_out(facts, tmp_path):
     from clpt_control.currents import fit_scenario, save_fit
 
     field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
-    fit = fit_scenario(field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0)
+    fit = fit_scenario(
+        field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0
+    )
     scenario = save_fit(fit, tmp_path / "shoals.toml")
     tuned = tune_law(scenario, members=3, laws=["learned-flow"], unmodelled=0.5)
     assert tuned.scenario.field_path == scenario.field_path

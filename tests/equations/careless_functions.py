@@ -5,28 +5,46 @@ import warnings
 from collections.abc import Iterable, Sized
 
 import numpy as np
-from scipy.interpolate import CubicSpline, LinearNDInterpolator, RegularGridInterpolator, interp1d
+from scipy.interpolate import (
+    CubicSpline,
+    LinearNDInterpolator,
+    RegularGridInterpolator,
+    interp1d,
+)
 
 RATIOS = {0: 4.0, 1: 2.0}
 with warnings.catch_warnings(action="ignore"):
     SQUARE = np.asmatrix([[1.0, 2.0], [3.0, 4.0]])
 SPLINE = CubicSpline([-1.0, 0.0, 0.5, 2.0], [0.0, 1.0, -1.0, 2.0])
 SLOPE = SPLINE.derivative()
-NEAREST = interp1d([0.0, 1.0, 2.0], [1.0, 3.0, 2.0], "nearest", fill_value="extrapolate")
-TRACK = CubicSpline([-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]])
-LAP = CubicSpline([0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic")
+NEAREST = interp1d(
+    [0.0, 1.0, 2.0], [1.0, 3.0, 2.0], "nearest", fill_value="extrapolate"
+)
+TRACK = CubicSpline(
+    [-1.0, 0.0, 0.5, 2.0], [[0.0, 1.0], [1.0, 3.0], [-1.0, 2.0], [0.0, 1.0]]
+)
+LAP = CubicSpline(
+    [0.0, 1.0, 1.5, 3.0], [[0.0, 1.0], [1, 3], [-1, 2], [0, 1]], bc_type="periodic"
+)
 GRID = [-1.0, 0.0, 0.5, 2.0], [-0.5, 1.0, 1.5]
 HEIGHTS = np.random.default_rng(0).standard_normal((4, 3))
 CHART = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=None)
 COAST = RegularGridInterpolator(GRID, HEIGHTS, bounds_error=False, fill_value=-7.0)
 COLUMN = RegularGridInterpolator(
-    [[0.0, 1.0], [-1.0, 1.0], [0.0, 3.0]], np.arange(8.0).reshape(2, 2, 2) ** 2, "linear", False
+    [[0.0, 1.0], [-1.0, 1.0], [0.0, 3.0]],
+    np.arange(8.0).reshape(2, 2, 2) ** 2,
+    "linear",
+    False,
 )
-SCATTERED = LinearNDInterpolator([[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [0.0, 1, 2, 5, 3])
+SCATTERED = LinearNDInterpolator(
+    [[0, 0], [1, 0], [0, 1], [1, 1], [0.4, 0.6]], [0.0, 1, 2, 5, 3]
+)
 PLACES = [[0, 0], [10, 0], [0, 0.1], [10, 0.1], [4, 0.06]]
 RESCALED = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], rescale=True)
 FLAT = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], fill_value=-7.0)
-FILLED = interp1d([0, 1], [[0, 1], [2, 3]], axis=0, bounds_error=False, fill_value=[7.0, 9.0])
+FILLED = interp1d(
+    [0, 1], [[0, 1], [2, 3]], axis=0, bounds_error=False, fill_value=[7.0, 9.0]
+)
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
@@ -253,7 +271,12 @@ WOULD_BE_OTHERS = """
     np.linalg.cholesky(np.outer(u, u) + np.eye(2))[0, 1] ;
     RATIOS.get(f"{x[0]:.0f}", 2.0) ; RATIOS.get(int(x[0]), 9.0)
 """
-PARAMS = {"n": 3, "A": np.array([3, -3]), "f": np.float32(0.1), "short": np.uint8([200, 3])}
+PARAMS = {
+    "n": 3,
+    "A": np.array([3, -3]),
+    "f": np.float32(0.1),
+    "short": np.uint8([200, 3]),
+}
 PARAMS |= {"zero": 0.0, "k": 1.15}
 
 
@@ -261,7 +284,9 @@ def in_lines(text, form="{}"):
     """Return the function of each expression of a text."""
     space = globals() | {"Iterable": Iterable, "Sized": Sized}
     calls = [call.strip() for call in text.split(";")]
-    return {call: eval(f"lambda t, x, u, p: {form.format(call)}", space) for call in calls}
+    return {
+        call: eval(f"lambda t, x, u, p: {form.format(call)}", space) for call in calls
+    }
 
 
 READ = in_lines(COUNTED, "beside({}, u[1])") | in_lines(WITHOUT_AXES, "changed({}, u)")

@@ -68,7 +68,9 @@ def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
     assert p.gain == p["gain"] == p.get("gain", 3.0) == 0.5
     assert (p.get("none", 3.0), block.sizes) == (3.0, {"N": 3})
     np.testing.assert_array_equal(block.output(0, [], phi), 0.5 * THETA @ phi)
-    np.testing.assert_array_equal(block.output(0, [], phi, {"mine.gain": 2.0}), 2 * THETA @ phi)
+    np.testing.assert_array_equal(
+        block.output(0, [], phi, {"mine.gain": 2.0}), 2 * THETA @ phi
+    )
     assert pickle.loads(pickle.dumps(p)) is not p
     with pytest.raises(TypeError, match="assignment"):
         block.params["mine.gain"] = 2.0
@@ -77,7 +79,9 @@ def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
     block.parameters = block.parameters._replace(gain=2.0)
     np.testing.assert_array_equal(block.output(0, [], phi), 2 * THETA @ phi)
     for theta, sizes in ((np.ones(3), None), (THETA, {"N": 4})):
-        with pytest.raises(BlockError, match=r"mine\.theta: has shape .* must be \(2, "):
+        with pytest.raises(
+            BlockError, match=r"mine\.theta: has shape .* must be \(2, "
+        ):
             made({"gain": 0.5, "theta": theta}, sizes=sizes)
 
 
@@ -91,7 +95,10 @@ def test_parameters_and_ports_have_any_names():
 
     parameters = {"count": 3.0, "index": 2}
     block = static(function, dict.fromkeys(ports, 1), 8, parameters=parameters)
-    assert as_it_runs(block, "output", 0.0, [], range(7)).tolist() == [6, *range(0, 14, 2)]
+    assert as_it_runs(block, "output", 0.0, [], range(7)).tolist() == [
+        6,
+        *range(0, 14, 2),
+    ]
 
 
 WAYS = [  # of one value for ports a[2] and b[2, 2]
@@ -119,7 +126,11 @@ def riccati(t, x, u, p):
 
 
 def test_states_are_views_of_one_vector():
-    ports = {"inputs": {"rate": 1}, "states": {"P": ("n", "n"), "K": "n"}, "sizes": {"n": 2}}
+    ports = {
+        "inputs": {"rate": 1},
+        "states": {"P": ("n", "n"), "K": "n"},
+        "sizes": {"n": 2},
+    }
     block = Block("mine", update=riccati, **ports)
     P = np.array([[1.0, 2], [3, 4]])
     x = np.arange(1.0, 7)
@@ -135,7 +146,10 @@ OUT = {"output": flow, "outputs": {"y": 1}}
 CANNOT = [
     ({"inputs": {"u": 1}}, "without states needs `output`"),
     ({"update": flow, **OUT}, "`update` and `states` belong"),
-    ({"update": flow, "states": {"x": 1}, "outputs": {"y": 1}}, "outputs are the states"),
+    (
+        {"update": flow, "states": {"x": 1}, "outputs": {"y": 1}},
+        "outputs are the states",
+    ),
     (OUT | {"parameters": 3}, "a dict, a NamedTuple or a dataclass"),
     (OUT | {"inputs": {"phi": "N"}}, "the size 'N' is not known"),
     (OUT | {"inputs": ["e"]}, r"must be Mapping.* \{'e': 2\}$"),
@@ -175,7 +189,11 @@ def test_a_block_in_a_namespace_is_the_same_under_other_names():
     again = renamed(west, "east", {"west/phi": "psi"}, {"west/flow": "out"})
     assert (again.input_ports, again.output_ports) == ({"psi": 3}, {"out": 2})
     assert asked(west) == asked(again) == wanted
-    for twin in (west, copy.deepcopy(block), block.copy(name="twin")):  # are independent
+    for twin in (
+        west,
+        copy.deepcopy(block),
+        block.copy(name="twin"),
+    ):  # are independent
         twin.parameters = twin.parameters._replace(gain=3.0, theta=np.ones((2, 3)))
         assert asked(twin) == [3 * sum(phi)] * 2
     assert (west.input_ports, block.input_ports) == ({"west/phi": 3}, {"phi": 3})
@@ -185,7 +203,9 @@ def test_a_block_in_a_namespace_is_the_same_under_other_names():
 # --- linear systems -------------------------------------------------------------------------------
 
 SYSTEMS = [
-    control.ss([[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 1.0]], [[0.5]], name="a"),
+    control.ss(
+        [[-1.0, 2.0], [0.0, -3.0]], [[0.0], [1.0]], [[1.0, 1.0]], [[0.5]], name="a"
+    ),
     control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag"),
     control.tf([1.0, 2.0], [1.0, 3.0, 2.0], name="t"),
     control.zpk([-1.0], [-2.0, -3.0], 4.0, name="z"),
@@ -208,6 +228,8 @@ def test_a_linear_system_is_a_block(system):
 
 
 def test_a_linear_system_on_each_axis():
-    both = on_each_axis(linear(control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag")), 2)
+    both = on_each_axis(
+        linear(control.ss([[-1.0]], [[1.0]], [[2.0]], 0, name="lag")), 2
+    )
     np.testing.assert_array_equal(both.dynamics(0, [1.0, 2.0], [5.0, 7.0]), [4.0, 5.0])
     np.testing.assert_array_equal(both.output(0, [1.0, 2.0], [5.0, 7.0]), [2.0, 4.0])

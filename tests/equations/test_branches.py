@@ -80,7 +80,8 @@ def by_inner_function(t, x, u, p):
 
 def by_expression(t, x, u, p):
     return [
-        v if v > high else (high and v < 0 and -v) or 2.0 for v, high in zip(u, LIMITS, strict=True)
+        v if v > high else (high and v < 0 and -v) or 2.0
+        for v, high in zip(u, LIMITS, strict=True)
     ]
 
 
@@ -124,7 +125,9 @@ METHODS = [Thrusters().by_method, Thrusters().by_chain, Thrusters().by_total]
 FUNCTIONS = [by_lambda, by_inner_function, by_expression, by_try, by_match]
 
 
-@pytest.mark.parametrize("function", [*METHODS, *FUNCTIONS], ids=lambda one: one.__name__)
+@pytest.mark.parametrize(
+    "function", [*METHODS, *FUNCTIONS], ids=lambda one: one.__name__
+)
 def test_branches_of_many_elements_are_traced(function):
     block = static(function, N, N)
     for shift in range(N):
@@ -180,11 +183,18 @@ def test_a_changed_file_is_not_used(tmp_path, monkeypatch):
     """Source that does not compile to the function's own code is ignored."""
     monkeypatch.syspath_prepend(tmp_path)
     file = tmp_path / "edited_law.py"
-    file.write_text("def law(t, x, u, p):\n    return [u[0] if u[0] > 0 else 0.5 * u[0]]\n")
+    file.write_text(
+        "def law(t, x, u, p):\n    return [u[0] if u[0] > 0 else 0.5 * u[0]]\n"
+    )
     import edited_law
 
-    file.write_text("def law(t, x, u, p):\n    return [u[0] if u[0] > 0 else 7.0 * u[0]]\n")
-    assert as_it_runs(static(edited_law.law), "output", 0.0, [], [-1.0, 0.0, 0.0])[0] == -0.5
+    file.write_text(
+        "def law(t, x, u, p):\n    return [u[0] if u[0] > 0 else 7.0 * u[0]]\n"
+    )
+    assert (
+        as_it_runs(static(edited_law.law), "output", 0.0, [], [-1.0, 0.0, 0.0])[0]
+        == -0.5
+    )
 
 
 def test_decorated_functions_keep_their_decorator():
@@ -229,7 +239,9 @@ INDICES = {
     "from the end": lambda t, x, u, p: PATH[-int(abs(u[0]) * 3) - 1],
     "a floor": lambda t, x, u, p: PATH[int(np.floor(abs(u[1]) * 7))],
     "clipped": lambda t, x, u, p: PATH[max(0, min(int(u[0] * 60), ROWS - 1))],
-    "a search": lambda t, x, u, p: PATH[np.clip(np.searchsorted(ANGLES, u[0]), 0, ROWS - 1)],
+    "a search": lambda t, x, u, p: PATH[
+        np.clip(np.searchsorted(ANGLES, u[0]), 0, ROWS - 1)
+    ],
     "bins": lambda t, x, u, p: PATH[min(np.digitize(u[0], ANGLES), ROWS - 1)],
     "taken": lambda t, x, u, p: np.take(PATH, nearest(u), axis=0),
     "two rows": lambda t, x, u, p: PATH[[nearest(u), NEXT[nearest(u)]]].sum(axis=0),
@@ -260,10 +272,14 @@ def test_waypoints_by_a_state_that_counts():
         reached = x[0] > ends[leg] - 0.05
         return [x[0] + 0.1, min(leg + 1, len(ends) - 1) if reached else leg]
 
-    course = control.nlsys(update, None, inputs=0, outputs=2, states=2, dt=0.1, name="course")
+    course = control.nlsys(
+        update, None, inputs=0, outputs=2, states=2, dt=0.1, name="course"
+    )
     run = clpt.simulate(course, 0.1 * np.arange(5001))
     assert run.attrs["engine"] == "native"
-    expected = control.input_output_response(course, 0.1 * np.arange(5001), 0, [0.0, 0.0])
+    expected = control.input_output_response(
+        course, 0.1 * np.arange(5001), 0, [0.0, 0.0]
+    )
     np.testing.assert_array_equal(run.states.values.T, expected.states)
 
 
@@ -282,11 +298,15 @@ def test_arrays_that_nothing_may_write_into_are_left_as_they_are():
         parameters={"rows": fixed},
     )
     params = {"gain": 2.0, "other": 3.0, "fixed": fixed}
-    limit = control.nlsys(None, output, params=params, inputs=1, outputs=1, name="limit")
+    limit = control.nlsys(
+        None, output, params=params, inputs=1, outputs=1, name="limit"
+    )
     wires = {"inplist": ["limit.u[0]"], "outlist": ["limit.y[0]", "table"]}
     names = {"inputs": ["v"], "outputs": ["y", "r0", "r1"]}
     loop = control.interconnect([static_block, limit], **wires, **names)
     read = clpt.conformance.readings(loop)
     for u, y in ((0.7, 1.4), (0.2, 0.6), (-1.0, 3.0)):
         for name in ("python", "native"):
-            assert read[name](0.0, [], [u])[1] == pytest.approx([y, 1.0, 2.0], abs=1e-15)
+            assert read[name](0.0, [], [u])[1] == pytest.approx(
+                [y, 1.0, 2.0], abs=1e-15
+            )

@@ -63,7 +63,12 @@ class Boat(Model):
     names = ("u", "v", "r")
 
     def __init__(self):
-        self.mode, self.place, self.hull, self.rudder = Mode.FAST, Point(1.0, 2.0), Hull(), Rudder()
+        self.mode, self.place, self.hull, self.rudder = (
+            Mode.FAST,
+            Point(1.0, 2.0),
+            Hull(),
+            Rudder(),
+        )
         self.slotted, self.kinds = Slotted(), frozenset(("a", "b"))
         self.slotted.gain, self.share, self.count = 0.5, Fraction(1, 3), range(3)
         self.series = pd.Series({"mass": 2.0})
@@ -97,7 +102,9 @@ class Boat(Model):
             print("fast", file=sys.stderr)
         k = bisect.bisect(self.rudder.angles, 0.55)
         gain = self.slotted.gain * float(self.share) * self.mode.value * self.single * k
-        gain += self.series["mass"] + self.table[500] + self.space.depth + self.since.days
+        gain += (
+            self.series["mass"] + self.table[500] + self.space.depth + self.since.days
+        )
         gain += len(self.kinds) + sum(self.count) + self.ordered["a"] + self.sums["b"]
         gain += self.squared(2.0) + self.many[1] + special.erf(0.5) + self.inverse[0, 0]
         return [-self.drag(x[0]) * gain / self.size]
@@ -105,7 +112,9 @@ class Boat(Model):
 
 def count_tracings(monkeypatch):
     traced, real = [], reading._traced
-    monkeypatch.setattr(reading, "_traced", lambda *given: (traced.append(1), real(*given))[1])
+    monkeypatch.setattr(
+        reading, "_traced", lambda *given: (traced.append(1), real(*given))[1]
+    )
     return traced
 
 
@@ -132,16 +141,60 @@ def test_a_function_that_is_refused_is_not_traced_again(monkeypatch):
     rate = lambda t, x, u, p: [-x[0] + 0.0 * (log.append(1) is None)]  # noqa: E731
     system = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="logs")
     for _ in range(3):
-        with pytest.warns(UserWarning, match="keeps what its next call reads, in a list"):
+        with pytest.warns(
+            UserWarning, match="keeps what its next call reads, in a list"
+        ):
             clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
         log.clear()
     assert len(traced) == 1
 
 
-ALIKE = [0, 0.0, -0.0, False, np.float64(0.0), np.float32(0.0), "0", b"0", None, (), (0,), (0.0,)]
-ALIKE += [math.nan, 1, 1.0, True, Fraction(1), Mode.SLOW, Mode.FAST, Point(0, 1), (0, 1), range(2)]
-ALIKE += [frozenset([0]), [0], [0.0], [-0.0], [0, 1], [(0, 1)], [[0, 1]], {"a": 0}, {"a": 0.0}]
-ALIKE += [np.zeros(1), np.zeros(1, int), np.zeros((1, 1)), -np.zeros(1), Hull(), Hull(1.0), 1j]
+ALIKE = [
+    0,
+    0.0,
+    -0.0,
+    False,
+    np.float64(0.0),
+    np.float32(0.0),
+    "0",
+    b"0",
+    None,
+    (),
+    (0,),
+    (0.0,),
+]
+ALIKE += [
+    math.nan,
+    1,
+    1.0,
+    True,
+    Fraction(1),
+    Mode.SLOW,
+    Mode.FAST,
+    Point(0, 1),
+    (0, 1),
+    range(2),
+]
+ALIKE += [
+    frozenset([0]),
+    [0],
+    [0.0],
+    [-0.0],
+    [0, 1],
+    [(0, 1)],
+    [[0, 1]],
+    {"a": 0},
+    {"a": 0.0},
+]
+ALIKE += [
+    np.zeros(1),
+    np.zeros(1, int),
+    np.zeros((1, 1)),
+    -np.zeros(1),
+    Hull(),
+    Hull(1.0),
+    1j,
+]
 ALIKE += [
     SimpleNamespace(a=0),
     OrderedDict(a=0),
@@ -167,7 +220,9 @@ def test_a_value_has_the_same_key_again():
     "value", [MappingProxyType({}), iter([1]), open, memoryview(b"a"), sys.stdin]
 )
 def test_a_value_that_may_change_unseen_has_none(value):
-    with pytest.raises(Unread, match=r"call it before or after|pass its numbers|make it a list"):
+    with pytest.raises(
+        Unread, match=r"call it before or after|pass its numbers|make it a list"
+    ):
         reachable(lambda: value)
 
 
@@ -205,9 +260,13 @@ class Wide(Slotted):
 def test_attributes_in_slots_and_in_a_dict_count():
     wide = Wide()
     wide.gain, wide.share = 0.5, 2.0
-    system = control.nlsys(lambda t, x, u, p: [-wide.gain * wide.share * x[0]], states=1, inputs=0)
+    system = control.nlsys(
+        lambda t, x, u, p: [-wide.gain * wide.share * x[0]], states=1, inputs=0
+    )
     for name in ("gain", "share"):
         for value in (1.0, 3.0):
             setattr(wide, name, value)
             run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-            assert run.states[-1].item() == pytest.approx(np.exp(-wide.gain * wide.share), rel=1e-6)
+            assert run.states[-1].item() == pytest.approx(
+                np.exp(-wide.gain * wide.share), rel=1e-6
+            )

@@ -11,7 +11,16 @@ from clpt_control.engine.trace.arrays import Unread
 from clpt_control.equations import lookup
 
 U = (0.8, 0.4, 2.0)
-INTEGERS = {"bitwise_count", "gcd", "lcm", "left_shift", "right_shift", "ldexp", "frexp", "modf"}
+INTEGERS = {
+    "bitwise_count",
+    "gcd",
+    "lcm",
+    "left_shift",
+    "right_shift",
+    "ldexp",
+    "frexp",
+    "modf",
+}
 
 
 def calls(module, names):
@@ -29,8 +38,14 @@ def calls(module, names):
                 yield call
 
 
-MATH = list(calls(math, sorted(n for n in dir(math) if n[0] != "_" and callable(getattr(math, n)))))
-UFUNCS = sorted(n for n in dir(np) if isinstance(getattr(np, n), np.ufunc) and n not in INTEGERS)
+MATH = list(
+    calls(
+        math, sorted(n for n in dir(math) if n[0] != "_" and callable(getattr(math, n)))
+    )
+)
+UFUNCS = sorted(
+    n for n in dir(np) if isinstance(getattr(np, n), np.ufunc) and n not in INTEGERS
+)
 NOT_READ = {"isclose", "fma", "nextafter", "ulp", "spacing", "gamma", "lgamma"} | {
     *("logaddexp", "logaddexp2", "fmin", "fmax")
 }
@@ -159,7 +174,8 @@ def sums(t, x, u, p):
 
 
 @pytest.mark.parametrize(
-    "u", [(1e16, 1.0, -1e16), (1e16, 3.0, -1e16), (1.0, 1e16, -1e16), (1e305, 2.0, -1e305)]
+    "u",
+    [(1e16, 1.0, -1e16), (1e16, 3.0, -1e16), (1.0, 1e16, -1e16), (1e305, 2.0, -1e305)],
 )
 def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
     as_it_runs(static(sums, outputs=10), "output", 0.0, [], u, tolerance=0.0)
@@ -171,9 +187,15 @@ def test_sums_are_pythons_also_where_it_makes_up_for_rounding(u):
 def test_a_matrix_times_a_vector_is_a_sum_whatever_its_size():
     for n in (3, 40, 400):
         block = static(
-            lambda t, x, u, p: p.A @ u, n, n, parameters={"A": np.ones((n, n))}, shapes={}
+            lambda t, x, u, p: p.A @ u,
+            n,
+            n,
+            parameters={"A": np.ones((n, n))},
+            shapes={},
         )
-        kinds = [operation.kind for operation in block.array_record("output").operations]
+        kinds = [
+            operation.kind for operation in block.array_record("output").operations
+        ]
         assert (kinds.count("sum"), len(kinds) < 8) == (1, True)
 
 
@@ -207,7 +229,9 @@ def test_an_argument_that_is_a_place_is_not_the_constant_of_that_number():
 
 
 def test_a_number_that_equals_the_place_of_a_value_is_not_it():
-    block = static(lambda t, x, u, p: 1.0 if u.b > 0 else u.a, {"a": (), "b": ()}, {"y": ()})
+    block = static(
+        lambda t, x, u, p: 1.0 if u.b > 0 else u.a, {"a": (), "b": ()}, {"y": ()}
+    )
     for b in (-1.0, 1.0):
         asked = [ask(0.0, [], [5.0, b])[1] for ask in readings(block).values()]
         assert asked == [1.0 if b > 0 else 5.0] * 7

@@ -171,13 +171,21 @@ MACHINE = Machine()
 HIDING = (  # of most the first two readings are alike
     *(in_a_list, a_signal_in_a_list, in_a_set, in_a_dict),
     *(in_an_array, in_pythons_array, in_a_module, in_a_global, in_slots, on_itself),
-    *(in_an_array_of_objects, in_an_array_of_names, in_a_view, in_a_variable_of_the_context),
+    *(
+        in_an_array_of_objects,
+        in_an_array_of_names,
+        in_a_view,
+        in_a_variable_of_the_context,
+    ),
     *(
         getattr(MACHINE, name)
         for name, own in vars(Machine).items()
         if name[0] != "_" and callable(own)
     ),
-    lambda t, x, u, p: (HISTORY.append(u[0]), u[0] if len(HISTORY) < 50 else HISTORY[-50])[1],
+    lambda t, x, u, p: (
+        HISTORY.append(u[0]),
+        u[0] if len(HISTORY) < 50 else HISTORY[-50],
+    )[1],
     lambda t, x, u, p: (HISTORY.append(u[0]), u[0] if len(HISTORY) < 5000 else 0.0)[1],
     lambda t, x, u, p: (LATE.append(u[0]), LATE[0])[1],
     lambda t, x, u, p: (OFTEN.append(0.0), u[0] if len(OFTEN) < 5000 else 0.0)[1],
@@ -193,11 +201,27 @@ HIDING = (  # of most the first two readings are alike
 
 
 def kept():
-    shared = [*ROW], [*HISTORY], [*LATE], {*SEEN}, PLACE[0], OFTEN[0], MODULE.calls, SWITCH
+    shared = (
+        [*ROW],
+        [*HISTORY],
+        [*LATE],
+        {*SEEN},
+        PLACE[0],
+        OFTEN[0],
+        MODULE.calls,
+        SWITCH,
+    )
     own = [*MACHINE.angles], [*OFTEN], {k: id(v) for k, v in vars(MACHINE).items()}
     texts = TEXT.getvalue(), TEXT.tell(), bytes(BYTES), VIEW[0]
     others = *texts, [*MIXED], NAMED["calls"][0], CALLS.get()
-    return shared, own, others, Machine.calls, vars(on_itself).copy(), NOISE.bit_generator.state
+    return (
+        shared,
+        own,
+        others,
+        Machine.calls,
+        vars(on_itself).copy(),
+        NOISE.bit_generator.state,
+    )
 
 
 @pytest.mark.parametrize("function", HIDING)
@@ -272,15 +296,26 @@ def far():
     "make",
     [
         *(counts, delays, Sum, numbered, far),
-        *(lambda: Sum().__call__, lambda: functools.partial(lambda f, x: f(x), delays())),
+        *(
+            lambda: Sum().__call__,
+            lambda: functools.partial(lambda f, x: f(x), delays()),
+        ),
     ],
 )
 def test_what_a_function_of_an_object_keeps_is_left_as_it_was(make, holder):
     def system():
-        inner, own = control.nlsys(lambda t, x, u, p: f(x), states=1, inputs=0, dt=1), Plant()
+        inner, own = (
+            control.nlsys(lambda t, x, u, p: f(x), states=1, inputs=0, dt=1),
+            Plant(),
+        )
         own.f = f = make()
-        held = {"object": lambda t, x: own.f(x), "system": lambda t, x: inner.dynamics(t, x, [])}
-        return control.nlsys(lambda t, x, u, p: 0.5 * x + held[holder](t, x), states=1, dt=1)
+        held = {
+            "object": lambda t, x: own.f(x),
+            "system": lambda t, x: inner.dynamics(t, x, []),
+        }
+        return control.nlsys(
+            lambda t, x, u, p: 0.5 * x + held[holder](t, x), states=1, dt=1
+        )
 
     times = np.arange(6)
     found = clpt.simulate(system(), times, initial_state=[1.0])
@@ -294,7 +329,9 @@ def test_a_function_that_a_system_has_from_around_its_own_is_machine_code():
         return np.array([x[1], -np.sin(x[0])])
 
     swing = control.nlsys(lambda t, x, u, p: turned(x), states=2, inputs=0)
-    back = control.nlsys(lambda t, x, u, p: -swing.dynamics(t, x, []), states=2, inputs=0)
+    back = control.nlsys(
+        lambda t, x, u, p: -swing.dynamics(t, x, []), states=2, inputs=0
+    )
     run = clpt.simulate(back, [0.0, 1.0], initial_state=[1.0, 0.3])
     assert run.attrs["engine"] == "native"
 
@@ -321,7 +358,8 @@ SERIES = pd.Series({"a": 0.5, "b": 2.0})  # which finds its places once
 
 
 @pytest.mark.parametrize(
-    "function", [dates, Plant().response, lambda t, x, u, p: SERIES["b"] * u[0] - SERIES.a]
+    "function",
+    [dates, Plant().response, lambda t, x, u, p: SERIES["b"] * u[0] - SERIES.a],
 )
 def test_what_is_kept_and_not_read_or_computed_once_may_be(function):
     block = static(function)
@@ -341,7 +379,9 @@ def test_a_log_of_numbers_runs_in_python_and_stays_a_log():
 
     system = control.nlsys(logged, inputs=0, outputs=1, states=1, name="logged")
     for _ in range(2):
-        with pytest.warns(UserWarning, match="logged keeps what its next call reads, in a list"):
+        with pytest.warns(
+            UserWarning, match="logged keeps what its next call reads, in a list"
+        ):
             found = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
         assert found.attrs["engine"] == "python"
     assert all(type(one) is float for one in log)

@@ -12,7 +12,13 @@ from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.model.vectorized import leaf_values
 from clpt_control.engine.trace.arrays import Unread
 
-STATES = [0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [2.5, 1.5, -3.0]
+STATES = (
+    [0.3, -0.7, 2.0],
+    [-1.2, 0.4, -0.1],
+    [1.0, 1.0, 1.0],
+    [0.0, 0.0, 0.0],
+    [2.5, 1.5, -3.0],
+)
 POINTS = [
     (t, x, u)
     for t, x in zip([0.0, 2.5, 3.0, 7.0, 1.0], STATES, strict=True)
@@ -24,7 +30,11 @@ def block_of(function, params):
     """Return a block of the function's outputs, as python-control would have them."""
     size = np.size(function(*map(np.array, POINTS[0]), dict(params)))
     ports = {"inputs": 2, "outputs": size, "states": 3, "params": params}
-    return wiring_of(control.nlsys(lambda t, x, u, p: 0.0 * x, function, **ports)).nodes[0].system
+    return (
+        wiring_of(control.nlsys(lambda t, x, u, p: 0.0 * x, function, **ports))
+        .nodes[0]
+        .system
+    )
 
 
 @pytest.mark.parametrize("name", READ)
@@ -33,9 +43,13 @@ def test_numbers_of_every_kind_are_as_python_has_them(name):
     record = block.array_record("output")
     for t, x, u in POINTS:
         x, u = np.array(x), np.array(u)
-        found = record.values(leaf_values(block, t, x, u, block.parameters), block.sizes)
+        found = record.values(
+            leaf_values(block, t, x, u, block.parameters), block.sizes
+        )
         with np.errstate(all="ignore"):
-            wanted = np.ravel(np.asarray(READ[name](t, x.copy(), u.copy(), dict(PARAMS)), float))
+            wanted = np.ravel(
+                np.asarray(READ[name](t, x.copy(), u.copy(), dict(PARAMS)), float)
+            )
         np.testing.assert_allclose(np.ravel(found), wanted, rtol=1e-13, atol=1e-13)
 
 

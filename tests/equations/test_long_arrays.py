@@ -45,7 +45,10 @@ ARRAYS = {
     "np.diff of np.pad": (lambda x: np.diff(np.pad(x, 1, mode="edge"), n=2), 14),
     "a shift": (lambda x: np.r_[x[1:] * x[0], x[:1]], 12),
     "a grid": (grid, 130),
-    "points of a plane": (lambda x: (x.reshape(-1, 2) @ [[0.0, 1.0], [-1.0, 0.0]]).ravel(), 16),
+    "points of a plane": (
+        lambda x: (x.reshape(-1, 2) @ [[0.0, 1.0], [-1.0, 0.0]]).ravel(),
+        16,
+    ),
 }
 
 
@@ -64,7 +67,10 @@ def looped(x):
 
 
 def coupled(x):
-    return [0.1 * i + sum(np.sin(x[j] - x[i]) for j in range(N) if j != i) / N for i in range(N)]
+    return [
+        0.1 * i + sum(np.sin(x[j] - x[i]) for j in range(N) if j != i) / N
+        for i in range(N)
+    ]
 
 
 A = np.random.default_rng(1).normal(size=(N, N))
@@ -95,7 +101,9 @@ TERMS = {
     "truth": lambda x, i: x[i] > 0.0,
     "row": lambda x, i: np.array([x[i], 1.0, x[i - 1]]) @ x[:3],
 }
-RUNS = st.lists(st.tuples(st.sampled_from([*TERMS]), st.integers(1, 2 * N)), min_size=1, max_size=6)
+RUNS = st.lists(
+    st.tuples(st.sampled_from([*TERMS]), st.integers(1, 2 * N)), min_size=1, max_size=6
+)
 
 
 @settings(deadline=None, max_examples=40)
@@ -114,7 +122,9 @@ def test_any_mixture_is_as_python_runs_it(runs, rows):
 def test_a_large_scalar_program_gives_the_numbers_of_slices():
     n = 500
     start, times = np.sin(np.arange(n)), [0.0, 0.5, 1.0]
-    compiled = [clpt.native.compile(block_of(function, n)) for function in (looped, by_slices)]
+    compiled = [
+        clpt.native.compile(block_of(function, n)) for function in (looped, by_slices)
+    ]
     components = [len(native.code.program.components) for native in compiled]
     assert components[0] > UNOPTIMISED > 100 * components[1]
     scalar, array = (native.run(start, times).x for native in compiled)

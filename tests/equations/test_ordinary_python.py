@@ -16,7 +16,9 @@ from clpt_control.engine.trace.arrays import Unread
 
 TABLE = [1.0, 2.0, 4.0]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])
-PLATE = SimpleNamespace(drag=np.array([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.0]]))
+PLATE = SimpleNamespace(
+    drag=np.array([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.0]])
+)
 SAIL = namedtuple("Sail", "plate drag")(PLATE, PLATE.drag.T - 1.0)
 ENDS = SimpleNamespace(low=-0.5, high=0.5)
 KNOTS = np.linspace(-3.0, 3.0, 9)
@@ -25,9 +27,17 @@ BENT = [
     interp1d(KNOTS, CURVE, kind=kind, fill_value="extrapolate")
     for kind in ("slinear", "quadratic", "cubic")
 ]
-SHORT = interp1d([0, 1, 2, 3], [[0, 2], [1, 0], [4, 1], [2, 3]], "cubic", axis=0, fill_value=7)
+SHORT = interp1d(
+    [0, 1, 2, 3], [[0, 2], [1, 0], [4, 1], [2, 3]], "cubic", axis=0, fill_value=7
+)
 FILLED = interp1d(KNOTS / 5, CURVE, kind=3, bounds_error=False, fill_value=(7.0, -2.0))
-POINTS = ([0.3, -0.7, 2.0], [-1.2, 0.4, -0.1], [1.0, 1.0, 1.0], [2.5, 0.5, 0.2], [0.0, 0.0, 0.0])
+POINTS = (
+    [0.3, -0.7, 2.0],
+    [-1.2, 0.4, -0.1],
+    [1.0, 1.0, 1.0],
+    [2.5, 0.5, 0.2],
+    [0.0, 0.0, 0.0],
+)
 AT = np.clip(np.random.default_rng(1).normal(size=(12, 3)) * 2, -2.9, 2.9)
 
 
@@ -49,18 +59,34 @@ def says_divided(t, x, u, p):
     low, *_, high = sorted([u[0], u[1], 0.3])
     whole, rest = divmod(u[2], 2.0)
     several = any([u[0] > 0, u[1] > 0]) and all(v < 2 for v in u)
-    return [low + rest, high + whole + several, TABLE[min(np.searchsorted([0.0, 0.5], u[0]), 1)]]
+    return [
+        low + rest,
+        high + whole + several,
+        TABLE[min(np.searchsorted([0.0, 0.5], u[0]), 1)],
+    ]
 
 
 def says_math(t, x, u, p):
-    y = math.sqrt(u[0] ** 2 + 1) + math.copysign(2.0, u[1]) + math.fmod(u[2], 0.7) + exp(-1.0)
-    return y + math.degrees(u[0]) + math.dist([u[0], 0.0], [0.0, u[1]]) + math.floor(u[2])
+    y = (
+        math.sqrt(u[0] ** 2 + 1)
+        + math.copysign(2.0, u[1])
+        + math.fmod(u[2], 0.7)
+        + exp(-1.0)
+    )
+    return (
+        y + math.degrees(u[0]) + math.dist([u[0], 0.0], [0.0, u[1]]) + math.floor(u[2])
+    )
 
 
 def says_columns(t, x, u, p):
     A = np.outer(u, [1.0, 2.0])
     M = np.reshape([*u, 1.0], (2, 2), order="F")
-    return [*A.ravel("F"), *M.flatten(order="F"), *M[0], *(A.T @ A).reshape(4, order="F")]
+    return [
+        *A.ravel("F"),
+        *M.flatten(order="F"),
+        *M[0],
+        *(A.T @ A).reshape(4, order="F"),
+    ]
 
 
 def says_objects(t, x, u, p):
@@ -113,7 +139,12 @@ class Hull:
 
     def rows(self, t, x, u, p):
         k = int(abs(u[0]))
-        return [self.angles[k], self.angles[-1 - k] / 2, self.gears[k % 3], self.slopes[20 * k]]
+        return [
+            self.angles[k],
+            self.angles[-1 - k] / 2,
+            self.gears[k % 3],
+            self.slopes[20 * k],
+        ]
 
     def within(self, t, x, u, p):
         return u * self.rudder.angles[int(abs(u[1]))]
@@ -143,7 +174,9 @@ def held(place, speed, ends):
 
 FUNCTIONS = {name: f for name, f in dict(globals()).items() if name.startswith("says_")}
 FUNCTIONS |= {
-    "builtins": lambda t, x, u, p: sum(u) + sorted(u)[1] + round(u[0]) + math.prod(map(abs, u)),
+    "builtins": lambda t, x, u, p: (
+        sum(u) + sorted(u)[1] + round(u[0]) + math.prod(map(abs, u))
+    ),
     "gear": lambda t, x, u, p: [0.5, 0.25, 0.125][int(np.clip(u[2], 0.0, 2.0))] * u[0],
     "ways that can be": lambda t, x, u, p: (
         held(u[0], u[1], ENDS) + (2 if u[2] > 0.1 else 3) * held(u[2], u[0] + t, ENDS)
@@ -153,7 +186,9 @@ FUNCTIONS |= {
     "a namespace": lambda t, x, u, p: PLATE.drag.dot(u),
     "a named tuple": lambda t, x, u, p: SAIL.drag.dot(u) - SAIL.plate.drag[1].dot(u),
     "whole numbers": lambda t, x, u, p: WHOLE.dot(u) + WHOLE[1] // 2,
-    **{name: getattr(Hull(), name) for name in ("tables", "rows", "within", "matrices")},
+    **{
+        name: getattr(Hull(), name) for name in ("tables", "rows", "within", "matrices")
+    },
     "an object": Motor(0.5),
 }
 
@@ -207,14 +242,18 @@ def cached(v):
 
 
 HELPED = {
-    "held": lambda t, x, u, p: [functools.partial(limited, low=-0.2)(v, high=0.5) for v in u],
+    "held": lambda t, x, u, p: [
+        functools.partial(limited, low=-0.2)(v, high=0.5) for v in u
+    ],
     "within": lambda t, x, u, p: [thrust(v) for v in u],
     "two numbers": lambda t, x, u, p: [a * b for a, b in map(halves, u)],
     "errors": lambda t, x, u, p: [caught(v) for v in u],
     "places": lambda t, x, u, p: [TABLE[gear(v)] * v for v in u],
     "counts": lambda t, x, u, p: [sum(u[: gear(abs(v))]) for v in u],
     "truths": lambda t, x, u, p: [1.0 if high(v) else v for v in u],
-    "asked before": lambda t, x, u, p: [limited(v) if v > 1.0 else 2 * limited(v) for v in u],
+    "asked before": lambda t, x, u, p: [
+        limited(v) if v > 1.0 else 2 * limited(v) for v in u
+    ],
     "a cache": lambda t, x, u, p: [cached(float(v)) for v in u],
 }
 
@@ -248,5 +287,7 @@ def test_helpers_of_helpers_of_helpers_end_in_a_sentence():
         return more(v) + more(4 * v) * more(5 * v)
 
     block = static(lambda t, x, u, p: [most(v) + most(v + 9) for v in u], 1, 1)
-    with pytest.raises(Unread, match="has helpers in helpers, of more than 10000 execution paths"):
+    with pytest.raises(
+        Unread, match="has helpers in helpers, of more than 10000 execution paths"
+    ):
         block.array_record("output")

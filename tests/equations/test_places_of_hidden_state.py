@@ -251,8 +251,13 @@ def in_an_alias():
 
 PLACES = {
     **{one.__name__: lambda one=one: one for one in (in_a_file, in_an_opened_file)},
-    **{one.__name__: lambda one=one: one for one in (in_the_environment, in_the_context)},
-    **{one.__name__: lambda one=one: one for one in (in_math, in_builtins, in_an_alias)},
+    **{
+        one.__name__: lambda one=one: one
+        for one in (in_the_environment, in_the_context)
+    },
+    **{
+        one.__name__: lambda one=one: one for one in (in_math, in_builtins, in_an_alias)
+    },
     "in the limit of recursion": lambda: in_the_limit,
     "a ctypes number": lambda: of_attribute(ctypes.c_double(0.0), "value"),
     "a ctypes array": lambda: of_item((ctypes.c_double * 1)(), 0),
@@ -284,11 +289,18 @@ PLACES = {
     "an object that is called": lambda: Meter(),
     "a property": lambda: (lambda meter: lambda: meter.read)(Meter()),
     "a cached property": lambda: (lambda meter: of_item(meter.cache, 0))(Meter()),
-    "a cached property, later": lambda: (lambda meter: lambda: of_cache(meter))(Meter()),
-    "an attribute that is made up": lambda: (lambda meter: lambda: meter.made_up)(Meter()),
+    "a cached property, later": lambda: (lambda meter: lambda: of_cache(meter))(
+        Meter()
+    ),
+    "an attribute that is made up": lambda: (lambda meter: lambda: meter.made_up)(
+        Meter()
+    ),
     "an iterator": lambda: (lambda held: lambda: next(held) + 1)(itertools.count()),
     **{one.__name__: one for one in (in_a_generator, in_an_imported_module, in_a_cell)},
-    **{one.__name__: one for one in (in_defaults, in_new_defaults, in_a_cache, by_a_decorator)},
+    **{
+        one.__name__: one
+        for one in (in_defaults, in_new_defaults, in_a_cache, by_a_decorator)
+    },
 }
 LOCAL = threading.local()
 
@@ -326,7 +338,9 @@ def test_a_function_that_counts_its_calls_runs_in_python(place, tmp_path, monkey
             rate = lambda t, x, u, p: [-x[0] if count() < MOST else 0.0]  # noqa: E731
             tank = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="tank")
             with pytest.warns(UserWarning, match=r"^tank runs in Python") as caught:
-                run = clpt.simulate(tank, np.linspace(0.0, 3.0, 301), initial_state=[1.0])
+                run = clpt.simulate(
+                    tank, np.linspace(0.0, 3.0, 301), initial_state=[1.0]
+                )
         finally:
             sys.setrecursionlimit(LIMIT)
     assert len(caught) == 1

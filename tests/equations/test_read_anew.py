@@ -66,7 +66,11 @@ class Tank(Vessel):
         return self.loss * level
 
     def rate(self, t, x, u, params):
-        held = self.table[1] * self.parts["valve"][0] / (self.area * self.width * PLACE.width)
+        held = (
+            self.table[1]
+            * self.parts["valve"][0]
+            / (self.area * self.width * PLACE.width)
+        )
         held *= self.pump.head * self.more.pump.head * helper(LEVEL)
         return super().rate(self.drained(self.scaled(x[0])), held)
 
@@ -141,7 +145,9 @@ def counts(t, x, u, p):
 
 
 def test_a_parameter_is_fixed_only_where_python_needs_its_value():
-    block = static(counts, parameters={"count": 2.0, "v": np.array([1.0, 2.0, 3.0]), "gain": 0.5})
+    block = static(
+        counts, parameters={"count": 2.0, "v": np.array([1.0, 2.0, 3.0]), "gain": 0.5}
+    )
     for change in ({}, {"count": 3.0}, {"gain": 2.0}):
         block.parameters = block.parameters._replace(**change)
         as_it_runs(block, "output", 0.0, [], POINTS[0])
@@ -165,6 +171,9 @@ OF_PARAMETERS = {  # what no record holds of signals
 def test_what_parameters_alone_decide_is_computed_by_numpy(name):
     p = {"A": np.array([[2.0, 0.5], [0.5, 3.0]]), "gain": 0.5, "count": 7.0}
     block = static(OF_PARAMETERS[name], parameters=p)
-    for change in ({}, {"A": np.array([[1.0, 0.2], [0.2, 4.0]]), "gain": 1.5, "count": 2.0}):
+    for change in (
+        {},
+        {"A": np.array([[1.0, 0.2], [0.2, 4.0]]), "gain": 1.5, "count": 2.0},
+    ):
         block.parameters = block.parameters._replace(**change)
         as_it_runs(block, "output", 0.0, [], POINTS[0])

@@ -84,7 +84,9 @@ EFFECTS = {  # what the sentence names -> what happens
 
 def outside():
     """Return all that one of the functions could change."""
-    files = {str(path): path.is_file() and path.read_bytes() for path in Path().rglob("*")}
+    files = {
+        str(path): path.is_file() and path.read_bytes() for path in Path().rglob("*")
+    }
     process = Path.cwd(), dict(os.environ), sys.getrecursionlimit()
     chance = random.getstate(), np.random.get_state()[1].tolist()  # noqa: NPY002
     held = bytes(MEMORY[:]), NUMBER.value, FLAG.is_set(), np.geterr()
@@ -153,7 +155,10 @@ def shouts(t, x, u, p):
 
 
 def test_what_is_printed_and_logged_is_neither_when_traced(capfd, caplog, recwarn):
-    tank, before = control.nlsys(shouts, None, inputs=0, states=1, name="tank"), outside()
+    tank, before = (
+        control.nlsys(shouts, None, inputs=0, states=1, name="tank"),
+        outside(),
+    )
     run = clpt.simulate(tank, [0.0, 1.0], initial_state=[1.0])
     assert run.attrs["engine"] == "native"
     assert run.states[-1].item() == pytest.approx(np.exp(-1.0), rel=1e-6)
@@ -170,7 +175,9 @@ def test_a_path_that_exits_is_nan_and_control_c_ends_the_program():
             raise (SystemExit if p["exits"] else KeyboardInterrupt)
         return [-x[0]]
 
-    tank = control.nlsys(rate, None, inputs=0, outputs=1, states=1, params={"exits": 1.0})
+    tank = control.nlsys(
+        rate, None, inputs=0, outputs=1, states=1, params={"exits": 1.0}
+    )
     run = clpt.simulate(tank, [0.0, 1.0], initial_state=[0.4])
     assert run.states[-1].item() == pytest.approx(0.4 * np.exp(-1.0), rel=1e-6)
     with pytest.raises(clpt.SimulationError):
@@ -198,7 +205,9 @@ def test_a_module_that_a_branch_imports_is_not_run(folder, monkeypatch):
         return [-x[0]]
 
     tank = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="tank")
-    assert clpt.simulate(tank, [0.0, 1.0], initial_state=[1.0]).attrs["engine"] == "python"
+    assert (
+        clpt.simulate(tank, [0.0, 1.0], initial_state=[1.0]).attrs["engine"] == "python"
+    )
     assert not Path("imported").exists()
     assert "module_with_effect" not in sys.modules
     assert not list(folder.rglob("*.pyc"))
@@ -206,7 +215,9 @@ def test_a_module_that_a_branch_imports_is_not_run(folder, monkeypatch):
 
 def test_a_pure_module_that_a_branch_imports_is_traced(folder, monkeypatch):
     monkeypatch.syspath_prepend(folder)
-    Path("pure_module.py").write_text("import math\n\n\ndef gain(x):\n    return math.cos(x)\n")
+    Path("pure_module.py").write_text(
+        "import math\n\n\ndef gain(x):\n    return math.cos(x)\n"
+    )
 
     def rate(t, x, u, p):
         from pure_module import gain
@@ -214,4 +225,6 @@ def test_a_pure_module_that_a_branch_imports_is_traced(folder, monkeypatch):
         return [-gain(0.0) * x[0] if x[0] > 0 else gain(x[0])]
 
     tank = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="tank")
-    assert clpt.simulate(tank, [0.0, 1.0], initial_state=[1.0]).attrs["engine"] == "native"
+    assert (
+        clpt.simulate(tank, [0.0, 1.0], initial_state=[1.0]).attrs["engine"] == "native"
+    )

@@ -69,7 +69,9 @@ U = [0.3, -0.7, 2.0]
 
 def marked_line(function):
     lines, first = inspect.getsourcelines(function)
-    return first + next(k for k, line in enumerate(lines) if line.rstrip().endswith("# here"))
+    return first + next(
+        k for k, line in enumerate(lines) if line.rstrip().endswith("# here")
+    )
 
 
 @pytest.mark.parametrize("function", LINES, ids=lambda f: f.__name__)
@@ -81,11 +83,15 @@ def test_unread_by_function_line_and_cause(function):
 
 
 def test_too_many_ways_are_not_read():
-    with pytest.raises(Unread, match="asks_too_often has more than 256 execution paths"):
+    with pytest.raises(
+        Unread, match="asks_too_often has more than 256 execution paths"
+    ):
         static(asks_too_often).array_record("output")
 
 
-@pytest.mark.parametrize("function", [solves, is_text, through_a_helper, asks_too_often])
+@pytest.mark.parametrize(
+    "function", [solves, is_text, through_a_helper, asks_too_often]
+)
 def test_what_is_not_read_runs_in_python(function):
     block = static(function)
     assert block.output(0.0, [], U) == run(block, "output", 0.0, [], U)
@@ -123,13 +129,19 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
 
 def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
     asked, trace = [], reading._traced
-    monkeypatch.setattr(reading, "_traced", lambda *given: asked.append(1) or trace(*given))
+    monkeypatch.setattr(
+        reading, "_traced", lambda *given: asked.append(1) or trace(*given)
+    )
 
     def waits(t, x, u, params):
         return -params["k"] * waits_for_a_signal(t, x, x, params)
 
-    halve = control.nlsys(waits, None, inputs=0, states=1, outputs=1, params={"k": 1.0}, name="h")
+    halve = control.nlsys(
+        waits, None, inputs=0, states=1, outputs=1, params={"k": 1.0}, name="h"
+    )
     for params, count in ((None, 1), (None, 1), ({"k": 0.7}, 2), ({"k": 0.7}, 2)):
-        with pytest.warns(UserWarning, match="h runs in Python.*no `while` on a signal"):
+        with pytest.warns(
+            UserWarning, match="h runs in Python.*no `while` on a signal"
+        ):
             run = clpt.simulate(halve, [0.0, 0.1], 0.0, [1.0], params)
         assert (len(asked), run.attrs["engine"]) == (count, "python")

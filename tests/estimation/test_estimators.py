@@ -13,7 +13,12 @@ from clpt_control.estimation import FixModel, Priors
 from clpt_control.estimation.dive import Dive, mid_time
 from clpt_control.estimation.estimators import ESTIMATORS
 from clpt_control.estimation.fix_model import inertial_frequency
-from clpt_control.estimation.gaussian_places import SPACING, Places, near, places_columns
+from clpt_control.estimation.gaussian_places import (
+    SPACING,
+    Places,
+    near,
+    places_columns,
+)
 from clpt_control.geodesy import place_from
 from clpt_control.replay import Replay, clpe_rms, replay_dataset, replay_dives, summary
 from clpt_control.scenario.tidal_periods import period
@@ -64,12 +69,16 @@ def test_against_the_previous_dives_current(case, most, count):
 
 @pytest.mark.parametrize("case", [{"walk": 0.03}, {"noise": 0.05}, {"flow": "M2"}])
 def test_ellipses_hold_what_they_promise(case):
-    inside = [summary(replay_dives(vehicle(seed, **case)))["inside_90"] for seed in range(4)]
+    inside = [
+        summary(replay_dives(vehicle(seed, **case)))["inside_90"] for seed in range(4)
+    ]
     assert 0.83 < np.mean(inside) <= 1
 
 
 def test_what_is_not_excited_is_held():
-    dives = [replace(d, dr_east=600.0, dr_north=300.0) for d in vehicle(1, 6, fix=400.0)]
+    dives = [
+        replace(d, dr_east=600.0, dr_north=300.0) for d in vehicle(1, 6, fix=400.0)
+    ]
     last = replay_dives(dives).steps[-1]
     assert {"speed", "compass"} <= set(last.not_learned)
     assert last.speed == pytest.approx(1, abs=0.02)
@@ -78,12 +87,19 @@ def test_what_is_not_excited_is_held():
 
 def test_the_coriolis_turn_is_right():
     stays = Priors(inertial_fading=math.inf)
-    model, dive = FixModel(("steady", "inertial"), False, priors=stays), vehicle(1, 1)[0]
+    model, dive = (
+        FixModel(("steady", "inertial"), False, priors=stays),
+        vehicle(1, 1)[0],
+    )
     dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
     for latitude, to_the_right in ((40.0, 1), (-40.0, -1)):  # clockwise in the north
         east, north = model.transition(dt, latitude)[2:, 2:] @ [1.0, 0.0]
-        assert (east, north) == pytest.approx((math.cos(w * dt), -to_the_right * math.sin(w * dt)))
-    assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(23.93, abs=0.005)
+        assert (east, north) == pytest.approx(
+            (math.cos(w * dt), -to_the_right * math.sin(w * dt))
+        )
+    assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(
+        23.93, abs=0.005
+    )
     t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)
     whole = trapezoid(np.cos(w * t), t)
     assert model.regressor(dive)[0, 2] == pytest.approx(whole, rel=1e-6)
@@ -188,12 +204,22 @@ def straight(number, start, way, dr, T=14400.0):
 
 def test_the_integral_is_that_of_the_error_function():
     a, d, s = np.array([-9e3, 4e3]), np.array([18e3, -12e3]), np.sqrt(2) * WIDTH
-    dive, cells, length = straight(0, a, (0.0, 0.0), d), ((0, 0), (1, 0), (-1, 1)), np.hypot(*d)
+    dive, cells, length = (
+        straight(0, a, (0.0, 0.0), d),
+        ((0, 0), (1, 0), (-1, 1)),
+        np.hypot(*d),
+    )
     found = places_columns(Places(40.0, 8.0, WIDTH, cells), dive)
     for k, cell in enumerate(cells):
         r = a - SPACING * WIDTH * np.array(cell)
         along, across = r @ d / length, (r[0] * d[1] - r[1] * d[0]) / length
-        whole = np.exp(-((across / s) ** 2)) * (np.sqrt(np.pi) / 2) * s / length * dive.duration
+        whole = (
+            np.exp(-((across / s) ** 2))
+            * (np.sqrt(np.pi) / 2)
+            * s
+            / length
+            * dive.duration
+        )
         whole *= erf((along + length) / s) - erf(along / s)
         assert found[:, 2 * k : 2 * k + 2] == pytest.approx(whole * np.eye(2), rel=1e-3)
 
@@ -213,7 +239,9 @@ def test_a_dives_end_is_used_only_after_it():
     places = near(None, dive, WIDTH)
     blind = replace(dive, gps_east=np.nan, gps_north=np.nan, lat_gpse=np.nan)
     assert np.array_equal(places_columns(places, dive), places_columns(places, blind))
-    assert not np.array_equal(places_columns(places, dive), places_columns(places, dive, True))
+    assert not np.array_equal(
+        places_columns(places, dive), places_columns(places, dive, True)
+    )
 
 
 def survey(seed, count=48, speed=0.3, T=14400.0):
@@ -232,7 +260,9 @@ def survey(seed, count=48, speed=0.3, T=14400.0):
     return dives
 
 
-SLOW = [pytest.param(name, 4, marks=pytest.mark.slow) for name in ("kalman", "gradient")]
+SLOW = [
+    pytest.param(name, 4, marks=pytest.mark.slow) for name in ("kalman", "gradient")
+]
 
 
 @pytest.mark.parametrize(("estimator", "count"), [("kalman", 1), *SLOW])
@@ -254,8 +284,13 @@ def test_places_are_fed_one_by_one_or_at_once():
     for dive in dives:
         single.step(dive)
         single.forecast(dives[-1])  # a far one: it must leave no trace
-    assert replay_dataset(single).identical(replay_dataset(replay_dives(dives, "kalman", model)))
-    assert max(abs(v) for k, v in single.known().items() if k.startswith("gaussian[")) > 0.02
+    assert replay_dataset(single).identical(
+        replay_dataset(replay_dives(dives, "kalman", model))
+    )
+    assert (
+        max(abs(v) for k, v in single.known().items() if k.startswith("gaussian["))
+        > 0.02
+    )
 
 
 WITH_MODEL = FixModel(("steady", "M2", "inertial", "model"))
@@ -271,7 +306,9 @@ def modelled(dives, ways):
 def test_a_flow_model_that_tells_is_used(estimator, most):
     """It is 0.8 times what carries the vehicle, and wrong by 50 m."""
     dives, rng = vehicle(2, walk=0.1), np.random.default_rng(0)
-    ways = [[0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives]
+    ways = [
+        [0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives
+    ]
     replay = replay_dives(modelled(dives, ways), estimator, WITH_MODEL)
     plain = clpe_rms(replay_dives(dives, estimator), 5)["adaptive"]
     assert clpe_rms(replay, 5)["adaptive"] < most * plain

@@ -16,7 +16,12 @@ from refusals import refuses
 import clpt_control as clpt
 from clpt_control.estimation import fix_to_fix
 from clpt_control.estimation import segments as between_fixes
-from clpt_control.estimation.fix_to_fix import METHODS, batch_least_squares, kalman, tomography
+from clpt_control.estimation.fix_to_fix import (
+    METHODS,
+    batch_least_squares,
+    kalman,
+    tomography,
+)
 from clpt_control.estimation.segments import Segments, run_segments
 
 estimate = clpt.estimation.flow_estimate
@@ -64,12 +69,17 @@ def dive(number, miss, hours=4.0, **more):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_uniform_flow_is_the_miss_over_the_duration(method):
-    dives = [dive(k, (0.2 * 3600 * h, -0.1 * 3600 * h), h) for k, h in enumerate((3, 5, 4), 1)]
+    dives = [
+        dive(k, (0.2 * 3600 * h, -0.1 * 3600 * h), h)
+        for k, h in enumerate((3, 5, 4), 1)
+    ]
     basis, _ = clpt.estimation.dive_basis(dives, width=None)
     found = estimate(dives, method, basis=basis, prior=1e6)
     np.testing.assert_allclose(found.theta, [[0.2], [-0.1]], atol=1e-9)
     np.testing.assert_allclose(found.misses, 0, atol=1e-4)
-    np.testing.assert_allclose(found.miss(dives[1]), [0.2 * 18000, -0.1 * 18000], atol=1e-3)
+    np.testing.assert_allclose(
+        found.miss(dives[1]), [0.2 * 18000, -0.1 * 18000], atol=1e-3
+    )
     np.testing.assert_allclose(found.steps[-1], found.theta)
 
 
@@ -106,7 +116,9 @@ def test_the_filter_of_one_function_is_its_closed_form():
     _, P, _ = kalman(*given, np.array([0.2]))
     Q, h = 0.04 * 2.0, 2.0
     ahead = (Q + np.sqrt(Q**2 + 4 * Q * 0.25 / h**2)) / 2
-    np.testing.assert_allclose(P, ahead - (ahead * h) ** 2 / (0.25 + ahead * h**2), rtol=1e-9)
+    np.testing.assert_allclose(
+        P, ahead - (ahead * h) ** 2 / (0.25 + ahead * h**2), rtol=1e-9
+    )
 
 
 @seed(4)
@@ -121,7 +133,10 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
     one = kalman(segments, LINEAR, start, sd, r, np.zeros(3))
     np.testing.assert_allclose(one[0][-1], batch[0][-1], atol=1e-7)
     np.testing.assert_allclose(one[1], batch[1], atol=1e-7)
-    h, y = batch[2] / r[:, None], segments.miss / r[:, None]  # another way: normal equations
+    h, y = (
+        batch[2] / r[:, None],
+        segments.miss / r[:, None],
+    )  # another way: normal equations
     P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ h)
     np.testing.assert_allclose(fix_to_fix.regularised(h, y, start, sd)[1], P, atol=1e-9)
     np.testing.assert_allclose(batch[0][-1], (start / sd**2 + y.T @ h) @ P, atol=1e-7)
@@ -130,7 +145,9 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
 @pytest.fixture(scope="module")
 def lap():
     """One cycle of the paper's scenario, recorded each 0.2."""
-    return clpt.simulate(PAPER.with_values({"run.duration": 200, "run.output_step": 0.2}))
+    return clpt.simulate(
+        PAPER.with_values({"run.duration": 200, "run.output_step": 0.2})
+    )
 
 
 def test_the_filter_is_causal(lap):
@@ -164,7 +181,9 @@ def test_an_estimate_feeds_the_known_flow_law(lap):
     base = PAPER.with_values({"learning.gain": None, "learning.gains": each})
     assert known(base, THETA).learning.gains.feedback == 0.3
     constant = {"adapt_gains": False, "feedback": [1, 1], "feedforward": [1, 1]}
-    base = PAPER.with_values({f"learning.{key}": value for key, value in constant.items()})
+    base = PAPER.with_values(
+        {f"learning.{key}": value for key, value in constant.items()}
+    )
     assert known(base, THETA).learning.gain is None
     run = clpt.simulate(fed.with_values({"run.duration": 1000}))
     last = run.clpe.sel(time=slice(800, 1000)).values
@@ -180,7 +199,9 @@ def test_a_forecast_does_not_read_the_end_of_its_dive():
     np.testing.assert_array_equal(found.miss(other), found.miss(last))
     assert np.linalg.norm(found.miss(last)) > 100
     left = [[d.miss_east, d.miss_north] - found.miss(d) for d in dives[:4]]
-    np.testing.assert_allclose(found.misses, left, atol=0.1)  # settled: what the track misses by
+    np.testing.assert_allclose(
+        found.misses, left, atol=0.1
+    )  # settled: what the track misses by
 
 
 def test_a_tide_takes_two_functions():
@@ -193,8 +214,14 @@ def test_a_tide_takes_two_functions():
 
 def test_what_is_not_allowed_is_said(lap):
     for change, said in (
-        ({"method": "guess"}, "'guess': must be one of least-squares, kalman, tomography"),
-        ({"every": -1.0}, r"every = -1: must be positive, at most the run's length, 200 s"),
+        (
+            {"method": "guess"},
+            "'guess': must be one of least-squares, kalman, tomography",
+        ),
+        (
+            {"every": -1.0},
+            r"every = -1: must be positive, at most the run's length, 200 s",
+        ),
         ({"every": 300.0}, "every = 300: must be positive, at most"),
         ({"prior": 0.0}, "prior: must be a positive number, or 3 of them"),
         ({"noise": [1.0, 2.0]}, "noise: must be a positive number, or 100 of them"),
@@ -232,15 +259,26 @@ def test_dives_that_tell_too_little_are_refused():
         ([dive(1, (np.nan, 0))], {"basis": basis}, "is not finite"),
     ):
         refuses(said, estimate, dives, error=clpt.ClptError, **more)
-    for more, said in (((-1.0,), "width = -1 m: must be positive"), ((None, ()), "no function")):
+    for more, said in (
+        ((-1.0,), "width = -1 m: must be positive"),
+        ((None, ()), "no function"),
+    ):
         refuses(said, clpt.estimation.dive_basis, one, *more, error=clpt.ScenarioError)
 
 
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
     monkeypatch.setattr(fix_to_fix, "MOST", 10)
-    segments = turning(np.random.default_rng(5), 2, w=3.0)  # it turns twice between two fixes
+    segments = turning(
+        np.random.default_rng(5), 2, w=3.0
+    )  # it turns twice between two fixes
     given = np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0
-    refuses("does not settle in 10 iterations|not finite", tomography, segments, LINEAR, *given)
+    refuses(
+        "does not settle in 10 iterations|not finite",
+        tomography,
+        segments,
+        LINEAR,
+        *given,
+    )
 
 
 # --- fixes with noise, one each or one for several of them
@@ -248,9 +286,13 @@ def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
 
 def shared(random, n, **more):
     """Segments whose misses share fixes, and the covariance of the misses for r = 1."""
-    segments = turning(random, n)._replace(end=random.normal(size=(n, 2)), alone=0.3, **more)
+    segments = turning(random, n)._replace(
+        end=random.normal(size=(n, 2)), alone=0.3, **more
+    )
     noise_period = more.get("noise_period", 4.0)  # the segments are 4 long
-    noises = np.floor(np.minimum(4.0 * np.arange(n + 1), 4.0 * n - 1e-6) / noise_period).astype(int)
+    noises = np.floor(
+        np.minimum(4.0 * np.arange(n + 1), 4.0 * n - 1e-6) / noise_period
+    ).astype(int)
     read = np.eye(noises[-1] + 1)[noises] if "noise_period" in more else np.eye(n + 1)
     difference = np.diff(read, axis=0)
     return segments, 0.09 * np.eye(n) + (1 - 0.09) / 2 * difference @ difference.T
@@ -260,7 +302,10 @@ def shared(random, n, **more):
 def test_what_one_noise_does_to_several_misses_is_bounded(period):
     """phi = (1, x1, x2): a noise that lasts for t_s in segment s is off by t_s there, C = t^T t."""
     segments = turning(np.random.default_rng(9), 9)._replace(noise_period=period)
-    ends, noises = 4.0 * np.arange(10), period * np.arange(int(40 / period) + 1)[:, None]
+    ends, noises = (
+        4.0 * np.arange(10),
+        period * np.arange(int(40 / period) + 1)[:, None],
+    )
     t = np.diff(np.clip(ends, noises, noises + period))
     bound = np.trace(segments.blur(LINEAR), axis1=1, axis2=2) / 2  # of either axis
     assert np.linalg.eigvalsh(1.1 * np.diag(bound) - t.T @ t).min() > 0
@@ -268,7 +313,9 @@ def test_what_one_noise_does_to_several_misses_is_bounded(period):
         np.testing.assert_allclose(bound, np.sum(t**2, axis=0), rtol=0.15)
 
 
-@pytest.mark.parametrize("more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str)
+@pytest.mark.parametrize(
+    "more", [{}, {"noise_period": 8.0}, {"noise_period": 10.0}], ids=str
+)
 def test_misses_that_share_a_fix_are_weighed_as_gauss_and_markov_say(more, monkeypatch):
     monkeypatch.setattr(Segments, "blur", lambda self, basis: np.zeros((9, 3, 3)))
     segments, C = shared(np.random.default_rng(8), 9, **more)
@@ -302,7 +349,10 @@ def test_95_percent_are_95_percent_where_fixes_have_noise(every, alone):
         seen = segments._replace(**ends, track=segments.track)
         r = np.full(n, np.sqrt(2) * s)
         apart = seen._replace(alone=np.inf)
-        found = [fix_to_fix.generalised(one, h, np.zeros((2, 3)), sd, r) for one in (seen, apart)]
+        found = [
+            fix_to_fix.generalised(one, h, np.zeros((2, 3)), sd, r)
+            for one in (seen, apart)
+        ]
         shares.append([covered(*one) for one in found])
     right, wrong = np.mean(shares, axis=0)
     assert 0.93 < right < 0.97
@@ -333,9 +383,15 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     sd = {s: estimate(run, every=5.0).standard_deviation for s, run in noisy.items()}
     np.testing.assert_allclose(sd[0.04], 4 * sd[0.01], rtol=0.05)
     short = noisy[0.01].isel(time=slice(0, 401))
-    np.testing.assert_allclose(estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2)
-    found = [estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)]  # one noise in
-    assert np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95  # five segments
+    np.testing.assert_allclose(
+        estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2
+    )
+    found = [
+        estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)
+    ]  # one noise in
+    assert (
+        np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95
+    )  # five segments
     beside = read_with_noise(0, period=0.25)
     said = r"the noise each 0\.25 s; run it with a step"
     refuses(said, estimate, beside, error=clpt.ScenarioError)

@@ -23,7 +23,11 @@ NAMES = [f"f{k}" for k in range(9)]
 
 def functions(*centers):
     """A constant, cosine and sine of M2 at each place."""
-    rows = [(place, *of) for of in ((0, 0.0), (M2, 0.0), (M2, -np.pi / 2)) for place in centers]
+    rows = [
+        (place, *of)
+        for of in ((0, 0.0), (M2, 0.0), (M2, -np.pi / 2))
+        for place in centers
+    ]
     places, frequencies, phases = zip(*rows, strict=True)
     widths = np.full(len(rows), 10.0)
     return flow_basis("basis_x", "x", "gaussian", places, widths, frequencies, phases)
@@ -49,11 +53,24 @@ def test_residuals_are_orthogonal_and_their_figures_are_lengths():
 
 
 def test_functions_that_cannot_be_separated_are_named():
-    block, (t, x), one = functions((0.0, 0.0), (0.0, 0.0), (9.0, 0.0)), samples(), np.ones(400)
+    block, (t, x), one = (
+        functions((0.0, 0.0), (0.0, 0.0), (9.0, 0.0)),
+        samples(),
+        np.ones(400),
+    )
     for phi, said in (
-        (evaluate(block, t, x), "cannot separate the basis functions .*condition number"),
-        (np.column_stack([t, one, 2 * t]), "functions f0, f2: condition number .*longer record"),
-        (np.column_stack([one, 0 * one]), "basis functions f1: .* inf, .* another width"),
+        (
+            evaluate(block, t, x),
+            "cannot separate the basis functions .*condition number",
+        ),
+        (
+            np.column_stack([t, one, 2 * t]),
+            "functions f0, f2: condition number .*longer record",
+        ),
+        (
+            np.column_stack([one, 0 * one]),
+            "basis functions f1: .* inf, .* another width",
+        ),
     ):
         refuses(said, least_squares, phi, np.ones((len(phi), 2)), NAMES)
 
@@ -96,10 +113,19 @@ def test_a_filter_is_the_gaussian_process_of_all_dives(kind):
     """The same problem, solved at once with the covariance of each pair of dives."""
     priors = Priors(kinds=(kind,), speed_fading=3e6)
     model = FixModel(("steady", "M2"), priors=priors)
-    dives, kept = vehicle(3, 8, walk=0.02), (priors.tide_fading, 3e6, priors.compass_fading)
+    dives, kept = (
+        vehicle(3, 8, walk=0.02),
+        (priors.tide_fading, 3e6, priors.compass_fading),
+    )
     left = dict(zip(("tides", "speed", "compass"), kept, strict=True))
-    H, t = [model.regressor(dive) for dive in dives], np.array([mid_time(d) for d in dives])
-    fading, y = [left.get(p, np.inf) for p in model.parts], np.concatenate([miss(d) for d in dives])
+    H, t = (
+        [model.regressor(dive) for dive in dives],
+        np.array([mid_time(d) for d in dives]),
+    )
+    fading, y = (
+        [left.get(p, np.inf) for p in model.parts],
+        np.concatenate([miss(d) for d in dives]),
+    )
 
     def among(one, other):
         k, j = H[one], H[other]
@@ -110,7 +136,10 @@ def test_a_filter_is_the_gaussian_process_of_all_dives(kind):
     K = np.block([[among(i, j) for j in range(8)] for i in range(8)])
     noise = np.repeat([model.noise(dive, kind.scatter) for dive in dives], 2)
     known = np.linalg.inv(K[:14, :14] + np.diag(noise[:14]))
-    mean, covariance = K[14:, :14] @ known @ y[:14], K[14:, 14:] - K[14:, :14] @ known @ K[:14, 14:]
+    mean, covariance = (
+        K[14:, :14] @ known @ y[:14],
+        K[14:, 14:] - K[14:, :14] @ known @ K[:14, 14:],
+    )
     bank = taught(model, dives[:-1])
     with_it = np.flatnonzero(bank.present[:, 0])[0]
     _, _, found, P = bank.ahead(dives[-1])
@@ -168,13 +197,21 @@ def test_the_probability_of_a_speed_factor_is_that_of_its_evidence(factor):
 
 
 @pytest.mark.parametrize(
-    ("flow", "there", "absent"), [("M2", "tides", "inertial"), ("inertial", "inertial", "tides")]
+    ("flow", "there", "absent"),
+    [("M2", "tides", "inertial"), ("inertial", "inertial", "tides")],
 )
 def test_parts_that_are_there_are_found(flow, there, absent):
     wrong = []
     for seed in range(3):
         parts = replay_dives(vehicle(seed, 40, flow=flow, noise=0.01)).steps[-1].parts
-        assert set(parts) == {"tides", "inertial", "trend", "eddies", "speed", "compass"}
+        assert set(parts) == {
+            "tides",
+            "inertial",
+            "trend",
+            "eddies",
+            "speed",
+            "compass",
+        }
         assert all(0 <= p <= 1 for p in parts.values())
         assert parts[there] > 0.9
         wrong.append(parts[absent])

@@ -9,7 +9,17 @@ from contextlib import suppress
 import netCDF4
 import numpy as np
 import pytest
-from glider_dialects import CTD, EPOCH, INFO, SWUM, M, basestation, basestation3, fixes, swim
+from glider_dialects import (
+    CTD,
+    EPOCH,
+    INFO,
+    SWUM,
+    M,
+    basestation,
+    basestation3,
+    fixes,
+    swim,
+)
 from refusals import refuses
 from slocum_bytes import CRC, cac, segment
 
@@ -33,7 +43,10 @@ def gps(**changed):
     """Return the fixes of dive 7, one of them changed: lat=(1, 0.0)."""
     columns = {"time": times, "lat": lats, "lon": lons}
     columns |= {name: at(columns[name], *change) for name, change in changed.items()}
-    return {f"log_gps_{k}": (INFO, a, EPOCH if k == "time" else {}) for k, a in columns.items()}
+    return {
+        f"log_gps_{k}": (INFO, a, EPOCH if k == "time" else {})
+        for k, a in columns.items()
+    }
 
 
 def stepped(place, value):
@@ -46,7 +59,9 @@ def timed(numbers, units=EPOCH):
 
 
 TWO_FIXES = {f"log_gps_{k}": (("two",), [0.0, 1.0], {}) for k in ("time", "lat", "lon")}
-NO_CLIMB = timed(times[1] + since / 2) | {"ctd_depth": (CTD, np.linspace(0, 400, 1800), M)}
+NO_CLIMB = timed(times[1] + since / 2) | {
+    "ctd_depth": (CTD, np.linspace(0, 400, 1800), M)
+}
 NOT_USED = [  # a share of the file, its bytes, a missing variable, or those that are changed
     *((share, "cannot be read") for share in (0.1, 0.6, 0.999)),
     (b"C", "no column dive, "),
@@ -64,7 +79,10 @@ NOT_USED = [  # a share of the file, its bytes, a missing variable, or those tha
     (TWO_FIXES, "2 fixes in log_gps_time"),
     ("log_gps_lon", "no variable log_gps_lon"),
     (timed(since, {"units": "fortnights since 1970-01-01"}), "'fortnights since"),
-    ({EAST: (CTD, steps[:, 0], {"units": "furlong"})}, "'furlong'; must be such as 'm'"),
+    (
+        {EAST: (CTD, steps[:, 0], {"units": "furlong"})},
+        "'furlong'; must be such as 'm'",
+    ),
     ({NORTH: (("two",), [1.0, 2.0], M)}, "differ in length"),
     (NORTH, "no variables east_displacement"),
     (stepped(slice(5, 305), np.inf), "300 of 1800 samples"),
@@ -82,7 +100,9 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(damage, why, tmp_pa
     basestation3(path, drop=[damage], **changed)
     if isinstance(damage, float | bytes):
         raw = path.read_bytes()
-        path.write_bytes(raw[: int(damage * len(raw))] if isinstance(damage, float) else damage)
+        path.write_bytes(
+            raw[: int(damage * len(raw))] if isinstance(damage, float) else damage
+        )
     found, unread = read_dives(tmp_path)
     used, unused = usable(found)
     assert [dive.number for dive in used] == [6, 8]
@@ -95,7 +115,9 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(damage, why, tmp_pa
         refuses("p1230007", read_dives, path)
 
 
-GLIDE_SLOPE = {f"{name}_gsm": (CTD, steps[:, k], M) for k, name in enumerate((EAST, NORTH))}
+GLIDE_SLOPE = {
+    f"{name}_gsm": (CTD, steps[:, k], M) for k, name in enumerate((EAST, NORTH))
+}
 NO_TIMES = "no track: no times in order with the dimension of east_displacement"
 OLD = "older than GPS1, which is taken as the fix before"
 REPAIRED = [  # what is changed, what is missing, what is said, and whether GPS1 stays
@@ -116,7 +138,9 @@ REPAIRED = [  # what is changed, what is missing, what is said, and whether GPS1
 
 @pytest.mark.parametrize(("changed", "drop", "said", "first"), REPAIRED)
 def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_path):
-    dive = read_dives(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[0][0]
+    dive = read_dives(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[0][
+        0
+    ]
     assert [one.number for one in usable([dive])[0]] == [7]
     assert said in "; ".join(dive.notes)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM), rel=1e-6)
@@ -144,7 +168,11 @@ def flipped(raw):
     return bytes(out)
 
 
-CUT, NO_HEADER, KNOWN = "cut short or damaged at byte", "damaged or cut short", b"sa\x12\x34"
+CUT, NO_HEADER, KNOWN = (
+    "cut short or damaged at byte",
+    "damaged or cut short",
+    b"sa\x12\x34",
+)
 SLOCUM = [
     (lambda raw: b"", "is empty"),
     (lambda raw: raw[:2], "no column dive"),
@@ -161,12 +189,24 @@ SLOCUM = [
     (lambda raw: bytes(len(raw)), "neither"),
     (lambda raw: raw[:3000] + b"?" + raw[3000:], ""),
     (flipped, ""),
-    (lambda raw: raw.replace(b"6b016a2e", b"0000dead", 1), "0000dead.cac was not found"),
+    (
+        lambda raw: raw.replace(b"6b016a2e", b"0000dead", 1),
+        "0000dead.cac was not found",
+    ),
     (lambda raw: raw.replace(b"6b016a2e", b"../../et", 1), "names no list of sensors"),
-    (lambda raw: raw.replace(b"sors:    27\n", b"sors:    99\n", 1), "no list of 99 sensors"),
+    (
+        lambda raw: raw.replace(b"sors:    27\n", b"sors:    99\n", 1),
+        "no list of 99 sensors",
+    ),
     (lambda raw: raw.replace(b"per_cycle:    7", b"per_cycle:    9", 1), "state bytes"),
-    (lambda raw: raw.replace(b"sensors:    27\n", b"sensors:    xx\n", 1), "total_num_sensors"),
-    (lambda raw: raw.replace(b"encoding_ver:    5", b"encoding_ver:    7", 1), "encoding '7'"),
+    (
+        lambda raw: raw.replace(b"sensors:    27\n", b"sensors:    xx\n", 1),
+        "total_num_sensors",
+    ),
+    (
+        lambda raw: raw.replace(b"encoding_ver:    5", b"encoding_ver:    7", 1),
+        "encoding '7'",
+    ),
     (lambda raw: b"dbd_label: no\n", NO_HEADER),
 ]
 
@@ -189,11 +229,14 @@ def test_a_damaged_segment_among_good_ones(rosie, damage, said):
     told = [one.why for one in skipped + left_out] + [n for d in used for n in d.notes]
     assert not said or any(said in line for line in told), told
     assert all("\n" not in one.why for one in skipped)
-    assert all(abs(d.dr_east) + abs(d.dr_north) < 5000 for d in used if d.number == 980002)
+    assert all(
+        abs(d.dr_east) + abs(d.dr_north) < 5000 for d in used if d.number == 980002
+    )
 
 
 @pytest.mark.parametrize(
-    "content", [b"", b"s: T 0 0 8 m_depth m\n", b"\xff\xfe" * 400, cac(["a"] * 27), "a pipe"]
+    "content",
+    [b"", b"s: T 0 0 8 m_depth m\n", b"\xff\xfe" * 400, cac(["a"] * 27), "a pipe"],
 )
 def test_a_damaged_list_is_named(rosie, content):
     path = rosie / "cac" / "6b016a2e.cac"
@@ -202,11 +245,21 @@ def test_a_damaged_list_is_named(rosie, content):
         os.mkfifo(path)
     else:
         path.write_bytes(content)
-    refuses(r"6b016a2e\.cac|state bytes|5 files: no dive|damaged", read_dives, rosie / "sbd")
+    refuses(
+        r"6b016a2e\.cac|state bytes|5 files: no dive|damaged", read_dives, rosie / "sbd"
+    )
 
 
 T0 = 1.7126e9
-NAMES = ("m_present_time", "m_gps_lat", "m_gps_lon", "m_lat", "m_lon", "m_depth", "m_heading")
+NAMES = (
+    "m_present_time",
+    "m_gps_lat",
+    "m_gps_lon",
+    "m_lat",
+    "m_lon",
+    "m_depth",
+    "m_heading",
+)
 
 
 def cycles(changed):
@@ -216,7 +269,11 @@ def cycles(changed):
         row = {"m_present_time": T0 + 60 * k, "m_depth": 0.0 if up else 40.0}
         row |= {"m_lat": 5136.0 + 0.01 * k, "m_lon": -12818.0, "m_heading": 0.0}
         row |= {"m_gps_lat": 5136.0 + 0.011 * k, "m_gps_lon": -12818.0} if up else {}
-        row |= {name: change(k, row[name]) for name, change in changed.items() if name in row}
+        row |= {
+            name: change(k, row[name])
+            for name, change in changed.items()
+            if name in row
+        }
         yield {name: value for name, value in row.items() if value is not None}
 
 

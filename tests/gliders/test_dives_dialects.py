@@ -18,7 +18,9 @@ from clpt_control.replay import replay_dives
 DATE_LINE = 180.0 - made.DRIFT / 2
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
 NO_STEPS = (*STEPS, "DAVG_CURR_EAST", "DAVG_CURR_NORTH")
-FIX = np.flatnonzero(np.isfinite(og1_rows()["LATITUDE_GPS"]))  # rows: GPS1, GPS2, GPSE of each dive
+FIX = np.flatnonzero(
+    np.isfinite(og1_rows()["LATITUDE_GPS"])
+)  # rows: GPS1, GPS2, GPSE of each dive
 TURNED = {"MAGNETIC_VARIATION": ((), made.VARIATION, {})}
 
 
@@ -34,7 +36,9 @@ def way(dive):
 def swam(dive):
     """Check a dive against the vehicle's displacement, its fixes, its current and its depth."""
     assert way(dive) == pytest.approx(made.SWUM, rel=1e-9)
-    assert (dive.gps_east, dive.gps_north) == pytest.approx((made.GPS_EAST, 0.0), abs=1e-5)
+    assert (dive.gps_east, dive.gps_north) == pytest.approx(
+        (made.GPS_EAST, 0.0), abs=1e-5
+    )
     assert dive.duration == made.DURATION
     mean = dive.miss_east / made.DURATION, dive.miss_north / made.DURATION
     assert mean == pytest.approx(made.current(), abs=1e-9)
@@ -46,7 +50,10 @@ def half_way(dive):
     """Check the track where half of the dive has passed."""
     time, east, north = dive.track
     assert (time[0], time[-1]) == (0.0, made.DURATION)
-    here = np.interp(made.DURATION / 2, time, east), np.interp(made.DURATION / 2, time, north)
+    here = (
+        np.interp(made.DURATION / 2, time, east),
+        np.interp(made.DURATION / 2, time, north),
+    )
     assert here == pytest.approx(made.VELOCITY * (made.DURATION / 2 - 60.0), abs=1.0)
 
 
@@ -56,13 +63,21 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
     dive = dives_in(make(tmp_path / "p1230007.nc", lon=lon))[0]
     assert swam(dive)
     half_way(dive)
-    assert (dive.number, dive.kind, dive.magvar, dive.notes) == (7, "Seaglider", made.VARIATION, ())
+    assert (dive.number, dive.kind, dive.magvar, dive.notes) == (
+        7,
+        "Seaglider",
+        made.VARIATION,
+        (),
+    )
     assert (dive.dac_east, dive.dac_north) == pytest.approx(made.current())
     assert usable([dive])[0] == [dive]
 
 
 def test_the_track_has_the_times_of_its_displacement(tmp_path):
-    for drop, first in ((), 60.5), (("ctd_time",), 60.0):  # ctd_time is half a second later
+    for drop, first in (
+        ((), 60.5),
+        (("ctd_time",), 60.0),
+    ):  # ctd_time is half a second later
         dive = dives_in(basestation(tmp_path / "a.nc", drop=drop))[0]
         assert dive.track[0][1] == pytest.approx(first, abs=1e-6)
 
@@ -72,7 +87,9 @@ def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
     risen = {"ctd_time": (made.CTD, made.T0 + 60000.0 + since, made.EPOCH)}
     dive = dives_in(basestation3(tmp_path / "risen.nc", **risen))[0]
     assert dive.dr_east == pytest.approx(made.SWUM[0])
-    down = {"ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)}  # still deep then
+    down = {
+        "ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)
+    }  # still deep then
     dive = dives_in(basestation3(tmp_path / "cut.nc", **risen, **down))[0]
     assert usable([dive])[0] == []
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
@@ -100,7 +117,11 @@ def test_og1_fixes_and_times_as_files_have_them(change, lon, tmp_path):
     columns = og1_rows(lon=lon)
     dives = mission(tmp_path, columns, **change(columns))
     assert [dive.number for dive in dives] == [1, 2, 3]
-    assert [dive.t_gps2 for dive in dives] == [made.T0, made.T0 + 10000, made.T0 + 20000]
+    assert [dive.t_gps2 for dive in dives] == [
+        made.T0,
+        made.T0 + 10000,
+        made.T0 + 20000,
+    ]
     for dive in dives:
         assert swam(dive)
         half_way(dive)
@@ -112,12 +133,18 @@ def test_og1_fixes_and_times_as_files_have_them(change, lon, tmp_path):
 def test_og1_dives_without_numbers_depth_or_phase(count, tmp_path):
     drop = ("divenum", "DEPTH", "PHASE")[:count]
     # two more fixes at the surface, behind GPSE of the first dive
-    columns = {name: np.insert(a, [FIX[2] + 1] * 2, a[FIX[2]]) for name, a in og1_rows().items()}
+    columns = {
+        name: np.insert(a, [FIX[2] + 1] * 2, a[FIX[2]])
+        for name, a in og1_rows().items()
+    }
     columns["TIME"][FIX[2] + 1 : FIX[2] + 3] += [310.0, 690.0]
     dives = mission(tmp_path, columns, drop=drop)
     assert [dive.number for dive in dives] == [1, 2, 3]
     for dive in dives:
-        assert (way(dive), dive.depth_max is None) == (pytest.approx(made.SWUM), "DEPTH" in drop)
+        assert (way(dive), dive.depth_max is None) == (
+            pytest.approx(made.SWUM),
+            "DEPTH" in drop,
+        )
 
 
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
@@ -126,17 +153,29 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert "magnetic, variation -15 degrees (of the file" in dive.notes[0]
     for dive in mission(tmp_path, drop=STEPS):  # the file's current before a guess
         assert swam(dive)
-        assert dive.notes == ("dead reckoning computed from the file's depth-averaged current",)
+        assert dive.notes == (
+            "dead reckoning computed from the file's depth-averaged current",
+        )
     for dive in mission(tmp_path, drop=NO_STEPS):
         middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
         igrf = variation(middle, dive.lat_gps2, dive.lon_gps2)
         bearing = np.radians(made.BEARING - made.VARIATION + igrf)
-        there = made.SPEED * (made.DURATION - 200.0) * np.array([np.sin(bearing), np.cos(bearing)])
-        assert (way(dive), dive.turned, dive.magvar) == (pytest.approx(there), igrf, igrf)
+        there = (
+            made.SPEED
+            * (made.DURATION - 200.0)
+            * np.array([np.sin(bearing), np.cos(bearing)])
+        )
+        assert (way(dive), dive.turned, dive.magvar) == (
+            pytest.approx(there),
+            igrf,
+            igrf,
+        )
         assert f"magnetic, variation {igrf:.0f} degrees (by IGRF" in dive.notes[0]
         back = with_variation(dive, made.VARIATION)
         assert swam(back)
-        assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(np.hypot(*there))
+        assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(
+            np.hypot(*there)
+        )
         assert "--variation: turned by -15 degrees instead" in back.notes
     true = {"HEADING": {"units": "degrees", "comment": "relative to true north"}}
     columns = og1_rows()
@@ -144,7 +183,9 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
     for dive in mission(tmp_path, columns, drop=NO_STEPS, units=true):
         assert swam(dive)
         assert with_variation(dive, 90.0) is dive
-    for dive in mission(tmp_path, drop=NO_STEPS, units={"HEADING": {"units": "degrees"}}):
+    for dive in mission(
+        tmp_path, drop=NO_STEPS, units={"HEADING": {"units": "degrees"}}
+    ):
         said = "a north that the file does not name, variation 0 degrees (not known; --"
         assert said in dive.notes[0]
         assert swam(with_variation(dive, made.VARIATION))
@@ -167,7 +208,9 @@ def test_a_stall_of_the_flight_model_is_no_way(tmp_path):
     columns = og1_rows()
     for name in ("GLIDER_HORZ_VELO_MODEL", *STEPS):
         columns[name][100:111] = 0.0 if name in STEPS else np.nan
-    one, other = (mission(tmp_path, columns, drop=drop, **TURNED)[0] for drop in ((), NO_STEPS))
+    one, other = (
+        mission(tmp_path, columns, drop=drop, **TURNED)[0] for drop in ((), NO_STEPS)
+    )
     assert way(one) == pytest.approx(way(other))
 
 
@@ -177,7 +220,9 @@ def test_missions_over_the_date_line_go_round(tmp_path):
     write_dive_table(dives, tmp_path / "back.csv")
     back = dives_in(tmp_path / "back.csv")
     assert [swam(replace(dive, track=None)) for dive in back] == [True] * 3
-    east = [replace(dive, lon_gpse=dive.lon_gpse % 360.0, gps_east=0.0) for dive in dives]
+    east = [
+        replace(dive, lon_gpse=dive.lon_gpse % 360.0, gps_east=0.0) for dive in dives
+    ]
     write_dive_table(east, tmp_path / "east.csv")  # longitudes to 360 east
     rows = read_dives([tmp_path / "east.csv"])[0]
     assert [dive.gps_east for dive in rows] == pytest.approx([made.GPS_EAST] * 3)
@@ -206,7 +251,10 @@ def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
     for how, said in (
         ({"columns": without(FIX)}, "no two fixes more than 600 s apart"),
         ({"columns": without(FIX[1:])}, "no two fixes more than 600 s apart"),
-        ({"drop": ("LONGITUDE_GPS",)}, "no variable LONGITUDE_GPS; OG1 has the fixes there"),
+        (
+            {"drop": ("LONGITUDE_GPS",)},
+            "no variable LONGITUDE_GPS; OG1 has the fixes there",
+        ),
         ({"drop": ("TIME",)}, "no variable TIME_GPS; OG1"),
         (of("TIME", "seconds since the start"), "TIME.*must be such as"),
         (of("DEPTH", "dbar"), "DEPTH.*'dbar'.*must be such as"),
@@ -219,22 +267,33 @@ def test_fixes_that_are_none_are_left_out_and_said(tmp_path):
     columns["LATITUDE_GPS"][FIX[2]] = 91.0  # GPSE of the first dive
     columns["LONGITUDE_GPS"][FIX[5]] = 0.0  # GPSE of the second: 0 N 0 E
     dives = mission(tmp_path, columns)
-    assert [dive.t_gpse - made.T0 for dive in dives] == [9700, 19700, 29000]  # GPS1 of the next
+    assert [dive.t_gpse - made.T0 for dive in dives] == [
+        9700,
+        19700,
+        29000,
+    ]  # GPS1 of the next
     assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
     assert [bool(dive.notes) for dive in dives] == [True, True, False]
-    assert dives[0].notes[0] == "1 fix(es) that are no place, 0 N 0 E or under water left out"
+    assert (
+        dives[0].notes[0]
+        == "1 fix(es) that are no place, 0 N 0 E or under water left out"
+    )
 
 
 def test_fixes_that_were_repeated_or_interpolated(tmp_path):
     columns = og1_rows()
     last = FIX[np.searchsorted(FIX, np.arange(len(columns["TIME"])), "right") - 1]
     fixed = {name: columns[name] for name in ("LATITUDE_GPS", "LONGITUDE_GPS")}
-    dives = mission(tmp_path, columns | {name: column[last] for name, column in fixed.items()})
+    dives = mission(
+        tmp_path, columns | {name: column[last] for name, column in fixed.items()}
+    )
     assert [dive.number for dive in dives] == [1, 2, 3]
     assert [dive.gps_east for dive in dives] == pytest.approx([made.GPS_EAST] * 3)
     assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
     time, deep = columns["TIME"], np.flatnonzero(columns["DEPTH"] > 20.0)
-    columns |= {name: np.interp(time, time[FIX], column[FIX]) for name, column in fixed.items()}
+    columns |= {
+        name: np.interp(time, time[FIX], column[FIX]) for name, column in fixed.items()
+    }
     said = f"have {deep.size} new fixes under water, the first in row {deep[0]} .* set both to NaN"
     refuses(said, mission, tmp_path, columns)
 
@@ -245,7 +304,9 @@ TWICE = "400 samples have the time of the one before, left out"
 
 def test_rows_in_any_order_and_twice(tmp_path):
     for change, note in (np.flip, SORTED), (lambda column: np.repeat(column, 2), TWICE):
-        for dive in mission(tmp_path, {name: change(a) for name, a in og1_rows().items()}):
+        for dive in mission(
+            tmp_path, {name: change(a) for name, a in og1_rows().items()}
+        ):
             assert (way(dive), dive.notes) == (pytest.approx(made.SWUM), (note,))
             assert np.all(np.diff(dive.track[0]) > 0)
 
@@ -270,7 +331,11 @@ def test_steps_that_no_vehicle_makes(name, fill, tmp_path):
     assert way(first) == pytest.approx(made.SWUM)
     dives = filled(slice(60, 93))
     assert [one.number for one in usable(dives)[0]] == [2, 3]
-    assert dives[0].notes[0].startswith("33 of 400 samples of the displacement are not finite")
+    assert (
+        dives[0]
+        .notes[0]
+        .startswith("33 of 400 samples of the displacement are not finite")
+    )
 
 
 def test_rows_of_other_instruments_have_no_step(tmp_path):
@@ -316,8 +381,18 @@ DAMAGED = [  # each: the damage, what is said, which dives are used; None: the f
     (SG015, no_end, "", [3, 4, 6]),
     (SG015, in_milliseconds, "read as milliseconds", [3, 4, 6, 7]),
     (SG015, put("TIME_GPS", ALL, 7.0), "no two fixes more than 600 s apart", None),
-    (SG015, lambda data: data["HORZ_GLIDER_SPEED"].setncattr("units", "km/s"), FAST, []),
-    (SG015, put("TIME", slice(300, 320), nan), r"no samples for \d+ s of 7380 s", [3, 4, 7]),
+    (
+        SG015,
+        lambda data: data["HORZ_GLIDER_SPEED"].setncattr("units", "km/s"),
+        FAST,
+        [],
+    ),
+    (
+        SG015,
+        put("TIME", slice(300, 320), nan),
+        r"no samples for \d+ s of 7380 s",
+        [3, 4, 7],
+    ),
     (SG015, put("dive_num", ALL, nan), "", [3, 4, 6, 7]),
     (SPRAY, lambda data: None, "", [32, 33, 34, 35]),
     (SPRAY, at_0_0, "", [32, 33, 34, 35]),

@@ -14,7 +14,13 @@ from glider_dialects import basestation, dives_in, og1, og1_rows
 from refusals import refuses
 
 from clpt_control.files import reading
-from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
+from clpt_control.gliders import (
+    make_dive,
+    read_dives,
+    sample_dives,
+    usable,
+    write_dive_table,
+)
 from clpt_control.gliders.dive_files import dive_paths, read_dive_file
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
@@ -35,7 +41,10 @@ def test_tables_of_other_kinds_are_told_what_to_change(table):
         (text.replace("dac_qc,", "dive,"), "the column dive stands there tw"),
         (text.replace("gps_", "vehicle,"), "the column vehicle stands"),
         (text.upper(), "no column dive, .* begins with dive,"),
-        (text.replace("dr_east_m", "DR_east_m"), "no column dr_east_m; has dive, .*DR_east_m"),
+        (
+            text.replace("dr_east_m", "DR_east_m"),
+            "no column dr_east_m; has dive, .*DR_east_m",
+        ),
     ):
         table.write_text(content)
         refuses(f"dives.csv: {sentence}", read_dives, table)
@@ -47,7 +56,10 @@ ODD = [
     (("7.5", 0, 9000), "dive is '7.5'; must be a whole number below 2147483648"),
     (("-inf", 0, 9000), "dive is '-inf'"),
     (("2147483648", 0, 9000), "dive is '2147483648'"),
-    ((1, "2020-13-01T00:00:00Z", 9000), "t_gps2 is .* or a date such as 2016-01-31T22:04:50Z"),
+    (
+        (1, "2020-13-01T00:00:00Z", 9000),
+        "t_gps2 is .* or a date such as 2016-01-31T22:04:50Z",
+    ),
     ((1, "noon", 9000), "t_gps2 is 'noon'; must be seconds since 1970 UTC, or a date"),
 ]
 
@@ -68,8 +80,17 @@ def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
     row = "5,1,2020-09-13T12:26:40Z,-43,8,2020-09-13 16:56:40+02:00,-43,8.1,8000,word\n"
     (tmp_path / "mine.csv").write_text(head + row)
     ((dive,), _) = read_dives(tmp_path)
-    assert (dive.t_gps2, dive.duration, dive.magvar, dive.track) == (1.6e9, 9000.0, None, None)
-    assert (dive.dr_east, dive.dr_north, dive.gps_east) == (8000, 5, pytest.approx(8154, abs=1))
+    assert (dive.t_gps2, dive.duration, dive.magvar, dive.track) == (
+        1.6e9,
+        9000.0,
+        None,
+        None,
+    )
+    assert (dive.dr_east, dive.dr_north, dive.gps_east) == (
+        8000,
+        5,
+        pytest.approx(8154, abs=1),
+    )
 
 
 def test_lines_of_a_table_are_skipped_one_by_one(table):
@@ -89,7 +110,10 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
 
 def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     """What miss over duration of the dives themselves is gives back their dead reckoning."""
-    dives, names = sample_dives(), "number t_gps2 lat_gps2 lon_gps2 t_gpse lat_gpse lon_gpse"
+    dives, names = (
+        sample_dives(),
+        "number t_gps2 lat_gps2 lon_gps2 t_gpse lat_gpse lon_gpse",
+    )
     rows = [[getattr(dive, name) for name in names.split()] for dive in dives]
     for row, dive in zip(rows, dives, strict=True):
         row += [dive.miss_east / dive.duration, dive.miss_north / dive.duration]
@@ -100,7 +124,9 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     found, skipped = read_dives(tmp_path / "own.csv")
     assert skipped == []
     for dive, same in zip(found[:-1], dives, strict=True):
-        assert (dive.dr_east, dive.dr_north) == pytest.approx((same.dr_east, same.dr_north))
+        assert (dive.dr_east, dive.dr_north) == pytest.approx(
+            (same.dr_east, same.dr_north)
+        )
         assert dive.notes == ("dead reckoning computed from dac_east, dac_north",)
     assert "dac_east or dac_north is no number" in usable(found)[1][-1].why
     (tmp_path / "none.csv").write_text(HEAD.replace(",dr_east_m,dr_north_m", ""))
@@ -110,7 +136,10 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
 
 def test_quotes_join_cells_and_never_lines(tmp_path):
     head = HEAD.replace("\n", ",note\n")
-    cells = (ROW.format(n, 9000 * n, 9000 * n + 8000).replace("\n", ",") for n in (1, 2, 3, 4))
+    cells = (
+        ROW.format(n, 9000 * n, 9000 * n + 8000).replace("\n", ",")
+        for n in (1, 2, 3, 4)
+    )
     notes = ('"rain, wind"', 'a 5" pipe', '"never closed', '"it ""rolled"""')
     rows = "".join(f"{row}{note}\n" for row, note in zip(cells, notes, strict=True))
     (tmp_path / "d.csv").write_text(head + rows)
@@ -154,7 +183,11 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
     monkeypatch.setattr(Path, "stat", closed)
     monkeypatch.setattr(reading.os, "open", closed)
     for read in (lambda path: dive_paths([path]), read_dive_file):
-        refuses("a.csv: cannot be read: Permission denied", read, tmp_path / "closed" / "a.csv")
+        refuses(
+            "a.csv: cannot be read: Permission denied",
+            read,
+            tmp_path / "closed" / "a.csv",
+        )
 
 
 BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))
@@ -162,7 +195,10 @@ BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))
 
 def later(number, **changes):
     """A dive like it, 11000 s later for each number."""
-    ends = {name: getattr(BASE, name) + (number - 10) * 11000.0 for name in ("t_gps2", "t_gpse")}
+    ends = {
+        name: getattr(BASE, name) + (number - 10) * 11000.0
+        for name in ("t_gps2", "t_gpse")
+    }
     return replace(BASE, number=number, **ends | changes)
 
 
@@ -173,19 +209,28 @@ NOT_USED = [
     ({"lon_gpse": inf}, "no fix after"),
     ({"lat_gps2": 9.97e36}, "no fix before"),
     ({"lat_gpse": 0.0, "lon_gpse": 0.0}, "no fix after"),
-    ({"lat_gpse": 91.0}, "no fix after the dive (time 1.01e+06, latitude 91, longitude 8.02)"),
+    (
+        {"lat_gpse": 91.0},
+        "no fix after the dive (time 1.01e+06, latitude 91, longitude 8.02)",
+    ),
     ({"lon_gps2": 408.0}, "no fix before"),
     ({"t_gpse": BASE.t_gps2}, "swapped"),
     ({"dr_north": -inf}, "not finite"),
     ({"t_gpse": BASE.t_gps2 + 1000}, "lasts 1000 s; must last longer than 1000 s"),
     ({"lat_gps2": 5141.048, "lon_gps2": -12818.018}, DEGREES),
     ({"lat_gpse": -4304.5, "lon_gpse": 829.4}, "decimal degrees, -43.075000 8.490000"),
-    ({"t_gps2": -1.0}, "before the dive is at -1 s since 1970; must be from 1970 to 2200"),
+    (
+        {"t_gps2": -1.0},
+        "before the dive is at -1 s since 1970; must be from 1970 to 2200",
+    ),
     ({"t_gps2": -1e300, "t_gpse": 1e300}, "from 1970 to 2200"),
     ({"t_gpse": 1e18}, "after the dive is at 1e+18 s since 1970; must"),
     ({"t_gps2": 18518.5, "t_gpse": 18518.65}, "lasts 0.15 s; must last longer"),  # days
     ({"dr_east": -9999.0, "dr_north": -9999.0}, "is -9999 m twice, a fill value"),
-    ({"number": 2**31}, "its number is 2.14748e+09; must be a whole number below 2147483648"),
+    (
+        {"number": 2**31},
+        "its number is 2.14748e+09; must be a whole number below 2147483648",
+    ),
     ({"number": -(10**300)}, "its number is -1e+300"),
     ({"gps_north": 1e6}, "m/s"),
     ({"dr_east": 1e6}, "m/s"),
@@ -214,7 +259,10 @@ def test_duplicates_overlaps_order_and_gaps_are_said():
 
 def at(number, lat, hours=0.0, **more):
     """A dive 1000 s after the one before it, or more; the meridian to 40 N is 4429.5 km."""
-    dive, late = later(number, **{"lat_gps2": lat, "lat_gpse": lat} | more), 3600.0 * hours
+    dive, late = (
+        later(number, **{"lat_gps2": lat, "lat_gpse": lat} | more),
+        3600.0 * hours,
+    )
     return replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late)
 
 
@@ -226,12 +274,24 @@ def numbers(dives):
 def test_vehicles_years_apart_are_noted():
     names = ("SG1", "sg1", None, "rosie", "rosie")
     dives = [later(10 + k, vehicle=name) for k, name in enumerate(names)]
-    found = [[note for note in dive.notes if "on its own" in note] for dive in usable(dives)[0]]
-    assert found == [[], [], [], ["is of rosie, those before of sg1: replay each on its own"], []]
+    found = [
+        [note for note in dive.notes if "on its own" in note]
+        for dive in usable(dives)[0]
+    ]
+    assert found == [
+        [],
+        [],
+        [],
+        ["is of rosie, those before of sg1: replay each on its own"],
+        [],
+    ]
 
 
 def test_two_vehicles_in_one_input_are_not_mixed():
-    ours, theirs = [at(k, 40.0) for k in (10, 12, 14)], [at(k, -40.0) for k in (11, 13, 15)]
+    ours, theirs = (
+        [at(k, 40.0) for k in (10, 12, 14)],
+        [at(k, -40.0) for k in (11, 13, 15)],
+    )
     used, skipped = usable([*ours, *theirs])
     assert (used, [one.dive for one in skipped]) == (ours, [11, 13, 15])
     why = "starts 8859 km from where dive 10 ended 0.3 h before; another vehicle? replay each on "
@@ -257,7 +317,10 @@ def test_what_can_be_reached_is_not_refused(second, used):
 
 def test_one_wrong_fix_costs_one_dive_at_most():
     astray = at(11, 40.0, lat_gpse=40.45)  # 50 km in 10000 s: possible
-    far = [replace(dive, t_gps2=dive.t_gps2 - 900.0) for dive in (at(12, 39.95), at(13, 39.95))]
+    far = [
+        replace(dive, t_gps2=dive.t_gps2 - 900.0)
+        for dive in (at(12, 39.95), at(13, 39.95))
+    ]
     assert numbers([at(10, 40.0), astray, *far]) == ([10, 11, 12, 13], [])
     start = at(11, 40.0, lat_gps2=40.47, lat_gpse=40.02)  # a wrong start
     assert numbers([at(10, 40.0), start, at(12, 40.0)]) == ([10, 12], [11])
@@ -268,7 +331,10 @@ def test_one_wrong_fix_costs_one_dive_at_most():
 def overlapping():
     rng = np.random.default_rng(1)
     times = zip(rng.uniform(0, 3e5, 40), rng.uniform(5e3, 3e4, 40), strict=True)
-    pool = [replace(BASE, number=k, t_gps2=t, t_gpse=t + d) for k, (t, d) in enumerate(times)]
+    pool = [
+        replace(BASE, number=k, t_gps2=t, t_gpse=t + d)
+        for k, (t, d) in enumerate(times)
+    ]
     return sorted(pool, key=lambda dive: dive.t_gpse)
 
 
@@ -288,7 +354,9 @@ def test_no_choice_looks_ahead(pool):
 
 def test_the_order_of_files_does_not_choose_between_copies():
     dives = [later(k) for k in range(10, 16)]
-    slower = [replace(dive, dr_east=dive.dr_east - 300, dr_north=450.0) for dive in dives]
+    slower = [
+        replace(dive, dr_east=dive.dr_east - 300, dr_north=450.0) for dive in dives
+    ]
     moved = [replace(dive, lat_gpse=-43.01) for dive in dives]
     renamed = [replace(dive, number=99) for dive in dives]
     pool = [*dives, *slower, *moved, *renamed, *dives]

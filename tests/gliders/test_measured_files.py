@@ -13,7 +13,13 @@ from hypothesis import strategies as st
 from pyproj import Geod
 
 from clpt_control.estimation.dive import dac_difference
-from clpt_control.gliders import make_dive, read_dives, sample_dives, usable, write_dive_table
+from clpt_control.gliders import (
+    make_dive,
+    read_dives,
+    sample_dives,
+    usable,
+    write_dive_table,
+)
 from clpt_control.gliders.dive_files import read_dive_file
 from clpt_control.gliders.dive_table import OPTIONAL
 from clpt_control.gliders.samples import variation, with_variation
@@ -61,9 +67,18 @@ def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
 
 @pytest.mark.slow
 def test_the_shipped_table_is_that_of_the_whole_files(shared):
-    left = ("track", "notes", "vehicle", "kind", "next_course")  # what whole files alone hold
+    left = (
+        "track",
+        "notes",
+        "vehicle",
+        "kind",
+        "next_course",
+    )  # what whole files alone hold
     ones, others = (
-        [{key: value for key, value in vars(dive).items() if key not in left} for dive in found]
+        [
+            {key: value for key, value in vars(dive).items() if key not in left}
+            for dive in found
+        ]
         for found in (sample_dives(), read_dives(shared / "glider" / "basestation")[0])
     )
     assert repr(ones) == repr(others)
@@ -77,7 +92,9 @@ made = st.builds(make_dive, st.integers(-10, 10**9), place, place, through, **mo
 
 
 @settings(
-    max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=50,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
 @given(st.lists(made, max_size=4))
 def test_csv_round_trip(tmp_path, dives):
@@ -97,7 +114,9 @@ def test_basestation3_files_say_what_they_hold(facts):
     dives, skipped = read_dives(facts / "glider" / "sg171")
     assert (skipped, [dive.number for dive in dives]) == ([], [100, 101, 102])
     for dive in dives:
-        with netCDF4.Dataset(facts / "glider" / "sg171" / f"p1710{dive.number}.nc") as data:
+        with netCDF4.Dataset(
+            facts / "glider" / "sg171" / f"p1710{dive.number}.nc"
+        ) as data:
             file = {name: np.asarray(data[name][...]) for name in data.variables}
         lat, lon, time = (file[f"log_gps_{name}"] for name in ("lat", "lon", "time"))
         dr = [file[f"{axis}_displacement"].sum() for axis in ("east", "north")]
@@ -112,7 +131,9 @@ def test_basestation3_files_say_what_they_hold(facts):
             (deepest, file["magnetic_variation"].item())
         )
         # its maker divides by the time of flight, not by the time between the fixes
-        current = np.array([dive.miss_east, dive.miss_north]) / file["total_flight_time_s"]
+        current = (
+            np.array([dive.miss_east, dive.miss_north]) / file["total_flight_time_s"]
+        )
         assert current == pytest.approx(own, abs=2e-3)
     assert len(usable(dives, 1000.0)[0]) == 3
 
@@ -125,8 +146,13 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
     for dive in read_dives(facts / "glider" / "sg171")[0]:
         east, north = (float(rows[dive.number][name]) for name in ("u_east", "v_north"))
         reckoned += [dive.dr_east, dive.dr_north]
-        swum += [dive.gps_east - east * dive.duration, dive.gps_north - north * dive.duration]
-    assert np.dot(swum, reckoned) / np.dot(reckoned, reckoned) == pytest.approx(1.56, abs=0.03)
+        swum += [
+            dive.gps_east - east * dive.duration,
+            dive.gps_north - north * dive.duration,
+        ]
+    assert np.dot(swum, reckoned) / np.dot(reckoned, reckoned) == pytest.approx(
+        1.56, abs=0.03
+    )
 
 
 OG1 = "sg015_20040929T140907_delayed.nc"
@@ -134,7 +160,9 @@ OG1 = "sg015_20040929T140907_delayed.nc"
 
 def swum_in(data, dive, variation):
     """Speed times time along the heading, summed over the rows of a dive, east and north, m."""
-    time, heading, speed = (data[name][:] for name in ("TIME", "HEADING", "HORZ_GLIDER_SPEED"))
+    time, heading, speed = (
+        data[name][:] for name in ("TIME", "HEADING", "HORZ_GLIDER_SPEED")
+    )
     inside = (time > dive.t_gps2) & (time <= dive.t_gpse) & np.isfinite(heading)
     since = np.diff(time[inside], prepend=time[inside][0])
     cm, angle = speed[inside] * since, np.radians(heading[inside] + variation)
@@ -150,17 +178,30 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
         times = data["TIME_GPS"][:][is_fix] / 1e9
         assert data["DEPTH"][:][is_fix].max() == pytest.approx(251, abs=1)
         gaps = np.flatnonzero(np.diff(times) > 600)
-        assert (unread, [dive.t_gps2 for dive in dives]) == ([], pytest.approx(times[gaps]))
+        assert (unread, [dive.t_gps2 for dive in dives]) == (
+            [],
+            pytest.approx(times[gaps]),
+        )
         assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
         used, skipped = usable(dives)
-        (climb,) = (one.why for one in skipped if one.dive == 5)  # whose samples are missing
-        assert re.search(r"no samples for 3\d\d\d s of 5065 s, from 2\d\d m depth on", climb)
+        (climb,) = (
+            one.why for one in skipped if one.dive == 5
+        )  # whose samples are missing
+        assert re.search(
+            r"no samples for 3\d\d\d s of 5065 s, from 2\d\d m depth on", climb
+        )
         assert 6 in [dive.number for dive in used]
         for dive in used:
-            assert dive.turned == pytest.approx(-37.0, abs=0.2)  # of the Labrador Sea, 2004
-            assert (dive.dr_east, dive.dr_north) == pytest.approx(swum_in(data, dive, dive.turned))
+            assert dive.turned == pytest.approx(
+                -37.0, abs=0.2
+            )  # of the Labrador Sea, 2004
+            assert (dive.dr_east, dive.dr_north) == pytest.approx(
+                swum_in(data, dive, dive.turned)
+            )
             true = with_variation(dive, 0.0)
-            assert (true.dr_east, true.dr_north) == pytest.approx(swum_in(data, dive, 0.0))
+            assert (true.dr_east, true.dr_north) == pytest.approx(
+                swum_in(data, dive, 0.0)
+            )
             said = "; ".join(dive.notes)
             assert "TIME_GPS has no units and is read as nanoseconds" in said
             assert "magnetic, variation -37 degrees (by IGRF" in said
@@ -174,7 +215,9 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, fact
         out = printed("replay", path, *more)
         found[degrees] = out["clpe_rms_all"]["no_flow"]
         said = [entry["note"] for entry in out["notes"]]
-        assert (f"--variation: turned by {degrees} degrees instead" in said) == bool(more)
+        assert (f"--variation: turned by {degrees} degrees instead" in said) == bool(
+            more
+        )
     assert found[-37] == pytest.approx(found[None], rel=0.01)
     assert found[0] != pytest.approx(found[None], rel=0.01)
 
@@ -187,7 +230,9 @@ def test_a_whole_early_mission_has_32_good_long_dives(printed, shared):
     turned_by_field, as_true = printed(*command), printed(*command, "--variation", 0)
     assert turned_by_field["used"] == 32
     assert turned_by_field["clpe_rms"]["adaptive"] == pytest.approx(886, rel=0.02)
-    assert as_true["clpe_rms"]["adaptive"] > 1.8 * turned_by_field["clpe_rms"]["adaptive"]
+    assert (
+        as_true["clpe_rms"]["adaptive"] > 1.8 * turned_by_field["clpe_rms"]["adaptive"]
+    )
 
 
 def test_a_spray_says_where_its_dives_ended(facts):
@@ -196,13 +241,23 @@ def test_a_spray_says_where_its_dives_ended(facts):
     dives, skipped = read_dives(path)
     with netCDF4.Dataset(path) as data:
         assert np.ma.count(data["latitude_gps"][:]) == 0
-        row = {int(n): k for k, n in enumerate(data["profile_index"][:])}  # the last of each
-        deep = {n for n in row if data["depth"][:][data["profile_index"][:] == n].max() > 5}
+        row = {
+            int(n): k for k, n in enumerate(data["profile_index"][:])
+        }  # the last of each
+        deep = {
+            n for n in row if data["depth"][:][data["profile_index"][:] == n].max() > 5
+        }
         assert [dive.number for dive in dives] == sorted(deep)
         assert {one.dive for one in skipped} == set(row) - deep
         assert all("no measurement under water" in one.why for one in skipped)
         for dive in dives:
-            names = ("time_gps_end", "latitude_gps_end", "longitude_gps_end", "wcur_x", "wcur_y")
+            names = (
+                "time_gps_end",
+                "latitude_gps_end",
+                "longitude_gps_end",
+                "wcur_x",
+                "wcur_y",
+            )
             end = [float(data[name][row[dive.number]]) for name in names]
             assert (dive.t_gpse, dive.lat_gpse, dive.lon_gpse) == tuple(end[:3])
             own = dive.miss_east / dive.duration, dive.miss_north / dive.duration
@@ -210,7 +265,9 @@ def test_a_spray_says_where_its_dives_ended(facts):
             middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
             assert middle == pytest.approx(float(data["time_uv"][row[dive.number]]))
     for before, after in pairwise(dives):  # each starts where the one before ended
-        drift = between(before.lat_gpse, before.lon_gpse, after.lat_gps2, after.lon_gps2)
+        drift = between(
+            before.lat_gpse, before.lon_gpse, after.lat_gps2, after.lon_gps2
+        )
         assert 0 < after.t_gps2 - before.t_gpse < 600
         assert np.hypot(*drift) < 100
     assert len(usable(dives)[0]) == len(deep) == 4

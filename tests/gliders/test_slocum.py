@@ -50,7 +50,9 @@ def test_the_first_dive_is_that_of_the_table(facts):
     for name in ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse"):
         assert getattr(dive, name) == pytest.approx(float(row[name]), abs=1e-6), name
     reckoned = [float(row[name]) for name in ("dr_east_m", "dr_north_m", "depth_max")]
-    assert [dive.dr_east, dive.dr_north, dive.depth_max] == pytest.approx(reckoned, abs=0.5)
+    assert [dive.dr_east, dive.dr_north, dive.depth_max] == pytest.approx(
+        reckoned, abs=0.5
+    )
     assert (dive.magvar, dive.kind) == (17.0, "SeaExplorer")
 
 
@@ -68,14 +70,18 @@ def navigated(folder, rows, cut=""):
     return read_dives(folder)[0][0]
 
 
-@pytest.mark.parametrize(("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)])
+@pytest.mark.parametrize(
+    ("heading", "declination"), [(0.0, 0.0), (73.0, 17.0), (350.0, -20.0)]
+)
 def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declination):
     """Down to 100 m and up at 20 degrees: 2 * 100 m/tan(20 deg) along heading + declination."""
     way, west = (heading, declination), "-3000.000"
     rows = [(-60, 116, 0, 0, 0, 0, "4500.000", "-3000.100")]
     rows += [(0, 116, *way, -20, 0, "4500.000", west)]
     rows += [(10 * k, 100, *way, -20, k - 1, "4500.000", west) for k in range(1, 102)]
-    rows += [(10 * k, 100, *way, 20, 201 - k, "4500.000", west) for k in range(102, 202)]
+    rows += [
+        (10 * k, 100, *way, 20, 201 - k, "4500.000", west) for k in range(102, 202)
+    ]
     dive = navigated(tmp_path, [*rows, (2020, 116, *way, 20, 0, "4500.200", west)])
     length = 2 * 100 / np.tan(np.radians(20.0))
     true = np.radians(heading + declination)
@@ -89,18 +95,27 @@ def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_pat
     rows = [(0, 116, 0, "4500.000"), (1, 116, 0, "4500.100"), (2, 110, 9, "4500.100")]
     rows += [(k, 110 if k < 40 else 117, 9, "4500.100") for k in range(3, 80)]
     rows += [(80, 116, 0, ""), (81, 116, 0, "4500.100"), (85, 116, 0, "4500.900")]
-    rows = [(60 * k, s, 0, 0, -20 if k < 40 else 20, d, n, "-3000.000") for k, s, d, n in rows]
+    rows = [
+        (60 * k, s, 0, 0, -20 if k < 40 else 20, d, n, "-3000.000")
+        for k, s, d, n in rows
+    ]
     dive = navigated(tmp_path, rows)
     assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
     cut = "09/04/2024 13:25:00;116;0;0;20;0;4500.900;-3"  # of -3000.000
     refuses("no dives", navigated, tmp_path, rows[:-1], cut)
 
 
-@pytest.mark.parametrize(("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)])
-def test_a_seaexplorer_steers_its_last_desired_heading(tmp_path, facts, steered, course):
+@pytest.mark.parametrize(
+    ("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)]
+)
+def test_a_seaexplorer_steers_its_last_desired_heading(
+    tmp_path, facts, steered, course
+):
     for path in sorted((facts / "glider/sea035").iterdir()):
         head, *lines = path.read_text().splitlines()
-        rows = [f"{line}{steered[2 * k >= len(lines)]};" for k, line in enumerate(lines)]
+        rows = [
+            f"{line}{steered[2 * k >= len(lines)]};" for k, line in enumerate(lines)
+        ]
         (tmp_path / path.name).write_text("\n".join([f"{head}DesiredH;", *rows]) + "\n")
     ((dive,), _) = read_dives(tmp_path)
     assert dive.next_course == course
@@ -125,9 +140,15 @@ def as_text(path, name):
     """Return a segment as dbd2asc writes it."""
     log = read_segment(path).of.reset_index()
     n = len(log.columns)
-    lines = [*TEXT.format(name=name, n=n).split("|"), *map(" ".join, (log, "x" * n, "8" * n))]
+    lines = [
+        *TEXT.format(name=name, n=n).split("|"),
+        *map(" ".join, (log, "x" * n, "8" * n)),
+    ]
     rows = np.vstack([np.full(n, np.nan), log])
-    return "\n".join([*lines, *(" ".join(f"{v:.15g}" for v in row) for row in rows)]) + "\n"
+    return (
+        "\n".join([*lines, *(" ".join(f"{v:.15g}" for v in row) for row in rows)])
+        + "\n"
+    )
 
 
 @pytest.fixture
@@ -146,7 +167,9 @@ def test_compressed_files_are_read_as_plain_ones(rosie):
     for path in [*(rosie / "sbd").iterdir(), *(rosie / "cac").iterdir()]:
         packed = compressed(path.read_bytes())
         assert uncompressed(packed) == (path.read_bytes(), True)
-        path.with_suffix({".sbd": ".scd", ".cac": ".ccc"}[path.suffix]).write_bytes(packed)
+        path.with_suffix({".sbd": ".scd", ".cac": ".ccc"}[path.suffix]).write_bytes(
+            packed
+        )
         path.unlink()
     assert read_dives(rosie / "sbd") == plain
     assert len(files_before(sorted((rosie / "sbd").iterdir())[3])) == 3
@@ -168,7 +191,9 @@ def test_random_bytes_end_soon(tmp_path, seed, monkeypatch):
     path = tmp_path / "unit-2024-100-7-1.dcd"
     path.write_bytes(b"\xff\xff\xf0dbd_label: x" + rng.bytes(300_000))
     runs, length = [], slocum_file._length
-    monkeypatch.setattr(slocum_file, "_length", lambda *of: runs.append(of) or length(*of))
+    monkeypatch.setattr(
+        slocum_file, "_length", lambda *of: runs.append(of) or length(*of)
+    )
     refuses("damaged or cut short", read_dives, path)
     assert 0 < len(runs) < 100  # of new bytes and of copies
 
@@ -181,7 +206,15 @@ def test_text_of_dbd2asc_gives_the_same_dives(rosie, one):
         path.write_text(text)
         ((dive,), skipped) = read_dives(path)
         assert skipped == []
-        for key in ("number", "t_gps2", "t_gpse", "dr_east", "dr_north", "dac_east", "dac_north"):
+        for key in (
+            "number",
+            "t_gps2",
+            "t_gpse",
+            "dr_east",
+            "dr_north",
+            "dac_east",
+            "dac_north",
+        ):
             assert getattr(dive, key) == pytest.approx(getattr(plain, key), abs=1e-4)
         path.write_text(text[: len(text) // 2])
         assert read_segment(path).of.m_depth.count() > 50
@@ -207,16 +240,22 @@ def test_a_dockservers_folder_is_read_as_it_is(rosie):
         (glider / name).mkdir(parents=True)
         (glider / name / "x.log").write_text("x")
     (rosie / "sbd").rename(glider / "from-glider")
-    (glider / "from-glider" / "rosie_713-2019-166-0-157.tbd").write_bytes(b"dbd_label: x")
+    (glider / "from-glider" / "rosie_713-2019-166-0-157.tbd").write_bytes(
+        b"dbd_label: x"
+    )
     (rosie / "cac").rename(rosie / "default" / "cache")
     assert read_dives(glider) == plain
 
 
 def test_dives_of_one_file_are_told_apart(rosie, one):
-    other = as_text(one.with_stem("rosie_713-2019-166-0-159"), "rosie").splitlines(keepends=True)
+    other = as_text(one.with_stem("rosie_713-2019-166-0-159"), "rosie").splitlines(
+        keepends=True
+    )
     (rosie / "both.asc").write_text(as_text(one, "rosie") + "".join(other[17:]))
     dives, _ = read_dives(rosie / "both.asc")
-    assert [dive.notes[0] for dive in dives] == [f"dive {k} of 2 in both.asc" for k in (1, 2)]
+    assert [dive.notes[0] for dive in dives] == [
+        f"dive {k} of 2 in both.asc" for k in (1, 2)
+    ]
 
 
 # --- made missions --------------------------------------------------------------------------------
@@ -237,7 +276,10 @@ def flown(folder, without=(), late=False, wrong=0.0, **how):
 
 def largest_error(truth, dives):
     """Return how far a dive's miss over its duration is from the truth at most, mm/s."""
-    found = [(dive.miss_east / dive.duration, dive.miss_north / dive.duration) for dive in dives]
+    found = [
+        (dive.miss_east / dive.duration, dive.miss_north / dive.duration)
+        for dive in dives
+    ]
     return 1e3 * np.hypot(*(np.array(found) - truth).T).max()
 
 
@@ -273,7 +315,9 @@ def test_each_dive_of_a_mission_has_the_current_of_its_sea(tmp_path, how):
 def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):
     truth, dives = flown(tmp_path / "sbd", wrong=np.array([0.1, -0.3]))
     assert largest_error(truth, dives) < 5
-    assert all(d.track is None and "not used, that current is" in d.notes[-1] for d in dives)
+    assert all(
+        d.track is None and "not used, that current is" in d.notes[-1] for d in dives
+    )
     assert len(usable(dives)[0]) == DIVES
 
 
@@ -298,7 +342,9 @@ def test_a_dive_over_several_files_is_one(in_three_files, tmp_path):
     source, ((dive,), _) = in_three_files
     Mission(tmp_path / "whole").dive(0)
     (whole,) = read_dives(tmp_path / "whole")[0]
-    assert (dive.dr_east, dive.dr_north) == pytest.approx((whole.dr_east, whole.dr_north), abs=1e-6)
+    assert (dive.dr_east, dive.dr_north) == pytest.approx(
+        (whole.dr_east, whole.dr_north), abs=1e-6
+    )
     paths = [source / f"unit-2024-100-7-{k}.sbd" for k in range(3)]
     assert files_before(paths[2]) == paths[:2]
     part = shutil.copytree(source, tmp_path / "part")
@@ -315,7 +361,9 @@ def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
     follower = Follower(inbox, tmp_path / "state")
     things = [*sorted(source.glob("*.sbd")), source / "cac"]
     for k in order:
-        (shutil.copytree if things[k].is_dir() else shutil.copy)(things[k], inbox / things[k].name)
+        (shutil.copytree if things[k].is_dir() else shutil.copy)(
+            things[k], inbox / things[k].name
+        )
         follower.look()
     assert follower.dives() == wanted
     for path in inbox.glob("*-[01].sbd"):
@@ -328,7 +376,9 @@ def test_followed_files_come_in_any_order(in_three_files, tmp_path, order):
 
 def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
     mission, written = Mission(tmp_path / "sbd"), []
-    mission.write = lambda cycles, first: written.append((cycles, {n: first[n] for n in SENSORS}))
+    mission.write = lambda cycles, first: written.append(
+        (cycles, {n: first[n] for n in SENSORS})
+    )
     mission.dive(0)
     ((cycles, first),) = written
     shutil.rmtree(tmp_path / "sbd" / "cac")
@@ -352,5 +402,8 @@ def test_the_plan_of_the_next_dive(tmp_path, said):
     mission.dive(0)
     dive = read_dives(tmp_path / "sbd")[0][-1]
     bearing = Geod(ellps="WGS84").inv(dive.lon_gpse, dive.lat_gpse, *there[::-1])[0]
-    wanted = {"a waypoint": bearing % 360, "a heading": np.degrees(1.0) + VARIATION}.get(said)
+    wanted = {
+        "a waypoint": bearing % 360,
+        "a heading": np.degrees(1.0) + VARIATION,
+    }.get(said)
     assert dive.next_course == (wanted and pytest.approx(wanted, abs=0.05))

@@ -18,7 +18,9 @@ sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
 from benchmarks import build, cases, report, traced  # noqa: E402
 from benchmarks.c_engine import Program  # noqa: E402
 
-pytestmark = pytest.mark.skipif(build.compiler() is None, reason="there is no C compiler here")
+pytestmark = pytest.mark.skipif(
+    build.compiler() is None, reason="there is no C compiler here"
+)
 
 
 @pytest.mark.parametrize("options", [(), ("-DBASIS_LANES",)])
@@ -33,13 +35,17 @@ def test_c_agrees_with_the_reference(options):
 @pytest.mark.slow
 def test_simd_agrees_with_one_function_and_one_run_after_the_other():
     case = cases.many(21, 40.0)  # two blocks of eight, five left
-    ours, expected = (Program(21, *how).run(case)[0] for how in (("scalar", "-DBASIS_LANES"), ()))
+    ours, expected = (
+        Program(21, *how).run(case)[0] for how in (("scalar", "-DBASIS_LANES"), ())
+    )
     np.testing.assert_allclose(ours, expected, rtol=0, atol=1e-9)
     scenario = cases.paper(60.0).scenario
     parameters, states = cases.members(scenario, 0, 21)
     expected, _ = Program(3).members(scenario, parameters, states)
     for way in (1, -1):  # lanes, in any order
-        ours, _ = Program(3, "lanes").members(scenario, parameters[::way], states[::way])
+        ours, _ = Program(3, "lanes").members(
+            scenario, parameters[::way], states[::way]
+        )
         np.testing.assert_allclose(ours[::way], expected, rtol=0, atol=1e-9)
 
 
@@ -53,7 +59,10 @@ def test_traced_equations_are_the_diagram():
 def test_the_quick_run_leaves_its_tables(tmp_path):
     words = ["--quick", "--engines", "c", "--sections", "paper,particles", "--out"]
     ran(sys.executable, "-m", "benchmarks.bench", *words, tmp_path, cwd=ROOT)
-    assert json.loads((tmp_path / "performance.json").read_text())["paper"][0]["error"] < 1e-7
+    assert (
+        json.loads((tmp_path / "performance.json").read_text())["paper"][0]["error"]
+        < 1e-7
+    )
     text = (tmp_path / "performance.md").read_text()
     assert all(words in text for words in ("## The paper's run", "| C [1] |"))
     assert inked(tmp_path / "performance.png") > 0.01
@@ -62,7 +71,9 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
 def test_the_page_is_made_of_the_figures_beside_it():
     results = json.loads((ROOT / "docs" / "performance.json").read_text())
     assert (ROOT / "docs" / "performance.md").read_text() == report.markdown(results)
-    times = {one["engine"]: f"{1000 * one['median']:.1f} ms" for one in results["paper"]}
+    times = {
+        one["engine"]: f"{1000 * one['median']:.1f} ms" for one in results["paper"]
+    }
     for page in ("index.md", "tutorials/from_python_control.md"):
         lines = (ROOT / "docs" / page).read_text().splitlines()
         assert [times["native"] in line for line in lines if "2000 s" in line] == [True]

@@ -29,7 +29,11 @@ def solved(q, r):
 
 
 FLOWS = {  # rates of q and r, and where they are at t
-    "rotation": ("-a*r", "a*q", solved("q*cos(a*t) - r*sin(a*t)", "q*sin(a*t) + r*cos(a*t)")),
+    "rotation": (
+        "-a*r",
+        "a*q",
+        solved("q*cos(a*t) - r*sin(a*t)", "q*sin(a*t) + r*cos(a*t)"),
+    ),
     "saddle": ("a*q", "-a*r", solved("q*exp(a*t)", "r*exp(-a*t)")),
     "growth": ("a*q*(1 - q)", "a*r", solved("q/(q + (1 - q)*exp(-a*t))", "r*exp(a*t)")),
     "oscillator": (  # q'' = -a^2 q + cos t: the forced part and what starts freely
@@ -58,13 +62,23 @@ def states(engine, block, x0, step):
 @pytest.mark.parametrize("flow", FLOWS)
 def test_flow(flow, engine, method):
     *rates, exact = FLOWS[flow]
-    known, jumps = {"a": RATES}, {"breakpoints": Each("dwell")} if flow == "jump" else {}
+    known, jumps = (
+        {"a": RATES},
+        {"breakpoints": Each("dwell")} if flow == "jump" else {},
+    )
     known |= {"dwell": 0.7, "interval": -1.0} if jumps else {}
     q, r = (formula(text, "qr", known) for text in rates)
     update = lambda *at: {"q": q(*at), "r": r(*at)}  # noqa: E731
-    own = {"states": {"q": "N", "r": "N"}, "parameters": known, "shapes": {"a": "N"}, **jumps}
+    own = {
+        "states": {"q": "N", "r": "N"},
+        "parameters": known,
+        "shapes": {"a": "N"},
+        **jumps,
+    }
     x, y = np.linspace(0.2, 1.5, N), np.linspace(-1.0, 1.0, N)
     step, error = (0.02, 3e-7) if method == "RK4" else (None, 1e-9)
-    found = states(engine, Block(flow, update=update, **own), np.concatenate([x, y]), step)
+    found = states(
+        engine, Block(flow, update=update, **own), np.concatenate([x, y]), step
+    )
     wanted = [np.concatenate(exact(t, x, y, RATES)) for t in TIMES]
     np.testing.assert_allclose(found, wanted, rtol=error, atol=error)

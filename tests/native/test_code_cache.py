@@ -16,7 +16,12 @@ import pytest
 from clpt_control import Block
 from clpt_control.engine.codegen import machine
 from clpt_control.engine.codegen.llvm_text import print_program
-from clpt_control.engine.codegen.machine import Machine, cache_code, cached_code, code_name
+from clpt_control.engine.codegen.machine import (
+    Machine,
+    cache_code,
+    cached_code,
+    code_name,
+)
 from clpt_control.engine.codegen.plan import Program
 from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import NativeDiagram
@@ -29,7 +34,9 @@ def folder(monkeypatch, tmp_path):
     return place
 
 
-posix = pytest.mark.skipif(os.name != "posix", reason="no owners and modes on this system")
+posix = pytest.mark.skipif(
+    os.name != "posix", reason="no owners and modes on this system"
+)
 
 
 @posix
@@ -68,7 +75,12 @@ def test_code_comes_back_whole_or_not_at_all(folder):
     assert cached_code("other") is None
     path = folder / "some.o"
     whole = path.read_bytes()
-    for damaged in (whole[:-4], b"", whole[:20], b"9" + whole[1:]):  # as after a full disk
+    for damaged in (
+        whole[:-4],
+        b"",
+        whole[:20],
+        b"9" + whole[1:],
+    ):  # as after a full disk
         path.write_bytes(damaged)
         assert cached_code("some") is None
     path.write_bytes(whole)
@@ -118,7 +130,10 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
     names = {code_name("text"), code_name("another")}
-    for part, other in (("processor", lambda: ("another", "+fma")), ("version", lambda name: "9")):
+    for part, other in (
+        ("processor", lambda: ("another", "+fma")),
+        ("version", lambda name: "9"),
+    ):
         monkeypatch.setattr(machine, part, other)
         names.add(code_name("text"))
     assert len(names) == 4
@@ -129,7 +144,9 @@ def test_the_text_of_the_solver_is_of_its_source():
     root, wanted = Path(__file__).parents[2], hashlib.sha256()
     pages = ("solver_layout", "event_checks", "event_location", "implicit", "segments")
     for page in (*pages, "rate_jumps", "time_stepper"):
-        wanted.update((root / "clpt_control" / "engine" / "solver" / f"{page}.py").read_bytes())
+        wanted.update(
+            (root / "clpt_control" / "engine" / "solver" / f"{page}.py").read_bytes()
+        )
     wanted.update((root / "tools" / "print_solver.py").read_bytes())
     first, text = machine.TEXT.read_text("utf-8").split("\n", 1)
     assert first == f"; sha256 {wanted.hexdigest()}"
@@ -137,7 +154,8 @@ def test_the_text_of_the_solver_is_of_its_source():
 
 
 @pytest.mark.parametrize(
-    "triple", ["x86_64-pc-windows-msvc", "arm64-apple-darwin", "aarch64-unknown-linux-gnu"]
+    "triple",
+    ["x86_64-pc-windows-msvc", "arm64-apple-darwin", "aarch64-unknown-linux-gnu"],
 )
 def test_the_solver_is_made_for_other_processors(triple):
     llvm.initialize_all_targets()
@@ -151,7 +169,9 @@ def test_the_solver_is_made_for_other_processors(triple):
 def test_threads_that_compile_at_once_get_the_same_code():
     """A structure that nobody has asked for yet."""
     own = np.random.default_rng().normal(size=3).tolist()
-    block = Block("own", update=lambda t, x, u, p: own[0] * x - own[1] * x**3, states={"x": 3})
+    block = Block(
+        "own", update=lambda t, x, u, p: own[0] * x - own[1] * x**3, states={"x": 3}
+    )
     together, start = threading.Barrier(6), np.array([1.0, 0.4, -0.2])
 
     def run(k):
@@ -163,7 +183,9 @@ def test_threads_that_compile_at_once_get_the_same_code():
     with ThreadPoolExecutor(6) as pool:
         codes, found = zip(*pool.map(run, range(6)), strict=True)
     assert len(set(codes)) == 1
-    np.testing.assert_allclose(found, np.tile(found[0][1], (6, 2, 1, 1)), rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(
+        found, np.tile(found[0][1], (6, 2, 1, 1)), rtol=1e-12, atol=1e-12
+    )
 
 
 def test_each_thread_runs_a_shared_block_with_its_own_params():
@@ -180,14 +202,18 @@ def test_each_thread_runs_a_shared_block_with_its_own_params():
     np.testing.assert_allclose(found, np.exp(-np.outer(rates, times)), atol=1e-5)
 
 
-@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="folders are asked by name there")
+@pytest.mark.skipif(
+    not Path("/proc/self/fd").is_dir(), reason="folders are asked by name there"
+)
 def test_a_folder_renamed_by_others_meanwhile_is_not_read_or_written(folder):
     """A thread puts a folder that others may write to in the cache's place, again and again.
 
     It holds a file that is the user's own by a link, as whoever may rename in the parent folder
     can make it: the file alone does not tell.
     """
-    own, theirs, link, foreign = map(folder.with_name, ("own", "theirs", "link", "foreign.o"))
+    own, theirs, link, foreign = map(
+        folder.with_name, ("own", "theirs", "link", "foreign.o")
+    )
     folder.symlink_to(own)
     own.mkdir(mode=0o700)
     cache_code("some", b"own")

@@ -107,14 +107,22 @@ def meeting(one):
     own = {"states": {"z": 2, "alpha": (2, 5)}, "inputs": {"plus": 2, "minus": 2}}
     size = {"inputs": {"alpha": (2, "N"), "phi": "N"}, "sizes": {"N": 5}}
     made = [
-        Block("basis", output=basis, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5}),
+        Block(
+            "basis", output=basis, inputs={"z": 2}, outputs={"phi": "M"}, sizes={"M": 5}
+        ),
         Block("model", update=opposed, **own),
     ]
     if one:
         own = lambda t, x, u, p: {"plus": u.alpha @ u.phi, "minus": -u.alpha @ u.phi}  # noqa: E731
-        return connect([*made, Block("both", output=own, outputs={"plus": 2, "minus": 2}, **size)])
-    up = Block("up", output=lambda t, x, u, p: u.alpha @ u.phi, outputs={"plus": 2}, **size)
-    down = Block("down", output=lambda t, x, u, p: -u.alpha @ u.phi, outputs={"minus": 2}, **size)
+        return connect(
+            [*made, Block("both", output=own, outputs={"plus": 2, "minus": 2}, **size)]
+        )
+    up = Block(
+        "up", output=lambda t, x, u, p: u.alpha @ u.phi, outputs={"plus": 2}, **size
+    )
+    down = Block(
+        "down", output=lambda t, x, u, p: -u.alpha @ u.phi, outputs={"minus": 2}, **size
+    )
     return connect([*made, up, down])
 
 
@@ -130,14 +138,18 @@ def test_sums_of_one_block_stay_as_they_are_written():
     """a phi + b phi takes two sums, not one of (a + b) phi."""
     twice = lambda t, x, u, p: u.a @ np.exp(u.c) + u.b @ np.exp(u.c)  # noqa: E731
     inputs = dict.fromkeys("abc", "N")
-    block = Block("twice", update=twice, states={"s": 1}, inputs=inputs, sizes={"N": 11})
+    block = Block(
+        "twice", update=twice, states={"s": 1}, inputs=inputs, sizes={"N": 11}
+    )
     nests = NativeDiagram(block).code.program.functions["derivative"]
     assert sum(item.summed for nest in nests for item in nest.items) == 2
 
 
 def test_a_large_matrix_is_a_loop():
     random = np.random.default_rng(0)
-    system = control.ss(random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0)
+    system = control.ss(
+        random.normal(size=(60, 60)), np.ones((60, 1)), np.ones((1, 60)), 0
+    )
     assert len(NativeDiagram(wiring_of(system)).code.program.components) < 200
     x, asks = random.normal(size=60), readings(system)
     found = [asks[name](0.0, x, [0.5])[0] for name in ("native", "lanes")]
@@ -158,7 +170,9 @@ def test_products_of_small_matrices_are_loops_where_they_are_many():
     assert len(NativeDiagram(block).code.program.components) < 200
     S = np.random.default_rng(3).normal(size=(n, n)) / n
     found = readings(block)["native"](0.0, S.ravel(), [])[0]
-    np.testing.assert_allclose(found, scipy.linalg.expm(S - S.T).ravel(), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        found, scipy.linalg.expm(S - S.T).ravel(), rtol=0, atol=1e-12
+    )
 
 
 def test_many_inputs_that_nothing_feeds_are_a_whole_array():
@@ -168,7 +182,9 @@ def test_many_inputs_that_nothing_feeds_are_a_whole_array():
     lags = control.nlsys(joined, None, name="lags", **sizes)
     source = control.nlsys(lambda t, x, u, p: u - x, None, name="source", **sizes)
     outer = [f"source.u[{k}]" for k in range(20)]
-    loop = control.interconnect([lags, source], False, outer, ["lags.y[0]", "lags.y[7]"])
+    loop = control.interconnect(
+        [lags, source], False, outer, ["lags.y[0]", "lags.y[7]"]
+    )
     run = clpt.simulate(loop, [0.0, 1.0], initial_state=np.ones(40))
     assert run.attrs["engine"] == "native"
     np.testing.assert_allclose(run.states[-1], np.exp(-1.0), rtol=1e-6)
@@ -192,7 +208,9 @@ def test_a_function_that_is_called_often_is_written_once(count):
 def test_a_state_that_is_looked_up_by_its_place_moves_within_a_step():
     """y' = z[k], where z = (1 + t, 2 - 3 t) and k rests at 1."""
     rates = lambda t, x, u, p: {"z": [1.0, -3.0], "k": 0.0, "y": x.z[int(x.k[0])]}  # noqa: E731
-    native = NativeDiagram(wiring_of(Block("b", update=rates, states={"z": 2, "k": 1, "y": 1})))
+    native = NativeDiagram(
+        wiring_of(Block("b", update=rates, states={"z": 2, "k": 1, "y": 1}))
+    )
     times = np.array([0.0, 0.7, 3.0])
     y = native.run([1.0, 2.0, 1.0, 0.0], times).x[:, 3]
     np.testing.assert_allclose(y, 2.0 * times - 1.5 * times**2, rtol=0, atol=1e-12)

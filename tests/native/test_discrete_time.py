@@ -15,7 +15,9 @@ TIMES = DT * np.arange(STEPS)
 
 
 def first_order(dt=DT):
-    return control.ss([[0.9]], [[0.1]], [[1.0]], 0, dt, inputs="u", outputs="y", name="lag")
+    return control.ss(
+        [[0.9]], [[0.1]], [[1.0]], 0, dt, inputs="u", outputs="y", name="lag"
+    )
 
 
 def two_by_three():
@@ -30,7 +32,9 @@ def moving():
 
     seen = lambda t, x, u, params: np.array([x[1] + 0.1 * t, x[0] * u[0]])  # noqa: E731
     sizes = {"inputs": 1, "outputs": 2, "states": 2}
-    return control.nlsys(step, seen, **sizes, dt=DT, params={"omega": 0.3}, name="moving")
+    return control.nlsys(
+        step, seen, **sizes, dt=DT, params={"omega": 0.3}, name="moving"
+    )
 
 
 def counted():
@@ -38,7 +42,9 @@ def counted():
     step = lambda t, x, u, params: np.append(u[:1], x[:-1])  # noqa: E731
     mean = lambda t, x, u, params: np.sum(x[: params["length"]]) / params["length"]  # noqa: E731
     sizes = {"inputs": 1, "outputs": 1, "states": 6}
-    return control.nlsys(step, mean, **sizes, dt=DT, params={"length": 4}, name="counted")
+    return control.nlsys(
+        step, mean, **sizes, dt=DT, params={"length": 4}, name="counted"
+    )
 
 
 SYSTEMS = {
@@ -69,7 +75,10 @@ def ran(system, engine, u, x0=0.0, **given):
 @every_engine
 @pytest.mark.parametrize("case", SYSTEMS)
 def test_a_system_of_discrete_time_is_that_of_python_control(case, engine):
-    system, given = SYSTEMS[case](), {"params": {"omega": 1.1}} if "another" in case else {}
+    system, given = (
+        SYSTEMS[case](),
+        {"params": {"omega": 1.1}} if "another" in case else {},
+    )
     u = np.random.default_rng(3).normal(size=(system.ninputs, STEPS))
     if isinstance(system, control.TransferFunction):
         x0, expected = 0.0, control.forced_response(system, TIMES, u).outputs
@@ -96,7 +105,9 @@ def test_an_output_reads_what_the_update_wrote():
             y = float(x[0]) if step == 0 else y
             return y
 
-        return control.nlsys(update, output, inputs=1, outputs=1, states=1, dt=DT, name="held")
+        return control.nlsys(
+            update, output, inputs=1, outputs=1, states=1, dt=DT, name="held"
+        )
 
     expected = control.input_output_response(held(), TIMES, TIMES).outputs
     assert np.ptp(expected) > 0.1
@@ -115,9 +126,17 @@ def test_a_long_run_is_made_of_many_calls():
 
 
 MISFITS = [
-    ([0, 0.5, 1.5], {}, r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart; .* 1"),
+    (
+        [0, 0.5, 1.5],
+        {},
+        r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart; .* 1",
+    ),
     ([0.0, 1.0, 3.0], {"system": first_order(True)}, "evenly spaced"),
-    ([0.0, 0.1], {"system": control.tf([2], [1], 0.5)}, r"takes times that are 0\.5 apart"),
+    (
+        [0.0, 0.1],
+        {"system": control.tf([2], [1], 0.5)},
+        r"takes times that are 0\.5 apart",
+    ),
     ([0.0, 0.5], {"rtol": 1e-6}, "rtol: a diagram of discrete time has none"),
     ([0.0, 0.5], {"stop": lambda t, y, u: 1.0}, "stop: a diagram of discrete time"),
 ]
@@ -126,7 +145,12 @@ MISFITS = [
 @every_engine
 @pytest.mark.parametrize(("times", "given", "said"), MISFITS)
 def test_what_does_not_fit_is_refused(times, given, said, engine):
-    given = {"system": first_order(), "timepts": times, "inputs": 1.0, "engine": engine} | given
+    given = {
+        "system": first_order(),
+        "timepts": times,
+        "inputs": 1.0,
+        "engine": engine,
+    } | given
     says(clpt.ClptError, said, clpt.simulate, **given)
 
 
@@ -134,8 +158,12 @@ def test_what_does_not_fit_is_refused(times, given, said, engine):
 def test_a_number_that_is_not_finite_is_named(engine):
     """10^(2^k - 1) 2^(2^k) is a number up to k = 7; what would come after a run is not asked."""
     grown = lambda t, x, u, params: [0.5 * x[0], 10 * x[1] ** 2]  # noqa: E731
-    system = control.nlsys(grown, None, inputs=1, outputs=2, states=2, dt=1, name="burst")
-    with pytest.raises(clpt.SimulationError, match=r"t = 7: .* x\[1\] of block burst is not"):
+    system = control.nlsys(
+        grown, None, inputs=1, outputs=2, states=2, dt=1, name="burst"
+    )
+    with pytest.raises(
+        clpt.SimulationError, match=r"t = 7: .* x\[1\] of block burst is not"
+    ):
         clpt.simulate(system, np.arange(9.0), 0.0, [2.0, 2.0], engine=engine)
     run = clpt.simulate(system, np.arange(8.0), 0.0, [2.0, 2.0], engine=engine)
     assert np.isfinite(run.states.values).all()

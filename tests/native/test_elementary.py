@@ -29,7 +29,9 @@ def printed(name, count, form):
     lengths = (ITERATIONS,) if form == "loop" else ()
     axes, strides = tuple(range(len(lengths))), (1,) * len(lengths)
     step = ITERATIONS if lengths else 1
-    components = [Component("load", ("X", k * step, strides, -1), lengths) for k in range(count)]
+    components = [
+        Component("load", ("X", k * step, strides, -1), lengths) for k in range(count)
+    ]
     arguments = [(k, axes) for k in range(count)]
     if name == "where":
         components.append(Component("lt", tuple(arguments[:2]), lengths))
@@ -44,14 +46,19 @@ def printed(name, count, form):
 @cache
 def machine(name, count, form):
     """Machine code of an operation of `count` numbers, in one form."""
-    made = Machine(["f"], f"test {name} {count} {form}", lambda: printed(name, count, form))
+    made = Machine(
+        ["f"], f"test {name} {count} {form}", lambda: printed(name, count, form)
+    )
     return made, ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 6)(made.addresses["f"])
 
 
 def calculated(name, form, *arrays):
     """Call an operation for every number of arrays."""
     _, call = machine(name, len(arrays), form)
-    together, size = {"scalar": 1, "loop": ITERATIONS, "lanes": COLUMNS}[form], arrays[0].size
+    together, size = (
+        {"scalar": 1, "loop": ITERATIONS, "lanes": COLUMNS}[form],
+        arrays[0].size,
+    )
     rows = -(-size // together)
     given = np.array([np.resize(a, (rows, together)) for a in arrays])
     out = np.zeros((rows, together))
@@ -63,7 +70,9 @@ def calculated(name, form, *arrays):
 
 def everywhere(name, *arrays):
     """What an operation gives; the same numbers in every form."""
-    arrays = [a.ravel() for a in np.broadcast_arrays(*(np.asarray(a, float) for a in arrays))]
+    arrays = [
+        a.ravel() for a in np.broadcast_arrays(*(np.asarray(a, float) for a in arrays))
+    ]
     found, *others = (calculated(name, form, *arrays) for form in FORMS)
     np.testing.assert_allclose(others, [found] * len(others), rtol=1e-15)
     return found
@@ -73,7 +82,10 @@ def relative_error(got, a, exact):
     worst = 0.0
     for value, arguments in zip(got, a, strict=True):
         true = exact(*map(mpmath.mpf, np.atleast_1d(arguments)))
-        worst = max(worst, float(abs(mpmath.mpf(value) - true) / abs(true)) if true else abs(value))
+        worst = max(
+            worst,
+            float(abs(mpmath.mpf(value) - true) / abs(true)) if true else abs(value),
+        )
     return worst
 
 
@@ -94,12 +106,20 @@ def both(a):
     return a * RNG.choice([-1.0, 1.0], COUNT)
 
 
-QUARTERS = np.round(uniform(0, 60000)) * (math.pi / 2)  # where sin or cos nearly vanishes
+QUARTERS = np.round(uniform(0, 60000)) * (
+    math.pi / 2
+)  # where sin or cos nearly vanishes
 ACCURACY = {
     "exp": (3e-16, [uniform(-700, 709), uniform(-1, 1), both(powers(-20, 0))]),
     "log": (3e-16, [powers(-307, 308), uniform(0.5, 2), 1 + both(powers(-12, -1))]),
-    "sin": (2.3e-16, [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS]),
-    "cos": (2.3e-16, [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS]),
+    "sin": (
+        2.3e-16,
+        [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS],
+    ),
+    "cos": (
+        2.3e-16,
+        [uniform(-1e5, 1e5), uniform(-10, 10), both(powers(-300, 0)), QUARTERS],
+    ),
     "tan": (4e-16, [uniform(-1e5, 1e5), uniform(-3, 3), QUARTERS]),
     "asin": (4e-16, [uniform(-1, 1), 1 - powers(-15, -1)]),
     "acos": (5e-16, [uniform(-1, 1), 1 - powers(-15, -1)]),
@@ -163,7 +183,10 @@ def as_numpy(got, wanted, **close):
     np.testing.assert_array_equal(np.signbit(got[real]), np.signbit(wanted[real]))
 
 
-NUMPY = {name: f"arc{name[1:]}" for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh")}
+NUMPY = {
+    name: f"arc{name[1:]}"
+    for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh")
+}
 
 
 @pytest.mark.parametrize("name", [n for n in ACCURACY if hasattr(np, NUMPY.get(n, n))])
@@ -177,7 +200,10 @@ def test_special_arguments(name):
 @pytest.mark.parametrize("name", ["atan2", "hypot"])
 def test_accuracy_of_pairs(name, scale):
     pairs = scale * np.stack([both(powers(-2, 2)), both(powers(-2, 2))], 1)
-    assert relative_error(everywhere(name, *pairs.T), pairs, getattr(mpmath, name)) <= 3e-16
+    assert (
+        relative_error(everywhere(name, *pairs.T), pairs, getattr(mpmath, name))
+        <= 3e-16
+    )
 
 
 def test_accuracy_of_powers():
@@ -210,7 +236,9 @@ FEW = settings(max_examples=40, deadline=None, derandomize=True)
 @np.errstate(all="ignore")
 def same(name, as_one, *arrays):
     """An operation gives bit for bit what a function of NumPy gives."""
-    np.testing.assert_array_equal(everywhere(name, *arrays), as_one(*arrays), strict=True)
+    np.testing.assert_array_equal(
+        everywhere(name, *arrays), as_one(*arrays), strict=True
+    )
 
 
 @FEW

@@ -29,7 +29,9 @@ def falling(**guard):
 
 
 def moving(rate, guard):
-    return clpt.Block("stone", update=lambda t, x, u, p: rate, states={"h": 1}, guard=guard)
+    return clpt.Block(
+        "stone", update=lambda t, x, u, p: rate, states={"h": 1}, guard=guard
+    )
 
 
 every_engine = pytest.mark.parametrize("engine", ["native", "python"])
@@ -42,7 +44,9 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
         return np.where(x[0] < 0.25, 1.0, np.where(x[0] < 0.6, -5e-10, -1.0))
 
     stone = moving(1.0, Guard(on_the_edge, "stop", landed))
-    assert 0.25 <= ENGINES[engine](stone).run([0.0], [0.0, 2.0], max_step=1.0).t[-1] <= 0.6
+    assert (
+        0.25 <= ENGINES[engine](stone).run([0.0], [0.0, 2.0], max_step=1.0).t[-1] <= 0.6
+    )
 
 
 @every_form
@@ -50,7 +54,9 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
 @pytest.mark.parametrize(
     ("start", "advice", "said"), [(2, "", 2), (2, "drop it", "2; drop it"), (-1, "", 0)]
 )
-def test_a_run_that_fails_says_what_its_own_guard_says(engine, step, start, advice, said):
+def test_a_run_that_fails_says_what_its_own_guard_says(
+    engine, step, start, advice, said
+):
     """Beyond the edge it ends at once."""
     with pytest.raises(clpt.SimulationError, match=f"^it landed at time {said}$"):
         ENGINES[engine](falling(advice=advice)).run([start], [0.0, 5.0], step=step)
@@ -58,7 +64,9 @@ def test_a_run_that_fails_says_what_its_own_guard_says(engine, step, start, advi
 
 @every_form
 def test_a_run_that_stops_keeps_what_was_reached(engine):
-    found = ENGINES[engine](falling(policy="stop", advice="never said")).run([2.0], [0.0, 1.0, 5.0])
+    found = ENGINES[engine](falling(policy="stop", advice="never said")).run(
+        [2.0], [0.0, 1.0, 5.0]
+    )
     assert (found.status, found.message) == ("stopped", "stopped: it landed at time 2")
     np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
 
@@ -83,15 +91,22 @@ def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
 @every_engine
 @pytest.mark.parametrize("level", [0.5, 1.0, 2.0, 3.0, 4.0])
 def test_a_run_that_ends_at_a_sample_has_it_once(engine, level):
-    rising, times = control.ss(0, 1, 1, 0, name="rising"), np.linspace(0.0, 5.0, 51)  # y = t
-    run = clpt.simulate(rising, times, 1.0, engine=engine, stop=lambda t, y, u: level - y[0])
+    rising, times = (
+        control.ss(0, 1, 1, 0, name="rising"),
+        np.linspace(0.0, 5.0, 51),
+    )  # y = t
+    run = clpt.simulate(
+        rising, times, 1.0, engine=engine, stop=lambda t, y, u: level - y[0]
+    )
     assert run.time.values.tolist() == times[times < level + 1e-9].tolist()
     assert float(run.y[-1]) == pytest.approx(level, abs=1e-12)
 
 
 @every_engine
 def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
-    gain = control.nlsys(None, lambda t, x, u, p: 2.0 * u, inputs=1, outputs=1, name="gain")
+    gain = control.nlsys(
+        None, lambda t, x, u, p: 2.0 * u, inputs=1, outputs=1, name="gain"
+    )
     times = np.linspace(0.0, 5.0, 11)
 
     def stopped(stop):
@@ -103,7 +118,9 @@ def test_a_diagram_without_states_ends_where_the_condition_falls(engine):
         (2.4, lambda t, y, u: np.minimum(2.4 - t, 0.0)),  # at 0 it goes on
     ):
         run = stopped(stop)
-        assert [float(run.time[-1]), float(run.y[-1])] == pytest.approx([at, 2 * at], abs=1e-9)
+        assert [float(run.time[-1]), float(run.y[-1])] == pytest.approx(
+            [at, 2 * at], abs=1e-9
+        )
         assert "fell to 0" in run.attrs["message"]
     assert stopped(lambda t, y, u: t + 1.0).sizes["time"] == len(times)
     assert stopped(lambda t, y, u: False).sizes["time"] == 1

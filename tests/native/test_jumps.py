@@ -81,14 +81,20 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
     at = np.array([-1.0, 1.0])
     own = {"breakpoints": lambda p, t0, t1: at[(at > t0) & (at <= t1)], "name": "once"}
     block = ticking(grow, lambda t, x, u, p: x.s + 10.0, **own)
-    with pytest.raises(BlockError, match=r"once: jumps at -1, .* begin the run at 0 or later"):
+    with pytest.raises(
+        BlockError, match=r"once: jumps at -1, .* begin the run at 0 or later"
+    ):
         clpt.simulate(block, [-2.0, 0.0, 2.0])
-    assert clpt.simulate(block, [-0.5, 0.0, 2.0]).s.values.tolist() == pytest.approx([0, 0.5, 12.5])
+    assert clpt.simulate(block, [-0.5, 0.0, 2.0]).s.values.tolist() == pytest.approx(
+        [0, 0.5, 12.5]
+    )
 
 
 @every_engine
 def test_a_given_interval_does_not_end(engine):
-    found = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0}).run([0.0], [0.0, 2.5])
+    found = ENGINES[engine](clpt.connect([saw()]), {"saw.interval": 0.0}).run(
+        [0.0], [0.0, 2.5]
+    )
     np.testing.assert_allclose(found.x[-1], [2.5], atol=1e-12)
 
 
@@ -99,7 +105,9 @@ def test_a_given_interval_does_not_end(engine):
 @every_step
 @at_the_end_or_on_the_way
 def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
-    guard = Guard(lambda t, x, u, p: x[0] + 1.0, "stop", lambda t, u, p: f"too low at {t:g}")
+    guard = Guard(
+        lambda t, x, u, p: x[0] + 1.0, "stop", lambda t, u, p: f"too low at {t:g}"
+    )
     runner = ENGINES[engine](saw(period=2.0, factor=-3.0, guard=guard))
     found = runner.run([0.0], [0.0, 1.0, end], step=step)
     assert (found.status, found.message) == ("stopped", "stopped: too low at 2")
@@ -112,7 +120,9 @@ def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
 @at_the_end_or_on_the_way
 def test_a_jump_to_nowhere_is_named(engine, step, end):
     block = saw(lambda t, x, u, p: x[0] / p.factor, period=2.0)
-    with pytest.raises(SimulationError, match=r"t = 2: state s\[0\] of block saw is not finite"):
+    with pytest.raises(
+        SimulationError, match=r"t = 2: state s\[0\] of block saw is not finite"
+    ):
         ENGINES[engine](block).run([1.0], [0.0, end], step=step)
 
 
@@ -120,16 +130,23 @@ def test_a_jump_to_nowhere_is_named(engine, step, end):
 
 
 def test_python_control_refuses_to_integrate_over_jumps():
-    inner = control.interconnect([saw()], outlist=["saw.s[0]"], outputs=["y"], name="inner")
+    inner = control.interconnect(
+        [saw()], outlist=["saw.s[0]"], outputs=["y"], name="inner"
+    )
     for system in (saw(), clpt.connect([saw()]), inner):
-        with pytest.raises(BlockError, match=r"^saw: its states jump .* clpt\.simulate$"):
+        with pytest.raises(
+            BlockError, match=r"^saw: its states jump .* clpt\.simulate$"
+        ):
             control.input_output_response(system, np.linspace(0.0, 3.0, 4), 0.0, [0.0])
 
 
 def test_python_control_reads_points_and_the_time_between_jumps():
     diagram = clpt.connect([saw(inputs={"r": 1})], external=["r"])
     for t in (0.3, 1.7, 5.0):
-        assert (diagram.dynamics(t, [2.0], [0.0]), diagram.output(t, [2.0], [0.0])) == (1.0, 2.0)
+        assert (diagram.dynamics(t, [2.0], [0.0]), diagram.output(t, [2.0], [0.0])) == (
+            1.0,
+            2.0,
+        )
         assert diagram.linearize([2.0], [0.0], t=t).A == [[0.0]]
     for times, params in (([1.0, 1.9], {}), ([0.0, 3.0], {"saw.interval": 0.0})):
         found = control.input_output_response(diagram, times, 0.0, [0.0], params=params)
@@ -139,11 +156,27 @@ def test_python_control_reads_points_and_the_time_between_jumps():
 # --- blocks -----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lacking", [{"breakpoints": None}, {"states": None, "update": None}])
+@pytest.mark.parametrize(
+    "lacking", [{"breakpoints": None}, {"states": None, "update": None}]
+)
 def test_a_jump_needs_states_and_breakpoints(lacking):
     said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
-    own = {"update": scale, "states": {"s": 1}, "breakpoints": ticks, "jump": scale} | lacking
-    says(BlockError, said, Block, "b", output=scale, outputs={"y": 1}, inputs={"u": 1}, **own)
+    own = {
+        "update": scale,
+        "states": {"s": 1},
+        "breakpoints": ticks,
+        "jump": scale,
+    } | lacking
+    says(
+        BlockError,
+        said,
+        Block,
+        "b",
+        output=scale,
+        outputs={"y": 1},
+        inputs={"u": 1},
+        **own,
+    )
 
 
 @every_engine
@@ -156,8 +189,13 @@ def test_a_jump_may_branch(engine):
 @every_engine
 def test_a_wire_carries_no_minus_zero_into_a_state(engine):
     """What a wire feeds is a sum that begins at 0.0, and atan2(-0.0, -1) would be -pi."""
-    source = Block("source", output=lambda t, x, u, p: -0.0 * np.cos(t), outputs={"r": 1})
-    angle = {"output": lambda t, x, u, p: np.arctan2(x.s, -1.0), "outputs": {"angle": 1}}
+    source = Block(
+        "source", output=lambda t, x, u, p: -0.0 * np.cos(t), outputs={"r": 1}
+    )
+    angle = {
+        "output": lambda t, x, u, p: np.arctan2(x.s, -1.0),
+        "outputs": {"angle": 1},
+    }
     turned = saw(lambda t, x, u, p: u.r, inputs={"r": 1}, **angle)
     run = ENGINES[engine](clpt.connect([source, turned]))
     assert run.signals(run.run([0.0], [0.0, 1.0]), None)[-1, -1] == np.pi
@@ -166,14 +204,21 @@ def test_a_wire_carries_no_minus_zero_into_a_state(engine):
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(read, inputs={"r": 1})
     clpt.conformance.conformance(block)
-    for twin in (pickle.loads(pickle.dumps(block)), copy.deepcopy(block), block.copy(name="twin")):
+    for twin in (
+        pickle.loads(pickle.dumps(block)),
+        copy.deepcopy(block),
+        block.copy(name="twin"),
+    ):
         found = response(twin, [0.0, 1.5], 3.0, [0.0])
         np.testing.assert_allclose(found.states[0], [0.0, 4.5], atol=1e-12)
 
 
 # --- random linear blocks that jump, against matrix exponentials --------------------------------
 
-END, PERIODS = 2.0, (0.4, 0.5, 0.75, 1.0, 5.0)  # some breakpoints coincide, some at the end
+END, PERIODS = (
+    2.0,
+    (0.4, 0.5, 0.75, 1.0, 5.0),
+)  # some breakpoints coincide, some at the end
 
 
 class Linear(NamedTuple):
@@ -262,7 +307,9 @@ def test_every_engine_follows_matrix_exponentials(seed):
             close(found.x, states, 1e-8, (seed, form))
     whole = NativeDiagram(diagrams[0])
     first = whole.run(starts[0], times[:4], **tight)
-    close(whole.run(first.x[-1], times[3:], **tight).x, wanted[0][3:], 1e-8, (seed, "cut"))
+    close(
+        whole.run(first.x[-1], times[3:], **tight).x, wanted[0][3:], 1e-8, (seed, "cut")
+    )
     in_python = PythonDiagram(diagrams[0]).run(starts[0], times, rtol=1e-7, atol=1e-9).x
     close(in_python, wanted[0], 1e-4, (seed, "python"))
     runner = NativeDiagram(diagrams[0], form="unrolled")
@@ -277,5 +324,7 @@ def test_every_engine_follows_matrix_exponentials(seed):
         for k, states in enumerate(wanted):
             close(batch.out[k], states, 1e-8, (seed, lanes, k))
         one = slice(3, 4)
-        alone = side_by_side(runner, lanes, starts[one], times, None, P[one], schedules[one], 1e-11)
+        alone = side_by_side(
+            runner, lanes, starts[one], times, None, P[one], schedules[one], 1e-11
+        )
         np.testing.assert_array_equal(alone.out[0], batch.out[3])

@@ -55,7 +55,10 @@ CASES = {
     "pulses": (pulse, np.concatenate([3.0 * np.arange(11), 3.0 * np.arange(11) + 1.0])),
     "a hold": (hold, STEPS),
     "two jumps close by": (twice, np.array([4.0, 4.0 + 1e-6])),
-    "a relay by a sine": (lambda t, u: float(np.sin(2.0 * t) > 0), np.arange(1, 20) * np.pi / 2),
+    "a relay by a sine": (
+        lambda t, u: float(np.sin(2.0 * t) > 0),
+        np.arange(1, 20) * np.pi / 2,
+    ),
 }
 
 
@@ -68,8 +71,12 @@ def test_jumps_in_time(name, rtol):
     right = exact(cuts[(cuts > 0) & (cuts < 30)], lambda t: function(t, None))
     rate = lambda t, x: [function(t, None) - x[0] / TAU]  # noqa: E731
     theirs = solve_ivp(rate, (0.0, 30.0), [0.0], t_eval=TIMES, **tolerances).y[0]
-    run = clpt.simulate(held(function), TIMES, 0.0, [0.0], engine="python", **tolerances)
-    error, most = (np.abs(one - right).max() for one in (run.states.values[:, 0], theirs))
+    run = clpt.simulate(
+        held(function), TIMES, 0.0, [0.0], engine="python", **tolerances
+    )
+    error, most = (
+        np.abs(one - right).max() for one in (run.states.values[:, 0], theirs)
+    )
     assert error < (3e-7 if rtol < 1e-7 else 1.001 * most)
 
 
@@ -92,7 +99,9 @@ def test_a_pulse_of_one_sample_is_seen():
     function = lambda t, u: 100.0 if u[0] > 0.5 else 0.0  # noqa: E731
     for engine in ("native", "python"):
         run = clpt.simulate(held(function), times, u, [0.0], engine=engine)
-        right = exact([4.995, 5.005], lambda t: 100.0 if 4.995 < t < 5.005 else 0.0, times)
+        right = exact(
+            [4.995, 5.005], lambda t: 100.0 if 4.995 < t < 5.005 else 0.0, times
+        )
         assert np.abs(run.states.values[:, 0] - right).max() < 3e-6
 
 
@@ -108,9 +117,14 @@ def test_states_that_pass_a_threshold():
 def test_smooth_rates_take_few_evaluations_more():
     """Of a swing of large and small steps no jump is seen."""
     swing = control.nlsys(
-        lambda t, x, u, p: [x[1], 5 * (1 - x[0] ** 2) * x[1] - x[0]], inputs=0, states=2, outputs=2
+        lambda t, x, u, p: [x[1], 5 * (1 - x[0] ** 2) * x[1] - x[0]],
+        inputs=0,
+        states=2,
+        outputs=2,
     )
-    run = clpt.simulate(swing, [0.0, 40.0], 0, [2.0, 0.0], engine="python", rtol=1e-8, atol=1e-8)
+    run = clpt.simulate(
+        swing, [0.0, 40.0], 0, [2.0, 0.0], engine="python", rtol=1e-8, atol=1e-8
+    )
     native = clpt.simulate(swing, [0.0, 40.0], 0, [2.0, 0.0], rtol=1e-8, atol=1e-8)
     assert run.solver_evaluations < 1.7 * native.solver_evaluations
     np.testing.assert_allclose(run.states, native.states, atol=2e-5)
@@ -122,5 +136,7 @@ def test_an_input_that_comes_to_a_threshold_and_stays(engine):
     gear = control.nlsys(
         lambda t, x, u, p: [1.0 if u[0] >= 1.0 else -1.0], inputs=1, outputs=1, states=1
     )
-    run = clpt.simulate(gear, [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 1.0, 1.0], [0.0], engine=engine)
+    run = clpt.simulate(
+        gear, [0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 1.0, 1.0], [0.0], engine=engine
+    )
     np.testing.assert_allclose(run.states[:, 0], [0.0, -1.0, 0.0, 1.0], atol=1e-6)

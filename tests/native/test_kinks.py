@@ -28,7 +28,9 @@ def located(found):
 
 
 def run(rates, x0, t=T):
-    found = located(clpt.simulate(system(rates, len(x0)), t, None, x0, rtol=RTOL, atol=ATOL))
+    found = located(
+        clpt.simulate(system(rates, len(x0)), t, None, x0, rtol=RTOL, atol=ATOL)
+    )
     assert found.attrs["engine"] == "native"
     return found
 
@@ -46,7 +48,10 @@ def test_a_run_that_begins_on_a_kink_leaves_it(speed, gain):
 
 def behind(t):
     """The driving side less half the gap, or what was reached last: 1.5, then -1.5 and so on."""
-    wave, half = 2.0 * np.sin(t), (t - np.pi / 2) // np.pi  # turns of the driving side so far
+    wave, half = (
+        2.0 * np.sin(t),
+        (t - np.pi / 2) // np.pi,
+    )  # turns of the driving side so far
     down, up = np.minimum(wave + 0.5, 1.5), np.maximum(wave - 0.5, -1.5 * (half > 0))
     return np.where(half % 2 == 0, down, up)
 
@@ -82,7 +87,10 @@ FORMS = {  # rates, what the last state is at t, and a start that is not 0
         "x' = clip(2 - x, -0.5, 0.5)",
         lambda t: np.where(t < 3, t / 2, 2 - np.exp(3 - t) / 2),
     ),
-    "|sin t|": ("x' = abs(sin(t))", lambda t: 2 * np.floor(t / np.pi) + 1 - np.cos(t % np.pi)),
+    "|sin t|": (
+        "x' = abs(sin(t))",
+        lambda t: 2 * np.floor(t / np.pi) + 1 - np.cos(t % np.pi),
+    ),
     "bang-bang": ("v' = -1 if x > 0 else 1; x' = v", bang, [0.0, 0.5]),
     "backlash": (  # the driven side moves where the gap is used up and the driving one goes on
         "x' = 2*cos(t) if (2*sin(t) - x >= 0.5 and cos(t) > 0) or "
@@ -90,7 +98,10 @@ FORMS = {  # rates, what the last state is at t, and a start that is not 0
         behind,
     ),
     "floor": ("s' = 1; x' = floor(s)", whole),
-    "mod": ("s' = 2; x' = mod(s, 1)", lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4),
+    "mod": (
+        "s' = 2; x' = mod(s, 1)",
+        lambda t: (np.floor(2 * t) + (2 * t % 1.0) ** 2) / 4,
+    ),
     "a heading": (  # the integral of a wrapped angle, w^2/4 of its rate 2
         "s' = 2; x' = arctan2(sin(s), cos(s))",
         lambda t: ((2 * t + np.pi) % (2 * np.pi) - np.pi) ** 2 / 4,
@@ -102,7 +113,10 @@ FORMS = {  # rates, what the last state is at t, and a start that is not 0
         triangle,
     ),
     "a sawtooth": ("s' = 3; x' = arctan(tan(s))", sawtooth),
-    "a pulse of time": ("x' = 1 if 5 < t < 5.05 else 0", lambda t: np.clip(t - 5.0, 0.0, 0.05)),
+    "a pulse of time": (
+        "x' = 1 if 5 < t < 5.05 else 0",
+        lambda t: np.clip(t - 5.0, 0.0, 0.05),
+    ),
     "maximum": (
         "s' = -s; x' = maximum(s, 0.5)",
         lambda t: np.where(t < LN2, 1 - np.exp(-t), 0.5 + (t - LN2) / 2),
@@ -120,15 +134,22 @@ def case_of(name):
 @pytest.mark.parametrize("case", FORMS)
 def test_runs_over_kinks_are_as_their_closed_forms(case):
     rates, x0, wanted = case_of(case)
-    np.testing.assert_allclose(run(rates, x0).states[:, -1], wanted(T), rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(
+        run(rates, x0).states[:, -1], wanted(T), rtol=1e-9, atol=1e-9
+    )
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
 @pytest.mark.parametrize("edge", [0.9, 0.97, 0.99])
 def test_what_goes_beyond_a_kink_and_back_within_a_step_is_seen(edge, rtol):
     """x = sin t is beyond the edge for less than a step, once in each of ten turns."""
-    beyond, end = system(f"x' = v; v' = -x; s' = maximum(x - {edge}, 0)"), [0.0, 20.0 * np.pi]
-    found = located(clpt.simulate(beyond, end, None, [0.0, 1.0, 0.0], rtol=rtol, atol=rtol / 100))
+    beyond, end = (
+        system(f"x' = v; v' = -x; s' = maximum(x - {edge}, 0)"),
+        [0.0, 20.0 * np.pi],
+    )
+    found = located(
+        clpt.simulate(beyond, end, None, [0.0, 1.0, 0.0], rtol=rtol, atol=rtol / 100)
+    )
     wide = np.arccos(edge)
     wanted = 20.0 * (np.sin(wide) - edge * wide)
     np.testing.assert_allclose(found.states[-1, 2], wanted, atol=10 * rtol)
@@ -146,16 +167,23 @@ def test_a_pulse_soon_behind_a_kink_that_is_not_felt_is_met(ahead, width):
     np.testing.assert_allclose(found.states[-1, 1], wanted, rtol=1e-7)
 
 
-@pytest.mark.parametrize("case", ["saturation", "bang-bang", "maximum", "floor", "a heading"])
+@pytest.mark.parametrize(
+    "case", ["saturation", "bang-bang", "maximum", "floor", "a heading"]
+)
 def test_neither_samples_nor_company_change_what_a_run_over_kinks_gives(case):
     rates, x0, _ = case_of(case)
-    few, many = run(rates, x0, [0.0, 10.0]), run(rates, x0, np.linspace(0.0, 10.0, 1001))
+    few, many = (
+        run(rates, x0, [0.0, 10.0]),
+        run(rates, x0, np.linspace(0.0, 10.0, 1001)),
+    )
     np.testing.assert_allclose(few.states[-1], many.states[-1], rtol=1e-9, atol=1e-9)
     assert many.attrs["solver_steps"] == few.attrs["solver_steps"]
     runner, close = clpt.native.compile(system(rates)), {"rtol": RTOL, "atol": ATOL}
     starts = np.array([x0]) + np.linspace(0.0, 0.3, 11)[:, None]
     alone = [runner.run(start, T, **close).x for start in starts]
-    np.testing.assert_allclose(runner.run_many(starts, T, **close), alone, rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(
+        runner.run_many(starts, T, **close), alone, rtol=1e-9, atol=1e-9
+    )
 
 
 def test_a_kink_takes_few_evaluations():
@@ -169,7 +197,9 @@ def test_a_heading_turns_at_the_back_alone():
     def back(a):
         return 10.0 * np.log((1.0 + 0.1 * np.pi) / (1.0 + 0.1 * a))
 
-    found = located(clpt.simulate(turning, [0.0, 40.0], None, [0.0, 0.1, 0.0], rtol=1e-8))
+    found = located(
+        clpt.simulate(turning, [0.0, 40.0], None, [0.0, 0.1, 0.0], rtol=1e-8)
+    )
     turns, rest = divmod(40.0 - back(0.0), back(-np.pi))
     wanted = 2.0 * np.pi * (turns + 1) - 10.0 + (10.0 - np.pi) * np.exp(0.1 * rest)
     np.testing.assert_allclose(found.states[-1, 0], wanted, rtol=1e-9)
@@ -179,7 +209,8 @@ def test_a_heading_turns_at_the_back_alone():
 def test_rounding_is_no_kink():
     """Rounding alone decides who is larger."""
     found = run(
-        "x' = minimum(y, y*(1 + 1e-16)) - x; y' = 0*y; z' = abs(0.3 - 0.1*3 + 0*z)", [0.0, 1.0, 0.0]
+        "x' = minimum(y, y*(1 + 1e-16)) - x; y' = 0*y; z' = abs(0.3 - 0.1*3 + 0*z)",
+        [0.0, 1.0, 0.0],
     )
     np.testing.assert_allclose(found.states[:, 0], 1.0 - np.exp(-T), atol=1e-9)
     assert found.attrs["solver_restarts"] < 5
@@ -211,12 +242,18 @@ def test_a_kink_that_no_state_feels_is_not_looked_for():
 @pytest.mark.parametrize("start", [86_400.0, 1e6, 1e8, 1.7e9])
 def test_a_run_that_begins_late_finds_its_switches_as_one_from_zero(start):
     slows = system("x' = 1 if x < 1 else 0.25")
-    run = located(clpt.simulate(slows, start + np.array([0.0, 0.3, 3.0]), rtol=1e-9, atol=1e-12))
+    run = located(
+        clpt.simulate(slows, start + np.array([0.0, 0.3, 3.0]), rtol=1e-9, atol=1e-12)
+    )
     assert abs(run.states[-1, 0] - 1.5) < 1e-14 * start
     follows = system("x' = v; v' = max(-0.3, min(0.3, r - x)) - 4*x - v; input r")
     times = np.arange(60.0)
-    samples = np.convolve(np.random.default_rng(0).normal(size=60), np.ones(5) / 5, "same")
-    early, late = (clpt.simulate(follows, t, inputs=samples) for t in (times, start + times))
+    samples = np.convolve(
+        np.random.default_rng(0).normal(size=60), np.ones(5) / 5, "same"
+    )
+    early, late = (
+        clpt.simulate(follows, t, inputs=samples) for t in (times, start + times)
+    )
     assert early.attrs["method"] == late.attrs["method"] == "DOP853"
     assert late.attrs["solver_restarts"] == early.attrs["solver_restarts"] > 10
     np.testing.assert_allclose(late.states, early.states, atol=1e-6)
@@ -229,15 +266,24 @@ def test_a_run_that_begins_late_finds_its_switches_as_one_from_zero(start):
 @pytest.mark.parametrize("duty", [0.02, 0.3])
 def test_a_converter_that_switches_thousands_of_times_meets_each_switch(duty, end):
     """x' = 1 for `duty` of each period of 50 us, samples at multiples of it: x = duty t."""
-    pulses, times = system(f"x' = 1 if t*20e3 % 1.0 < {duty} else 0"), np.linspace(0.0, end, 6)
+    pulses, times = (
+        system(f"x' = 1 if t*20e3 % 1.0 < {duty} else 0"),
+        np.linspace(0.0, end, 6),
+    )
     found = located(clpt.simulate(pulses, times, None, 0.0))
     np.testing.assert_allclose(found.states[:, 0], duty * times, atol=5e-9)
     assert found.attrs["solver_restarts"] >= 2 * 20e3 * end - 2
 
 
 CARRIERS = {  # of period 1, and the share of the time that they are above a level
-    "sine": (lambda s: np.sin(2.0 * np.pi * s), lambda level: 0.5 - np.arcsin(level) / np.pi),
-    "triangle": (lambda s: 2.0 * np.abs(2.0 * (s % 1.0) - 1.0) - 1.0, lambda b: 0.5 - 0.5 * b),
+    "sine": (
+        lambda s: np.sin(2.0 * np.pi * s),
+        lambda level: 0.5 - np.arcsin(level) / np.pi,
+    ),
+    "triangle": (
+        lambda s: 2.0 * np.abs(2.0 * (s % 1.0) - 1.0) - 1.0,
+        lambda b: 0.5 - 0.5 * b,
+    ),
 }
 
 
@@ -263,7 +309,9 @@ def test_a_carrier_of_one_block_that_another_compares_meets_each_switch(carrier,
 def test_members_whose_carriers_differ_switch_at_times_of_their_own():
     wave, share = CARRIERS["sine"]
     vary = {"carrier.frequency": [3.0, 10.0, 137.0]}
-    found = clpt.run_ensemble(compared(wave, 0.3), vary, timepts=[0.0, 10.0], trajectories=True)
+    found = clpt.run_ensemble(
+        compared(wave, 0.3), vary, timepts=[0.0, 10.0], trajectories=True
+    )
     np.testing.assert_allclose(found.y[:, -1], 10.0 * share(0.3), rtol=1e-9)
 
 
@@ -273,11 +321,17 @@ def test_a_phase_that_turns_many_times_in_a_step_meets_each_switch(level, freque
     """No state has an error that would shorten a step: rates are constant between switches."""
     turning = system(f"a' = 2*pi*{frequency}; x' = 1 if sin(a) > {level} else 0")
     found = located(clpt.simulate(turning, [0.0, 10.0], None, 0.0))
-    np.testing.assert_allclose(found.states[-1, 1], 10.0 * CARRIERS["sine"][1](level), rtol=1e-8)
+    np.testing.assert_allclose(
+        found.states[-1, 1], 10.0 * CARRIERS["sine"][1](level), rtol=1e-8
+    )
 
 
 SWINGS = [
-    *((frequency, engine) for frequency in (1.0, 10.0) for engine in ("native", "python")),
+    *(
+        (frequency, engine)
+        for frequency in (1.0, 10.0)
+        for engine in ("native", "python")
+    ),
     (137.0, "native"),
     pytest.param(137.0, "python", marks=pytest.mark.slow),
 ]
@@ -285,7 +339,9 @@ SWINGS = [
 
 @pytest.mark.parametrize("level", [0.5, 0.9, 0.95])
 @pytest.mark.parametrize(("frequency", "engine"), SWINGS)
-def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(frequency, level, engine):
+def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(
+    frequency, level, engine
+):
     """y = t/10 sin(2 pi f t), whose rates are constant: no error shortens a step."""
 
     def y(t):
@@ -296,7 +352,9 @@ def test_a_run_stops_where_a_swinging_output_first_reaches_a_level(frequency, le
     spiral = control.nlsys(rates, lambda t, x, u, p: x[1] * np.sin(x[0]), **sizes)
     stop = {"stop": lambda t, y, u: level - y[0], "engine": engine}
     found = located(clpt.simulate(spiral, T, None, 0.0, rtol=1e-8, **stop))
-    peaks = (np.arange(10 * frequency) + 0.25) / frequency  # y is largest within 1e-4 of them
+    peaks = (
+        np.arange(10 * frequency) + 0.25
+    ) / frequency  # y is largest within 1e-4 of them
     reached = np.flatnonzero(y(peaks) > level)
     if not len(reached):
         assert found.attrs["status"] == "finished"

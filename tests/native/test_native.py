@@ -14,18 +14,29 @@ from clpt_control.engine.solver.runner import PythonDiagram
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():
     def code(**changes):
         changes = {key.replace("_", "."): value for key, value in changes.items()}
-        return NativeDiagram(clpt.closed_loop(clpt.paper_scenario().with_values(changes))).code
+        return NativeDiagram(
+            clpt.closed_loop(clpt.paper_scenario().with_values(changes))
+        ).code
 
     assert code(learning_gain=2.0) is code(learning_gain=0.5)
     assert code(basis_kernel="gaussian") is not code()
 
 
-FIXED = {"rtol": 1e-3, "atol": 1e-3, "progress": print, "method": "dop853", "max_step": 0.1}
+FIXED = {
+    "rtol": 1e-3,
+    "atol": 1e-3,
+    "progress": print,
+    "method": "dop853",
+    "max_step": 0.1,
+}
 IGNORED = [
     ({"x0": [0.0] * 13}, "x0: must have 14 numbers"),
     ({"times": [0.0]}, "times: must be at least two"),
     ({"step": 0.0}, "step = 0.0: must be a number, above 0"),
-    *(({"step": 0.1, name: FIXED[name]}, f"{name}: a fixed step has none") for name in FIXED),
+    *(
+        ({"step": 0.1, name: FIXED[name]}, f"{name}: a fixed step has none")
+        for name in FIXED
+    ),
 ]
 
 

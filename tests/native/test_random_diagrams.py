@@ -45,7 +45,9 @@ def asked(seed):
         u, found = numbers.normal(size=diagram.ninputs or 0), {}
         for name, ask in asks.items():
             try:
-                found[name] = np.concatenate([*ask(t, x, u), *after(name, ask, t, x, u)])
+                found[name] = np.concatenate(
+                    [*ask(t, x, u), *after(name, ask, t, x, u)]
+                )
             except ClptError as error:
                 refused[name] = str(error)
         if not found:

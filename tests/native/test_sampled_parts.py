@@ -34,13 +34,24 @@ def pid(made="v"):
     """A PID of Tustin's integral and a difference as derivative."""
     integral = control.tf([DT / 2, DT / 2], [1, -1], DT)
     made_of = 1.2 + 0.3 * integral + 0.4 * control.tf([1, -1], [DT, 0], DT)
-    return control.tf(made_of.num, made_of.den, DT, inputs="e", outputs=made, name="pid")
+    return control.tf(
+        made_of.num, made_of.den, DT, inputs="e", outputs=made, name="pid"
+    )
 
 
 def in_a_row():
     """A filter, a feedback, a delay: at one instant each finds the new output of the other."""
     return [
-        control.ss([[0.6]], [[0.4]], [[1.0]], [[0.5]], DT, inputs="e", outputs="s", name="filter"),
+        control.ss(
+            [[0.6]],
+            [[0.4]],
+            [[1.0]],
+            [[0.5]],
+            DT,
+            inputs="e",
+            outputs="s",
+            name="filter",
+        ),
         control.tf([0.7, -0.2], [1, -1], DT, inputs="s", outputs="w", name="pi"),
         control.tf([1], [1, 0], DT, inputs="w", outputs="v", name="late"),
     ]
@@ -59,7 +70,10 @@ def ruled(t, x, u, params):
 
 
 def limited(gain=0.9):
-    ports, params = {"inputs": "e", "outputs": "v", "states": 1}, {"limit": 0.4, "gain": gain}
+    ports, params = (
+        {"inputs": "e", "outputs": "v", "states": 1},
+        {"limit": 0.4, "gain": gain},
+    )
     return control.nlsys(stepped, ruled, **ports, dt=DT, params=params, name="limited")
 
 
@@ -89,7 +103,10 @@ def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine)
     run = clpt.simulate(loop, fine, 1.0, params=params, engine=engine, **TIGHT)
     held = control.c2d(tanks(), DT, "zoh", name="held", copy_names=True)
     wired = control.interconnect(
-        [error(), controller(), held], inputs="r", outputs=["y", "v"], check_unused=False
+        [error(), controller(), held],
+        inputs="r",
+        outputs=["y", "v"],
+        check_unused=False,
     )
     y, v = control.input_output_response(wired, TIMES, np.ones(len(TIMES))).outputs
     at, k = np.isin(fine, TIMES), np.searchsorted(TIMES, fine, side="right") - 1
@@ -97,14 +114,18 @@ def test_a_sampled_controller_on_a_tank_at_its_samples_and_between(case, engine)
     assert run.attrs["engine"] == engine
     np.testing.assert_allclose(run.v, run.v[at][k], atol=0)
     starts = run.states[at][:, -2:].values
-    between = [moved(starts[j], v[j], t - TIMES[j]) for t, j in zip(fine, k, strict=True)]
+    between = [
+        moved(starts[j], v[j], t - TIMES[j]) for t, j in zip(fine, k, strict=True)
+    ]
     np.testing.assert_allclose(run.states[:, -2:], between, atol=1e-9)
 
 
 @pytest.mark.parametrize("start", [1e6, 1e8, 1.7e9])
 def test_a_sampled_loop_may_begin_long_after_zero(start):
     loop = loop_of(pid())
-    early, late = (clpt.simulate(loop, t, inputs=1.0, **TIGHT) for t in (TIMES, start + TIMES))
+    early, late = (
+        clpt.simulate(loop, t, inputs=1.0, **TIGHT) for t in (TIMES, start + TIMES)
+    )
     np.testing.assert_allclose(late["y"], early["y"], atol=1e-15 * start)
 
 
@@ -128,7 +149,10 @@ def test_two_rates_in_one_loop(engine):
 @every_engine
 def test_two_rates_meet_where_the_input_is_sampled(engine):
     """6 x 0.1, 2 x 0.3 and a sample of r are one time, and not one float."""
-    holds = [clpt.parts.hold(0.1, name="fast", u="r", y="h"), clpt.parts.hold(0.3, u="h", y="g")]
+    holds = [
+        clpt.parts.hold(0.1, name="fast", u="r", y="h"),
+        clpt.parts.hold(0.3, u="h", y="g"),
+    ]
     loop = clpt.connect([*holds, clpt.parts.lag(1.0, u="g", y="y")], external="r")
     times, r = np.arange(15) / 5, np.random.default_rng(2).standard_normal(15)
     run = clpt.simulate(loop, times, [r], engine=engine)
@@ -146,18 +170,33 @@ def test_a_run_goes_on_where_another_ended():
         np.testing.assert_allclose(rest.states[-1], whole.states[-1], atol=1e-10)
 
 
-@pytest.mark.parametrize("part", [clpt.parts.hold(0.25), clpt.parts.noise(1.0, 0.25, n="y")])
+@pytest.mark.parametrize(
+    "part", [clpt.parts.hold(0.25), clpt.parts.noise(1.0, 0.25, n="y")]
+)
 def test_a_run_that_begins_before_time_0_is_refused(part):
     """The first sample was that at 0.25, also of a run from -0.5 on."""
-    loop = clpt.connect([part, clpt.parts.lag(1.0, u="y", y="z")], external=("u",) * part.ninputs)
-    for run in (clpt.simulate, lambda d, t, u: clpt.run_ensemble(d, "lag.lag=[1]", timepts=t)):
-        with pytest.raises(clpt.ClptError, match="does so from time 0 on; begin the run at 0 or"):
+    loop = clpt.connect(
+        [part, clpt.parts.lag(1.0, u="y", y="z")], external=("u",) * part.ninputs
+    )
+    for run in (
+        clpt.simulate,
+        lambda d, t, u: clpt.run_ensemble(d, "lag.lag=[1]", timepts=t),
+    ):
+        with pytest.raises(
+            clpt.ClptError, match="does so from time 0 on; begin the run at 0 or"
+        ):
             run(loop, [-0.5, 0.0, 1.0], 0.0)
 
 
 def test_many_runs_begin_with_what_is_held():
     """Parameters of a part may be called as a block calls its own: `interval` is one."""
-    own = {"inputs": "y", "outputs": "v", "dt": DT, "params": {"interval": -3.0}, "name": "p"}
+    own = {
+        "inputs": "y",
+        "outputs": "v",
+        "dt": DT,
+        "params": {"interval": -3.0},
+        "name": "p",
+    }
     part = control.nlsys(None, lambda t, x, u, params: params["interval"] * u, **own)
     native = clpt.native.compile(clpt.connect([part, tanks()]))
     starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
@@ -165,7 +204,9 @@ def test_many_runs_begin_with_what_is_held():
     found = native.run_many(starts, TIMES[:4], **close)
     alone = [native.run(start, TIMES[:4], **close) for start in starts]
     np.testing.assert_allclose(found, [one.x for one in alone], atol=1e-9)
-    assert found[:, 0, 0].tolist() == starts[:, 2].tolist()  # y, not the 9 that was given
+    assert (
+        found[:, 0, 0].tolist() == starts[:, 2].tolist()
+    )  # y, not the 9 that was given
     signals = [native.signals(one)[:, 0] for one in alone]
     np.testing.assert_allclose(signals, -3.0 * found[:, :, 2], atol=1e-9)
     step = native.run(starts[3], TIMES[:4], step=0.05).x
@@ -184,10 +225,14 @@ REFUSED = {
         clpt.connect([error(), pid(), DIRECT], external="r"), TIMES, 1.0
     ),
     "dt = True does not say how often": lambda: clpt.connect([OPEN, tanks()]),
-    "its states jump": lambda: control.input_output_response(loop_of(pid()), TIMES, TIMES),
+    "its states jump": lambda: control.input_output_response(
+        loop_of(pid()), TIMES, TIMES
+    ),
     r"adaptation: period = 0\.0: must be a positive time": lambda: Sampled(law(), 0.0),
     "adaptation: period = inf": lambda: Sampled(law(), np.inf),
-    "breakpoints or a guard": lambda: Sampled(law(**{"learning.law": "concurrent"}), 1.0),
+    "breakpoints or a guard": lambda: Sampled(
+        law(**{"learning.law": "concurrent"}), 1.0
+    ),
 }
 
 
@@ -219,7 +264,9 @@ def test_a_sampled_law_reads_alike_in_every_engine():
     jumped = asks["python"].jump(3.2, x, [])
     np.testing.assert_allclose(jumped[4:14], moved, rtol=1e-12)
     for name in asks.keys() - {"control"}:
-        np.testing.assert_allclose(asks[name].jump(3.2, x, []), jumped, rtol=1e-12, err_msg=name)
+        np.testing.assert_allclose(
+            asks[name].jump(3.2, x, []), jumped, rtol=1e-12, err_msg=name
+        )
 
 
 @every_engine
@@ -247,7 +294,12 @@ def test_a_sampled_nlsys_takes_its_own_params():
         named = {name.replace("_", "."): value for name, value in params.items()}
         return float(clpt.simulate(loop, TIMES, 1.0, params=named).y[-1])
 
-    assert end(gain=2.0) == end(limited_gain=2.0) == end(gain=9.0, limited_gain=2.0) != end()
+    assert (
+        end(gain=2.0)
+        == end(limited_gain=2.0)
+        == end(gain=9.0, limited_gain=2.0)
+        != end()
+    )
     for name in ("gain", "limited.gain"):
         runs = clpt.run_ensemble(loop, {name: [0.9, 2.0]}, timepts=TIMES, inputs=1.0)
         assert runs.y_final.values.tolist() == pytest.approx([end(), end(gain=2.0)])

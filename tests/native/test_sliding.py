@@ -67,21 +67,31 @@ def test_dry_friction_sticks_and_slips():
     v = rest_of("v' = sin(t) - 0.5*sign(v)", [0.1], times)[:, 0]
     braked = np.maximum(1.1 - np.cos(times) - 0.5 * times, 0.0)
     since = np.maximum(times, np.pi / 6)
-    right = braked * (times < 0.4) + np.cos(np.pi / 6) - np.cos(since) - 0.5 * (since - np.pi / 6)
+    right = (
+        braked * (times < 0.4)
+        + np.cos(np.pi / 6)
+        - np.cos(since)
+        - 0.5 * (since - np.pi / 6)
+    )
     np.testing.assert_allclose(v, right, atol=1e-8)
 
 
 def test_a_switch_that_is_bent_is_slid_along():
     """On r = 1 the angle moves by theta' = 1 - 0.3 sin theta."""
     inward = "sign(x**2 + y**2 - 1)"
-    ring, times = f"x' = -y - x*{inward} + 0.3; y' = x - y*{inward}", np.linspace(0.0, 8.0, 81)
+    ring, times = (
+        f"x' = -y - x*{inward} + 0.3; y' = x - y*{inward}",
+        np.linspace(0.0, 8.0, 81),
+    )
     loose = clpt.simulate(system(ring), times, None, [0.2, 0.1], rtol=1e-3, atol=1e-6)
     assert loose.attrs["solver_steps"] < 20_000  # is told from a switch that is crossed
     x = rest_of(ring, [0.6, 0.8], times)
     np.testing.assert_allclose(x[:, 0] ** 2 + x[:, 1] ** 2, 1.0, atol=1e-8)
     angle, start = (lambda a, t: 1.0 - 0.3 * np.sin(a)), np.arctan2(0.8, 0.6)
     theta = scipy.integrate.odeint(angle, start, times, rtol=1e-10, atol=1e-12)[:, 0]
-    np.testing.assert_allclose(x, np.transpose([np.cos(theta), np.sin(theta)]), atol=1e-7)
+    np.testing.assert_allclose(
+        x, np.transpose([np.cos(theta), np.sin(theta)]), atol=1e-7
+    )
 
 
 SEVERAL = {  # rates lead back to more than one switch at once
@@ -100,7 +110,9 @@ def test_several_switches_at_once_are_refused(several):
 
 def test_a_question_about_other_questions_follows_them():
     """What is asked of two switches slides on one of them, until the other has turned, t = 2."""
-    x = rest_of("x' = -1.0 if sign(x) + 2*(y < 0) > 0 else 1.0; y' = -0.5", [0.5, 1.0])[:, 0]
+    x = rest_of("x' = -1.0 if sign(x) + 2*(y < 0) > 0 else 1.0; y' = -0.5", [0.5, 1.0])[
+        :, 0
+    ]
     right = np.where(T < 2.0, np.maximum(0.5 - T, 0.0), 2.0 - T)
     np.testing.assert_allclose(x, right, atol=1e-8)
 
@@ -109,7 +121,9 @@ def test_inputs_that_jump_and_bend_end_what_slides():
     """x follows r where |r'| < 3, and goes to it by 3 where r jumps."""
     times = np.array([0.0, 1.0, 2.0, 2.0 + 1e-9, 3.0, 4.0])
     r = np.array([0.0, 2.0, 0.0, 1.5, 1.5, 1.5])
-    found = clpt.simulate(system("x' = -3*sign(x - r); input r"), times, r, [0.0]).x.values
+    found = clpt.simulate(
+        system("x' = -3*sign(x - r); input r"), times, r, [0.0]
+    ).x.values
     np.testing.assert_allclose(found, [0.0, 2.0, 0.0, 0.0, 1.5, 1.5], atol=1e-7)
 
 
@@ -123,12 +137,22 @@ def test_states_that_jump_leave_the_switch():
 
 def test_members_slide_as_runs_do():
     falling, k = system("x' = -k*sign(x); k = 1"), np.array([0.1, 0.5, 1.0, 2.0, 3.0])
-    many = clpt.run_ensemble(falling, {"k": k}, timepts=[0.0, 1.0, 2.0], initial_state=[1.0])
+    many = clpt.run_ensemble(
+        falling, {"k": k}, timepts=[0.0, 1.0, 2.0], initial_state=[1.0]
+    )
     assert np.all(many.status == 1)
-    np.testing.assert_allclose(many.x_final.values.ravel(), np.maximum(1 - 2 * k, 0), atol=1e-8)
-    by = clpt.sensitivity(falling, [0.0, 0.5, 0.9], "states", ["k", "x0"], None, [1.0]).states
-    np.testing.assert_allclose(by.values[:, 0], [[0.0, 1.0], [-0.5, 1.0], [-0.9, 1.0]], atol=1e-6)
-    with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by k"):
+    np.testing.assert_allclose(
+        many.x_final.values.ravel(), np.maximum(1 - 2 * k, 0), atol=1e-8
+    )
+    by = clpt.sensitivity(
+        falling, [0.0, 0.5, 0.9], "states", ["k", "x0"], None, [1.0]
+    ).states
+    np.testing.assert_allclose(
+        by.values[:, 0], [[0.0, 1.0], [-0.5, 1.0], [-0.9, 1.0]], atol=1e-6
+    )
+    with pytest.raises(
+        clpt.SimulationError, match="do not confirm its derivative by k"
+    ):
         clpt.sensitivity(falling, [0.0, 0.5, 2.0], "states", ["k", "x0"], None, [1.0])
 
 
@@ -136,7 +160,9 @@ def test_a_guard_ends_what_slides():
     """y' = 1 on the switch x = 0, until y = 0.75."""
     above = Guard(lambda t, x, u, p: 0.75 - x.y, "stop", lambda t, u, p: f"at {t:.6f}")
     own = {"update": lambda t, x, u, p: {"x": -np.sign(x.x), "y": 1.0}, "guard": above}
-    found = clpt.simulate(clpt.Block("b", states={"x": 1, "y": 1}, **own), T, None, [0.25, 0.0])
+    found = clpt.simulate(
+        clpt.Block("b", states={"x": 1, "y": 1}, **own), T, None, [0.25, 0.0]
+    )
     assert found.attrs["message"] == "stopped: at 0.750000"
     np.testing.assert_allclose(found.y.values.ravel()[-1], 0.75, atol=1e-8)
 
@@ -159,12 +185,16 @@ def test_a_tank_that_runs_empty_stays_so(rate):
     k = np.array([0.5, 1.0, 2.0, 3.0])
     many = clpt.run_ensemble(tank, {"k": k}, timepts=times, initial_state=[1.0])
     assert np.all(many.status == 1)
-    np.testing.assert_allclose(many.x_final, np.maximum(1.0 - 1.5 * k, 0.0) ** 2, atol=1e-8)
+    np.testing.assert_allclose(
+        many.x_final, np.maximum(1.0 - 1.5 * k, 0.0) ** 2, atol=1e-8
+    )
 
 
 def test_what_has_no_value_on_either_side_is_still_told():
     falling = system("x' = log(x) if x > -1 else 0")
-    with pytest.raises(clpt.SimulationError, match="derivative of x of block plant is not finite"):
+    with pytest.raises(
+        clpt.SimulationError, match="derivative of x of block plant is not finite"
+    ):
         clpt.simulate(falling, [0.0, 3.0], initial_state=[0.5])
 
 
@@ -172,14 +202,18 @@ def test_a_root_of_a_magnitude_that_begins_at_zero_goes_on():
     """Bouc and Wen's hysteresis at rest: |z|^0.5 has no value where the sign of z is held."""
     slip = "0.6*abs(v)*abs(z)**0.5*z + 0.3*v*abs(z)**1.5"
     rates = system(f"q' = v; v' = sin(t) - 0.2*v - q - 0.5*z; z' = v - ({slip})").updfcn
-    bouc = control.nlsys(rates, None, inputs=0, outputs=3, states=["q", "v", "z"], name="bouc")
+    bouc = control.nlsys(
+        rates, None, inputs=0, outputs=3, states=["q", "v", "z"], name="bouc"
+    )
     times, start = np.linspace(0.0, 5.0, 51), [0.01, 0.0, 0.0]
     run = clpt.simulate(bouc, times, None, start)
     assert "switches not located" in run.attrs["method"]
     close = {"solve_ivp_kwargs": {"rtol": 1e-10, "atol": 1e-12}}
     theirs = control.input_output_response(bouc, times, 0, start, **close)
     np.testing.assert_allclose(run.states.values, theirs.states.T, atol=1e-6)
-    many = clpt.run_ensemble(bouc, {"q": [0.01]}, timepts=times, initial_state=[0.0, 0.0, 0.0])
+    many = clpt.run_ensemble(
+        bouc, {"q": [0.01]}, timepts=times, initial_state=[0.0, 0.0, 0.0]
+    )
     np.testing.assert_allclose(many.y_final.values[0], run.states.values[-1], atol=1e-7)
 
 

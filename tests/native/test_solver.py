@@ -17,7 +17,9 @@ from clpt_control.engine.solver.runner import PythonDiagram
 every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 
 
-HUNTED, _ = written("q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)")  # Lotka and Volterra's equations
+HUNTED, _ = written(
+    "q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)"
+)  # Lotka and Volterra's equations
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
 
@@ -42,7 +44,10 @@ def test_steps_and_dense_output_are_scipys(engine, tolerance):
 def test_rounding_of_times_adds_no_fixed_step(engine):
     """Samples 0.1 apart are two steps of 0.05 apart, also where times are known to 2e-13 alone."""
     times = 1500.0 + 0.1 * np.arange(101)
-    assert engine(wiring_of(HUNTED)).run(START, times, step=0.05).statistics["steps"] == 200
+    assert (
+        engine(wiring_of(HUNTED)).run(START, times, step=0.05).statistics["steps"]
+        == 200
+    )
 
 
 @every_engine
@@ -101,6 +106,8 @@ def test_what_a_function_raises_ends_the_run(error):
         return [-x[0]]
 
     runner = PythonDiagram(clpt.Block("weary", update=rates, states={"s": 1}))
-    with pytest.raises(KeyboardInterrupt if error is KeyboardInterrupt else clpt.ClptError):
+    with pytest.raises(
+        KeyboardInterrupt if error is KeyboardInterrupt else clpt.ClptError
+    ):
         runner.run([1.0], [0.0, 20.0])
     assert sum(t > 1.0 for t in asked) == 1

@@ -20,7 +20,9 @@ from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.native import NativeDiagram
 
-sys.path.insert(0, str(Path(__file__).parents[2]))  # benchmarks/ is no installed package
+sys.path.insert(
+    0, str(Path(__file__).parents[2])
+)  # benchmarks/ is no installed package
 
 from benchmarks.stiff_problems import PROBLEMS
 
@@ -32,7 +34,9 @@ def wired(text):
 
 def run_of(problem, rtol, engine=NativeDiagram, **more):
     """Run a problem to its end; return the run, and its error there in tolerances."""
-    runner = engine(Block("stiff", update=problem.rates, states={"s": len(problem.start)}))
+    runner = engine(
+        Block("stiff", update=problem.rates, states={"s": len(problem.start)})
+    )
     atol = rtol * problem.absolute
     found = runner.run(problem.start, [0.0, problem.end], rtol=rtol, atol=atol, **more)
     off = np.abs(found.x[-1] - problem.exact) / (atol + rtol * np.abs(problem.exact))
@@ -72,7 +76,10 @@ def test_a_run_goes_on_from_where_it_is_stiff():
     """Samples before, between and at the end are those of one method; the attributes say when."""
     block = Block("late", update=PROBLEMS["late"].rates, states={"s": 1})
     times = np.append(np.linspace(0.0, 1e-4, 41), np.linspace(0.1, 10.0, 100))
-    run, lag = clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9), 1e7
+    run, lag = (
+        clpt.simulate(block, times, initial_state=[0.0], rtol=1e-9, atol=1e-9),
+        1e7,
+    )
     exact = lag * (lag * np.cos(times) + np.sin(times)) / (lag**2 + 1.0)
     exact -= exact[0] * np.exp(-lag * times)
     np.testing.assert_allclose(run["s"].values.ravel(), exact, atol=1e-8)
@@ -111,10 +118,13 @@ def coupled(t, x, u, p):
     return {
         "a": [
             np.where(x.a[0] > 0.0, np.sqrt(np.fabs(x.a[1])), x.a[2] ** 3),
-            np.interp(x.a[0], [-1.0, 0.0, 2.0], [0.0, 3.0, 1.0]) * np.floor(3.0 * x.b[1]),
+            np.interp(x.a[0], [-1.0, 0.0, 2.0], [0.0, 3.0, 1.0])
+            * np.floor(3.0 * x.b[1]),
             np.maximum(x.a[1], x.b @ x.b) + np.exp(-x.a[2]) * t**2,
         ],
-        "b": np.outer(x.b, x.b) @ x.b + np.cumsum(x.b) * np.arctan2(x.a[0], 2.0) + np.sin(t),
+        "b": np.outer(x.b, x.b) @ x.b
+        + np.cumsum(x.b) * np.arctan2(x.a[0], 2.0)
+        + np.sin(t),
     }
 
 
@@ -129,7 +139,10 @@ CHAINED = Block("chained", update=chained, states={"a": 50, "b": 50})
 SLOPES = {
     **{f"coupled, {form}": (COUPLED, form) for form in (None, "unrolled", "looped")},
     "a chain": (CHAINED, None),
-    **{f"random {seed}": (random_diagram(random.Random(seed)), None) for seed in range(6)},
+    **{
+        f"random {seed}": (random_diagram(random.Random(seed)), None)
+        for seed in range(6)
+    },
 }
 
 
@@ -145,10 +158,15 @@ def test_slopes_are_those_of_small_differences(case):
         step.advance(1e-3, 1e-3, 1)
         places, found = step.callee.linear.positions, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]
-        found[:, n] = step.Z[solver_layout.TIME_SLOPE * n : (solver_layout.TIME_SLOPE + 1) * n]
+        found[:, n] = step.Z[
+            solver_layout.TIME_SLOPE * n : (solver_layout.TIME_SLOPE + 1) * n
+        ]
         wanted = np.empty_like(found)
         for j, moved in enumerate(1e-6 * np.eye(n + 1)):
-            ends = (runner.sweep.derivative(t + s * moved[n], x + s * moved[:n]) for s in (1, -1))
+            ends = (
+                runner.sweep.derivative(t + s * moved[n], x + s * moved[:n])
+                for s in (1, -1)
+            )
             wanted[:, j] = np.subtract(*(own.copy() for own in ends)) / 2e-6
         known = np.isfinite(wanted) & (np.abs(wanted) < 1e3)  # the rest is a jump
         np.testing.assert_allclose(found[known], wanted[known], rtol=1e-5, atol=1e-5)
@@ -175,7 +193,9 @@ def test_stiffness_beside_a_kink_is_found():
     runner = NativeDiagram(wired("x' = v; v' = -clip(1e9*x, -50, 50) - 1e5*v + sin(t)"))
     found = runner.run([1e-9, 0.0], [0.0, 3.0], rtol=1e-6, atol=1e-12)
     assert "Rodas5P" in found.method
-    assert found.x[-1, 0] == pytest.approx((np.sin(3.0) - 1e-4 * np.cos(3.0)) / 1e9, rel=1e-4)
+    assert found.x[-1, 0] == pytest.approx(
+        (np.sin(3.0) - 1e-4 * np.cos(3.0)) / 1e9, rel=1e-4
+    )
 
 
 def test_runs_that_are_not_stiff_stay_with_the_explicit_method():
@@ -231,7 +251,10 @@ def test_a_guard_ends_a_stiff_run_where_it_is_left():
     guard = Guard(lambda t, x, u, p: 0.5 - x[0], "stop", lambda t, u, p: "too high")
     warned = NativeDiagram(Block("warned", update=rate, states={"s": 1}, guard=guard))
     found = warned.run([0.0], np.linspace(0.0, 2.0, 21), rtol=1e-9, atol=1e-9)
-    assert (found.status, found.t[-1]) == ("stopped", pytest.approx(np.arcsin(0.5), abs=1e-8))
+    assert (found.status, found.t[-1]) == (
+        "stopped",
+        pytest.approx(np.arcsin(0.5), abs=1e-8),
+    )
     np.testing.assert_allclose(found.x[:, 0], np.sin(found.t), atol=1e-7)
 
 
@@ -259,7 +282,10 @@ def test_the_first_step_is_the_one_asked_for():
 @pytest.mark.parametrize("lanes", [False, True])
 def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     values = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
-    scenario, times = clpt.paper_scenario().with_values(values), np.array([0.0, 10.0, 20.0])
+    scenario, times = (
+        clpt.paper_scenario().with_values(values),
+        np.array([0.0, 10.0, 20.0]),
+    )
     ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
     ensemble.lanes = ensemble.lanes if lanes else 1
 
@@ -269,11 +295,17 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     found = ended(0.01, 1e6, 0.02, 3e5)
     assert list(found.status) == [Status.FINISHED] * 4
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
-    beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)  # others, each stiff in its time
+    beside = ended(
+        3e5, *np.geomspace(1e4, 1e7, 9), 1e6
+    )  # others, each stiff in its time
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
-    np.testing.assert_array_equal(ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1)))
+    np.testing.assert_array_equal(
+        ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1))
+    )
     runner, start = loop_of({**values, "learning.gain": 1e6})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
-    apart = 1e-3 if lanes else 1e-12  # lanes sum in another order, so that errors are others
+    apart = (
+        1e-3 if lanes else 1e-12
+    )  # lanes sum in another order, so that errors are others
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)

@@ -45,7 +45,9 @@ def test_searches_are_numpys_and_pythons(side, value):
     row = np.array([-1.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0])
     find = {"left": bisect.bisect_left, "right": bisect.bisect_right}[side]
     block = static(
-        lambda t, x, u, p: [np.searchsorted(row, u[0], side), find(row.tolist(), u[0])], 1, 2
+        lambda t, x, u, p: [np.searchsorted(row, u[0], side), find(row.tolist(), u[0])],
+        1,
+        2,
     )
     numbers = as_it_runs(block, "output", 0.0, [], [value])
     np.testing.assert_array_equal(numbers, np.searchsorted(row, value, side))
@@ -59,12 +61,16 @@ def test_searches_are_numpys_and_pythons(side, value):
 @pytest.mark.parametrize("rows", [3, 30, 1000])
 def test_the_least_of_a_row_is_its_first(rows):
     numbers = np.random.default_rng(rows).integers(-3, 3, rows).astype(float)
-    block = static(lambda t, x, u, p: [np.argmin(numbers * u[0]), np.max(numbers * u[0])], 1, 2)
+    block = static(
+        lambda t, x, u, p: [np.argmin(numbers * u[0]), np.max(numbers * u[0])], 1, 2
+    )
     for u in (1.0, -1.0, 0.0, 2.5):
         found = as_it_runs(block, "output", 0.0, [], [u])
         run = clpt.simulate(block, [0.0, 1.0], u)
         np.testing.assert_array_equal(run.y[-1], found)
-        np.testing.assert_array_equal(found, [np.argmin(numbers * u), np.max(numbers * u)])
+        np.testing.assert_array_equal(
+            found, [np.argmin(numbers * u), np.max(numbers * u)]
+        )
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
@@ -103,8 +109,12 @@ def test_rows_over_time_are_breakpoints(rows, shift):
     fine = np.union1d(np.concatenate([[0.0, 12.0], ts + shift]), times)
     fine = fine[(fine >= 0.0) & (fine <= 12.0)]
     values = np.interp(fine - shift, ts, us)
-    sums = np.concatenate([[0.0], np.cumsum(np.diff(fine) * (values[1:] + values[:-1]) / 2)])
-    np.testing.assert_allclose(run.states[:, 0], sums[np.searchsorted(fine, times)], atol=1e-11)
+    sums = np.concatenate(
+        [[0.0], np.cumsum(np.diff(fine) * (values[1:] + values[:-1]) / 2)]
+    )
+    np.testing.assert_allclose(
+        run.states[:, 0], sums[np.searchsorted(fine, times)], atol=1e-11
+    )
     inside = np.count_nonzero((ts + shift > 0) & (ts + shift < 12))
     assert run.solver_steps <= inside + 10
 
@@ -119,7 +129,9 @@ def test_a_held_table_over_time_jumps_at_its_rows():
         lambda t, x, u, p: [hold(t)],
         lambda t, x, u, p: [np.interp(t, *twice)],
     ]
-    exact = np.interp([0.5, 1.0, 3.0, 5.0], [*ts, 5.0], np.cumsum([0.0, 1.0, -3.0, 0.75, 3.0]))
+    exact = np.interp(
+        [0.5, 1.0, 3.0, 5.0], [*ts, 5.0], np.cumsum([0.0, 1.0, -3.0, 0.75, 3.0])
+    )
     for rate in held:
         run = clpt.simulate(system(rate), [0.0, 0.5, 1.0, 3.0, 5.0], 0, [0.0], **TIGHT)
         assert run.attrs["engine"] == "native"
@@ -166,7 +178,9 @@ def test_members_of_an_ensemble_read_tables_over_time():
     for k in range(5):
         gain = ensemble["drive.gain"].values[k]
         alone = clpt.simulate(drive, [0.0, 5.0], params={"drive.gain": gain})
-        assert ensemble["z_final"].values[k].item() == pytest.approx(alone.z.values[-1], rel=1e-9)
+        assert ensemble["z_final"].values[k].item() == pytest.approx(
+            alone.z.values[-1], rel=1e-9
+        )
 
 
 def test_two_rows_at_one_place_and_rows_in_no_order():
@@ -174,7 +188,9 @@ def test_two_rows_at_one_place_and_rows_in_no_order():
     step = system(lambda t, x, u, p: [np.interp(t, ts, us)])
     run = clpt.simulate(step, [0.0, 2.0], **TIGHT)
     assert run.states[-1].item() == pytest.approx(1.0, abs=1e-10)
-    wrong = system(lambda t, x, u, p: [np.interp(x[0], [0.0, 2.0, 1.0], [0.0, 1.0, 2.0])])
+    wrong = system(
+        lambda t, x, u, p: [np.interp(x[0], [0.0, 2.0, 1.0], [0.0, 1.0, 2.0])]
+    )
     with pytest.warns(UserWarning, match="np.interp of points that do not increase"):
         clpt.simulate(wrong, [0.0, 1.0])
 

@@ -105,18 +105,26 @@ def test_every_reading_gives_what_is_worked_out_by_hand(case):
     for name, ask in readings(block).items():
         if name != "symbolic" or parameters != [LARGE]:  # SymPy's numbers do not round
             found = ask(0.0, [], np.array(u))[1]
-            np.testing.assert_allclose(found, wanted, rtol=1e-12, atol=1e-12, err_msg=name)
+            np.testing.assert_allclose(
+                found, wanted, rtol=1e-12, atol=1e-12, err_msg=name
+            )
 
 
 def test_an_angle_that_means_nothing_is_nan():
-    of_angles = lambda t, x, u, p: [math.sin(u[0]), math.cos(2.0 * u[0]), math.tan(u[0] ** 2)]  # noqa: E731
+    def of_angles(t, x, u, p):
+        return [math.sin(u[0]), math.cos(2.0 * u[0]), math.tan(u[0] ** 2)]
+
     asks = readings(static(of_angles, 1, 3))
     for name in asks.keys() - {"python", "control"}:  # which ask the function itself
-        np.testing.assert_array_equal(asks[name](0.0, [], [1e16])[1], [math.nan] * 3, err_msg=name)
+        np.testing.assert_array_equal(
+            asks[name](0.0, [], [1e16])[1], [math.nan] * 3, err_msg=name
+        )
 
 
 def test_a_zero_that_comes_through_a_wire_has_no_sign():
-    first = Block("first", output=lambda t, x, u, p: -u[0], inputs={"u": 1}, outputs={"v": 1})
+    first = Block(
+        "first", output=lambda t, x, u, p: -u[0], inputs={"u": 1}, outputs={"v": 1}
+    )
     asked = lambda t, x, u, p: [np.minimum(1.0 / u[0], 5.0), math.atan2(u[0], -1.0)]  # noqa: E731
     second = Block("second", output=asked, inputs={"v": 1}, outputs={"y": 2})
     for ask in readings(clpt.connect([first, second], external=["u"])).values():
@@ -138,7 +146,11 @@ def test_what_is_no_diagram_is_refused():
     says(clpt.DiagramError, "no blocks", clpt.connect, [])
 
 
-@pytest.mark.parametrize("times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]])
+@pytest.mark.parametrize(
+    "times", [[1.5, 0.5], [0.5, math.nan], None, 0.5, ["a"], [[0.5, 1.5]]]
+)
 def test_breakpoints_that_are_no_increasing_times_are_refused(times):
     with pytest.raises(clpt.BlockError, match="must be increasing times"):
-        ticking(lambda t, x, u, p: p.interval, None, breakpoints=lambda p, t0, t1: times)
+        ticking(
+            lambda t, x, u, p: p.interval, None, breakpoints=lambda p, t0, t1: times
+        )

@@ -18,7 +18,9 @@ def made(scenario):
     few = scenario.with_values({"reference.count": 2})
     return {
         "run": clpt.simulate(scenario),
-        "diagram": clpt.simulate(control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0),
+        "diagram": clpt.simulate(
+            control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0
+        ),
         "team": clpt.simulate(team),
         "ensemble": clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3),
         "replay": clpt.replay.replay_dives(dives[:5]),

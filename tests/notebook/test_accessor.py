@@ -14,7 +14,11 @@ from sentences import says
 
 import clpt_control as clpt
 
-ORDERS = "clpt_control, xarray", "xarray, clpt_control", "clpt_control.scenario, xarray.core"
+ORDERS = (
+    "clpt_control, xarray",
+    "xarray, clpt_control",
+    "clpt_control.scenario, xarray.core",
+)
 
 
 @pytest.mark.processes  # test_release asks one of them
@@ -53,7 +57,11 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
 def test_teams_ensembles_and_replays(made, scenario, tmp_path):
     replay, data = made["replay"], clpt.replay.replay_dataset(made["replay"])
     for kind, one, count in (
-        *(("team", made["team"], 3), ("ensemble", made["ensemble"], 2), ("replay", data, 5)),
+        *(
+            ("team", made["team"], 3),
+            ("ensemble", made["ensemble"], 2),
+            ("replay", data, 5),
+        ),
     ):
         assert (one.clpt.kind, len(one.clpt.plot())) == (kind, count)
         assert f"clpt of a dataset: {kind}" in repr(one.clpt)
@@ -61,8 +69,14 @@ def test_teams_ensembles_and_replays(made, scenario, tmp_path):
     assert made["ensemble"].clpt.scenario == scenario
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
-        for plot in (clpt.replay.current_plot, clpt.replay.map_plot, clpt.replay.dive_clpe_plot):
-            for of_data, own in zip(np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True):
+        for plot in (
+            clpt.replay.current_plot,
+            clpt.replay.map_plot,
+            clpt.replay.dive_clpe_plot,
+        ):
+            for of_data, own in zip(
+                np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True
+            ):
                 assert of_data.get_title(loc="left") == own.get_title(loc="left")
                 for a, b in zip(of_data.lines, own.lines, strict=True):
                     np.testing.assert_allclose(a.get_ydata(), b.get_ydata(), atol=1e-3)
@@ -92,7 +106,13 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
     assert run.clpt.linearize(10.0).ninputs == 0
     cut = run.clpt.linearize(10.0, input="x", output="alpha")
     assert cut.state_labels[0] == "learning_model_z[0]"
-    says(clpt.ArgumentError, "has no 'nothing'", run.clpt.linearize, 10.0, output="nothing")
+    says(
+        clpt.ArgumentError,
+        "has no 'nothing'",
+        run.clpt.linearize,
+        10.0,
+        output="nothing",
+    )
     changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
     says(clpt.DataError, "does not hold its diagram", changed.clpt.linearize, 10.0)
 
@@ -104,7 +124,9 @@ TIMES = np.linspace(0.0, 2.0, 11)
 
 def run_of_a_diagram(**units):
     ports = {"inputs": {"q": 1}, "states": {"h": 2}, "units": units}
-    block = clpt.Block("tank", update=lambda t, x, u, p: [u[0] - x[0], x[0] - x[1]], **ports)
+    block = clpt.Block(
+        "tank", update=lambda t, x, u, p: [u[0] - x[0], x[0] - x[1]], **ports
+    )
     return clpt.simulate(block, TIMES, np.sin(TIMES))
 
 
@@ -138,12 +160,20 @@ def test_a_run_of_a_scenario_and_of_a_team(made, tmp_path):
     run, both = made["run"], made["team"]
     table = run.clpt.table(tmp_path / "run.mat")
     read = loadmat(tmp_path / "run.mat", simplify_cells=True)
-    np.testing.assert_array_equal(read["alpha"], run.alpha.values.reshape(len(run.time), -1))
+    np.testing.assert_array_equal(
+        read["alpha"], run.alpha.values.reshape(len(run.time), -1)
+    )
     assert read["signals"]["alpha"][4] == "alpha axis 2 basis 2"
-    assert [*table.columns[:3]] == ["time (s)", "position axis 1 (m)", "position axis 2 (m)"]
+    assert [*table.columns[:3]] == [
+        "time (s)",
+        "position axis 1 (m)",
+        "position axis 2 (m)",
+    ]
     assert "flow_parameters" not in read  # which are no signals
     own = both.position.sel(vehicle="b", axis=1)
-    np.testing.assert_array_equal(both.clpt.table()["position vehicle b axis 1 (m)"], own)
+    np.testing.assert_array_equal(
+        both.clpt.table()["position vehicle b axis 1 (m)"], own
+    )
 
 
 ALLOWED = [("_e", "q", "x__e q"), ("x" * 80, "q", "x" * 60 + " q")]
@@ -169,6 +199,10 @@ def test_it_refuses_in_a_sentence(tmp_path):
 def test_columns_of_members_name_what_varied():
     lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y", name="lag")
     times = np.linspace(0.0, 1.0, 3)
-    table = clpt.run_ensemble(lag, {"u": [1, 2]}, timepts=times, trajectories=True).clpt.table()
+    table = clpt.run_ensemble(
+        lag, {"u": [1, 2]}, timepts=times, trajectories=True
+    ).clpt.table()
     assert [*table.columns] == ["time", "y u 1.0", "y u 2.0"]
-    np.testing.assert_allclose(table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6)
+    np.testing.assert_allclose(
+        table.values[:, 2], 2.0 * (1.0 - np.exp(-times)), atol=1e-6
+    )

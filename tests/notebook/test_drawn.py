@@ -17,11 +17,19 @@ from clpt_control.simulation.film import draw_samples
 
 PLOTS = {  # what it draws -> name of a plot, how many axes
     "run": "track 1, clpe 2, learning 2, run 7, excitation 4",
-    **{"team": "team 3", "diagram": "response 2", "ensemble": "ensemble 2", "design": "design 3"},
+    **{
+        "team": "team 3",
+        "diagram": "response 2",
+        "ensemble": "ensemble 2",
+        "design": "design 3",
+    },
     "replay": "map 1, dive_clpe 1, current 3, replay 5",
 }
 PLOTS = [(kind, *one.split()) for kind, own in PLOTS.items() for one in own.split(", ")]
-ROOMS = (getattr(clpt, room) for room in ("simulation", "ensemble", "theory", "replay", "currents"))
+ROOMS = (
+    getattr(clpt, room)
+    for room in ("simulation", "ensemble", "theory", "replay", "currents")
+)
 PUBLIC = {name: getattr(room, name) for room in ROOMS for name in room.__all__}
 track_plot = clpt.simulation.track_plot
 
@@ -42,7 +50,11 @@ def test_on_given_axes(kind, name, count, made):
     assert all(one.has_data() or one.texts for one in axes[:count])
     assert not axes[count].has_data()
     figure.draw_without_rendering()
-    many = rf"has {count + 1} Axes; this plot draws on {count}" if count > 1 else "must be an Axes"
+    many = (
+        rf"has {count + 1} Axes; this plot draws on {count}"
+        if count > 1
+        else "must be an Axes"
+    )
     for wrong, said in ((axes, many), (figure, r"must be (an|matplotlib) Axes")):
         says(clpt.ClptError, said, plot, made[kind], ax=wrong)
     assert plt.get_fignums() == [figure.number]
@@ -69,15 +81,24 @@ def test_what_is_no_run_is_one_sentence(made):
         (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
     ):
         says(clpt.ClptError, said, track_plot, given)
-    for plot in (clpt.ensemble.ensemble_plot, clpt.simulation.team_plot, clpt.replay.map_plot):
+    for plot in (
+        clpt.ensemble.ensemble_plot,
+        clpt.simulation.team_plot,
+        clpt.replay.map_plot,
+    ):
         says(clpt.ClptError, "", plot, made["run"])
-    lacking, said = made["team"].drop_vars("alpha"), "the run has no alpha over vehicle 2, time"
+    lacking, said = (
+        made["team"].drop_vars("alpha"),
+        "the run has no alpha over vehicle 2, time",
+    )
     says(clpt.DataError, said, clpt.simulation.team_plot, lacking)
 
 
 def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
     with plt.rc_context({"text.usetex": True}):
-        text = inline_svg(figure_of(clpt.simulation.clpe_plot, made["run"]), "clpe", "CLPE")
+        text = inline_svg(
+            figure_of(clpt.simulation.clpe_plot, made["run"]), "clpe", "CLPE"
+        )
         clpt.animate(made["run"], tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
     assert ">CLPE (m)<" in text
 
@@ -127,10 +148,17 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
         found = [lines[label] for label in ("vehicle", "prediction", "waypoint, now")]
         np.testing.assert_array_equal(found, own)
         true = arrows["true flow"]
-        grid, flow = np.column_stack([true.X, true.Y]), np.column_stack([true.U, true.V])
-        np.testing.assert_allclose(flow, velocity(scenario, grid, run.time[k]), atol=1e-12)
+        grid, flow = (
+            np.column_stack([true.X, true.Y]),
+            np.column_stack([true.U, true.V]),
+        )
+        np.testing.assert_allclose(
+            flow, velocity(scenario, grid, run.time[k]), atol=1e-12
+        )
         if k:
-            u, v = velocity(scenario, grid, run.time[k], run.flow_parameters_estimate.values[k]).T
+            u, v = velocity(
+                scenario, grid, run.time[k], run.flow_parameters_estimate.values[k]
+            ).T
             along = arrows["learned flow"]
             assert np.all(along.U * u + along.V * v >= 0)  # long ones are shortened
             np.testing.assert_allclose(along.U * v - along.V * u, 0.0, atol=1e-12)
@@ -139,7 +167,9 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
 def test_arrows_stand_within_a_field(scenario, tmp_path):
     uniform_field(tmp_path / "field.nc", half=3.5)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
-    (arrows, *_) = drawn(clpt.simulate(scenario.with_values({"flow": flow})), 10)[1].values()
+    (arrows, *_) = drawn(clpt.simulate(scenario.with_values({"flow": flow})), 10)[
+        1
+    ].values()
     assert np.abs([arrows.X, arrows.Y]).max() <= 3.5
     np.testing.assert_allclose([arrows.U, arrows.V], 0.1)
 
@@ -150,7 +180,11 @@ def test_refusals(run, made, scenario, tmp_path):
         (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
         (run, {"fps": "many"}, "fps = 'many': must be a number"),
         (run, {"width": 10}, "width = 10: must be a number from 200"),
-        (run, {"seconds": 100, "fps": 20, "width": 1000}, "would take 2.0 GB of memory"),
+        (
+            run,
+            {"seconds": 100, "fps": 20, "width": 1000},
+            "would take 2.0 GB of memory",
+        ),
         (made["team"], {}, "the run is a team's"),
         (scenario, {}, "must be an xarray.Dataset"),
     ):

@@ -13,7 +13,9 @@ EVIL = '<b onload="x">&'
 
 
 def follower(name, takes, makes):
-    return clpt.Block(name, output=lambda t, x, u, p: u[0], inputs={takes: 1}, outputs={makes: 1})
+    return clpt.Block(
+        name, output=lambda t, x, u, p: u[0], inputs={takes: 1}, outputs={makes: 1}
+    )
 
 
 @pytest.fixture(scope="module")
@@ -59,10 +61,14 @@ def test_what_has_no_table_says_itself_in_one_line(things):
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
     for said, thing in {
         "FlowEstimate: theta ": clpt.estimation.flow_estimate(run, "kalman"),
-        "Search of learned-flow: not refuted in ": clpt.refute("learned-flow", budget=0.5),
+        "Search of learned-flow: not refuted in ": clpt.refute(
+            "learned-flow", budget=0.5
+        ),
         "NativeDiagram: 1 blocks, 1 states": clpt.native.compile(clpt.parts.lag(1.0)),
         "NextDive: up 2016-02-01 ": clpt.replay.next_dive(things["Replay"]),
-        "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(things["Replay"], [(-42.8, 8.4)])[0],
+        "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(
+            things["Replay"], [(-42.8, 8.4)]
+        )[0],
     }.items():
         assert repr(thing).startswith(f"<{said}"), repr(thing)
         assert len(repr(thing)) < 300
@@ -81,7 +87,9 @@ def test_names_are_shown_as_they_are_and_keys_that_were_given(things):
 
 def test_python_controls_markdown_is_not_the_same_again(things):
     """It would put the drawing into a notebook twice."""
-    assert things["Block"]._repr_markdown_() is things["Diagram"]._repr_markdown_() is None
+    assert (
+        things["Block"]._repr_markdown_() is things["Diagram"]._repr_markdown_() is None
+    )
 
 
 def test_a_large_diagram_is_said_in_words():
@@ -92,6 +100,8 @@ def test_a_large_diagram_is_said_in_words():
 
 
 def test_what_cannot_be_wired_says_why():
-    circle = clpt.connect([follower("a", "s", "r"), follower("b", "r", "s")], name="circle")
+    circle = clpt.connect(
+        [follower("a", "s", "r"), follower("b", "r", "s")], name="circle"
+    )
     assert re.search("(?s)^(?!.*<svg).*<p>", circle._repr_html_())
     assert repr(circle).startswith("<Diagram circle: 2 blocks")

@@ -22,9 +22,20 @@ from clpt_control.pages.results import run_result
 from clpt_control.pages.writing import page_of, report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
-SECTIONS = ["achieved", "loop", "track", "clpe", "learning", "excitation", "scenario", "versions"]
+SECTIONS = [
+    "achieved",
+    "loop",
+    "track",
+    "clpe",
+    "learning",
+    "excitation",
+    "scenario",
+    "versions",
+]
 VARY = "learning.gain=0.2:2.0"
-SHORT = clpt.paper_scenario().with_values({"run.duration": 40, "title": "Two waypoints"})
+SHORT = clpt.paper_scenario().with_values(
+    {"run.duration": 40, "title": "Two waypoints"}
+)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +61,9 @@ def checked(text, *said):
         named += re.findall(r"url\(#(.*?)\)", " ".join(filter(None, names.values())))
         named += filter(None, [names.get("href", "")[1:], names.get("aria-labelledby")])
     assert set(named) <= set(own)
-    assert re.fullmatch("h1(h2)+", "".join(re.findall(r"h\d", " ".join(t for t, _ in read.tags))))
+    assert re.fullmatch(
+        "h1(h2)+", "".join(re.findall(r"h\d", " ".join(t for t, _ in read.tags)))
+    )
     assert dict(read.tags)["html"] == {"lang": "en"}
     return read
 
@@ -84,7 +97,9 @@ def test_each_figure_of_a_run_has_words_of_its_own(run):
 def test_nothing_of_a_run_is_markup(run, monkeypatch):
     monkeypatch.setattr("clpt_control.pages.page.inline_svg", lambda *_: "")
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
-    bad = run.assign_attrs(title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario)
+    bad = run.assign_attrs(
+        title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario
+    )
     assert sum(EVIL in text for text in checked(page_html(page_of(bad))).texts) >= 4
 
 
@@ -107,7 +122,9 @@ def test_one_sample_is_said_and_two_of_a_vehicle_at_rest_in_still_water_are_draw
 
 @pytest.mark.slow
 def test_many_samples_stay_small(run):
-    long = run.interp(time=np.linspace(0, 40, 60_001)).assign(flow_parameters=run.flow_parameters)
+    long = run.interp(time=np.linspace(0, 40, 60_001)).assign(
+        flow_parameters=run.flow_parameters
+    )
     text = page_html(page_of(long))
     checked(text, "Drawn from 1 in 11 of 60001 samples")
     assert len(text) < 2_000_000
@@ -120,9 +137,18 @@ def test_what_the_scenario_does_not_hold_is_said(run):
     assert "Eigenvalues" not in words(steps)
     for data, said in (
         (steps, "may be others than drawn"),
-        (run.assign_attrs(own_law="mine"), "does not hold: a law given in Python, mine"),
-        (run.assign_attrs(parameters_changed='{"a.b": 1}'), "hold: parameters given at call time"),
-        (run.assign_attrs(status="stopped", message="it left"), "The run ended early: it left."),
+        (
+            run.assign_attrs(own_law="mine"),
+            "does not hold: a law given in Python, mine",
+        ),
+        (
+            run.assign_attrs(parameters_changed='{"a.b": 1}'),
+            "hold: parameters given at call time",
+        ),
+        (
+            run.assign_attrs(status="stopped", message="it left"),
+            "The run ended early: it left.",
+        ),
     ):
         assert said in words(data)
 
@@ -169,7 +195,9 @@ def test_damaged_figures_of_a_run_are_not_believed(found):
         *(right | {"clpe_rms_per_cycle": "0.1"}, right | {"explained_variance": [0.5]}),
         right | {"max_flow_parameter_error": {"40": float("nan")}},
     ):
-        assert "samples of the file" in words(found.run.assign_attrs(summary=json.dumps(summary)))
+        assert "samples of the file" in words(
+            found.run.assign_attrs(summary=json.dumps(summary))
+        )
 
 
 def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
@@ -185,7 +213,9 @@ def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
 def test_an_ensemble_that_failed_has_its_page():
     long = SHORT.with_values({"run.duration": 250})
     text = words(clpt.run_ensemble(long, "vehicle.position=[[1e200,0],[1e201,0]]", 2))
-    said = "2 of 2 runs did not come to their end.*2 step too small.*did not finish is 0"
+    said = (
+        "2 of 2 runs did not come to their end.*2 step too small.*did not finish is 0"
+    )
     assert re.search(f"(?s){said}", text)
 
 
@@ -211,9 +241,14 @@ def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
 
 
 def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
-    page, team = tmp_path / "t.html", clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5)
+    page, team = (
+        tmp_path / "t.html",
+        clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5),
+    )
     clpt.save_run(clpt.simulate(team), tmp_path / "team.nc")
-    assert clpt.report(tmp_path / "team.nc", page, title="Two")["kind"] == "Run of a team"
+    assert (
+        clpt.report(tmp_path / "team.nc", page, title="Two")["kind"] == "Run of a team"
+    )
     checked(page.read_text("utf-8"))
     made = clpt.report(clpt.replay.replay_dives(fixes_of(4)), page)
     assert made["sentences"][0].startswith("next surfacing ")
@@ -221,12 +256,18 @@ def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(run, clpt, tmp_path):
+def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(
+    run, clpt, tmp_path
+):
     twice = ("--format", "svg", "--format", "pdf", "--format", "svg")
     out, again = tmp_path / "replay", tmp_path / "again.html"
     assert clpt("replay", "--sample", "--out", out, *twice).status == 0
-    drawn = {path.name for path in out.iterdir() if path.suffix in (".svg", ".pdf", ".png")}
-    assert drawn == {f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")}
+    drawn = {
+        path.name for path in out.iterdir() if path.suffix in (".svg", ".pdf", ".png")
+    }
+    assert drawn == {
+        f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")
+    }
     assert clpt("report", out / "replay.nc", "-o", again).status == 0
     assert again.read_bytes() == (out / "replay.html").read_bytes()
     own = {"figures": tmp_path, "formats": ["gif"]}
@@ -238,8 +279,14 @@ NO_SUMMARY = {  # of a replay's NetCDF
     "deep.nc": ("[" * 10**5, "is a replay's NetCDF without its summary"),
     "list.nc": ("[1]", "earlier version"),
     "old.nc": ('{"each_dive": [{"dive": 1}], "next_dive": {}}', "earlier version"),
-    "none.nc": ('{"each_dive": [], "headlines": {}, "next_dive": null}', "without a dive"),
-    "bad.nc": ('{"each_dive": [{}], "headlines": {}, "next_dive": {}}', "is damaged or of another"),
+    "none.nc": (
+        '{"each_dive": [], "headlines": {}, "next_dive": null}',
+        "without a dive",
+    ),
+    "bad.nc": (
+        '{"each_dive": [{}], "headlines": {}, "next_dive": {}}',
+        "is damaged or of another",
+    ),
 }
 
 
@@ -253,7 +300,12 @@ def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeyp
         held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
         xarray.Dataset(held, attrs={"estimator": "kalman"}).to_netcdf(name)
     half = whole[: len(whole) // 2]
-    no_page = {"empty.nc": b"", "bytes.nc": bytes(range(256)) * 9, "a.toml": b"[run]", "b.nc": half}
+    no_page = {
+        "empty.nc": b"",
+        "bytes.nc": bytes(range(256)) * 9,
+        "a.toml": b"[run]",
+        "b.nc": half,
+    }
     for name, content in no_page.items():
         Path(name).write_bytes(content)
     for name, said in {

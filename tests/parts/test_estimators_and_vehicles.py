@@ -16,7 +16,11 @@ from clpt_control import parts
 
 # --- estimators ---------------------------------------------------------------------------------
 
-A, B, C = np.array([[0.0, 1.0], [-1.0, 0.3]]), np.array([[0.0], [1.0]]), np.array([[1.0, 0.0]])
+A, B, C = (
+    np.array([[0.0, 1.0], [-1.0, 0.3]]),
+    np.array([[0.0], [1.0]]),
+    np.array([[1.0, 0.0]]),
+)
 Q, R = np.array([[0.3, 0.1], [0.1, 0.5]]), np.array([[0.2]])
 
 
@@ -38,7 +42,9 @@ def test_a_kalman_bucy_filter_settles_at_care():
         P = P.reshape(2, 2)
         return (A @ P + P @ A.T + Q - P @ C.T @ np.linalg.inv(R) @ C @ P).ravel()
 
-    exact = solve_ivp(riccati, (0, 1), 2 * np.eye(2).ravel(), rtol=1e-11, atol=1e-12).y[:, -1]
+    exact = solve_ivp(riccati, (0, 1), 2 * np.eye(2).ravel(), rtol=1e-11, atol=1e-12).y[
+        :, -1
+    ]
     settled = control.lqe(A, np.eye(2), C, Q, R)[1].ravel()
     P = found.P.values.reshape(3, 4)
     np.testing.assert_array_equal(P[0], 2 * np.eye(2).ravel())
@@ -48,10 +54,14 @@ def test_a_kalman_bucy_filter_settles_at_care():
 def test_a_sampled_kalman_filter_settles_at_dare():
     F = expm(0.1 * A)
     plant = control.ss(F, B, C, 0, 0.1)
-    found = clpt.simulate(parts.kalman_filter(plant, Q, R), 0.1 * np.arange(200), [0.0, 1.0])
+    found = clpt.simulate(
+        parts.kalman_filter(plant, Q, R), 0.1 * np.arange(200), [0.0, 1.0]
+    )
     L, P, _ = control.dlqe(F, np.eye(2), C, Q, R)
     K = P @ C.T / (C @ P @ C.T + R)
-    np.testing.assert_allclose(found.P[-1].values.reshape(2, 2), P - K @ C @ P, atol=1e-10)
+    np.testing.assert_allclose(
+        found.P[-1].values.reshape(2, 2), P - K @ C @ P, atol=1e-10
+    )
     kept = (np.eye(2) - K @ C) @ F  # steady: x = F x_hat, x_hat = x + K (1 - C x)
     assert np.max(np.abs(np.linalg.eigvals(kept))) < 0.95
     steady = np.linalg.solve(np.eye(2) - kept, K[:, 0])
@@ -72,7 +82,10 @@ def test_a_filter_is_as_uncertain_as_it_says():
 
 def test_noise_is_the_same_everywhere_and_a_signals_own():
     """Of the hash `blocks/test_blocks_closed_forms` asks whether it is white and normal."""
-    source, middles = parts.noise([2.0, 0.5], 0.1, signals=2, seed=3), 0.1 * np.arange(2e4) + 0.05
+    source, middles = (
+        parts.noise([2.0, 0.5], 0.1, signals=2, seed=3),
+        0.1 * np.arange(2e4) + 0.05,
+    )
     found = run(source, middles).n.values
     others = run(source, middles[:500], engine="python").n.values
     np.testing.assert_allclose(found[:500], others, rtol=1e-13)
@@ -105,8 +118,12 @@ def test_coriolis_is_fossens_matrix():
     rng = np.random.default_rng(3)
     for nu, tau in rng.standard_normal((20, 2, 3)):
         a, b = M[1, 1] * nu[1] + M[1, 2] * nu[2], M[0, 0] * nu[0]
-        rate = np.linalg.solve(M, tau - np.array([[0, 0, -a], [0, 0, b], [a, -b, 0]]) @ nu - D @ nu)
-        found = parts.planar_vehicle(M, D).dynamics(0, [0, 0, rng.normal(), *nu], [*tau, 0, 0])
+        rate = np.linalg.solve(
+            M, tau - np.array([[0, 0, -a], [0, 0, b], [a, -b, 0]]) @ nu - D @ nu
+        )
+        found = parts.planar_vehicle(M, D).dynamics(
+            0, [0, 0, rng.normal(), *nu], [*tau, 0, 0]
+        )
         np.testing.assert_allclose(found[3:], rate, atol=1e-12)
 
 
@@ -146,8 +163,18 @@ SAMPLED = (
 @pytest.mark.parametrize("made", SAMPLED, ids=lambda one: one.name)
 def test_the_time_of_sampling_is_no_parameter(made):
     """It changed the equations, while the part sampled as before."""
-    given, said = ([0.0, 0.1, 0.2], [1.0] * made.ninputs), f"unknown parameter '{made.name}.dt'"
-    says(clpt.ClptError, said, clpt.simulate, made, *given, params={f"{made.name}.dt": 0.2})
+    given, said = (
+        ([0.0, 0.1, 0.2], [1.0] * made.ninputs),
+        f"unknown parameter '{made.name}.dt'",
+    )
+    says(
+        clpt.ClptError,
+        said,
+        clpt.simulate,
+        made,
+        *given,
+        params={f"{made.name}.dt": 0.2},
+    )
     pickled = pickle.loads(pickle.dumps(made))
     assert clpt.simulate(made, *given).equals(clpt.simulate(pickled, *given))
 
@@ -172,5 +199,11 @@ def test_a_block_of_discrete_time_iterates_and_samples():
     theirs = control.input_output_response(twice, np.array([0, 0.5, 1.0]), np.ones(3))
     assert theirs.outputs.tolist() == [0, 1, 3]
     loop = clpt.connect([twice, parts.lag(1.0, u="x", y="y")], external="u")
-    assert clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0).x.values.tolist() == [0, 0, 1, 1, 3]
+    assert clpt.simulate(loop, [0, 0.25, 0.5, 0.75, 1.0], 1.0).x.values.tolist() == [
+        0,
+        0,
+        1,
+        1,
+        3,
+    ]
     assert twice.copy(name="other").dt == 0.5

@@ -22,7 +22,10 @@ def run(system, times, *given, **options):
 def test_limits_and_gaps_are_numpys():
     u = np.linspace(-3, 3, 61)
     low, high = -1.0, 0.5
-    limit, gap = parts.saturation(low, high, signals=61), parts.dead_zone(low, high, signals=61)
+    limit, gap = (
+        parts.saturation(low, high, signals=61),
+        parts.dead_zone(low, high, signals=61),
+    )
     np.testing.assert_array_equal(limit.output(0, [], u), np.clip(u, low, high))
     np.testing.assert_array_equal(gap.output(0, [], u) + np.clip(u, low, high), u)
     slope = np.where(u < low, u - low, np.where(u > high, u - high, 0.0))
@@ -31,14 +34,20 @@ def test_limits_and_gaps_are_numpys():
 
 def table():
     """It is linear between its points."""
-    at, values, u = [-1.0, 0.0, 0.5, 3.0], [2.0, 0.0, 1.0, -4.0], np.linspace(-2, 4, len(TIMES))
+    at, values, u = (
+        [-1.0, 0.0, 0.5, 3.0],
+        [2.0, 0.0, 1.0, -4.0],
+        np.linspace(-2, 4, len(TIMES)),
+    )
     return parts.lookup_table(at, values), [u], {"y": (np.interp(u, at, values), 1e-12)}
 
 
 def rate_limit(rise=0.5, T=0.2, wanted=2.0):
     """A ramp and then a lag, once the rate is less than the limit."""
     end = (wanted - rise * T) / rise
-    exact = np.where(end > TIMES, rise * TIMES, wanted - rise * T * np.exp(-(TIMES - end) / T))
+    exact = np.where(
+        end > TIMES, rise * TIMES, wanted - rise * T * np.exp(-(TIMES - end) / T)
+    )
     return parts.rate_limit(rise, lag=T), wanted, {"y": (exact, 1e-9)}
 
 
@@ -104,8 +113,12 @@ def test_sampled_backlash_is_the_play_and_continuous_tends_to_it():
     assert np.ptp(y[resting]) == 0.0
     falling = (times > 2 * np.pi) & (np.cos(times) < 0) & (u < size - width)
     np.testing.assert_allclose(y[falling], u[falling] + width / 2, atol=1e-4)
-    wave = clpt.Block("wave", output=lambda t, x, u, p: 2.0 * np.sin(t), outputs={"u": 1})
-    loops = [clpt.connect([wave, parts.backlash(width, lag=lag)]) for lag in (0.02, 0.005)]
+    wave = clpt.Block(
+        "wave", output=lambda t, x, u, p: 2.0 * np.sin(t), outputs={"u": 1}
+    )
+    loops = [
+        clpt.connect([wave, parts.backlash(width, lag=lag)]) for lag in (0.02, 0.005)
+    ]
     far, near = (np.abs(run(loop, times).y.values - y).max() for loop in loops)
     assert near / 0.35 < far < 1.1 * size * 0.02  # T times the largest rate
 
@@ -116,9 +129,13 @@ def test_a_relay_in_a_loop_has_the_period_of_the_textbook(engine):
     h, k = 0.3, np.arange(8)
     switch = parts.relay(on=h, off=-h, low=1.0, high=-1.0, lag=1e-3, u="x", y="u")
     loop = clpt.connect([switch, parts.lag(1.0, u="u", y="x")])
-    turns = np.log(1 / (1 - h)) + k * np.log((1 + h) / (1 - h))  # the first from 0 up to h
+    turns = np.log(1 / (1 - h)) + k * np.log(
+        (1 + h) / (1 - h)
+    )  # the first from 0 up to h
     times = np.array([0.0, *np.sort([*turns, *(turns + 0.1)])])
-    turning, after = run(loop, times, engine=engine).x.values[1:].reshape(8, 2).T * (-1.0) ** k
+    turning, after = (
+        run(loop, times, engine=engine).x.values[1:].reshape(8, 2).T * (-1.0) ** k
+    )
     np.testing.assert_allclose(turning, h, atol=1e-8)
     np.testing.assert_allclose(after, h + (-1 - h) * (1 - np.exp(-0.1)), atol=1e-8)
 
@@ -126,7 +143,9 @@ def test_a_relay_in_a_loop_has_the_period_of_the_textbook(engine):
 def test_a_sampled_relay_keeps_in_between():
     times = np.arange(0, 20, 0.05)
     u = np.sin(times) + 0.3 * np.sin(3.1 * times)
-    found = clpt.simulate(parts.relay(0.6, -0.4, 2.0, 5.0, dt=0.05), times, [u]).y.values
+    found = clpt.simulate(
+        parts.relay(0.6, -0.4, 2.0, 5.0, dt=0.05), times, [u]
+    ).y.values
     closed, wanted = False, []
     for value in u:
         closed = value > 0.6 or (closed and value >= -0.4)
@@ -141,11 +160,18 @@ def test_a_sampled_relay_keeps_in_between():
 def test_a_continuous_delay_is_pades(order):
     """One of high order, which python-control's cannot be, is the delay itself."""
     T, s = 0.7, 1j * np.logspace(-2, 2 if order < 9 else 1.5, 40)
-    linear, n = clpt.linearize(parts.delay(T, order), np.zeros(order), [0.0]), min(order, 8)
+    linear, n = (
+        clpt.linearize(parts.delay(T, order), np.zeros(order), [0.0]),
+        min(order, 8),
+    )
     exact = control.tf(*control.pade(T, n, n - 1))(s) if order < 9 else np.exp(-s * T)
-    np.testing.assert_allclose(linear(s).squeeze(), exact, atol=1e-10 if order < 9 else 1e-8)
+    np.testing.assert_allclose(
+        linear(s).squeeze(), exact, atol=1e-10 if order < 9 else 1e-8
+    )
     low = s[np.abs(s) * T < order / 2]
-    assert np.abs(linear(low).squeeze() - np.exp(-low * T)).max() < (0.11 if order == 1 else 0.03)
+    assert np.abs(linear(low).squeeze() - np.exp(-low * T)).max() < (
+        0.11 if order == 1 else 0.03
+    )
     assert np.all(linear.poles().real < 0)
 
 
@@ -155,7 +181,9 @@ def test_a_sampled_delay_in_a_continuous_loop_is_exact():
     gain = control.tf([0.3], [1], dt, inputs="e", outputs="u", name="gain")
     error = control.summing_junction(["r", "-y"], "e", name="error")
     plant = control.ss(0, 1, 1, 0, inputs="v", outputs="y", name="plant")
-    loop = clpt.connect([error, gain, parts.delay(1.0, dt=dt, u="u", y="v"), plant], external="r")
+    loop = clpt.connect(
+        [error, gain, parts.delay(1.0, dt=dt, u="u", y="v"), plant], external="r"
+    )
     y, line = [0.0], [0.0, 0.0]
     for _ in times[1:]:
         line = [0.3 * (1 - y[-1]), *line]
@@ -165,13 +193,17 @@ def test_a_sampled_delay_in_a_continuous_loop_is_exact():
 
 def test_a_hold_in_front_of_a_lag_is_c2d():
     dt, T, fine = 0.4, 0.9, np.arange(0, 8, 0.05)
-    loop = clpt.connect([parts.hold(dt, y="held"), parts.lag(T, u="held", y="y")], external="u")
+    loop = clpt.connect(
+        [parts.hold(dt, y="held"), parts.lag(T, u="held", y="y")], external="u"
+    )
     found = run(loop, fine, [np.sin(fine)])
     y, k = [0.0], np.floor(fine / dt + 1e-9)
     for at in range(1, len(fine)):
         held = np.sin(dt * k[at - 1])
         y.append(held + (y[-1] - held) * np.exp(-0.05 / T))
-    np.testing.assert_allclose(found.held, np.interp(dt * k, fine, np.sin(fine)), atol=1e-12)
+    np.testing.assert_allclose(
+        found.held, np.interp(dt * k, fine, np.sin(fine)), atol=1e-12
+    )
     np.testing.assert_allclose(found.y, y, atol=1e-9)
 
 
@@ -188,7 +220,9 @@ def test_an_unlimited_pid_is_the_transfer_function(engine, kd):
     forward = plant * (kp + ki / s)
     closed = forward / (1 + plant * (kp + ki / s + kd * s / (1 + tf * s)))
     expected = control.forced_response(control.ss(closed), TIMES, np.ones(len(TIMES)))
-    np.testing.assert_allclose(run(ours, TIMES, 1.0, engine=engine).y, expected.y[0], atol=1e-7)
+    np.testing.assert_allclose(
+        run(ours, TIMES, 1.0, engine=engine).y, expected.y[0], atol=1e-7
+    )
 
 
 def test_an_unlimited_sampled_pid_is_the_transfer_function_in_z():
@@ -196,7 +230,9 @@ def test_an_unlimited_sampled_pid_is_the_transfer_function_in_z():
     times, z = dt * np.arange(30), control.tf([1, 0], [1], dt)
     feedback = kp + ki * dt / (z - 1) + kd * (z - 1) / ((tf + dt) * z - tf)
     y = np.random.default_rng(1).standard_normal(len(times))
-    found = clpt.simulate(parts.pid(kp, ki, kd, filter=tf, dt=dt), times, np.stack([0 * y, y]))
+    found = clpt.simulate(
+        parts.pid(kp, ki, kd, filter=tf, dt=dt), times, np.stack([0 * y, y])
+    )
     expected = control.forced_response(feedback, times, -y)
     np.testing.assert_allclose(found.u, expected.y.squeeze(), atol=1e-10)
 
@@ -204,9 +240,14 @@ def test_an_unlimited_sampled_pid_is_the_transfer_function_in_z():
 @pytest.mark.parametrize("dt", [None, 0.02])
 def test_the_integral_follows_a_limited_command(dt):
     """Without anti-windup the response to a large step overshoots by far; with it, hardly."""
-    pids = [parts.pid(2, 1, low=-0.5, high=0.5, tracking=t, dt=dt) for t in (1.0, np.inf)]
+    pids = [
+        parts.pid(2, 1, low=-0.5, high=0.5, tracking=t, dt=dt) for t in (1.0, np.inf)
+    ]
     tank = control.ss(0, 1, 1, 0, inputs="u", outputs="y", name="tank")
-    loops, times = [clpt.connect([one, tank], "r") for one in pids], np.linspace(0, 60, 3001)
+    loops, times = (
+        [clpt.connect([one, tank], "r") for one in pids],
+        np.linspace(0, 60, 3001),
+    )
     with_it, without = (run(loop, times, 10.0, rtol=1e-8) for loop in loops)
     assert np.all(np.abs(with_it.u) <= 0.5)
     assert with_it.y.max() < 10.5 < 15 < without.y.max()
@@ -215,8 +256,12 @@ def test_the_integral_follows_a_limited_command(dt):
 
 def test_back_calculation_settles_where_it_should():
     """While u is limited, I' = Ki e + (high - v)/Tt: v settles at high + Tt Ki e."""
-    found = run(parts.pid(2.0, 1.0, high=0.5, tracking=0.2), [0.0, 10.0], [3.0, 0.0])[{"time": -1}]
-    assert 2.0 * 3.0 + found.states.values[0] == pytest.approx(0.5 + 0.2 * 1.0 * 3.0, abs=1e-9)
+    found = run(parts.pid(2.0, 1.0, high=0.5, tracking=0.2), [0.0, 10.0], [3.0, 0.0])[
+        {"time": -1}
+    ]
+    assert 2.0 * 3.0 + found.states.values[0] == pytest.approx(
+        0.5 + 0.2 * 1.0 * 3.0, abs=1e-9
+    )
     assert found.u == 0.5
 
 

@@ -42,20 +42,28 @@ def test_the_triangle_of_currents(x, y, east, north, s):
         assert w @ across == pytest.approx(-c @ across, abs=1e-6 * s)
         root = math.sqrt(s**2 - (c @ across) ** 2)
         made, other = c @ line + root, c @ line - root
-        assert length / tau == pytest.approx(made, rel=1e-6, abs=1e-6 * s) or current > s
-        assert min(abs(length / tau - made), abs(length / tau - other)) < 1e-6 * (s + current)
+        assert (
+            length / tau == pytest.approx(made, rel=1e-6, abs=1e-6 * s) or current > s
+        )
+        assert min(abs(length / tau - made), abs(length / tau - other)) < 1e-6 * (
+            s + current
+        )
     else:
         assert (state, tau) == (AGAINST, None)
         assert current > s  # in a slower current every place can be made
         a = np.linspace(0, 2 * math.pi, 721)
-        best = np.hypot(*((g - c)[:, None] - s * np.array([np.sin(a), np.cos(a)]))).min()
+        best = np.hypot(
+            *((g - c)[:, None] - s * np.array([np.sin(a), np.cos(a)]))
+        ).min()
         assert np.hypot(*(g - c - w)) <= best * (1 + 1e-12)
 
 
 def still(current=(0.0, 0.0), count=12, place=(40.0, 8.0)):
     """Dives of a steady current (m/s) on all headings, 0.25 m/s of 4 h, from fix to fix."""
     reckoned = [along(math.degrees(2.4 * k), 3600.0) for k in range(count)]
-    return chained([(dr, dr + 14400 * np.array(current), 14400.0) for dr in reckoned], place)
+    return chained(
+        [(dr, dr + 14400 * np.array(current), 14400.0) for dr in reckoned], place
+    )
 
 
 def known(*current):
@@ -73,7 +81,9 @@ def test_a_current_across_the_line_is_held_off():
     replay = known(0.1, 0.0)
     here = away(replay, 0.0, 0.0)
     leg = aims(replay, [(45.0, here[1])])[0]
-    assert leg.heading == pytest.approx(360 - math.degrees(math.asin(0.1 / 0.25)), abs=0.5)
+    assert leg.heading == pytest.approx(
+        360 - math.degrees(math.asin(0.1 / 0.25)), abs=0.5
+    )
     assert leg.made_good == pytest.approx(14400 * math.sqrt(0.25**2 - 0.1**2), rel=0.01)
     assert leg.ahead.longitude == pytest.approx(here[1], abs=1e-4)
     stay = aims(replay, [here])[0]  # where it is
@@ -93,7 +103,9 @@ def test_speed_and_compass_are_corrected():
         leg = aims(replay, [away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
         assert leg.speed_expected == pytest.approx(0.25, rel=0.02)
-        assert leg.current == pytest.approx((0.0, 0.0), abs=4e-3)  # none of it is the current's
+        assert leg.current == pytest.approx(
+            (0.0, 0.0), abs=4e-3
+        )  # none of it is the current's
         assert leg.made_good == pytest.approx(3600, rel=0.02)
 
 
@@ -110,12 +122,16 @@ def test_what_cannot_be_made_is_said():
     assert near.left < 5
     fast = known(0.25 - 1e-7, 0.0)  # m/s; as fast as the vehicle, all but
     legs = aims(fast, [away(fast, -500e3, 0.0), (40.0, 0.0)], speed=0.2502)
-    assert [leg.state for leg in legs] == [UNDER_WAY]  # what takes years has none after it
+    assert [leg.state for leg in legs] == [
+        UNDER_WAY
+    ]  # what takes years has none after it
     assert json.dumps(legs[0].as_dict(), allow_nan=False)
 
 
 @settings(derandomize=True, max_examples=25, deadline=None)
-@given(st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500))
+@given(
+    st.floats(-75, 75), st.floats(-180, 180), st.floats(0, 360), st.floats(200, 2500)
+)
 def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, far):
     replay = replay_dives(still((0.05, 0.02), 4, (lat, lon)))
     way = along(angle, far)
@@ -132,7 +148,9 @@ def test_legs_follow_one_another():
     one, two = aims(replay, [first, second])
     assert (two.ahead.plan.lat_gps2, two.ahead.plan.lon_gps2) == first
     assert two.distance == pytest.approx(math.hypot(*displacement(*first, *second)))
-    took = one.dives * 14400 + 600 * math.floor(one.dives)  # at the surface between the dives
+    took = one.dives * 14400 + 600 * math.floor(
+        one.dives
+    )  # at the surface between the dives
     assert one.dives > 5
     assert one.as_dict()["hours"] == pytest.approx(took / 3600)
     later = one.ahead.plan.t_gps2 + took + 600
@@ -168,7 +186,10 @@ def test_magnetic_headings(sg542):
 
 
 def test_a_speed_that_no_vehicle_has_is_refused():
-    for more, says in (({"speed": 25.0}, "at most 5 m/s"), ({"duration": math.inf}, "inf hours")):
+    for more, says in (
+        ({"speed": 25.0}, "at most 5 m/s"),
+        ({"duration": math.inf}, "inf hours"),
+    ):
         refuses(says, aims, known(0.0, 0.0), [(40.0, 8.0)], error=ScenarioError, **more)
 
 
@@ -191,7 +212,9 @@ def steady():
 
 def arrival(replay, east, north, areas=(), speed=V):
     """What is drawn of a waypoint so far from 40 N 8 E, m, and its row."""
-    found = route.arrivals(replay, [place_from(40.0, 8.0, east, north)], areas, speed, 14400.0)
+    found = route.arrivals(
+        replay, [place_from(40.0, 8.0, east, north)], areas, speed, 14400.0
+    )
     return found, found["waypoints"][0]
 
 
@@ -212,7 +235,9 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
     found, one = arrival(steady, far, 0.0, areas)
     east = STEADY[0] + math.sqrt(V**2 - STEADY[1] ** 2)
     due = far / east + math.ceil(far / east / 14400) * STAY
-    took = {key: seconds(one[key]) - steady.steps[-1].dive.t_gpse for key in route.SHARES}
+    took = {
+        key: seconds(one[key]) - steady.steps[-1].dive.t_gpse for key in route.SHARES
+    }
     assert took["time"] == pytest.approx(due, rel=0.04)
     assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
     assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
@@ -233,10 +258,14 @@ def test_who_knows_less_arrives_less_surely(steady):
 
 def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
     monkeypatch.setattr(route, "DIVES", 5)
-    monkeypatch.setattr(route, "MOST_DRAWN", 12)  # of 5 dives each: three of thirty draws
+    monkeypatch.setattr(
+        route, "MOST_DRAWN", 12
+    )  # of 5 dives each: three of thirty draws
     found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
-    assert route_sentences(found)[0].endswith("not there; made within 5 dives in 0 % of 3 draws")
+    assert route_sentences(found)[0].endswith(
+        "not there; made within 5 dives in 0 % of 3 draws"
+    )
 
 
 def test_the_same_draws_say_the_same(steady):
@@ -268,7 +297,9 @@ def test_routes_are_read(tmp_path):
         (shape("LineString", [8.3, -42.7], [8.2, -42.6]), None),
         (together(shape("MultiPolygon", [SQUARE], [SQUARE])), {}),
     ]
-    features = [{"type": "Feature", "geometry": one, "properties": name} for one, name in shapes]
+    features = [
+        {"type": "Feature", "geometry": one, "properties": name} for one, name in shapes
+    ]
     path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
     targets, areas = route.read_route(path)
     assert targets == [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2)]
@@ -308,7 +339,9 @@ def test_what_is_no_route_is_one_sentence(tmp_path):
 def test_the_command_draws_the_way(command, tmp_path):
     line = shape("LineString", [8.47, -42.93], [8.47, -42.92])
     ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
-    (tmp_path / "route.json").write_text(json.dumps(together(line, shape("Polygon", ring))))
+    (tmp_path / "route.json").write_text(
+        json.dumps(together(line, shape("Polygon", ring)))
+    )
     words = ("--sample", "--route", tmp_path / "route.json", "--json")
     found = json.loads(command(*words, "--out", tmp_path / "out").stdout)
     assert found["aim"][0]["latitude"] == -42.93

@@ -29,7 +29,9 @@ def sea(count=9, seed=3):
 
 def moved(dive, fix, east, north):
     """A dive with a fix, gps2 or gpse, that far from where it was, m."""
-    at = place_from(getattr(dive, f"lat_{fix}"), getattr(dive, f"lon_{fix}"), east, north)
+    at = place_from(
+        getattr(dive, f"lat_{fix}"), getattr(dive, f"lon_{fix}"), east, north
+    )
     there = replace(dive, **dict(zip((f"lat_{fix}", f"lon_{fix}"), at, strict=True)))
     gps = displacement(there.lat_gps2, there.lon_gps2, there.lat_gpse, there.lon_gpse)
     return replace(there, gps_east=gps[0], gps_north=gps[1])
@@ -47,7 +49,15 @@ def said(replay):
     return [step.dive.number for step in replay.steps if step.dive.notes]
 
 
-SAID = ("forecast", "covariance", "current", "current_error", "speed", "inside", "anomaly")
+SAID = (
+    "forecast",
+    "covariance",
+    "current",
+    "current_error",
+    "speed",
+    "inside",
+    "anomaly",
+)
 
 
 def same(one, other):
@@ -65,7 +75,10 @@ def as_learned(steps, others, to):
 
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
-    good, wild = replay_dives(sea(), estimator), replay_dives(with_wild("gpse"), estimator)
+    good, wild = (
+        replay_dives(sea(), estimator),
+        replay_dives(with_wild("gpse"), estimator),
+    )
     assert (said(good), said(wild)) == ([], [WILD + 1])
     found, later = (wild.steps[k].dive for k in (WILD, WILD + 1))
     assert (found.lat_gpse, found.lon_gpse) == (later.lat_gps2, later.lon_gps2)
@@ -74,12 +87,17 @@ def test_a_wild_end_is_replaced_by_the_start_of_the_next_dive(estimator):
     assert wild.steps[WILD].clpe["adaptive"] < 2000
     assert "3.2 km in 5 min" in found.notes[0]
     as_learned(wild.steps, good.steps, 60)
-    assert clpe_rms(wild)["adaptive"] == pytest.approx(clpe_rms(good)["adaptive"], abs=40)
+    assert clpe_rms(wild)["adaptive"] == pytest.approx(
+        clpe_rms(good)["adaptive"], abs=40
+    )
 
 
 @pytest.mark.parametrize("estimator", ESTIMATORS)
 def test_a_wild_start_counts_little_and_leaves_the_dive_before(estimator):
-    good, wild = replay_dives(sea(), estimator), replay_dives(with_wild("gps2"), estimator)
+    good, wild = (
+        replay_dives(sea(), estimator),
+        replay_dives(with_wild("gps2"), estimator),
+    )
     assert said(wild) == [WILD + 1]
     assert all(map(same, wild.steps[:WILD], good.steps))
     assert wild.steps[WILD].dive.doubt == pytest.approx(3200.0, abs=100)
@@ -92,7 +110,10 @@ def test_a_vehicle_that_a_boat_has_moved_is_forecast_from_where_it_is():
     for k in range(WILD, len(dives)):
         dives[k] = moved(moved(dives[k], "gps2", 20e3, 5e3), "gpse", 20e3, 5e3)
     good, boat = replay_dives(sea()), replay_dives(dives)
-    assert (said(boat), boat.steps[WILD].dive.lat_gps2) == ([WILD + 1], dives[WILD].lat_gps2)
+    assert (said(boat), boat.steps[WILD].dive.lat_gps2) == (
+        [WILD + 1],
+        dives[WILD].lat_gps2,
+    )
     for one, other in zip(boat.steps, good.steps, strict=True):
         assert one.forecast == pytest.approx(other.forecast, abs=60)
 
@@ -104,14 +125,20 @@ def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator,
     dives, replay, forecasts = with_wild(fix), Replay(estimator), []
     for k, dive in enumerate(dives):
         mean, covariance = replay.forecast(dive)
-        replay.forecast(moved(dive, "gps2", 3e3, 0.0))  # a start elsewhere: it leaves no trace
-        assert np.array_equal(mean, replay.forecast(moved(dive, "gpse", 900.0, -700.0))[0])
+        replay.forecast(
+            moved(dive, "gps2", 3e3, 0.0)
+        )  # a start elsewhere: it leaves no trace
+        assert np.array_equal(
+            mean, replay.forecast(moved(dive, "gpse", 900.0, -700.0))[0]
+        )
         summary(replay)
         step = replay.step(dive)
         assert np.array_equal(mean, step.forecast)
         assert np.array_equal(covariance, step.covariance)
         forecasts.append(mean)
-        assert all(map(same, replay.steps, replay_dives(dives[: k + 1], estimator).steps))
+        assert all(
+            map(same, replay.steps, replay_dives(dives[: k + 1], estimator).steps)
+        )
     assert np.array_equal([step.forecast for step in replay.steps], forecasts)
 
 
@@ -131,7 +158,10 @@ def test_after_a_long_time_at_the_surface_the_fix_stays_and_counts_little():
     replay = replay_dives(dives)
     assert said(replay) == [WILD + 1]
     found = replay.steps[WILD].dive
-    assert (found.lat_gpse, found.lon_gpse) == (dives[WILD].lat_gpse, dives[WILD].lon_gpse)
+    assert (found.lat_gpse, found.lon_gpse) == (
+        dives[WILD].lat_gpse,
+        dives[WILD].lon_gpse,
+    )
     assert found.doubt == pytest.approx(80e3, rel=0.01)
     assert replay.steps[-1].clpe["adaptive"] < 250
 
@@ -142,10 +172,16 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     replay = replay_dives(usable(read_dives(path)[0])[0])
     assert [s.dive.number for s in replay.steps if s.dive.doubt] == [47]
     assert clpe_rms(replay)["adaptive"] <= 230
-    lines = [line for line in path.read_text().splitlines() if not line.startswith(("#", "47,"))]
+    lines = [
+        line
+        for line in path.read_text().splitlines()
+        if not line.startswith(("#", "47,"))
+    ]
     (tmp_path / "without.csv").write_text("\n".join(lines))
     without = replay_dives(usable(read_dives(tmp_path / "without.csv")[0])[0])
-    assert clpe_rms(replay)["adaptive"] == pytest.approx(clpe_rms(without)["adaptive"], abs=15)
+    assert clpe_rms(replay)["adaptive"] == pytest.approx(
+        clpe_rms(without)["adaptive"], abs=15
+    )
 
 
 def flags(dives):
@@ -171,13 +207,19 @@ def test_lost_speed_is_flagged(case):
         assert "evidence" in str(late[0])
 
 
-@pytest.mark.parametrize("case", [{}, {"noise": 0.02}, {"walk": 0.03}, {"flow": "inertial"}])
+@pytest.mark.parametrize(
+    "case", [{}, {"noise": 0.02}, {"walk": 0.03}, {"flow": "inertial"}]
+)
 def test_healthy_vehicles_are_left_alone(case):
-    assert sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4  # of 400
+    assert (
+        sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4
+    )  # of 400
 
 
 def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():
-    drifting = [replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 30, noise=0.02)]
+    drifting = [
+        replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 30, noise=0.02)
+    ]
     moved = [*vehicle(1, 14, noise=0.02), *drifting[14:]]
     for dives in (drifting, moved):
         found = flags(dives)

@@ -31,7 +31,9 @@ def recent(count, hours, name=None, seed=1):
     dives = fixes_of(count, seed=seed)
     late = time.time() - hours * HOUR - dives[-1].t_gpse
     return [
-        replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late, vehicle=name)
+        replace(
+            dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late, vehicle=name
+        )
         for dive in dives
     ]
 
@@ -41,7 +43,9 @@ def strayed(dives, last=2):
     found = list(dives[:-last])
     for dive in dives[-last:]:
         start = found[-1].lat_gpse, found[-1].lon_gpse
-        way = place_from(*start, dive.gps_east, dive.gps_north + (-1) ** len(found) * 20000)
+        way = place_from(
+            *start, dive.gps_east, dive.gps_north + (-1) ** len(found) * 20000
+        )
         fixes = (dive.t_gps2, *start), (dive.t_gpse, *way)
         found.append(make_dive(dive.number, *fixes, (dive.dr_east, dive.dr_north)))
     return found
@@ -92,7 +96,9 @@ def tree(tmp_path, facts, sample):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, monkeypatch):
+def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
+    tree, command, monkeypatch
+):
     monkeypatch.setenv("COLUMNS", "80")
     heard = tree.parent / "told"
     done = command("--fleet", tree, "--alert", teller(heard))
@@ -107,7 +113,10 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(tree, command, 
     for said in ("7 vehicles, 3 asking for a pilot", "hurt: cannot be read: "):
         assert said in done.stdout
     again = command("--fleet", tree, "--alert", teller(heard), "--json")
-    assert sorted(told_in(heard)) == [("a <b> & '#1%3f'", "OUT", 5), ("late", "overdue", 6)]
+    assert sorted(told_in(heard)) == [
+        ("a <b> & '#1%3f'", "OUT", 5),
+        ("late", "overdue", 6),
+    ]
     rows = {row["vehicle"]: row for row in json.loads(again.stdout)["vehicles"]}
     assert ([*rows][:3], rows["late"]["asks"]) == (asking, ["overdue"])
     assert rows["late"]["age_hours"] == pytest.approx(30.0, abs=0.5)
@@ -128,10 +137,14 @@ def teller(path):
 def told_in(path):
     """What the command was told: sentences, each with its object."""
     lines = path.read_text("utf-8").splitlines() if path.exists() else []
-    told = [(one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)]
+    told = [
+        (one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)
+    ]
     assert all(said == data["sentence"] for said, data in told)
     names = ("vehicle", "event", "dive")
-    assert all(data["id"] == "{} {} {}".format(*map(data.get, names)) for _, data in told)
+    assert all(
+        data["id"] == "{} {} {}".format(*map(data.get, names)) for _, data in told
+    )
     return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
 
 
@@ -153,7 +166,9 @@ open(sys.argv[2], 'w').write(sys.argv[3])
 """
 
 
-def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(tmp_path, out):
+def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(
+    tmp_path, out
+):
     number, said = tmp_path / "number", tmp_path / "said"
     seen = alerts(tmp_path, sys.executable, "-c", LEFT, str(number), str(said), "{}")
     seen.tell(out)
@@ -193,11 +208,14 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
     told = {name: tmp_path / f"told {name}" for name in ("broken", "whole")}
     words = ("replay", "--fleet", top, "--json")
     commands = {
-        name: [*CLPT, *words, "--out", name, "--alert", teller(path)] for name, path in told.items()
+        name: [*CLPT, *words, "--out", name, "--alert", teller(path)]
+        for name, path in told.items()
     }
     # a file that is being written may be there too short a time to be seen: then it is whole
     for part in ("*replay.html*", "v1/*track.kml*"):
-        with started(commands["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path) as process:
+        with started(
+            commands["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path
+        ) as process:
             kill_while_it_writes(process, tmp_path / "broken", part)
     found = {}
     for name, own in commands.items():
@@ -238,12 +256,16 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     for file in ("an empty file.csv", "replay.nc"):
         (tmp_path / file).write_text("")
     for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
-        write_dive_table([replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv")
+        write_dive_table(
+            [replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv"
+        )
         header, line = path.read_text().splitlines()
         path.write_text(f"{header},vehicle\n{line},{name}\n")
     lost, well = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
     assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
-    assert lost["said"][0].startswith("cannot be read: no dive can be used; dive 1: no fix after")
+    assert lost["said"][0].startswith(
+        "cannot be read: no dive can be used; dive 1: no fix after"
+    )
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])

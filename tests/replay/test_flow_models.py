@@ -56,7 +56,10 @@ def model_of(path, u, v, *axes, **how):
 def turning(hours, shape, speed=0.3):
     """A current that is the same everywhere and turns with M2."""
     angle = W * 3600 * hours.reshape(-1, *(1 for _ in shape))
-    return (np.broadcast_to(speed * f(angle), (len(hours), *shape)) for f in (np.cos, np.sin))
+    return (
+        np.broadcast_to(speed * f(angle), (len(hours), *shape))
+        for f in (np.cos, np.sin)
+    )
 
 
 def turned(dive, speed=0.3):
@@ -82,13 +85,25 @@ def closed_forms():
     # x' = v_x + k y, y = v_y t: the flow adds k v_y T^2 / 2
     yield "shear", dive, lambda t, x, y: (k * y, 0.0), (k * vy * T**2 / 2, 0.0), 1e-6
     end = 0.5 / W * np.array([math.sin(W * T), 1 - math.cos(W * T)])
-    yield "tide", dive, lambda t, x, y: (0.5 * math.cos(W * t), 0.5 * math.sin(W * t)), end, 0.01
+    yield (
+        "tide",
+        dive,
+        lambda t, x, y: (0.5 * math.cos(W * t), 0.5 * math.sin(W * t)),
+        end,
+        0.01,
+    )
     # all the way east in the first half, at rest in the second; the flow grows eastward:
     # x' = v + n x, then x' = n x: x(T) = (v / n) (e^(nT/2) - 1) e^(nT/2)
     way, grown = 5000.0, math.exp(n * T / 2)
     track = (np.array([0, T / 2, T]), np.array([0, way, way]), np.zeros(3))
     tracked, east = dive_at(way=(way, 0.0), track=track), (lambda t, x, y: (n * x, 0.0))
-    yield "track", tracked, east, (2 * way / T / n * (grown - 1) * grown - way, 0.0), 0.05
+    yield (
+        "track",
+        tracked,
+        east,
+        (2 * way / T / n * (grown - 1) * grown - way, 0.0),
+        0.05,
+    )
     straight = way / T / n * (math.exp(n * T) - 1) - way
     yield "no track", replace(tracked, track=None), east, (straight, 0.0), 0.01
 
@@ -107,12 +122,17 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     assert "one level only" in model.about
     ways = [(7.0 * k + 0.6, 6.0, (3000.0 * (-1) ** k, 2000.0)) for k in range(6)]
     dives = [replace(dive_at(*way), number=k) for k, way in enumerate(ways)]
-    replay = replay_dives([ended(dive, *turned(dive)) for dive in dives], flow_model=model)
+    replay = replay_dives(
+        [ended(dive, *turned(dive)) for dive in dives], flow_model=model
+    )
     for step in replay.steps:  # u'' h^2 / 8 = 0.3 (W 900 s)^2 / 8 for six hours: 13 m
         assert step.clpe["no_flow"] > 1000
         assert step.clpe["flow_model"] < 13
     found = summary(replay)
-    assert (found["flow_model"]["covered"], found["flow_model"]["source"]) == (6, "tide.nc")
+    assert (found["flow_model"]["covered"], found["flow_model"]["source"]) == (
+        6,
+        "tide.nc",
+    )
     assert found["clpe_rms"]["flow_model"] < 13 < found["clpe_rms"]["adaptive"]
 
 
@@ -134,7 +154,9 @@ def test_the_column_is_averaged(tmp_path):
     model = model_of(tmp_path / "c.nc", u, v, **axes)
     assert eastward(900.0) == pytest.approx(0.4 - 0.5 * 0.1, abs=1e-4)
     flipped = write(tmp_path / "f.nc", u[:, ::-1], v, **axes | {"depth": -DEPTH[::-1]})
-    one, two = (read_currents(file, column=True) for file in (flipped, tmp_path / "c.nc"))
+    one, two = (
+        read_currents(file, column=True) for file in (flipped, tmp_path / "c.nc")
+    )
     assert np.array_equal(one.u, two.u, equal_nan=True)
 
 
@@ -144,14 +166,19 @@ def test_profiles_with_holes():
     # 5 m of 0.2 and 15 of 0.35 | 20 of 0.5 and 10 of 0.45 | none | 5 of 0.2 and 25 to 0.2 + 2/11
     expected = [6.25 / 20, 14.5 / 30, nan, (1 + 25 * (0.2 + 1 / 11)) / 30]
     means = [depth_mean(depth, profile, 30.0).real for profile in u]
-    assert (means, depth_mean(depth, u[0], 2.0)) == (pytest.approx(expected, nan_ok=True), 0.2)
+    assert (means, depth_mean(depth, u[0], 2.0)) == (
+        pytest.approx(expected, nan_ok=True),
+        0.2,
+    )
 
 
 @pytest.mark.parametrize(
     ("west", "count", "to"),
     [(0.0, 720, 8e3), (-180.0, 721, -8e3), (-180.3, 720, -8e3), (-180.3, 721, 8e3)],
 )
-def test_a_dive_goes_over_the_seam_of_a_grid_around_the_earth(tmp_path, west, to, count):
+def test_a_dive_goes_over_the_seam_of_a_grid_around_the_earth(
+    tmp_path, west, to, count
+):
     """A current of 0.2 + 0.1 cos(lon), the same wherever it is cut; meridians lean a little."""
     globe, lat, hours = west + 0.5 * np.arange(count), LAT[::10], HOURS[::40]
     shape = len(hours), len(lat), len(globe)
@@ -160,7 +187,9 @@ def test_a_dive_goes_over_the_seam_of_a_grid_around_the_earth(tmp_path, west, to
     start = west - 0.03 * np.sign(to)  # 2.5 km before the seam
     expected = (0.2 + 0.1 * math.cos(math.radians(west))) * 5 * 3600
     for turn in (0.0, 360.0):
-        dive = dive_at(way=(to, 0.0), hours=5.0, lon=start + (turn if start < 0 else 0.0))
+        dive = dive_at(
+            way=(to, 0.0), hours=5.0, lon=start + (turn if start < 0 else 0.0)
+        )
         assert model_way(dive, model) == pytest.approx([expected, -expected], abs=15)
 
 
@@ -175,7 +204,10 @@ def test_what_is_not_covered(tmp_path):
         (dive_at(hour=-0.1), "outside the forecast's steps"),
         (dive_at(hour=43.0), "outside the forecast's steps"),
         (dive_at(lat=LAT[12] - 0.01, lon=LON[15] - 0.01, way=(0.0, 0.0)), "in a gap"),
-        (dive_at(lat=LAT[12] - 0.01, lon=LON[15] - 0.08, hours=2.0, way=(9e3, 0.0)), "in a gap"),
+        (
+            dive_at(lat=LAT[12] - 0.01, lon=LON[15] - 0.08, hours=2.0, way=(9e3, 0.0)),
+            "in a gap",
+        ),
         (dive_at(way=(nan, 0.0)), "not finite"),
     ):
         found = carried(dive, model)
@@ -193,13 +225,27 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
         found = carried(dive_at(hour=hour, way=(0.0, 0.0)), model)
         covered = hour < 12 or hour >= 84
         assert (found.model_east is not None) == covered, hour
-        assert covered or found.uncovered == "outside the forecast's steps, or in a gap of them"
-    coarser = np.array([*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0])  # 1, 3 and 6 h
+        assert (
+            covered
+            or found.uncovered == "outside the forecast's steps, or in a gap of them"
+        )
+    coarser = np.array(
+        [*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0]
+    )  # 1, 3 and 6 h
     u = np.full((len(coarser), len(LAT), len(LON)), 0.2)
     model = model_of(tmp_path / "coarser.nc", u, 0 * u, hours=coarser)
     for hour in range(0, 33, 4):
-        assert carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None, hour
-    assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [0, 0, 5, 6, 0, 0]
+        assert (
+            carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None
+        ), hour
+    assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [
+        0,
+        0,
+        5,
+        6,
+        0,
+        0,
+    ]
 
 
 def test_units_of_a_forecast_that_has_none_are_given(tmp_path):

@@ -30,18 +30,26 @@ def test_any_history_of_a_folder(tmp_path, seed):
     rng, inbox = random.Random(seed), tmp_path / "in"
     one_file_each(tmp_path, sample_dives()[:5])
     inbox.mkdir()
-    whole = {int(path.stem[4:]): path.read_text() for path in tmp_path.glob("dive*.csv")}
+    whole = {
+        int(path.stem[4:]): path.read_text() for path in tmp_path.glob("dive*.csv")
+    }
     follower, seen = Follower(inbox, tmp_path / "state"), {}
     for _ in range(25):
         there = sorted(inbox.iterdir())
         name = rng.choice(list(whole))
-        match rng.choice(["write", "write", "cut", "copy", "rename", "remove", "restart"]):
+        match rng.choice(
+            ["write", "write", "cut", "copy", "rename", "remove", "restart"]
+        ):
             case "write":
                 (inbox / f"{name}.csv").write_text(whole[name])
             case "cut":
-                (inbox / f"{name}.csv").write_text(whole[name][: rng.choice([0, 5, 60])])
+                (inbox / f"{name}.csv").write_text(
+                    whole[name][: rng.choice([0, 5, 60])]
+                )
             case "copy" if there:
-                (inbox / f"{rng.randrange(3)}.csv").write_text(rng.choice(there).read_text())
+                (inbox / f"{rng.randrange(3)}.csv").write_text(
+                    rng.choice(there).read_text()
+                )
             case "rename" if there:
                 rng.choice(there).rename(inbox / f"{rng.randrange(3)}.csv")
             case "remove" if there:
@@ -51,7 +59,9 @@ def test_any_history_of_a_folder(tmp_path, seed):
         if rng.random() < 0.7:
             follower.look()
             texts = {path.name: path.read_text() for path in inbox.iterdir()}
-            seen |= {k: [n for n in whole if whole[n] == text] for k, text in texts.items()}
+            seen |= {
+                k: [n for n in whole if whole[n] == text] for k, text in texts.items()
+            }
             known = [dive.number for dive in usable(follower.dives()[0])[0]]
             assert known == sorted({n for numbers in seen.values() for n in numbers})
             again = Follower(inbox, tmp_path / "state")
@@ -105,7 +115,9 @@ def test_a_state_belongs_to_its_folder(follower, inbox, tmp_path, monkeypatch):
     other.mkdir()
     one_file_each(other, vehicle(3, 2))
     kept = {path.name: path.read_bytes() for path in state.iterdir()}
-    refuses("keeps what was read in .*/in, not in .*/other vehicle", Follower, other, state)
+    refuses(
+        "keeps what was read in .*/in, not in .*/other vehicle", Follower, other, state
+    )
     assert kept == {path.name: path.read_bytes() for path in state.iterdir()}
     monkeypatch.chdir(tmp_path)
     (tmp_path / "link").symlink_to(inbox)
@@ -260,7 +272,11 @@ def test_damage_is_seen_at_each_place(whole):
     assert len(places) > 40
     for place in places:
         is_no_state(path, put(record, place, {"no": [True]}))
-    for place in (*((key,) for key in record), ("dives", 0, "track"), ("dives", 0, "number")):
+    for place in (
+        *((key,) for key in record),
+        ("dives", 0, "track"),
+        ("dives", 0, "number"),
+    ):
         is_no_state(path, put(record, place, ...))
 
 
@@ -293,12 +309,23 @@ def test_odd_values_are_seen(whole):
 
 def test_what_is_no_json_is_seen(whole):
     path, _ = whole
-    for text in ("[" * 100_000, '{"a":' * 100_000, "\0", "", "9" * 5000, "\udcff", "[1]", "null"):
+    for text in (
+        "[" * 100_000,
+        '{"a":' * 100_000,
+        "\0",
+        "",
+        "9" * 5000,
+        "\udcff",
+        "[1]",
+        "null",
+    ):
         is_no_state(path, text)
     for make in (os.mkfifo, os.mkdir):  # a pipe is not waited for
         path.unlink()
         make(path)
-        refuses("dive1.csv.json: is no state", Follower, path.parents[1] / "in", path.parent)
+        refuses(
+            "dive1.csv.json: is no state", Follower, path.parents[1] / "in", path.parent
+        )
 
 
 def test_what_readers_give_is_whole(tmp_path):
@@ -306,7 +333,11 @@ def test_what_readers_give_is_whole(tmp_path):
     first, rng = sample_dives()[0], np.random.default_rng(2)
     time = np.linspace(0, 9000, 40)
     strange = [
-        replace(first, track=(time, *np.cumsum(rng.normal(size=(2, 40)), axis=1)), notes=("odd",)),
+        replace(
+            first,
+            track=(time, *np.cumsum(rng.normal(size=(2, 40)), axis=1)),
+            notes=("odd",),
+        ),
         replace(first, lat_gpse=math.nan, gps_east=math.nan, gps_north=math.nan),
         replace(first, dr_east=math.inf, depth_max=math.nan, number=-5),
         replace(first, lat_gpse=95.0, gps_east=math.nan, t_gps2=np.float64(0.1)),
@@ -320,4 +351,6 @@ def test_what_readers_give_is_whole(tmp_path):
     assert list(map(repr, again)) == list(map(repr, strange))
     assert all(map(np.array_equal, again[0].track, strange[0].track))
     again = followed(tmp_path, again, []).read_text()
-    assert json.dumps(json.loads(again)["dives"]) == json.dumps(json.loads(kept)["dives"])
+    assert json.dumps(json.loads(again)["dives"]) == json.dumps(
+        json.loads(kept)["dives"]
+    )

@@ -22,10 +22,14 @@ DIVES = usable(sample_dives())[0]
 
 def flown(courses, planned=False):
     """Dives of 3 km on courses (degrees), with a drift at the surface, in still water."""
-    ways = [(along(course, 3000.0), along(course, 3000.0), 14400.0) for course in courses]
+    ways = [
+        (along(course, 3000.0), along(course, 3000.0), 14400.0) for course in courses
+    ]
     dives = chained(ways, stay=900.0, drift=(150.0, 0.0))
     if planned:
-        dives[:-1] = map(lambda dive, course: replace(dive, next_course=course), dives, courses[1:])
+        dives[:-1] = map(
+            lambda dive, course: replace(dive, next_course=course), dives, courses[1:]
+        )
     return dives
 
 
@@ -70,7 +74,9 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
             guess = habits.guess()
             off = np.array([dive.dr_east, dive.dr_north]) - guess.way
             wide = guess.scatter[:2, :2] * guess.tails * habits.width[0] ** 2
-            late = 1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
+            late = (
+                1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
+            )
             away = abs(math.log(dive.duration / guess.duration))
             held.append((off @ np.linalg.solve(wide, off) <= 4.605, away <= late))
         habits.learn(dive, None, held[-1] if held else ())
@@ -110,12 +116,16 @@ def test_terminal_page_and_files_say_the_same(sample):
     within = f"+- {ahead['time_90'] / 60:.0f} min"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
     record = "headlines so far: 11 of 13 held the place, 13 the time"
-    page, kml = ((sample.folder / name).read_text() for name in ("replay.html", "track.kml"))
+    page, kml = (
+        (sample.folder / name).read_text() for name in ("replay.html", "track.kml")
+    )
     for text in (sample.text.replace("\n", " "), page, kml):
         assert within in text
         assert half in text
         assert record in text or text is kml
-    said = [one["properties"] for one in json.loads(next_geojson(sample.found))["features"]]
+    said = [
+        one["properties"] for one in json.loads(next_geojson(sample.found))["features"]
+    ]
     spot = next(one for one in said if one["name"] == "next surfacing")
     for key in ("time_90", "ellipse_90_long"):
         assert spot[key] == ahead[key]

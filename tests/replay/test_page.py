@@ -50,7 +50,11 @@ def test_nothing_of_a_file_is_markup(evil):
 def test_nothing_is_fetched(evil):
     page = fetching_nothing(evil)
     assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
-    policy = next(names["content"] for tag, names in page.tags if tag == "meta" and len(names) == 2)
+    policy = next(
+        names["content"]
+        for tag, names in page.tags
+        if tag == "meta" and len(names) == 2
+    )
     style, script = (
         f"'sha256-{b64encode(sha256(''.join(parts).encode()).digest()).decode()}'"
         for parts in (page.styles, page.scripts)
@@ -66,7 +70,9 @@ def test_a_page_that_is_written_again_is_loaded_again():
         tags = Reader(replay_page(found, again)).tags
         asked = [names for _, names in tags if names.get("http-equiv") == "refresh"]
         assert asked == [{"http-equiv": "refresh", "content": "60"}] * again
-        assert [names["data-again"] for _, names in tags if "data-again" in names] == ["60"] * again
+        assert [names["data-again"] for _, names in tags if "data-again" in names] == [
+            "60"
+        ] * again
 
 
 def charts_have_dates(text):
@@ -74,7 +80,9 @@ def charts_have_dates(text):
     assert len(charts) == 2
     for chart in charts:
         assert ">surfaced (UTC)<" in chart
-        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(2, 12)
+        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(
+            2, 12
+        )
 
 
 def test_sixty_dives_are_small_and_one_is_enough():
@@ -82,7 +90,9 @@ def test_sixty_dives_are_small_and_one_is_enough():
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
     rows = [names["id"] for tag, names in tags if tag == "tr" and "id" in names]
-    links = [names["href"] for tag, names in tags if tag == "a"]  # a fix leads to its row
+    links = [
+        names["href"] for tag, names in tags if tag == "a"
+    ]  # a fix leads to its row
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
     one = told(fixes_of(1))
@@ -91,7 +101,9 @@ def test_sixty_dives_are_small_and_one_is_enough():
     ElementTree.fromstring(track_kml(one, "one"))
 
 
-@pytest.mark.parametrize(("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)])
+@pytest.mark.parametrize(
+    ("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)]
+)
 def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     ax = map_plot(told(fixes_of(4, lat, lon)))
     low, high = ax.get_ylim()
@@ -148,7 +160,9 @@ def test_a_ring_is_the_ellipse_on_the_earth(lat):
     assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
     assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
     bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
-    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0  # meridians turn
+    assert (
+        abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0
+    )  # meridians turn
 
 
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
@@ -161,8 +175,12 @@ def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
     }
     ring, goal = np.array(shapes["90 % ellipse"][0]), shapes["next surfacing"]
     assert ring[0].tolist() == ring[-1].tolist()
-    assert np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0  # counter-clockwise
-    assert any(Path(ring).contains_point((goal[0] + turn, goal[1])) for turn in (-360, 0, 360))
+    assert (
+        np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0
+    )  # counter-clockwise
+    assert any(
+        Path(ring).contains_point((goal[0] + turn, goal[1])) for turn in (-360, 0, 360)
+    )
     way = shapes["way to the next surfacing"][0]
     for (x, y), wanted, name in ((goal, ahead, ""), (way, last, "end_")):
         off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
@@ -180,7 +198,10 @@ def test_kml_is_read_back():
     root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
     assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
     fixes = [
-        [one.find(f"k:{name}", KML).text for name in ("TimeStamp/k:when", "Point/k:coordinates")]
+        [
+            one.find(f"k:{name}", KML).text
+            for name in ("TimeStamp/k:when", "Point/k:coordinates")
+        ]
         for one in root.iterfind("k:Document/k:Placemark", KML)
         if one.find("k:name", KML).text.startswith("dive ")
     ]
@@ -231,7 +252,10 @@ def waypoints_of(text):
     lines = [line.partition("#")[0].strip() for line in text.splitlines()]
     assert lines[0] == "behavior_name=goto_list"
     first, last = lines.index("<start:b_arg>"), lines.index("<end:b_arg>")
-    asked = (re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one) for one in lines[first + 1 : last])
+    asked = (
+        re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one)
+        for one in lines[first + 1 : last]
+    )
     arguments = dict(one.groups() for one in asked)
     assert (lines[last + 1], lines[-1]) == ("<start:waypoints>", "<end:waypoints>")
     places = [line.split() for line in lines[last + 2 : -1]]
@@ -250,7 +274,9 @@ def test_a_seaglider_gets_targets_and_a_true_heading():
     assert [one["goto"] for one in read.values()] == ["AIM2", "AIM3", "AIM3"]
     said = re.search(r"\$HEADING,(\d+\.\d)", found["paste"]["text"])
     assert float(said[1]) == pytest.approx(found["aim"][0]["heading"], abs=0.051)
-    assert "$NAV_MODE,0" in found["paste"]["text"]  # or it would correct for the current again
+    assert (
+        "$NAV_MODE,0" in found["paste"]["text"]
+    )  # or it would correct for the current again
 
 
 def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():

@@ -37,7 +37,10 @@ DIVES = usable(sample_dives())[0]
 def test_sg542_without_learning_and_with_it(sg542):
     # the 13 after the first, which has no dive before it; all 14, the first with no flow
     found, after = summary(sg542), clpe_rms(sg542, 3)
-    for key, no_flow, previous in (("clpe_rms", 1853, 1213), ("clpe_rms_all", 1950, 1407)):
+    for key, no_flow, previous in (
+        ("clpe_rms", 1853, 1213),
+        ("clpe_rms_all", 1950, 1407),
+    ):
         assert found[key]["no_flow"] == pytest.approx(no_flow, abs=1)
         assert found[key]["previous_dive"] == pytest.approx(previous, abs=1)
     assert after["previous_dive"] == pytest.approx(1167, rel=0.01)
@@ -53,7 +56,9 @@ def test_mistakes_are_sentences():
     dives, replay = vehicle(1, 2), Replay()
     replay.step(dives[1])
     refuses("ends before dive 1", replay.step, dives[0])
-    refuses("must be finite", replay.step, replace(dives[1], t_gpse=2e9, gps_east=math.nan))
+    refuses(
+        "must be finite", replay.step, replace(dives[1], t_gpse=2e9, gps_east=math.nan)
+    )
     said = "'p5420304.nc'.*must be Iterable.Dive.*read_dives"
     refuses(said, replay_dives, ["p5420304.nc"], error=ArgumentError)
 
@@ -85,7 +90,9 @@ def test_what_is_learned_is_said_as_it_is():
     size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", learned_words(tidal))[1]
     assert float(size) == pytest.approx(0.15, abs=0.02)
     assert learned_words(replay_dives([])) == "nothing"
-    bare = learned_words(replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False)))
+    bare = learned_words(
+        replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False))
+    )
     assert bare.endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = summary(replay_dives([vehicle(1, 3)[0], noted]))
@@ -122,7 +129,10 @@ def test_drift_is_from_where_it_came_up():
     degree = math.radians(1) * 6378137.0  # along the equator
     assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
     speed = pytest.approx(0.02 * degree / 600)
-    assert (way.as_dict()["direction"], way.as_dict()["speed"]) == (pytest.approx(90.0), speed)
+    assert (way.as_dict()["direction"], way.as_dict()["speed"]) == (
+        pytest.approx(90.0),
+        speed,
+    )
     assert habits.drift(replace(next_one, number=9), first) is None  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
     assert habits.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
@@ -134,13 +144,18 @@ def test_drift_is_from_where_it_came_up():
 def test_each_dive_has_its_row(sg542):
     rows = summary(sg542)["each_dive"]
     text = json.dumps(rows, allow_nan=False)
-    assert (json.loads(text), [row["dive"] for row in rows]) == (rows, list(range(304, 318)))
+    assert (json.loads(text), [row["dive"] for row in rows]) == (
+        rows,
+        list(range(304, 318)),
+    )
     assert len({tuple(row) for row in rows}) == 1
     for row, step in zip(rows, sg542.steps, strict=True):
         dive = step.dive
         apart = displacement(dive.lat_gps1, dive.lon_gps1, dive.lat_gps2, dive.lon_gps2)
         if dive.number != 307:  # up for 51 minutes, GPS1 is a later fix
-            assert row["drift"]["distance"] == pytest.approx(math.hypot(*apart), abs=1e-6)
+            assert row["drift"]["distance"] == pytest.approx(
+                math.hypot(*apart), abs=1e-6
+            )
         speed = math.hypot(dive.gps_east, dive.gps_north) / dive.duration
         assert row["over_ground"]["speed"] == pytest.approx(speed)
         assert row["current_speed"] == pytest.approx(np.linalg.norm(step.current))
@@ -151,7 +166,8 @@ def test_each_dive_has_its_row(sg542):
 
 
 @pytest.mark.parametrize(
-    ("late", "which"), [(7200, "clock"), (-60, "end of the last dive"), (40 * 86400, "end of the")]
+    ("late", "which"),
+    [(7200, "clock"), (-60, "end of the last dive"), (40 * 86400, "end of the")],
 )
 def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
     end = sg542.steps[-1].dive.t_gpse
@@ -170,12 +186,23 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
     write_file(tmp_path / "replay.nc", replay_dataset(sg542))
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
-        assert (data.trajectory.attrs["cf_role"], data.sizes["dive"]) == ("trajectory_id", 14)
+        assert (data.trajectory.attrs["cf_role"], data.sizes["dive"]) == (
+            "trajectory_id",
+            14,
+        )
         assert str(data.time.values[0])[:10] == "2016-02-01"
-        names = ("drift", "distance"), ("over_ground", "speed"), ("over_ground", "direction")
+        names = (
+            ("drift", "distance"),
+            ("over_ground", "speed"),
+            ("over_ground", "direction"),
+        )
         for key, inner in (*names, ("clpe", "adaptive")):
-            assert data[f"{key}_{inner}"].values.tolist() == [row[key][inner] for row in rows]
-        assert data.current_direction.values.tolist() == [row["current_direction"] for row in rows]
+            assert data[f"{key}_{inner}"].values.tolist() == [
+                row[key][inner] for row in rows
+            ]
+        assert data.current_direction.values.tolist() == [
+            row["current_direction"] for row in rows
+        ]
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
     bare = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=False))
@@ -212,7 +239,10 @@ def test_dive_by_dive_is_all_at_once(steps):
     growing = Replay()
     for count in (1, 2, 5, 5, 9, 14):
         assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
-    for more, once in (({"dac_east": 0.1}, True), ({}, False)):  # NaN is never taken as the same
+    for more, once in (
+        ({"dac_east": 0.1}, True),
+        ({}, False),
+    ):  # NaN is never taken as the same
         steps.clear()
         growing = Replay()
         for count in range(1, 15):
@@ -235,7 +265,10 @@ def test_what_changed_is_learned_anew(steps):
         growing = Replay().feed(eight)
         steps.clear()
         growing.feed(changed)
-        assert (len(steps), said(growing)) == (len(changed), said(replay_dives(changed)))
+        assert (len(steps), said(growing)) == (
+            len(changed),
+            said(replay_dives(changed)),
+        )
 
 
 def test_an_interrupt_leaves_what_was_learned(steps):

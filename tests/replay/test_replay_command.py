@@ -33,7 +33,9 @@ def rows_of(text):
     lines = text.splitlines()
     head = next(k for k, line in enumerate(lines) if line.startswith("┃"))
     end = next(k for k, line in enumerate(lines) if line.startswith("└"))
-    lines = [line.replace("┃", "│").strip("│") for line in lines[head:end] if line[0] in "┃│"]
+    lines = [
+        line.replace("┃", "│").strip("│") for line in lines[head:end] if line[0] in "┃│"
+    ]
     titles, *rows = [[cell.strip() for cell in line.split("│")] for line in lines]
     return titles, rows
 
@@ -46,10 +48,15 @@ def test_the_command(sample, command):
     assert {p.name for p in sample.folder.iterdir()} == set(RESULTS)
     titles, rows = rows_of(sample.text)
     ahead = found["next_dive"]
-    assert (len(rows), rows[-1][:2]) == (15, ["next", ahead["time"][5:16].replace("T", " ")])
+    assert (len(rows), rows[-1][:2]) == (
+        15,
+        ["next", ahead["time"][5:16].replace("T", " ")],
+    )
     assert " x " in rows[-1][titles.index("90 % ellipse (m, deg)")]
     assert rows[-1][titles.index("adaptive")] == ""
-    table = command("--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient")
+    table = command(
+        "--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient"
+    )
     assert table.exit_code == 0
     assert "after the third dive" in table.stdout
     gaussians = command("--sample", "--flow", "steady,gaussians")
@@ -155,7 +162,11 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
             assert np.all((low - 1e-3 < speed) & (speed < high + 1e-3))
         rms = np.sqrt(np.mean(data.clpe_flow_model.values[covered][1:] ** 2))
         bare = np.sqrt(np.mean(data.clpe_no_flow.values[covered][1:] ** 2))
-    assert found["clpe_rms"]["flow_model"] == given["clpe_rms"]["flow_model"] == pytest.approx(rms)
+    assert (
+        found["clpe_rms"]["flow_model"]
+        == given["clpe_rms"]["flow_model"]
+        == pytest.approx(rms)
+    )
     assert given["clpe_rms"]["no_flow"] == pytest.approx(bare)
     assert found["next_dive"]["why_uncovered"] == why
     table = command(*words).stdout
@@ -183,17 +194,26 @@ def test_aiming_by_the_command(command, sample, tmp_path):
     (tmp_path / "way.txt").write_text("-42.5 8.0\n-43 -7\n")
     words = ("--sample", "--route", tmp_path / "way.txt")
     found = json.loads(command(*words, "--json").stdout)
-    assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [(-42.5, 8), (-43, -7)]
+    assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [
+        (-42.5, 8),
+        (-43, -7),
+    ]
     assert (found["each_dive"], sample.found["aim"]) == (sample.found["each_dive"], [])
     first, words = found["aim"][0], ("--sample", "--aim", "-42.5", "8.0")
     said = command(*words).stdout
-    assert f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})" in said
+    assert (
+        f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})"
+        in said
+    )
     assert "aim at 42 30.00 S 8 00.00 E (42.5000 S 8.0000 E)" in said
     assert "m made good of" in said
     slow = command(*words, "--speed", "0.01", "--hours", "6", "--json")
     (leg,) = json.loads(slow.stdout)["aim"]
     assert (leg["state"], leg["duration"]) == ("cannot be made", 21600)
-    assert "cannot be made against the current" in command(*words, "--speed", "0.01").stdout
+    assert (
+        "cannot be made against the current"
+        in command(*words, "--speed", "0.01").stdout
+    )
     upstream = ("--sample", "--aim", "-42.93", "8.42", "--speed", "0.01")
     assert "m are lost, then " in command(*upstream).stdout
 
@@ -205,7 +225,9 @@ def test_the_headline_is_the_dive_that_is_aimed(command):
     end = leg["end"], leg["end_latitude"], leg["end_longitude"]
     assert (ahead["time"], ahead["latitude"], ahead["longitude"]) == end
     assert ahead["ellipse_90_long"] == leg["ellipse_90_long"]
-    assert np.hypot(ahead["dr_east"], ahead["dr_north"]) == pytest.approx(leg["through_water"])
+    assert np.hypot(ahead["dr_east"], ahead["dr_north"]) == pytest.approx(
+        leg["through_water"]
+    )
 
 
 # --- following a folder, and the hook of basestation3 that does ---
@@ -226,17 +248,32 @@ def test_the_command_follows(follow, sample, tmp_path):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(command, follow, tmp_path):
+def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
+    command, follow, tmp_path
+):
     """Two tides on one dive, and aiming by a vehicle that does not swim."""
     one_file_each(tmp_path, [replace(sample_dives()[0], dr_east=0.0, dr_north=0.0)])
-    words = ("--flow", "steady,M2,S2", "--estimator", "gradient", "--aim", "-42.5", "8.0", "--json")
-    for _ in range(2):  # its own results, which lie in the folder by default, are no dives
+    words = (
+        "--flow",
+        "steady,M2,S2",
+        "--estimator",
+        "gradient",
+        "--aim",
+        "-42.5",
+        "8.0",
+        "--json",
+    )
+    for _ in range(
+        2
+    ):  # its own results, which lie in the folder by default, are no dives
         done = follow(tmp_path, *words)
         found = json.loads(done.stdout)
         assert (found["used"], found["aim"]) == (1, [])
     assert (tmp_path / "replay" / "replay.nc").exists()
     assert "so far, flow steady,M2,S2" in done.stderr
-    assert "so far, --aim: 0 m/s, given or of the last dives, leads nowhere" in done.stderr
+    assert (
+        "so far, --aim: 0 m/s, given or of the last dives, leads nowhere" in done.stderr
+    )
     assert set(found["clpe_rms"].values()) == {None}
     assert found["clpe_rms_all"]["no_flow"] > 0
     two = command("--sample", "--flow", "steady,M2,K1", "--estimator", "gradient")
@@ -247,7 +284,10 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(command, fo
 def test_the_line_of_following(follow, tmp_path):
     dives = sample_dives()[:3]
     one_file_each(tmp_path, dives)
-    way, (*_, last) = tmp_path / "way.txt", dives  # what it is near is made: the next is aimed at
+    way, (*_, last) = (
+        tmp_path / "way.txt",
+        dives,
+    )  # what it is near is made: the next is aimed at
     way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-42.5 8.0\n")
     done = follow(tmp_path, "--route", way, "--json")
     line = next(line for line in done.stderr.splitlines() if "dives used" in line)
@@ -262,7 +302,9 @@ def test_the_line_of_following(follow, tmp_path):
 def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     one_file_each(tmp_path, sample_dives()[:1])
     before = signal.getsignal(TERM)
-    monkeypatch.setattr(replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM))
+    monkeypatch.setattr(
+        replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM)
+    )
     outcome = clpt("replay", "--follow", tmp_path, "--out", tmp_path / "out", "--json")
     assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
     assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
@@ -280,7 +322,9 @@ main()
 """
 
 
-PROCESSES = [pytest.param(n, marks=pytest.mark.processes) for n in RESULTS if n != "map.png"]
+PROCESSES = [
+    pytest.param(n, marks=pytest.mark.processes) for n in RESULTS if n != "map.png"
+]
 
 
 @pytest.mark.parametrize("name", ["map.png", *PROCESSES])
@@ -290,7 +334,9 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sample, name):
         (tmp_path / other).write_text("old")
     size = (sample.folder / name).stat().st_size // 2
     words = ("replay", "--sample", "--json", "--out", tmp_path)
-    said = without_progress(ran(sys.executable, "-c", LIMITED, size, *words, status=2).stderr)
+    said = without_progress(
+        ran(sys.executable, "-c", LIMITED, size, *words, status=2).stderr
+    )
     assert "cannot be written" in said
     assert said.count("\n") == 1
     left = {path.name: path.read_text() for path in tmp_path.iterdir()}
@@ -298,7 +344,9 @@ def test_a_full_disk_leaves_the_results_as_they_were(tmp_path, sample, name):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(refused, tmp_path):
+def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(
+    refused, tmp_path
+):
     inbox, out = tmp_path / "in", tmp_path / "out"
     inbox.mkdir()
     one_file_each(inbox, sample_dives()[:2])
@@ -328,12 +376,17 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
         waits.append(seconds)
         now[0] += seconds
 
-    monkeypatch.setattr(replay_report, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(
+        replay_report, "time", SimpleNamespace(monotonic=lambda: now[0])
+    )
     monkeypatch.setattr(replay_report.interrupt, "wait", wait)
     for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
         waits.clear()
         words = ("--every", every, "--patience", "25")
-        assert (clpt("replay", "--follow", tmp_path, *words).status, waits) == (0, expected)
+        assert (clpt("replay", "--follow", tmp_path, *words).status, waits) == (
+            0,
+            expected,
+        )
 
 
 @pytest.fixture
@@ -354,7 +407,12 @@ def logged(line, folder):
     clpt.write_text('#!/bin/sh\necho a table; echo "$@" >&2\n')
     clpt.chmod(0o755)
     path = f"{folder}:{os.environ['PATH']}"
-    options = {"shell": True, "text": True, "check": True, "env": {**os.environ, "PATH": path}}
+    options = {
+        "shell": True,
+        "text": True,
+        "check": True,
+        "env": {**os.environ, "PATH": path},
+    }
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
     return subprocess.run(line, cwd="/", **options, **pipes).stdout
 
@@ -362,7 +420,10 @@ def logged(line, folder):
 @pytest.mark.usefixtures("undrawn")
 def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
     words = logged(f"{mission}/.post_dive ", tmp_path)  # as older versions do
-    assert logged(f"{mission}/.post_dive {tmp_path}/basestation {mission} ", tmp_path) == words
+    assert (
+        logged(f"{mission}/.post_dive {tmp_path}/basestation {mission} ", tmp_path)
+        == words
+    )
     asked = f"replay --follow {mission} --patience 0 --out {mission}/clpt\n"
     assert words == asked  # and nothing of standard output
     outcome = clpt(*words.split())

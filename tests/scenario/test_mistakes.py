@@ -30,7 +30,9 @@ SINE = {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}
 WRONG = {
     "learning.gain = -1: must be": {"learning": {"gain": -1}},
     "key flow.disturbance.perod; did you mean period?": {"flow": {"disturbance": SINE}},
-    "adaptation.gain is the name at call time.* key is learning.gain": {"adaptation": {"gain": 2}},
+    "adaptation.gain is the name at call time.* key is learning.gain": {
+        "adaptation": {"gain": 2}
+    },
 }
 
 
@@ -51,7 +53,9 @@ def test_a_wrong_value_is_one_sentence(words):
 
 
 def test_a_table_of_its_own_is_checked_too():
-    says(ScenarioError, "learning: law = 'none': must be", Learning, law="none", gain=1.0)
+    says(
+        ScenarioError, "learning: law = 'none': must be", Learning, law="none", gain=1.0
+    )
     says(ScenarioError, "missing key basis.kernel .and", clpt.Scenario, basis={})
     says(ScenarioError, "3: must be a table of keys", clpt.Scenario.model_validate, 3)
     says(clpt.ArgumentError, "must be Mapping", PAPER.with_values, [2])
@@ -63,7 +67,9 @@ def test_a_table_of_its_own_is_checked_too():
 
 
 def test_a_right_scenario_is_the_same_by_every_way(tmp_path):
-    assert clpt.Scenario(**document()) == PAPER == clpt.Scenario.model_validate(document())
+    assert (
+        clpt.Scenario(**document()) == PAPER == clpt.Scenario.model_validate(document())
+    )
     assert pickle.loads(pickle.dumps(PAPER)) == PAPER == copy.deepcopy(PAPER)
     clpt.save_scenario(PAPER, file := tmp_path / "mine.toml")
     file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())  # a byte order mark
@@ -124,11 +130,26 @@ def test_a_mistake_is_a_sentence():
         (NONE, r"learning.gain: is required by law = \"learned-flow\""),
         ({"learning.gains": EACH}, "learning.gains: give either gain or gains"),
         (OF_PARAMETERS, "gains.feedback: .* adapts parameters, feedback, feedforward"),
-        ({**NONE, "learning.gains.feedback": -1}, "learning.gains.feedback = -1: must be greater"),
-        ({**NONE, "learning.gains": {**EACH, "K": 1}}, r"unknown key learning.gains.K.*feedback"),
-        ({"learning.adapt_gains": 0}, "learning.adapt_gains = 0: must be a valid boolean"),
-        ({**OF_EACH, **HELD}, "learning.gains.feedback: .* adapts parameters here; .* no other"),
-        ({**HELD, "learning.feedback": None}, "feedback: is required by .* with adapt_gains = fal"),
+        (
+            {**NONE, "learning.gains.feedback": -1},
+            "learning.gains.feedback = -1: must be greater",
+        ),
+        (
+            {**NONE, "learning.gains": {**EACH, "K": 1}},
+            r"unknown key learning.gains.K.*feedback",
+        ),
+        (
+            {"learning.adapt_gains": 0},
+            "learning.adapt_gains = 0: must be a valid boolean",
+        ),
+        (
+            {**OF_EACH, **HELD},
+            "learning.gains.feedback: .* adapts parameters here; .* no other",
+        ),
+        (
+            {**HELD, "learning.feedback": None},
+            "feedback: is required by .* with adapt_gains = fal",
+        ),
         ({**KNOWN, **OF_EACH}, UNUSED),
         ({"learning.law": "composite-least-squares", **OF_EACH}, UNUSED),
     ):
@@ -140,7 +161,10 @@ GAINS = [
     (OF_EACH, (0.8, 0.3, 0.5, False)),
     (HELD, (0.8, 0.0, 0.0, False)),
     ({**OF_PARAMETERS, **HELD}, (2.0, 0.0, 0.0, False)),
-    ({**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}}, (0, 0.3, 0.5, False)),
+    (
+        {**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}},
+        (0, 0.3, 0.5, False),
+    ),
 ]
 
 
@@ -148,7 +172,10 @@ GAINS = [
 def test_gains_are_those_that_adapt(values, gains):
     scenario = PAPER.with_values(values)
     assert scenario.learning.used_gains == gains
-    assert clpt.Scenario.model_validate(tomllib.loads(scenario_to_text(scenario))) == scenario
+    assert (
+        clpt.Scenario.model_validate(tomllib.loads(scenario_to_text(scenario)))
+        == scenario
+    )
 
 
 @pytest.mark.parametrize("name", LAWS)
@@ -159,7 +186,9 @@ def test_every_row_fits_the_scenario(name):
     assert re.fullmatch(".+", law.needs)
     assert not law.settings or law.table in Learning.model_fields
     for key, one in law.settings.items():
-        assert (key.isidentifier(), one.allowed in KINDS, bool(one.meaning)) == (True,) * 3, key
+        assert (key.isidentifier(), one.allowed in KINDS, bool(one.meaning)) == (
+            True,
+        ) * 3, key
 
 
 @pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
@@ -188,7 +217,9 @@ def test_a_setting_whose_square_is_no_number_is_refused():
 
 def test_every_choice_is_made():
     assert set(get_args(Kernel)) == set(flow.KERNELS)
-    assert set(get_args(Disturbance.model_fields["kind"].annotation)) == set(disturbance.KINDS)
+    assert set(get_args(Disturbance.model_fields["kind"].annotation)) == set(
+        disturbance.KINDS
+    )
 
 
 # --- a team --------------------------------------------------------------------------------------
@@ -201,7 +232,10 @@ def test_the_example_says_what_it_says():
     of = clpt.load_team(FILE)
     west, east = of.members.values()
     assert (list(of.members), of.edges) == (["west", "east"], (("west", "east"),))
-    assert (west.vehicle.position, east.reference.points[0]) == ((-11.0, 0.0), (15.0, -2.0))
+    assert (west.vehicle.position, east.reference.points[0]) == (
+        (-11.0, 0.0),
+        (15.0, -2.0),
+    )
     assert west.vehicle.feedback == east.vehicle.feedback
     assert of.connectivity == pytest.approx(2.0)
 
@@ -215,7 +249,9 @@ OTHERS = team(0.25, ROW, **DIFFERENT)
 def test_a_team_comes_back_from_its_text(of, tmp_path):
     back = system_from_text(team_to_text(of), "mine", tmp_path)
     assert back == of
-    assert [one.title for one in back.members.values()] == [m.title for m in of.members.values()]
+    assert [one.title for one in back.members.values()] == [
+        m.title for m in of.members.values()
+    ]
 
 
 def test_each_vehicle_has_its_own_noise():
@@ -227,32 +263,70 @@ def test_each_vehicle_has_its_own_noise():
     a, b, c = (run.measured_position - run.position).values
     assert abs(a - b).max() > 1e-3
     assert abs(c).max() == 0
-    says(ScenarioError, r"members.b: localization.seed = 1 is that of a", team, a=first, b=first)
+    says(
+        ScenarioError,
+        r"members.b: localization.seed = 1 is that of a",
+        team,
+        a=first,
+        b=first,
+    )
 
 
 def test_left_out_edges_join_all():
-    assert team(a=STRAIT, b=STRAIT, c=STRAIT).edges == (("a", "b"), ("a", "c"), ("b", "c"))
+    assert team(a=STRAIT, b=STRAIT, c=STRAIT).edges == (
+        ("a", "b"),
+        ("a", "c"),
+        ("b", "c"),
+    )
 
 
 OF_A_TEAM = [
     ("coupling = 0.5", "", "mine, team: missing key coupling"),
-    ("coupling = 0.5", "coupling = -1", "team: coupling = -1: must be greater than or equal"),
-    ("coupling = 0.5", "coupling = nan", "team: coupling = nan: must be a finite number"),
+    (
+        "coupling = 0.5",
+        "coupling = -1",
+        "team: coupling = -1: must be greater than or equal",
+    ),
+    (
+        "coupling = 0.5",
+        "coupling = nan",
+        "team: coupling = nan: must be a finite number",
+    ),
     ("coupling = 0.5", "couplng = 0.5", "unknown key couplng; did you mean coupling"),
-    ('"east"]]', '"est"]]', r"edges\[0\]: there is no vehicle 'est'; must be among west, east"),
-    ('"east"]]', '"west"]]', r"edges\[0\] = \['west', 'west'\]: must join two vehicles"),
-    ('"east"]]', '"east"], ["east", "west"]]', r"edges\[1\] = .*: must join two .* each pair"),
+    (
+        '"east"]]',
+        '"est"]]',
+        r"edges\[0\]: there is no vehicle 'est'; must be among west, east",
+    ),
+    (
+        '"east"]]',
+        '"west"]]',
+        r"edges\[0\] = \['west', 'west'\]: must join two vehicles",
+    ),
+    (
+        '"east"]]',
+        '"east"], ["east", "west"]]',
+        r"edges\[1\] = .*: must join two .* each pair",
+    ),
     (EDGES, "[]", "edges: no path joins all vehicles"),
     (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
     (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
-    ("[team.members.west]", '[team.members."we st"]', "the name 'we st' of a vehicle must be"),
+    (
+        "[team.members.west]",
+        '[team.members."we st"]',
+        "the name 'we st' of a vehicle must be",
+    ),
     (OWN, "run.duration = 7.0", "members.east: its run is not that of west"),
     (OWN, "learning.gain = 1", "members.east: its learning is not that of west"),
     (OWN, "vehicle.pos = 1", "east: unknown key vehicle.pos"),
     (OWN, "vehicle = 1", "east: vehicle = 1: must be a table of keys"),
     ("gain = 4.0", "", "west: learning.gain: is required"),
     ('"learned-flow"', '"sigma"', 'learning.law = "sigma": must be "learned-flow"'),
-    ("[team]", "[team]\nmembers = 1\n[other]", "team.members = 1: must be a table of keys"),
+    (
+        "[team]",
+        "[team]\nmembers = 1\n[other]",
+        "team.members = 1: must be a table of keys",
+    ),
 ]
 
 
@@ -266,19 +340,29 @@ def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
 def test_vehicles_share_one_flow():
     for other, said in (
         ({}, "members: has 1 vehicles; must have 2 to 100"),
-        ({"b": vehicle(basis_widths=[5, 5, 4])}, "members.b: its basis is not that of a"),
+        (
+            {"b": vehicle(basis_widths=[5, 5, 4])},
+            "members.b: its basis is not that of a",
+        ),
         ({"b": vehicle(flow_parameters=[[1, 2, 3]] * 2)}, "its flow is not that of a"),
         ({"b": vehicle(units_length="km")}, "its units is not that of a"),
         ({"b": 3}, "members.b = 3"),
-        ({"b": {"run": {"durat": 3.0}}}, r"key members\.b\.run\.durat; did you mean dur"),
+        (
+            {"b": {"run": {"durat": 3.0}}},
+            r"key members\.b\.run\.durat; did you mean dur",
+        ),
     ):
-        says(ScenarioError, said, clpt.Team, members={"a": STRAIT, **other}, coupling=0.5)
+        says(
+            ScenarioError, said, clpt.Team, members={"a": STRAIT, **other}, coupling=0.5
+        )
 
 
 def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
     clpt.save_scenario(STRAIT, file := tmp_path / "one.toml")
     says(ScenarioError, "is a scenario of one vehicle", clpt.load_team, file)
-    says(ScenarioError, r"has a table \[team\].*clpt.load_team", clpt.load_scenario, FILE)
+    says(
+        ScenarioError, r"has a table \[team\].*clpt.load_team", clpt.load_scenario, FILE
+    )
     clpt.save_run(clpt.simulate(OTHERS, [0.0, 1.0]), run := tmp_path / "run.nc")
     assert clpt.load_team(run) == OTHERS
     says(clpt.ClptError, "it is a team's", clpt.load_scenario, run)

@@ -14,22 +14,30 @@ TIMES = np.linspace(0.0, 4.0, 21)
 
 def system(rate, outfcn=None, states=1, inputs=0, outputs=None, **more):
     outputs = states if outputs is None else outputs
-    return control.nlsys(rate, outfcn, inputs=inputs, outputs=outputs, states=states, **more)
+    return control.nlsys(
+        rate, outfcn, inputs=inputs, outputs=outputs, states=states, **more
+    )
 
 
 # --- one number for several states ----------------------------------------------------------------
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
-@pytest.mark.parametrize("one", [lambda v: v, lambda v: [v], np.float64, lambda v: np.array([[v]])])
+@pytest.mark.parametrize(
+    "one", [lambda v: v, lambda v: [v], np.float64, lambda v: np.array([[v]])]
+)
 def test_one_number_is_spread_over_the_states_with_a_warning(one, engine):
     """x' = u - x[0] for both: x = 1 - exp(-t)."""
     rate = lambda t, x, u, p: one(u[0] - x[0])  # noqa: E731
     pi = system(rate, lambda t, x, u, p: x[0] + x[1], 2, 1, 1, name="pi")
-    with pytest.warns(UserWarning, match=r"pi.update returns one number.*each of its 2 states"):
+    with pytest.warns(
+        UserWarning, match=r"pi.update returns one number.*each of its 2 states"
+    ):
         run = clpt.simulate(pi, TIMES, 1.0, 0, engine=engine)
     exact = 1.0 - np.exp(-TIMES)
-    np.testing.assert_allclose(run.states.values, np.column_stack([exact, exact]), atol=1e-7)
+    np.testing.assert_allclose(
+        run.states.values, np.column_stack([exact, exact]), atol=1e-7
+    )
     both = system(None, lambda t, x, u, p: 3.0, None, 1, 2, name="both")
     with pytest.warns(UserWarning, match="each of its 2 outputs"):
         run = clpt.simulate(both, [0.0, 1.0], 0.0, engine=engine)
@@ -56,22 +64,35 @@ def two_of_three():
     two = system(
         lambda t, x, u, p: [p["k"] * (u[0] - x[0])],
         None,
-        **{"inputs": ["y"], "outputs": ["b"], "name": "two", "params": {"k": 1.0, "unused": 4.0}},
+        **{
+            "inputs": ["y"],
+            "outputs": ["b"],
+            "name": "two",
+            "params": {"k": 1.0, "unused": 4.0},
+        },
     )
     return clpt.connect([one, two])
 
 
-@pytest.mark.parametrize("name", ["one.k", "two.a", "one.unused", "three.k", "one.x", "a.k"])
+@pytest.mark.parametrize(
+    "name", ["one.k", "two.a", "one.unused", "three.k", "one.x", "a.k"]
+)
 def test_a_parameter_of_another_system_is_refused(name):
     for call, more in ((clpt.simulate, {}), (clpt.sensitivity, {"to": ["two.k"]})):
-        given = {"timepts": [0.0, 1.0], "initial_state": [1.0, 0.0], "params": {name: 5.0}}
+        given = {
+            "timepts": [0.0, 1.0],
+            "initial_state": [1.0, 0.0],
+            "params": {name: 5.0},
+        }
         says(clpt.ClptError, re.escape(name), call, two_of_three(), **given, **more)
 
 
 def test_a_parameter_of_the_system_itself_counts():
     """A = [[-1, 2], [k, -k]]."""
     for k in (1.0, 5.0):
-        run = clpt.simulate(two_of_three(), [0.0, 1.0], None, [1.0, 0.0], params={"two.k": k})
+        run = clpt.simulate(
+            two_of_three(), [0.0, 1.0], None, [1.0, 0.0], params={"two.k": k}
+        )
         values, vectors = np.linalg.eig(np.array([[-1.0, 2.0], [k, -k]]))
         exact = vectors @ (np.exp(values) * np.linalg.solve(vectors, [1.0, 0.0]))
         np.testing.assert_allclose(run.states[-1], exact, rtol=1e-6)
@@ -101,12 +122,17 @@ def test_a_table_read_by_hand_is_linearized_between_its_rows():
     for x, slope in ((1.0, 0.2), (7.0, 0.8), (12.0, 2.5)):
         assert clpt.linearize(tank, [x], [12.0]).A.item() == pytest.approx(-slope)
     with pytest.warns(UserWarning, match="kink"):
-        assert clpt.linearize(tank, [5.0], [12.0]).A.item() in (-0.2, pytest.approx(-0.8))
+        assert clpt.linearize(tank, [5.0], [12.0]).A.item() in (
+            -0.2,
+            pytest.approx(-0.8),
+        )
 
 
 @pytest.mark.parametrize("gain", [0.0, 2.0])
 def test_a_branch_that_divides_by_a_zero_is_linearized_on_the_other(gain):
-    rate = lambda t, x, u, p: [-x[0] / gain if gain != 0.0 and x[0] > 0 else -3.0 * x[0]]  # noqa: E731
+    def rate(t, x, u, p):
+        return [-x[0] / gain if gain != 0.0 and x[0] > 0 else -3.0 * x[0]]
+
     slopes = {0.0: -3.0, 2.0: -0.5}
     assert clpt.linearize(system(rate), [1.0]).A.item() == pytest.approx(slopes[gain])
 
@@ -124,11 +150,17 @@ def test_a_branch_that_divides_by_a_zero_is_linearized_on_the_other(gain):
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 def test_a_root_of_a_negative_float_is_complex_as_in_python():
     """x' = |u^(1/3)| - x, u = -1 from t = 1 on: |(-1)^(1/3)| = 1."""
-    root = system(lambda t, x, u, p: [abs(float(u[0]) ** (1 / 3)) - x[0]], inputs=1, name="root")
+    root = system(
+        lambda t, x, u, p: [abs(float(u[0]) ** (1 / 3)) - x[0]], inputs=1, name="root"
+    )
     for start in (-1.0, 1.0):
         run = clpt.simulate(root, [0.0, 1.0, 3.0], [start, start, -1.0], [1.0])
         expected = control.input_output_response(
-            root, [0.0, 1.0, 3.0], [start, start, -1.0], [1.0], solve_ivp_kwargs={"rtol": 1e-9}
+            root,
+            [0.0, 1.0, 3.0],
+            [start, start, -1.0],
+            [1.0],
+            solve_ivp_kwargs={"rtol": 1e-9},
         )
         np.testing.assert_allclose(run.states[:, 0], expected.states[0], atol=1e-4)
 
@@ -149,7 +181,9 @@ def test_methods_of_types_are_pythons(made, value):
     assert run.states[-1].item() == pytest.approx(np.exp(-value), rel=1e-7)
 
 
-@pytest.mark.parametrize("port", ["places", "ports", "_ports", "shapes", "names", "block"])
+@pytest.mark.parametrize(
+    "port", ["places", "ports", "_ports", "shapes", "names", "block"]
+)
 def test_a_port_has_any_name_that_arrays_do_not_have(port):
     if port.startswith("_"):
         return
@@ -166,13 +200,18 @@ def test_a_port_has_any_name_that_arrays_do_not_have(port):
     ("call", "said"),
     [
         (lambda A, x: np.linalg.pinv(A) @ x, "np.linalg.pinv of signals is not traced"),
-        (lambda A, x: np.linalg.lstsq(A, x, rcond=None)[0], "np.linalg.lstsq of signals"),
+        (
+            lambda A, x: np.linalg.lstsq(A, x, rcond=None)[0],
+            "np.linalg.lstsq of signals",
+        ),
         (lambda A, x: np.linalg.eigvals(A).real, "np.linalg.eigvals of signals"),
     ],
 )
 def test_linear_algebra_that_is_not_traced_is_named(call, said):
     arm = system(
-        lambda t, x, u, p: -call(np.array([[2.0, x[0]], [x[0], 3.0]]), x), states=2, name="arm"
+        lambda t, x, u, p: -call(np.array([[2.0, x[0]], [x[0], 3.0]]), x),
+        states=2,
+        name="arm",
     )
     with pytest.warns(UserWarning, match=re.escape(said)):
         run = clpt.simulate(arm, [0.0, 1.0], initial_state=[0.5, 0.2])

@@ -10,14 +10,18 @@ import clpt_control as clpt
 from clpt_control.figures import COLOURS
 
 TIMES = np.linspace(0.0, 4.0, 41)
-SCENARIO = clpt.paper_scenario().with_values({"run.duration": 60.0, "run.output_step": 0.5})
+SCENARIO = clpt.paper_scenario().with_values(
+    {"run.duration": 60.0, "run.output_step": 0.5}
+)
 
 
 def tank(units=None):
     ports = {"inputs": {"q": 1}, "states": {"h": 2}, "parameters": {"a": 0.5}}
     ports["units"] = {"h": "m", "q": "m3/s"} if units is None else units
     return clpt.Block(
-        "tank", update=lambda t, x, u, p: [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]], **ports
+        "tank",
+        update=lambda t, x, u, p: [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]],
+        **ports,
     )
 
 
@@ -34,18 +38,25 @@ def loop():
 
 def lemniscate():
     return clpt.Block(
-        "eight", output=lambda t, x, u, p: [2 * np.cos(t / 20), np.sin(t / 10)], outputs={"zc": 2}
+        "eight",
+        output=lambda t, x, u, p: [2 * np.cos(t / 20), np.sin(t / 10)],
+        outputs={"zc": 2},
     )
 
 
 def legends(axes):
-    return [one.get_text() for ax in np.ravel(axes) for one in ax.get_legend().get_texts()]
+    return [
+        one.get_text() for ax in np.ravel(axes) for one in ax.get_legend().get_texts()
+    ]
 
 
 @pytest.fixture(scope="module")
 def of_tanks():
     """Two runs of one diagram."""
-    return {a: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": float(a)}) for a in ("0.5", "1")}
+    return {
+        a: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": float(a)})
+        for a in ("0.5", "1")
+    }
 
 
 @pytest.fixture(scope="module")
@@ -62,12 +73,16 @@ def test_dimensions_are_named_after_ports_and_count_from_0():
     assert run["mean"].dims == run.q.dims == ("time",)
     assert run.h_index.values.tolist() == [0, 1]
     assert run.h_index.attrs["long_name"] == "signal of h, counted from 0"
-    np.testing.assert_array_equal(run.h.sel(h_index=1), run.states.sel(state="tank_h[1]"))
+    np.testing.assert_array_equal(
+        run.h.sel(h_index=1), run.states.sel(state="tank_h[1]")
+    )
 
 
 def test_signals_that_python_control_picks_keep_their_names():
     """``system[[0, 2], 1]`` has the outputs y[0] and y[2], and the input u[1]."""
-    picked = control.ss(-np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3), 0)[[0, 2], 1]
+    picked = control.ss(-np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3), 0)[
+        [0, 2], 1
+    ]
     run = clpt.simulate(picked, TIMES, 1.0)
     assert list(run.data_vars) == ["y", "y[2]", "u[1]", "states"]
     wanted = (1.0 - np.exp(-3.0 * TIMES)) / 3.0
@@ -82,14 +97,20 @@ def test_names_that_would_be_one_are_two():
     """Of an output called time, of y beside a port y[0], of a dimension, of what varies."""
     rates = lambda t, x, u, p: [-x[0], -2.0 * x[1]]  # noqa: E731
     for names in (["time", "time_"], ["y", "y[0]"]):
-        pair = control.nlsys(rates, inputs=0, outputs=names, states=["y", "y_"], name="pair")
+        pair = control.nlsys(
+            rates, inputs=0, outputs=names, states=["y", "y_"], name="pair"
+        )
         run = clpt.simulate(pair, [0.0, 1.0], 0.0, 1.0)
-        last = [float(one[-1]) for name, one in run.data_vars.items() if name != "states"]
+        last = [
+            float(one[-1]) for name, one in run.data_vars.items() if name != "states"
+        ]
         assert last == pytest.approx(np.exp([-1.0, -2.0]))
     data = {"y": np.exp(-TIMES), "y[0]": 3.0 * np.exp(-2.0 * TIMES)}
     found = clpt.fit_parameters(pair, data, {"x0": 0.5}, TIMES)
     assert [*found.values.values()] == pytest.approx([1.0, 3.0])
-    two = control.ss(-np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"])
+    two = control.ss(
+        -np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"]
+    )
     both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
     with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):
         clpt.fit_parameters(two, both, {"x0": 0.5}, TIMES)
@@ -108,11 +129,24 @@ def test_units_of_ports_are_those_of_the_run():
     units |= {"mean": None, "w": None}
     assert {name: run[name].attrs.get("units") for name in units} == units
     axes = clpt.simulation.response_plot(run)
-    assert {ax.get_ylabel() for ax in axes} == {"h (m)", "v (V)", "mean", "q (m3/s)", "w"}
+    assert {ax.get_ylabel() for ax in axes} == {
+        "h (m)",
+        "v (V)",
+        "mean",
+        "q (m3/s)",
+        "w",
+    }
     drawn = clpt.draw(made).svg
-    assert [name in drawn for name in ("h (m)", "q (m3/s)", "mean (")] == [True, True, False]
+    assert [name in drawn for name in ("h (m)", "q (m3/s)", "mean (")] == [
+        True,
+        True,
+        False,
+    ]
     a, b = tank().copy(name="a"), tank().copy(name="b")
-    ports = {"inplist": ["a.q[0]"], "outlist": [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"]}
+    ports = {
+        "inplist": ["a.q[0]"],
+        "outlist": [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"],
+    }
     ports |= {"outputs": ["sum", "one", "rest"], "connections": [["b.q[0]", "a.h[0]"]]}
     run = clpt.simulate(control.interconnect([a, b], **ports), TIMES, 1.0)
     assert [run[name].attrs.get("units") for name in ("sum", "one")] == [None, "m"]
@@ -123,7 +157,11 @@ def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
     run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
     assert run.v.attrs["units"] == "V"
     assert dict(tank({}).copy().units) == {}
-    ports = {"inputs": {"s": 2}, "states": {"w": 2}, "units": {"s": "km/h", "w": "km/h"}}
+    ports = {
+        "inputs": {"s": 2},
+        "states": {"w": 2},
+        "units": {"s": "km/h", "w": "km/h"},
+    }
     slow = clpt.Block("slow", update=lambda t, x, u, p: {"w": u.s - x.w}, **ports)
     made = clpt.closed_loop(SCENARIO, insert={("v_x", "vehicle"): slow})
     (part,) = (one for one in made.syslist if one.name == "slow")
@@ -148,16 +186,22 @@ def test_runs_of_a_diagram_are_told_apart(of_tanks):
     assert [line.get_color() for line in ax.lines] == np.repeat(COLOURS[:2], 2).tolist()
     assert ax.lines[0].get_linestyle() != ax.lines[1].get_linestyle()
     drawn = [line.get_ydata() for line in ax.lines]
-    np.testing.assert_array_equal(drawn, np.vstack([one.h.T for one in of_tanks.values()]))
+    np.testing.assert_array_equal(
+        drawn, np.vstack([one.h.T for one in of_tanks.values()])
+    )
 
 
-@pytest.mark.parametrize(("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)])
+@pytest.mark.parametrize(
+    ("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)]
+)
 def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
     axes = clpt.compare(of_scenarios, plot)
     assert np.size(axes) == count
     for ax in np.ravel(axes):
         assert {*COLOURS[:2]} <= {line.get_color() for line in ax.lines}
-        named = [one for one in ax.lines if one.get_label()[0] != "_"]  # marked, in black and white
+        named = [
+            one for one in ax.lines if one.get_label()[0] != "_"
+        ]  # marked, in black and white
         named = [one for one in named if one.get_linestyle() != "None"]
         marks = {line.get_color(): line.get_marker() for line in named}
         assert marks[COLOURS[0]] != marks[COLOURS[1]]
@@ -174,7 +218,9 @@ def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
 
 
 @pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
-def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(plot, of_scenarios):
+def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(
+    plot, of_scenarios
+):
     def drawn(axes):
         np.ravel(axes)[0].figure.canvas.draw()
         return np.ravel(axes), [one.get_window_extent() for one in np.ravel(axes)]
@@ -185,8 +231,13 @@ def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(plot,
     for k, legend in enumerate(legends):
         assert not any(legend.overlaps(other) for other in frames + legends[:k])
     if plot == "run":
-        alone, beside = (drawn(one)[1] for one in (run.clpt.plot(), clpt.compare(of_scenarios)))
-        assert min(b.width / a.width for a, b in zip(alone[1:], beside[1:], strict=True)) > 0.8
+        alone, beside = (
+            drawn(one)[1] for one in (run.clpt.plot(), clpt.compare(of_scenarios))
+        )
+        assert (
+            min(b.width / a.width for a, b in zip(alone[1:], beside[1:], strict=True))
+            > 0.8
+        )
 
 
 def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
@@ -220,7 +271,11 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
         ({str(k): a for k in range(7)}, None, ""),
         ({"a": a}, "map", ""),
         ({"a": a}, "track", ""),
-        ({"a": a, "b": a[["h"]]}, None, r"the same signals: choose some, as run\[\['h'\]\]"),
+        (
+            {"a": a, "b": a[["h"]]},
+            None,
+            r"the same signals: choose some, as run\[\['h'\]\]",
+        ),
         ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
     ):
         says(clpt.ClptError, rf"\A.*{said}.*\Z", clpt.compare, runs, plot)
@@ -228,7 +283,10 @@ def test_what_cannot_be_compared_is_one_sentence(of_tanks):
 
 def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
-    outside, times = clpt.closed_loop(SCENARIO, external="zc"), np.linspace(0.0, 60.0, 121)
+    outside, times = (
+        clpt.closed_loop(SCENARIO, external="zc"),
+        np.linspace(0.0, 60.0, 121),
+    )
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
         ax = clpt.simulation.track_plot(run)

@@ -17,7 +17,16 @@ from clpt_control.currents.plane import GriddedField
 
 COMPILER = shutil.which("cc")
 needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
-FLAGS = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-O2", "-shared", "-fPIC"]
+FLAGS = [
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-pedantic",
+    "-Werror",
+    "-O2",
+    "-shared",
+    "-fPIC",
+]
 
 
 def library(text, folder):
@@ -45,11 +54,17 @@ class InC:
         """Return the numbers that the file has itself."""
         count = self.counts[letter]
         held = (ctypes.c_double * max(1, count)).in_dll
-        return np.array(held(self.library, f"{self.name}_{letter}0")) if count else np.zeros(1)
+        return (
+            np.array(held(self.library, f"{self.name}_{letter}0"))
+            if count
+            else np.zeros(1)
+        )
 
     def call(self, name, times, *arrays):
         pointers = [a.ctypes.data_as(ctypes.POINTER(ctypes.c_double)) for a in arrays]
-        getattr(self.library, f"{self.name}_{name}")(*map(ctypes.c_double, times), *pointers)
+        getattr(self.library, f"{self.name}_{name}")(
+            *map(ctypes.c_double, times), *pointers
+        )
 
     def computed(self, name, t, x, u):
         """Return outputs or rates."""
@@ -86,7 +101,9 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
     ours = runner.run(start, times, inputs=u[:m] if m else None, **step).x
     if "_begin(" in made.text:
         made.call("begin", [0.0], start, u, made.p)
-    assert np.abs(made.run(start, u, h, times) - ours).max() <= 1e-12 * max(1.0, np.abs(ours).max())
+    assert np.abs(made.run(start, u, h, times) - ours).max() <= 1e-12 * max(
+        1.0, np.abs(ours).max()
+    )
 
 
 @needs_cc
@@ -117,7 +134,10 @@ def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
     count = control.nlsys(lambda t, x, u, p: [x[0] + 1], None, dt=h, **names)
     lag = control.tf(1, [1, 1], inputs="n", outputs="y", name="lag")
     made = InC(clpt.connect([count, lag], external="u"), tmp_path)
-    for t, step, steps in ((0.0, h, 20_000), (90_000.0, h / 4, 8000)):  # 20 s; after 25 hours
+    for t, step, steps in (
+        (0.0, h, 20_000),
+        (90_000.0, h / 4, 8000),
+    ):  # 20 s; after 25 hours
         x, u = np.zeros(made.counts["x"]), np.zeros(1)
         made.call("begin", [t], x, u, made.p)
         for _ in range(steps):
@@ -131,17 +151,32 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     made = InC(pendulum(), tmp_path, params={"l": 2.0})
     assert made.p == pytest.approx([9.81, 2.0, 0.3])
     names = re.findall(r"(pendulum_p_\w+),", made.text)
-    assert names == ["pendulum_p_pendulum_g", "pendulum_p_pendulum_l", "pendulum_p_pendulum_c"]
+    assert names == [
+        "pendulum_p_pendulum_g",
+        "pendulum_p_pendulum_l",
+        "pendulum_p_pendulum_c",
+    ]
     made.p[0] = 1.6
     rates = made.computed("rates", 0.0, np.array([0.5, 0.0]), np.zeros(1))
     assert rates == pytest.approx([0.0, -0.8 * np.sin(0.5)])
     asking = lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]]  # noqa: E731
     params = {"k": 1.0, "n": 3.0}
-    text = clpt.export_c(control.nlsys(asking, states=1, inputs=0, params=params, name="a"))
-    for said in ("a_p_a_k,  /* a.k */", "a_p_a_n_fixed,  /* a.n fixed */", "it is in the code"):
+    text = clpt.export_c(
+        control.nlsys(asking, states=1, inputs=0, params=params, name="a")
+    )
+    for said in (
+        "a_p_a_k,  /* a.k */",
+        "a_p_a_n_fixed,  /* a.n fixed */",
+        "it is in the code",
+    ):
         assert said in text
-    lags = [control.ss(-2, 1, 1, 0, name=a + b, inputs=a, outputs=b) for a, b in ("uv", "vy")]
-    assert "_np = 6" in clpt.export_c(clpt.connect(lags, external="u"))  # each has its own three
+    lags = [
+        control.ss(-2, 1, 1, 0, name=a + b, inputs=a, outputs=b)
+        for a, b in ("uv", "vy")
+    ]
+    assert "_np = 6" in clpt.export_c(
+        clpt.connect(lags, external="u")
+    )  # each has its own three
 
 
 @needs_cc
@@ -184,5 +219,7 @@ def test_what_has_no_c_is_said(system, given, said):
 
 def test_what_is_infinite_is_written_as_c_has_it():
     assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
-    divides = control.nlsys(lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0)
+    divides = control.nlsys(
+        lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0
+    )
     assert "1.0 / x[0]" in clpt.export_c(divides)  # asked at 0, without a warning

@@ -18,9 +18,15 @@ START = [0.3, 0.0]
 
 def mass(**params):
     """A mass on a spring with a damper, pushed."""
-    names = {"states": ["place", "speed"], "inputs": ["force"], "outputs": ["place", "speed"]}
+    names = {
+        "states": ["place", "speed"],
+        "inputs": ["force"],
+        "outputs": ["place", "speed"],
+    }
     rate = lambda t, x, u, p: [x[1], (u[0] - p["c"] * x[1] - p["k"] * x[0]) / p["m"]]  # noqa: E731
-    return control.nlsys(rate, name="mass", params={"m": 1.0, "c": 1.0, "k": 1.0} | params, **names)
+    return control.nlsys(
+        rate, name="mass", params={"m": 1.0, "c": 1.0, "k": 1.0} | params, **names
+    )
 
 
 def pushed(force=FORCE):
@@ -30,8 +36,15 @@ def pushed(force=FORCE):
 
 def measured(seed, force=FORCE, place=0.01, **noise):
     """Outputs of its run with noise of these deviations."""
-    random, run, noise = np.random.default_rng(seed), pushed(force), {"place": place, **noise}
-    return {name: run[name] + size * random.standard_normal(101) for name, size in noise.items()}
+    random, run, noise = (
+        np.random.default_rng(seed),
+        pushed(force),
+        {"place": place, **noise},
+    )
+    return {
+        name: run[name] + size * random.standard_normal(101)
+        for name, size in noise.items()
+    }
 
 
 def fit(data, begin=BEGIN, inputs=FORCE, times=TIMES):
@@ -66,9 +79,15 @@ def test_intervals_of_95_percent_hold_the_truth_as_often():
 def test_errors_are_those_of_curve_fit():
     """SciPy's own fit of the closed form, with differences."""
     times = np.linspace(0.0, 2.0, 41)
-    noisy = 3.0 * np.exp(-1.7 * times) + 0.02 * np.random.default_rng(3).standard_normal(41)
-    own, covariance = curve_fit(lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0])
-    found = clpt.fit_parameters(decay(1.0), {"x": noisy}, {"k": 1.0, "x0.x": 1.0}, times)
+    noisy = 3.0 * np.exp(-1.7 * times) + 0.02 * np.random.default_rng(
+        3
+    ).standard_normal(41)
+    own, covariance = curve_fit(
+        lambda t, k, a: a * np.exp(-k * t), times, noisy, [1.0, 1.0]
+    )
+    found = clpt.fit_parameters(
+        decay(1.0), {"x": noisy}, {"k": 1.0, "x0.x": 1.0}, times
+    )
     assert [*found.values.values()] == pytest.approx(own, rel=1e-6)
     assert found.covariance == pytest.approx(covariance, rel=1e-4)
 
@@ -98,7 +117,10 @@ def test_noise_of_each_output_is_over_what_its_numbers_leave(held):
     found = clpt.fit_parameters(line, data, {"b": 1.0, "x0.s": 1.0, **held}, times)
     (slope, level), covariance = np.polyfit(times, data["y"], 1, cov=True)
     left = data["y"] - level - slope * times
-    noise = {"y": np.sqrt(left @ left / 4), "still": np.sqrt(np.mean(data["still"] ** 2))}
+    noise = {
+        "y": np.sqrt(left @ left / 4),
+        "still": np.sqrt(np.mean(data["still"] ** 2)),
+    }
     assert found.noise == pytest.approx(noise, rel=1e-6)
     errors = [found.errors["b"], found.errors["x0.s"]]
     assert errors == pytest.approx(np.sqrt(np.diag(covariance)), rel=1e-6)
@@ -132,7 +154,10 @@ def test_a_bound_that_is_met_has_no_error():
 
 def test_a_start_at_rest_is_told():
     """The speed at the start is zero to the last digit, which is no relative change."""
-    begin, data = {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0}, {"place": pushed().place}
+    begin, data = (
+        {"x0.place": 0.1, "x0.speed": 0.1, "k": 4.0},
+        {"place": pushed().place},
+    )
     found = clpt.fit_parameters(mass(**TRUTH), data, begin, TIMES, FORCE)
     assert not found.unidentified
     free = clpt.sensitivity(mass(**TRUTH), TIMES, "place", [*begin], FORCE, START)
@@ -147,10 +172,16 @@ MISTAKES = [
     ({"data": {"place": np.nan * TIMES}}, "no finite numbers of the outputs place"),
     ({"data": {"place": TIMES[:5]}}, "101 samples"),
     ({"data": {"place": ["a"] * 101}}, "place = .* must be an array of numbers"),
-    ({"data": {"place": TIMES, "sped": TIMES}}, "sped is no output; they are place, speed"),
+    (
+        {"data": {"place": TIMES, "sped": TIMES}},
+        "sped is no output; they are place, speed",
+    ),
     ({"data": pushed(), "inputs": None}, "force is no output; .* inputs= takes inputs"),
     (
-        {"data": xarray.Dataset({"place": ("time", TIMES)}, {"time": DAYS}), "times": None},
+        {
+            "data": xarray.Dataset({"place": ("time", TIMES)}, {"time": DAYS}),
+            "times": None,
+        },
         r"data\.time = .* must be an array of numbers",
     ),
     ({"times": None}, "timepts: is required"),
@@ -170,17 +201,31 @@ def test_mistakes_are_told(given, said):
 def test_a_try_that_escapes_is_taken_back():
     """From a = 4, b = 0 the first step is to a = 0.6, b = 4, which is infinite at t = 0.3."""
     rate = lambda t, x, u, p: [-p["a"] * x[0] + p["b"] * x[0] ** 2]  # noqa: E731
-    growth, times, (a, b) = autonomous(rate, a=1.0, b=1.0), np.linspace(0, 5, 21), (1.0, 0.9)
+    growth, times, (a, b) = (
+        autonomous(rate, a=1.0, b=1.0),
+        np.linspace(0, 5, 21),
+        (1.0, 0.9),
+    )
     data = {"x": a / (b + (a - b) * np.exp(a * times))}
-    found = clpt.fit_parameters(growth, data, {"a": 4.0, "b": 0.0}, times, initial_state=[1.0])
+    found = clpt.fit_parameters(
+        growth, data, {"a": 4.0, "b": 0.0}, times, initial_state=[1.0]
+    )
     assert found.values == pytest.approx({"a": a, "b": b}, abs=1e-8)
-    with pytest.raises(clpt.SimulationError, match=r"at a = 0.3, b = 0.5: .*begin closer"):
-        clpt.fit_parameters(growth, data, {"a": 0.3, "b": 0.5}, times, initial_state=[1.0])
+    with pytest.raises(
+        clpt.SimulationError, match=r"at a = 0.3, b = 0.5: .*begin closer"
+    ):
+        clpt.fit_parameters(
+            growth, data, {"a": 0.3, "b": 0.5}, times, initial_state=[1.0]
+        )
 
 
 def test_a_level_at_which_a_rate_jumps_is_refused():
     """x' = 1 below the edge, k above: x = edge + k (t - edge)."""
     rate = lambda t, x, u, p: [1.0 if x[0] < p["edge"] else p["k"]]  # noqa: E731
     data = {"x": np.where(TIMES < 4.03, TIMES, 4.03 + 3.0 * (TIMES - 4.03))}
-    with pytest.raises(clpt.SimulationError, match="do not confirm its derivative by edge"):
-        clpt.fit_parameters(autonomous(rate, edge=1.0, k=2.0), data, {"edge": 3.0, "k": 2.5}, TIMES)
+    with pytest.raises(
+        clpt.SimulationError, match="do not confirm its derivative by edge"
+    ):
+        clpt.fit_parameters(
+            autonomous(rate, edge=1.0, k=2.0), data, {"edge": 3.0, "k": 2.5}, TIMES
+        )

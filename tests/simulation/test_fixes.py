@@ -13,9 +13,16 @@ from clpt_control.equations import evaluate
 from clpt_control.theory.proving.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"
-PAPER = clpt.paper_scenario().with_values({"learning.law": "fix-regression", **AT_FIXES})
+PAPER = clpt.paper_scenario().with_values(
+    {"learning.law": "fix-regression", **AT_FIXES}
+)
 # one steady function so wide that it is 1 to rounding: a uniform current, and m = t
-STEADY = {"kernel": "gaussian", "centers": [[0.0, 0.0]], "widths": [1e9], "periods": [np.inf]}
+STEADY = {
+    "kernel": "gaussian",
+    "centers": [[0.0, 0.0]],
+    "widths": [1e9],
+    "periods": [np.inf],
+}
 ONE = {"flow.parameters": [[0.3], [-0.2]], f"{TABLE}.prior": 0.5, f"{TABLE}.noise": 0.1}
 ONE |= {"basis": STEADY, "model.parameters": None, "learning.parameters": None}
 UNIFORM = PAPER.with_values({**ONE, "run.duration": 60.0})
@@ -30,10 +37,16 @@ def estimates(run):
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_in_a_uniform_current_the_estimate_is_that_of_ridge_regression(latency, engine):
     """After k exact fixes, T apart: theta_hat = theta k T^2 / (k T^2 + (r/prior)^2)."""
-    run = clpt.simulate(UNIFORM.with_values({"localization.latency": latency}), engine=engine)
+    run = clpt.simulate(
+        UNIFORM.with_values({"localization.latency": latency}), engine=engine
+    )
     k = np.floor((run.time.values - latency) / 5.0 + 1e-9)
-    share = np.where(k > 0, k * 25.0, 0.0) / (np.maximum(k, 0) * 25.0 + (0.1 / 0.5) ** 2)
-    np.testing.assert_allclose(estimates(run), share[:, None] * THETA, rtol=0, atol=1e-10)
+    share = np.where(k > 0, k * 25.0, 0.0) / (
+        np.maximum(k, 0) * 25.0 + (0.1 / 0.5) ** 2
+    )
+    np.testing.assert_allclose(
+        estimates(run), share[:, None] * THETA, rtol=0, atol=1e-10
+    )
     since = run.time.values - 5.0 * np.maximum(k, 0)
     away = (1 - share) * since  # x - z = eta m
     np.testing.assert_allclose(run.clpe, away[:, None] * THETA, rtol=0, atol=1e-8)
@@ -43,7 +56,9 @@ def test_in_a_uniform_current_the_estimate_is_that_of_ridge_regression(latency, 
 
 
 def test_where_fixes_are_missing_the_integral_goes_on():
-    scenario = UNIFORM.with_values({"localization.dropouts": 0.5, "localization.seed": 2})
+    scenario = UNIFORM.with_values(
+        {"localization.dropouts": 0.5, "localization.seed": 2}
+    )
     shares = [hash_fraction(2.0, float(k), localization.MISSING, 0) for k in range(13)]
     taken = [k for k in range(1, 13) if shares[k] >= 0.5]
     assert 2 < len(taken) < 10
@@ -52,13 +67,17 @@ def test_where_fixes_are_missing_the_integral_goes_on():
     for k in taken:
         squares, last = squares + (5.0 * (k - last)) ** 2, k
         learned[run.time >= 5.0 * k - 1e-9] = squares / (squares + 0.04)
-    np.testing.assert_allclose(estimates(run), learned[:, None] * THETA, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(
+        estimates(run), learned[:, None] * THETA, rtol=0, atol=1e-10
+    )
 
 
 def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
     count, rate = 2000, 0.3
     block = localization.fixes(1.0, 5.0, rate, 7.0)
-    found = np.array([block.output(5.0 * k, [], [0.0, 0.0]) for k in range(1, count + 1)])
+    found = np.array(
+        [block.output(5.0 * k, [], [0.0, 0.0]) for k in range(1, count + 1)]
+    )
     assert set(found[:, 2]) == {0.0, 1.0}
     few = 4 * np.sqrt(rate * (1 - rate) / count)
     assert abs(1 - found[:, 2].mean() - rate) < few
@@ -83,7 +102,8 @@ def test_nothing_before_it_arrives_depends_on_a_fix():
     late = {"localization.latency": 2.0, "run.duration": 30.0, "run.output_step": 0.5}
     late[f"{TABLE}.noise"] = 0.3  # the same r for both
     calm, other = (
-        clpt.simulate(PAPER.with_values(late | {"localization.noise": n})) for n in (0.0, 0.3)
+        clpt.simulate(PAPER.with_values(late | {"localization.noise": n}))
+        for n in (0.0, 0.3)
     )
     before = calm.time.values < 7.0
     for name in ("position", "predicted_position", "alpha"):
@@ -96,9 +116,13 @@ def test_ever_more_fixes_give_continuous_least_squares():
     """As T goes to 0 with r^2 = s^2 T, P^-1 is 1/prior^2 + int phi phi^T/s^2 along the track."""
     s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
     plain = clpt.paper_scenario().with_values({"run.duration": 20.0})
-    phi = evaluate(plain.basis_block(), times, clpt.simulate(plain, times).position.values)
+    phi = evaluate(
+        plain.basis_block(), times, clpt.simulate(plain, times).position.values
+    )
     seen = simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
-    limit = plain.flow.parameters @ (np.eye(3) - np.linalg.inv(np.eye(3) + prior**2 * seen))
+    limit = plain.flow.parameters @ (
+        np.eye(3) - np.linalg.inv(np.eye(3) + prior**2 * seen)
+    )
     apart = []
     for between in (0.2, 0.1, 0.05):
         own = {f"{TABLE}.noise": s * np.sqrt(between), f"{TABLE}.prior": prior}
@@ -112,7 +136,9 @@ def test_ever_more_fixes_give_continuous_least_squares():
 def test_the_vehicle_steers_on_its_prediction_alone():
     calm = PAPER.with_values({"flow.parameters": [[0.0] * 3] * 2})
     exact = {"rtol": 1e-11, "atol": 1e-12}
-    run, still = (clpt.simulate(one, np.linspace(0.0, 5.0, 21), **exact) for one in (PAPER, calm))
+    run, still = (
+        clpt.simulate(one, np.linspace(0.0, 5.0, 21), **exact) for one in (PAPER, calm)
+    )
     before = run.predicted_position[:-1]  # the first fix no flow is known
     np.testing.assert_allclose(before, still.position[:-1], rtol=0, atol=1e-9)
     assert np.abs(run.clpe[:-1]).max() > 1
@@ -136,13 +162,25 @@ def test_the_papers_flow_is_learned_at_fixes(values, bounds):
 
 NOISY = clpt.paper_scenario().with_values({"localization": {"noise_period": 1.0}})
 REFUSED = [  # the key that is named, the values, the sentence
-    ("learning.law", {"localization": None}, "learns at fixes, and needs localization.interval"),
+    (
+        "learning.law",
+        {"localization": None},
+        "learns at fixes, and needs localization.interval",
+    ),
     ("learning.gain", {"learning.gain": 0.8}, "has no use for it"),
     ("learning.feedback", {"learning.feedback": [1.0, 1.0]}, "remove the key"),
     ("localization.dropouts", {"localization.dropouts": 1.0}, "less than 1"),
     ("localization.latency", {"localization.latency": 5.0}, "below the interval"),
-    ("localization.noise_period", {"localization.noise_period": 1.0}, "only with interval = 0"),
-    ("localization.interval", {"learning.law": "learned-flow", "learning.gain": 0.8}, "fix-reg"),
+    (
+        "localization.noise_period",
+        {"localization.noise_period": 1.0},
+        "only with interval = 0",
+    ),
+    (
+        "localization.interval",
+        {"learning.law": "learned-flow", "learning.gain": 0.8},
+        "fix-reg",
+    ),
 ]
 
 
@@ -153,7 +191,9 @@ def test_what_does_not_fit_is_said(key, values, said):
 
 def test_what_is_of_fixes_alone_or_of_no_fixes_is_said():
     for key in ("latency", "dropouts"):
-        with pytest.raises(clpt.ClptError, match=f"localization.{key} = 0.1: is of fixes"):
+        with pytest.raises(
+            clpt.ClptError, match=f"localization.{key} = 0.1: is of fixes"
+        ):
             NOISY.with_values({f"localization.{key}": 0.1})
     with pytest.raises(clpt.DataError, match="z of a recorded run jumps at fixes"):
         clpt.theory.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)

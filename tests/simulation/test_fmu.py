@@ -31,16 +31,25 @@ class Importer:
         make = self.library.fmi3InstantiateModelExchange
         make.restype = ctypes.c_void_p
         token = self.model.get("instantiationToken").encode()
-        other, self.at = (make(b"", t, b"", False, False, None, None) for t in (b"another", token))
+        other, self.at = (
+            make(b"", t, b"", False, False, None, None) for t in (b"another", token)
+        )
         assert other is None
 
     def call(self, name, *arguments):
-        assert getattr(self.library, f"fmi3{name}")(ctypes.c_void_p(self.at), *arguments) == 0
+        assert (
+            getattr(self.library, f"fmi3{name}")(ctypes.c_void_p(self.at), *arguments)
+            == 0
+        )
 
     def exchange(self, kind, names, values):
-        places = (ctypes.c_uint32 * len(names))(*([*self.kinds].index(name) for name in names))
+        places = (ctypes.c_uint32 * len(names))(
+            *([*self.kinds].index(name) for name in names)
+        )
         count, data = ctypes.c_size_t(len(names)), np.array(values, dtype=float)
-        self.call(f"{kind}Float64", places, count, data.ctypes.data_as(ctypes.c_void_p), count)
+        self.call(
+            f"{kind}Float64", places, count, data.ctypes.data_as(ctypes.c_void_p), count
+        )
         return data
 
     def get(self, *names):
@@ -84,7 +93,9 @@ class Importer:
 def end_of(name):
     """Return the time of the end of a model's run, its inputs by name, and its states there."""
     system, start, u, *_ = MODELS[name]
-    inputs = dict(zip([label.partition("[")[0] for label in system.input_labels], u, strict=True))
+    inputs = dict(
+        zip([label.partition("[")[0] for label in system.input_labels], u, strict=True)
+    )
     until = 25.0 if name == "papers-loop" else 6.0
     run = clpt.simulate(system, [0.0, until], u or None, start, rtol=1e-11, atol=1e-13)
     return until, inputs, run.states[-1]
@@ -115,18 +126,31 @@ def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
     found = importer(system, initial_state=[3.0], params={"k": 4.0})
     assert found.kinds["lag.fast"]["variability"] == "constant"
     assert found.kinds["lag.k"]["causality"] == "parameter"
-    assert found.get("state.x", "der(state.x)", "lag.k", "y").tolist() == [3.0, -12.0, 4.0, 3.0]
+    assert found.get("state.x", "der(state.x)", "lag.k", "y").tolist() == [
+        3.0,
+        -12.0,
+        4.0,
+        3.0,
+    ]
     found.initialize(**{"lag.k": 0.5, "state.x": 2.0})
     assert found.get("der(state.x)", "y").tolist() == [-1.0, 2.0]
     found.call("Reset")
     assert found.get("der(state.x)").tolist() == [-12.0]
     assert found.library.fmi3GetFloat32(found.at) == 3  # an error: there is none
-    limits = [importer(clpt.parts.pid(1.0, 0.2)).kinds[f"pid.{end}"] for end in ("low", "high")]
-    assert [one["start"] for one in limits] == ["-INF", "INF"]  # XML Schema, part 2, 3.2.5
+    limits = [
+        importer(clpt.parts.pid(1.0, 0.2)).kinds[f"pid.{end}"]
+        for end in ("low", "high")
+    ]
+    assert [one["start"] for one in limits] == [
+        "-INF",
+        "INF",
+    ]  # XML Schema, part 2, 3.2.5
 
 
 @pytest.mark.parametrize("lost", ["a compiler", "a folder"])
-def test_where_nothing_can_be_compiled_it_holds_its_source(lost, tmp_path, monkeypatch, capsys):
+def test_where_nothing_can_be_compiled_it_holds_its_source(
+    lost, tmp_path, monkeypatch, capsys
+):
     if lost == "a compiler":
         monkeypatch.setenv("CC", "no-compiler-of-this-name")
     else:
@@ -136,7 +160,9 @@ def test_where_nothing_can_be_compiled_it_holds_its_source(lost, tmp_path, monke
     assert (tmp_path / "lag.fmu").read_bytes() == (tmp_path / "again.fmu").read_bytes()
     assert "clpt: the FMU holds its source alone" in capsys.readouterr().err
     with zipfile.ZipFile(tmp_path / "lag.fmu") as file:
-        source = file.getinfo(f"sources/{'lag' * 20}.c")  # a name that a folder may hold
+        source = file.getinfo(
+            f"sources/{'lag' * 20}.c"
+        )  # a name that a folder may hold
         assert not [name for name in file.namelist() if name.startswith("binaries")]
     assert source.compress_size < 0.5 * source.file_size
 

@@ -39,17 +39,28 @@ def pendulum(**more):
 
 def nested():
     """A diagram in another, each with params of its own."""
-    ports = {"inputs": ["r", "y"], "outputs": ["u"], "name": "gain", "params": {"k": 2.0}}
+    ports = {
+        "inputs": ["r", "y"],
+        "outputs": ["u"],
+        "name": "gain",
+        "params": {"k": 2.0},
+    }
     gain = control.nlsys(None, lambda t, x, u, p: p["k"] * (u[0] - u[1]), **ports)
     plant = pendulum(name="plant", inputs=["u"], outputs=["y"])
-    inner = control.interconnect([plant, gain], inputs="r", outputs="y", params={"m": 5.0})
+    inner = control.interconnect(
+        [plant, gain], inputs="r", outputs="y", params={"m": 5.0}
+    )
     lag = control.tf([1.0], [0.3, 1.0], inputs="v", outputs="r")
-    return control.interconnect([inner, lag], inputs="v", outputs="y", params={"k": 3.0})
+    return control.interconnect(
+        [inner, lag], inputs="v", outputs="y", params={"k": 3.0}
+    )
 
 
 def scheduled(method, points):
     """Feedback that python-control makes, its gains of a schedule."""
-    plant = control.ss([[0.0, 1.0], [-1.0, -0.2]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
+    plant = control.ss(
+        [[0.0, 1.0], [-1.0, -0.2]], [[0.0], [1.0]], np.eye(2), 0, name="plant"
+    )
     gains = [np.array([[1.0, 1.5]]), np.array([[3.0, 2.5]])]
     by = {"gainsched_indices": [*range(np.ndim(points))], "gainsched_method": method}
     return control.create_statefbk_iosystem(plant, (gains, points), **by)[1]
@@ -67,8 +78,12 @@ def circle():
     ports = {"inputs": ["a"], "outputs": ["p", "q"], "states": 1, "name": "A"}
     handed = lambda t, x, u, p: [x[0], u[0]]  # noqa: E731
     A = control.nlsys(lambda t, x, u, p: [-x[0] + 0.1 * u[0]], handed, **ports)
-    B = control.nlsys(None, lambda t, x, u, p: 2 * u[0] + t, inputs=["b"], outputs=["r"], name="B")
-    return control.interconnect([A, B], [["B.b", "A.p"], ["A.a", "B.r"]], outlist=["A.q", "B.r"])
+    B = control.nlsys(
+        None, lambda t, x, u, p: 2 * u[0] + t, inputs=["b"], outputs=["r"], name="B"
+    )
+    return control.interconnect(
+        [A, B], [["B.b", "A.p"], ["A.a", "B.r"]], outlist=["A.q", "B.r"]
+    )
 
 
 def sprung(direct=0.0):
@@ -77,12 +92,16 @@ def sprung(direct=0.0):
     total = control.summing_junction(["back", "r"], "F", name="total")
     ports = {"inputs": "F", "outputs": ["place", "pull"], "name": "mass"}
     A, C = [[0, 1], [-1, -0.5]], [[1, 0], [-1, -0.5]]
-    return clpt.connect([control.ss(A, [[0], [1]], C, [[direct], [1]], **ports), K, total], "r")
+    return clpt.connect(
+        [control.ss(A, [[0], [1]], C, [[direct], [1]], **ports), K, total], "r"
+    )
 
 
 def two_inputs():
     A, B = np.array([[-1.0, 0.4], [-0.7, -2.0]]), np.array([[1.0, 0.3], [-0.5, 2.0]])
-    one = control.ss(A, B, [[1, -1]], [[0.5, 1]], name="one", inputs=["u[0]", "u[1]"], outputs="y")
+    one = control.ss(
+        A, B, [[1, -1]], [[0.5, 1]], name="one", inputs=["u[0]", "u[1]"], outputs="y"
+    )
     two = control.ss(A.T, B[:, :1], [[0.3, 1]], 0, name="two", inputs="y", outputs="w")
     return clpt.connect([one, two], external="u")
 
@@ -95,16 +114,28 @@ def dense():
 
 OPEN = control.nlsys(lambda t, x, u, p: -x + u[0] * np.array([1.0, 2.0]) + u[-1], None)
 STATIC = control.nlsys(None, lambda t, x, u, p: u[0] ** 2 + t, inputs=1, outputs=1)
-MATRIX = control.tf([[[1], [2]], [[0], [1, 3]]], [[[1, 1], [1, 2]], [[1], [1, 4]]], name="M")
+MATRIX = control.tf(
+    [[[1], [2]], [[0], [1, 3]]], [[[1, 1], [1, 2]], [[1], [1, 4]]], name="M"
+)
 OTHERS = {"law.C": [[3.0]], "law.D": [[0.5]], "plant.A": [[-2.0, -1.0], [1.0, 0.0]]}
-NEAREST, AT_LEVELS = scheduled("nearest", [[-1.0, 0.0], [1.0, 0.0]]), 0.2 * np.sin(T) - 1.0
+NEAREST, AT_LEVELS = (
+    scheduled("nearest", [[-1.0, 0.0], [1.0, 0.0]]),
+    0.2 * np.sin(T) - 1.0,
+)
 CASES = {  # system, inputs, start, params
-    **{n: (MODELS[n].system, MODELS[n].u or 0.0, MODELS[n].start, None) for n in SMOOTH},
+    **{
+        n: (MODELS[n].system, MODELS[n].u or 0.0, MODELS[n].start, None) for n in SMOOTH
+    },
     "a param": (pendulum(), np.sin(T), [0.3, 0.0], {"m": 1000}),
     "a word": (pendulum(), np.sin(T), [0.3, 0.0], {"m": 3, "why": "another word"}),
     "nested": (nested(), np.cos(T), 0.1, None),
     "params handed down": (nested(), np.cos(T), 0.1, {"k": 1.0, "m": 7, "c": 0.0}),
-    "a schedule": (scheduled("linear", [-1.0, 1.0]), [0.5 * np.sin(T), 0, 0], [0.1, 0.0], None),
+    "a schedule": (
+        scheduled("linear", [-1.0, 1.0]),
+        [0.5 * np.sin(T), 0, 0],
+        [0.1, 0.0],
+        None,
+    ),
     "nearest gains": (NEAREST, [AT_LEVELS, 0, 0], [-1.0, 0.0], None),
     "a servo": (servo(), 1.0, 0.0, None),
     "other matrices": (servo(), 1.0, 0.0, OTHERS),
@@ -131,8 +162,12 @@ def test_a_run_is_python_controls(name, engine):
     run = clpt.simulate(*given, params, engine=engine, rtol=1e-10, atol=1e-12)
     asked = control.input_output_response(*given, params=params, solve_ivp_kwargs=TIGHT)
     made = np.reshape(np.asarray(asked.outputs), (-1, len(T)))
-    ours = np.vstack([np.reshape(one.values.T, (-1, len(T))) for one in run.data_vars.values()])
-    np.testing.assert_allclose(ours[: len(made)], made, atol=1e-6 * (1.0 + np.abs(made).max()))
+    ours = np.vstack(
+        [np.reshape(one.values.T, (-1, len(T))) for one in run.data_vars.values()]
+    )
+    np.testing.assert_allclose(
+        ours[: len(made)], made, atol=1e-6 * (1.0 + np.abs(made).max())
+    )
     assert run.attrs["engine"] == engine
 
 
@@ -140,8 +175,17 @@ def test_what_is_told_of_a_circle_a_start_and_a_matrix_that_is_none():
     assert wiring_of(circle()).order == (0, 1, 0)
     with pytest.raises(clpt.ClptError, match=r"mass\.D"):  # its zeros were counted on
         clpt.simulate(sprung(), T, 1.0, params={"mass.D": [[0.5], [1]]})
-    says(DiagramError, "algebraic loop: mass <- total <- K", clpt.simulate, sprung(0.5), T, 1.0)
-    with pytest.raises(BlockError, match=r"unknown parameter 'plant\.D'"):  # it has none to change
+    says(
+        DiagramError,
+        "algebraic loop: mass <- total <- K",
+        clpt.simulate,
+        sprung(0.5),
+        T,
+        1.0,
+    )
+    with pytest.raises(
+        BlockError, match=r"unknown parameter 'plant\.D'"
+    ):  # it has none to change
         clpt.simulate(servo(), T, 1.0, params={"plant.D": [[1.0]]})
     with pytest.warns(UserWarning, match="filled with zeros"):
         clpt.simulate(pendulum(), T, 0.0, np.array([0.4]))
@@ -162,7 +206,10 @@ class Spring:
 
     def worn(self, t, x, u, params):
         self.calls += 1
-        return [x[1], -(1.0 if self.calls % 2 else 1.0 + 1e-12) * params.get("k", 1) * x[0]]
+        return [
+            x[1],
+            -(1.0 if self.calls % 2 else 1.0 + 1e-12) * params.get("k", 1) * x[0],
+        ]
 
 
 def by_number(t, x, u, params):
@@ -188,7 +235,12 @@ NAMES = {  # what may be given, and what no function reads
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
 def test_names_that_functions_read_are_known_and_no_others(update, looped):
     known, unknown = NAMES[update]
-    sizes = {"inputs": ["u[0]"], "outputs": ["x[0]", "x[1]"], "states": 2, "params": {"c": 1.0}}
+    sizes = {
+        "inputs": ["u[0]"],
+        "outputs": ["x[0]", "x[1]"],
+        "states": 2,
+        "params": {"c": 1.0},
+    }
     system = control.nlsys(update, name="rod", **sizes)
     short = [0.0, 0.2], 0.0, [0.3, 0.1]
     calls = [lambda p: clpt.simulate(system, *short, params=p)]
@@ -202,11 +254,15 @@ def test_names_that_functions_read_are_known_and_no_others(update, looped):
         for params in known:
             call({"c": 2.0, **params})
         for name in unknown:
-            with pytest.raises(BlockError, match=rf"unknown parameter '{name}'.* knows .*c"):
+            with pytest.raises(
+                BlockError, match=rf"unknown parameter '{name}'.* knows .*c"
+            ):
                 call({"c": 2.0, name: 1.0})
     near = {"mm": "m", "rood.m": "m"} | ({"bak.D": r"back\.D"} if looped else {})
     for name, own in near.items() if update is rate else ():
-        with pytest.raises(BlockError, match=rf"did you mean {own}\? This diagram knows .*c"):
+        with pytest.raises(
+            BlockError, match=rf"did you mean {own}\? This diagram knows .*c"
+        ):
             calls[0]({name: 1.0})
 
 
@@ -214,13 +270,22 @@ def test_a_param_under_the_name_of_its_system_is_for_that_one_alone():
     parts = [pendulum(name=name, inputs=["u"], outputs=[f"y{name}"]) for name in "ab"]
     two = control.interconnect(parts, inputs="u", outputs=["ya", "yb"], name="two")
     wired = clpt.connect(parts, external="u")
-    around = control.interconnect([two], inputs="u", outputs=["ya", "yb"], name="around")
+    around = control.interconnect(
+        [two], inputs="u", outputs=["ya", "yb"], name="around"
+    )
     start = [0.3, 0.0]
-    wanted = [clpt.simulate(pendulum(), T, 0.3, start, {"m": m}).states.values for m in (3.0, 5.0)]
+    wanted = [
+        clpt.simulate(pendulum(), T, 0.3, start, {"m": m}).states.values
+        for m in (3.0, 5.0)
+    ]
     both, named = np.hstack(wanted), {"m": 3.0, "b.m": 5.0}
     several = [named, dict(reversed(named.items())), {"a.m": 3.0, "b.m": 5.0}]
     nested = [{"two.m": 3.0, "b.m": 5.0}, {"a.m": 3.0, "b.m": 9.0, "two.b.m": 5.0}]
-    for system, each in ((two, several), (wired, several), (around, [*several, *nested])):
+    for system, each in (
+        (two, several),
+        (wired, several),
+        (around, [*several, *nested]),
+    ):
         for params in each:
             found = clpt.simulate(system, T, 0.3, start * 2, params).states
             np.testing.assert_allclose(found, both, rtol=1e-6, atol=1e-8)
@@ -230,7 +295,9 @@ def test_a_param_under_the_name_of_its_system_is_for_that_one_alone():
     given = {"params": named, "solve_ivp_kwargs": {"rtol": 1e-9}}
     theirs = control.input_output_response(wired, T, 0.3, start * 2, **given)
     np.testing.assert_allclose(theirs.states.T, both, atol=1e-5)
-    alone = clpt.run_ensemble(parts[0], {"a.m": [3.0]}, timepts=T, inputs=0.3, initial_state=start)
+    alone = clpt.run_ensemble(
+        parts[0], {"a.m": [3.0]}, timepts=T, inputs=0.3, initial_state=start
+    )
     np.testing.assert_allclose(alone.ya_final.values[0], both[-1, 0], rtol=1e-6)
 
 
@@ -250,20 +317,28 @@ def planned(t, x, u, p):
 
 
 def test_a_name_that_is_bound_where_the_run_goes_alone():
-    for of_time in (planned, lambda t, x, u, p: [next(rate for end, rate in PLAN if t < end)]):
+    for of_time in (
+        planned,
+        lambda t, x, u, p: [next(rate for end, rate in PLAN if t < end)],
+    ):
         found = clpt.simulate(autonomous(of_time), T)
         assert found.engine == "native"
         np.testing.assert_allclose(found.states[-1, 0], 0.7 - 0.3 + 0.14, rtol=1e-11)
     for engine in ("native", "python"):
-        with pytest.raises(SimulationError, match=r"0\.693147.*stops, line \d+: UnboundLocalError"):
+        with pytest.raises(
+            SimulationError, match=r"0\.693147.*stops, line \d+: UnboundLocalError"
+        ):
             clpt.simulate(autonomous(stops), T, 0.0, 1.0, engine=engine)
 
 
 def test_a_function_that_keeps_runs_in_python_and_is_called_once_for_each_sample():
     gap = control.friction_backlash_nonlinearity(0.4)
-    worn = control.nlsys(None, lambda t, x, u, p: gap(u[0]), inputs=1, outputs=["y"], name="worn")
+    worn = control.nlsys(
+        None, lambda t, x, u, p: gap(u[0]), inputs=1, outputs=["y"], name="worn"
+    )
     said = (
-        r"^worn runs in Python, not as machine code: worn.output: .*keeps what its next call reads"
+        r"^worn runs in Python, not as machine code: worn.output: "
+        ".*keeps what its next call reads"
     )
     with pytest.warns(UserWarning, match=said) as warned:
         run = clpt.simulate(worn, T, np.sin(3 * T))
@@ -276,7 +351,9 @@ def test_a_function_that_keeps_runs_in_python_and_is_called_once_for_each_sample
 
 
 def test_samples_on_one_line_are_one_piece():
-    system = control.nlsys(lambda t, x, u, p: u - x, None, inputs=1, outputs=1, states=1)
+    system = control.nlsys(
+        lambda t, x, u, p: u - x, None, inputs=1, outputs=1, states=1
+    )
     times = np.linspace(0.0, 1.0, 1001)
     held, ramp, bent = (
         clpt.simulate(system, times, one, 0.0, engine="python").solver_evaluations
@@ -290,12 +367,18 @@ def test_counts_may_be_numpys():
     """x' = u - x from 0, alone and with u = r - 2 x."""
     one = np.int64(1)
     counts = {"inputs": one, "outputs": one, "states": one}
-    plant = control.nlsys(lambda t, x, u, p: u - np.eye(len(x)) @ x, **counts, name="plant")
-    twice = control.nlsys(None, lambda t, x, u, p: 2.0 * u, inputs=one, outputs=one, name="twice")
+    plant = control.nlsys(
+        lambda t, x, u, p: u - np.eye(len(x)) @ x, **counts, name="plant"
+    )
+    twice = control.nlsys(
+        None, lambda t, x, u, p: 2.0 * u, inputs=one, outputs=one, name="twice"
+    )
     for system, rate in ((plant, 1.0), (control.feedback(plant, twice), 3.0)):
         run = clpt.simulate(system, [0, 1], 1.0)
         assert run.attrs["engine"] == "native"
-        np.testing.assert_allclose(run.states[-1], (1 - np.exp(-rate)) / rate, rtol=1e-6)
+        np.testing.assert_allclose(
+            run.states[-1], (1 - np.exp(-rate)) / rate, rtol=1e-6
+        )
 
 
 def test_inputs_with_the_name_of_an_output_stay_apart():
@@ -315,7 +398,9 @@ def test_a_run_of_a_later_version_is_refused(form, tmp_path):
         file.run_format = form
         file.source = "clpt-control 9.0"
     for read in (clpt.load_run, clpt.load_scenario):
-        with pytest.raises(DataError, match=f"{form}, written by clpt-control 9.0.*reads 1 to 1"):
+        with pytest.raises(
+            DataError, match=f"{form}, written by clpt-control 9.0.*reads 1 to 1"
+        ):
             read(tmp_path / "run.nc")
 
 
@@ -343,9 +428,14 @@ def test_python_control_gives_the_same_run(dwell, end):
     loop = clpt.closed_loop(scenario)
     theirs = [initial_state(scenario)]
     times = np.arange(0, end + 1, dwell)
-    own = {"solve_ivp_method": "DOP853", "solve_ivp_kwargs": {"rtol": 1e-10, "atol": 1e-12}}
+    own = {
+        "solve_ivp_method": "DOP853",
+        "solve_ivp_kwargs": {"rtol": 1e-10, "atol": 1e-12},
+    }
     for k, span in enumerate(pairwise(times)):
         at = {"params": {"reference.interval": float(k)}, **own}
-        theirs.append(control.input_output_response(loop, span, 0, theirs[-1], **at).states[:, -1])
+        theirs.append(
+            control.input_output_response(loop, span, 0, theirs[-1], **at).states[:, -1]
+        )
     ours = clpt.simulate(scenario, times, rtol=1e-10, atol=1e-12)
     np.testing.assert_allclose(states_of(ours), theirs, rtol=0, atol=1e-7)

@@ -43,16 +43,30 @@ def test_a_lag_of_one_line_is_its_closed_form(engine):
 
 def test_what_passes_everything_on_changes_nothing():
     through, plain = control.tf(1, 1, name="through"), clpt.simulate(PAPER)
-    for where in ("v_x", ("x", "clpe", "basis_x"), "phi_x", ("K", "learning_controller")):
+    for where in (
+        "v_x",
+        ("x", "clpe", "basis_x"),
+        "phi_x",
+        ("K", "learning_controller"),
+    ):
         run = clpt.simulate(clpt.closed_loop(PAPER, insert={where: through}))
         assert_allclose(run[list(plain)], plain, rtol=0, atol=1e-7)
 
 
 def test_parts_of_one_wide_port_in_a_row_and_names_of_ones_own():
-    ports = {"inputs": ["v[0]", "v[1]"], "outputs": ["v_f[0]", "v_f[1]"], "name": "motor"}
+    ports = {
+        "inputs": ["v[0]", "v[1]"],
+        "outputs": ["v_f[0]", "v_f[1]"],
+        "name": "motor",
+    }
     motor = control.ss(-np.eye(2), np.eye(2), np.eye(2), 0, **ports)
     loop = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): motor, "v_f": LAG})
-    assert loop.state_labels[-4:] == ["motor_x[0]", "motor_x[1]", "lag_x[0]", "lag_x[1]"]
+    assert loop.state_labels[-4:] == [
+        "motor_x[0]",
+        "motor_x[1]",
+        "lag_x[0]",
+        "lag_x[1]",
+    ]
     run = clpt.simulate(loop, [0, 1], 0, [clpt.initial_state(PAPER), 0])
     assert {"v_x", "v_f", "v_f_lag"} <= set(run.data_vars)
 
@@ -72,7 +86,9 @@ def test_a_replaced_vehicle_starts_where_the_scenario_says():
 
 def test_a_port_of_one_in_and_one_out_takes_the_names_it_replaces():
     limits = {"inputs": 2, "outputs": 2, "name": "saturation"}
-    saturation = control.nlsys(None, lambda t, x, u, params: np.clip(u, -1, 1), **limits)
+    saturation = control.nlsys(
+        None, lambda t, x, u, params: np.clip(u, -1, 1), **limits
+    )
     run = clpt.simulate(clpt.closed_loop(LIMITED, replace={"speed_limit": saturation}))
     assert run.attrs["engine"] == "native"
     assert abs(run.velocity).max() == 1.0
@@ -111,8 +127,12 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     plain, run = clpt.simulate(later), clpt.simulate(loop(later))
     assert_identical(run[list(plain)], plain)
     from_ten = clpt.simulate(loop(later), [10.0, 12.0])
-    np.testing.assert_array_equal(from_ten.states, clpt.simulate(later, [10.0, 12.0]).states)
-    moved = clpt.initial_state(later) + 0.25  # a scenario's is at t = 0, a diagram's at once
+    np.testing.assert_array_equal(
+        from_ten.states, clpt.simulate(later, [10.0, 12.0]).states
+    )
+    moved = (
+        clpt.initial_state(later) + 0.25
+    )  # a scenario's is at t = 0, a diagram's at once
     run = clpt.simulate(loop(later), [10.0, 12.0], initial_state=moved)
     np.testing.assert_array_equal(clpt.state_at(run, 10.0), moved)
     run = clpt.simulate(later, [10.0, 12.0], initial_state=moved)
@@ -123,7 +143,9 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
     loops = [loop(PAPER, **own) for own in ({"law": law}, {"replace": {LAW: law}})]
     assert clpt.simulate(loops[0]).identical(clpt.simulate(loops[1]))
-    with pytest.raises(clpt.ScenarioError, match="timepts: is required to run a diagram"):
+    with pytest.raises(
+        clpt.ScenarioError, match="timepts: is required to run a diagram"
+    ):
         clpt.run_ensemble(loop(later, external="zc"), "learning.gain=0.2:2.0", 2)
 
 
@@ -136,7 +158,9 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
         loop.syslist[-1].parameters = loop.syslist[-1].parameters._replace(gain=3.0)
     run = clpt.simulate(loop)
     assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
-    assert not np.allclose(run.predicted_position, clpt.simulate(PAPER).predicted_position)
+    assert not np.allclose(
+        run.predicted_position, clpt.simulate(PAPER).predicted_position
+    )
     for use in (lambda own: clpt.run_ensemble(own, "learning.gain=0.2:2.0", 2), prove):
         says(DiagramError, "closed_loop: was changed after closed_loop", use, loop)
 
@@ -149,26 +173,49 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
     own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
     assert prove(own_law, points=100).status == "proved"
-    says(ClptError, "has v_x to vehicle: lag, so V' is not its law's alone", prove, lagging)
+    says(
+        ClptError,
+        "has v_x to vehicle: lag, so V' is not its law's alone",
+        prove,
+        lagging,
+    )
     run = clpt.simulate(lagging, times)
-    says(ClptError, "the run has parts given in Python, v_x to vehicle: lag", certificate, run)
-    says(ClptError, "v_x .* its vehicle is not known", clpt.estimation.flow_estimate, run)
+    says(
+        ClptError,
+        "the run has parts given in Python, v_x to vehicle: lag",
+        certificate,
+        run,
+    )
+    says(
+        ClptError, "v_x .* its vehicle is not known", clpt.estimation.flow_estimate, run
+    )
     rests = lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}  # noqa: E731
     still = clpt.Block("reference", output=rests, outputs={"zc": 2})
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
-    says(ClptError, "made with a reference that its scenario does not hold", gramian, run)
+    says(
+        ClptError, "made with a reference that its scenario does not hold", gramian, run
+    )
     wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
-    says(ClptError, "made with a basis_x that its scenario does not hold", gramian, wide)
+    says(
+        ClptError, "made with a basis_x that its scenario does not hold", gramian, wide
+    )
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
-    says(ClptError, r'the run has parameters {"adaptation.gain": 0.001}', certificate, slow)
+    says(
+        ClptError,
+        r'the run has parameters {"adaptation.gain": 0.001}',
+        certificate,
+        slow,
+    )
     run = clpt.simulate(own_law, times)
     says(ClptError, "no certificate: .* the run has the law mine", certificate, run)
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 
 def made(name, output, port, size, **inputs):
-    return clpt.Block(name, output=output, inputs={"x": 2, **inputs}, outputs={port: size})
+    return clpt.Block(
+        name, output=output, inputs={"x": 2, **inputs}, outputs={port: size}
+    )
 
 
 def turning(t, x, u, p):
@@ -176,25 +223,34 @@ def turning(t, x, u, p):
 
 
 GYRE = made("gyre", turning, "flow_x", 2, phi_x=3)
-PULL = made("own", lambda t, x, u, p: 2.0 * np.tanh(u.zc - u.x), "v_x", 2, zc=2, phi_x=3)
+PULL = made(
+    "own", lambda t, x, u, p: 2.0 * np.tanh(u.zc - u.x), "v_x", 2, zc=2, phi_x=3
+)
 BASIS = made("b", lambda t, x, u, p: 0.1 * np.array([1, u.x[0], u.x[1]]), "phi_x", 3)
 TOLD = {  # what a page and a film's last picture say of a run: its flow, what was learned of it
     "scenario": ({}, "flow_parameter_error, gain_error, learned of it, true arrow"),
     "true_flow": ({"true_flow": GYRE}, "gain_error, learned of it, learned arrow"),
-    "controller": ({"vehicle_controller": PULL}, "flow_parameter_error, learned of it, true arrow"),
+    "controller": (
+        {"vehicle_controller": PULL},
+        "flow_parameter_error, learned of it, true arrow",
+    ),
     "basis_x": ({"basis_x": BASIS}, "flow_parameter_error, gain_error"),
 }
 
 
 @pytest.mark.parametrize("part", TOLD)
-def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(part, tmp_path, undrawn):
+def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
+    part, tmp_path, undrawn
+):
     replace, wanted = TOLD[part]
     loop = clpt.closed_loop(PAPER, replace=replace)
     run, many = clpt.simulate(loop), tmp_path / "many"
     data = clpt.run_ensemble(loop, {"vehicle.position": [[0.0, 0.0]]}, out=many)
     for one in (run, many):
         clpt.report(one, tmp_path / f"{'run' if one is run else 'many'}.html")
-    page, ensemble = ((tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many"))
+    page, ensemble = (
+        (tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many")
+    )
     told = {"learned of it"} if "what was learned of it by the end" in page else set()
     axes = clpt.simulation.learning_plot(run)
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
@@ -238,8 +294,12 @@ def test_a_loop_cut_open_is_the_controller_and_the_vehicle():
 
 def test_a_run_goes_on_from_its_state():
     run = clpt.simulate(PAPER, **TIGHT)
-    rest = clpt.simulate(clpt.closed_loop(PAPER), [20, 30], 0, clpt.state_at(run, 20), **TIGHT)
-    np.testing.assert_allclose(clpt.state_at(rest, 30), clpt.state_at(run, 30), atol=1e-8)
+    rest = clpt.simulate(
+        clpt.closed_loop(PAPER), [20, 30], 0, clpt.state_at(run, 20), **TIGHT
+    )
+    np.testing.assert_allclose(
+        clpt.state_at(rest, 30), clpt.state_at(run, 30), atol=1e-8
+    )
     np.testing.assert_array_equal(clpt.state_at(run, 0), clpt.initial_state(PAPER))
 
 
@@ -250,7 +310,13 @@ def test_the_state_is_in_the_order_of_the_diagram():
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
     assert both.state.values.tolist() == clpt.team_loop(team).state_labels
-    says(ClptError, "nearest of its times is 7; simulate it with timepts", clpt.state_at, run, 7.5)
+    says(
+        ClptError,
+        "nearest of its times is 7; simulate it with timepts",
+        clpt.state_at,
+        run,
+        7.5,
+    )
     says(DataError, "carries no states", clpt.state_at, run.drop_vars("states"), 7)
 
 
@@ -268,7 +334,9 @@ def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
     run = clpt.simulate(PAPER, params={name: value})
     own = clpt.simulate(PAPER.with_values({key: value}))
     assert_allclose(run.drop_attrs()[list(own)], own.drop_attrs(), rtol=1e-6, atol=1e-9)
-    assert np.all(np.diff(run.lyapunov.values) <= 1e-9)  # V of the parameters that ran falls
+    assert np.all(
+        np.diff(run.lyapunov.values) <= 1e-9
+    )  # V of the parameters that ran falls
     clpt.save_run(run, tmp_path / "run.nc")
     with pytest.raises(DataError, match=rf"parameters given at call time.*{name}"):
         clpt.load_scenario(tmp_path / "run.nc")
@@ -291,8 +359,16 @@ def test_an_initial_state_tolerances_and_noise_are_the_files(tmp_path):
     ("name", "value", "sentence"),
     [
         ("adaptation.gain", None, r"adaptation\.gain = None: must be a number"),
-        ("adaptation.gain", [1.0, 2.0], r"adaptation\.gain = .*: must be a number, without NaN"),
-        ("adaptation.gain", np.nan, r"adaptation\.gain = nan: must be a number, without NaN"),
+        (
+            "adaptation.gain",
+            [1.0, 2.0],
+            r"adaptation\.gain = .*: must be a number, without NaN",
+        ),
+        (
+            "adaptation.gain",
+            np.nan,
+            r"adaptation\.gain = nan: must be a number, without NaN",
+        ),
         ("learning.gain", 1.0, r"its name at call time is adaptation\.gain"),
     ],
 )

@@ -24,7 +24,14 @@ TIMES = np.linspace(0.0, 4.0, 5)
 def system(update, output=None, **given):
     """A system of one state that begins at 1."""
     return control.nlsys(
-        update, output, inputs="u", outputs="y", states="y", params={"k": 1.0}, name="q", **given
+        update,
+        output,
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"k": 1.0},
+        name="q",
+        **given,
     )
 
 
@@ -58,8 +65,12 @@ def named(function, raises):
 
 RAISING = {
     empty: named(empty, "ValueError: thruster table is empty"),
-    (one := lambda t, x, u, p: [1 / 0]): named(one, "ZeroDivisionError: division by zero"),
-    (one := lambda t, x, u, p: [u[1]]): named(one, "IndexError: index 1 is out of bounds for axis"),
+    (one := lambda t, x, u, p: [1 / 0]): named(
+        one, "ZeroDivisionError: division by zero"
+    ),
+    (one := lambda t, x, u, p: [u[1]]): named(
+        one, "IndexError: index 1 is out of bounds for axis"
+    ),
     lambda t, x, u, p: [x[0], x[0]]: "returns 2 numbers; must return 1",
 }
 
@@ -98,7 +109,9 @@ NO_NUMBERS = {
 def test_what_is_no_matter_of_numbers(function, engine):
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "q runs in Python")
-        with pytest.raises(clpt.BlockError, match=f"^q.update: {named(function, '')}") as caught:
+        with pytest.raises(
+            clpt.BlockError, match=f"^q.update: {named(function, '')}"
+        ) as caught:
             clpt.simulate(system(function), TIMES, engine=engine)
     assert isinstance(caught.value.__cause__, NO_NUMBERS[function])
 
@@ -113,7 +126,9 @@ def test_a_step_that_is_tried_and_left(engine):
             asked.append(float(x[0]))
         return [-10.0 * math.sqrt(x[0]) * x[0]]
 
-    run = clpt.simulate(system(update), [0.0, 5.0], 0.0, [1.0], engine=engine, first_step=1.0)
+    run = clpt.simulate(
+        system(update), [0.0, 5.0], 0.0, [1.0], engine=engine, first_step=1.0
+    )
     assert run.y.values.ravel()[-1] == pytest.approx(26.0**-2, rel=1e-6)
     if engine:
         assert min(asked) < 0.0
@@ -134,16 +149,26 @@ def law(t, x, u, p):
 @ENGINES
 @pytest.mark.parametrize("times", [[0.0, 4.0], TIMES])
 def test_jumps_and_sampled_parts(engine, times):
-    ports = {"states": {"s": 1}, "parameters": {"interval": -1.0}, "breakpoints": Each(1.0)}
+    ports = {
+        "states": {"s": 1},
+        "parameters": {"interval": -1.0},
+        "breakpoints": Each(1.0),
+    }
     saw = Block("saw", update=lambda t, x, u, p: [1.0], jump=second, **ports)
     said = told(lambda: clpt.simulate(saw, times, engine=engine))
     assert said.startswith("the integration stopped at t = 2: saw.jump: second, line ")
     assert said.endswith("ValueError: no second jump")
-    with pytest.raises(clpt.SimulationError, match=r"t = 0: state s\[0\] of block saw is not fin"):
+    with pytest.raises(
+        clpt.SimulationError, match=r"t = 0: state s\[0\] of block saw is not fin"
+    ):
         clpt.simulate(saw, times, initial_state=[math.nan], engine=engine)
     sampled = Block("law", update=law, inputs={"y": 1}, states={"w": 1}, dt=0.5)
-    plant = Block("plant", update=lambda t, x, u, p: u.w - x, inputs={"w": 1}, states={"y": 1})
-    said = told(lambda: clpt.simulate(clpt.connect([sampled, plant]), times, engine=engine))
+    plant = Block(
+        "plant", update=lambda t, x, u, p: u.w - x, inputs={"w": 1}, states={"y": 1}
+    )
+    said = told(
+        lambda: clpt.simulate(clpt.connect([sampled, plant]), times, engine=engine)
+    )
     assert said.startswith("the integration stopped at t = 2: law.update: law, line ")
     said = told(lambda: clpt.simulate(sampled, np.arange(0.0, 4.0, 0.5), engine=engine))
     assert said.startswith("the run stopped at t = 1.5: law.update: law, line ")
@@ -164,7 +189,9 @@ def test_what_a_function_catches_itself(engine):
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "q runs in Python.*q.update")
         run = clpt.simulate(model, TIMES, 1.0, [1.0], params={"k": 0.0}, engine=engine)
-        data = clpt.run_ensemble(model, {"k": [0.0, 1.0]}, timepts=TIMES, initial_state=[1.0])
+        data = clpt.run_ensemble(
+            model, {"k": [0.0, 1.0]}, timepts=TIMES, initial_state=[1.0]
+        )
     assert run.y.values.ravel() == pytest.approx(np.exp(-2.0 * TIMES), abs=1e-8)
     assert data.y_final.values == pytest.approx(np.exp([-8.0, -4.0]), abs=1e-8)
 
@@ -207,7 +234,12 @@ def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
 
 WHERE = r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2, x2 -1"
 LEFT = [  # its start, its span, the field, and what of the place, the time and the bounds is said
-    ([0.0, 0.5], np.linspace(0, 5, 11), {}, WHERE + " to 1 km, time 0 to 10 h.*clip.*stop"),
+    (
+        [0.0, 0.5],
+        np.linspace(0, 5, 11),
+        {},
+        WHERE + " to 1 km, time 0 to 10 h.*clip.*stop",
+    ),
     ([0.0, 0.0], [0.0, 5.0], {"u": 0.1, "end": 3.0}, "time 3 h; .*time 0 to 3 h"),
     ([3.0, 0.0], [0.0, 1.0], {}, r"\(3, 0\) km, time 0 h"),
 ]
@@ -215,22 +247,35 @@ LEFT = [  # its start, its span, the field, and what of the place, the time and 
 
 @pytest.mark.parametrize(("start", "times", "given", "said"), LEFT)
 def test_leaving_raises_with_position_time_and_bounds(start, times, given, said):
-    says(SimulationError, said, clpt.simulate, drift("raise", **given), times, initial_state=start)
+    says(
+        SimulationError,
+        said,
+        clpt.simulate,
+        drift("raise", **given),
+        times,
+        initial_state=start,
+    )
 
 
 def test_leaving_stops_where_it_leaves_between_samples():
     run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
-    np.testing.assert_allclose(run.states, [[0.75, 0.5], [1.75, 0.5], [2.0, 0.5]], atol=1e-8)
+    np.testing.assert_allclose(
+        run.states, [[0.75, 0.5], [1.75, 0.5], [2.0, 0.5]], atol=1e-8
+    )
     assert re.match("stopped.*time 1.25 h", run.message)
     run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
     assert run.time.values.tolist() == [0.0]
-    run = clpt.simulate(drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0])
+    run = clpt.simulate(
+        drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0]
+    )
     np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
 
 
 def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
-    run = clpt.simulate(drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0])
+    run = clpt.simulate(
+        drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0]
+    )
     np.testing.assert_allclose(run.states[1:], [[4.0, -2.0], [20.0, -10.0]], atol=1e-8)
     run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
     np.testing.assert_allclose(run.states[-1], [2.0, 1.0], atol=1e-9)
@@ -249,7 +294,9 @@ def test_out_and_back_within_a_step_is_found(farthest):
     assert run.x[-1, 0] == pytest.approx(2.0, abs=1e-8)
 
 
-@pytest.mark.parametrize("of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"])
+@pytest.mark.parametrize(
+    "of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"]
+)
 def test_more_samples_than_memory_holds_are_refused_before_work(of):
     said = r"timepts: 8000000 samples of \d+ states and signals"
     says(SimulationError, said, clpt.simulate, of(PAPER), 1e-4 * np.arange(8_000_000))

@@ -43,8 +43,12 @@ def lag_of(takes, makes, name, pole=-1):
 
 def nested():
     error = control.summing_junction(["r", "-y"], "e", name="error")
-    inner = clpt.connect([error, lag_of("e", "w", "c")], external=["r", "y"], name="inner")
-    return clpt.connect([inner, lag_of("w", "y", "plant", -0.3)], external="r", name="outer")
+    inner = clpt.connect(
+        [error, lag_of("e", "w", "c")], external=["r", "y"], name="inner"
+    )
+    return clpt.connect(
+        [inner, lag_of("w", "y", "plant", -0.3)], external="r", name="outer"
+    )
 
 
 def two_of_one_name():
@@ -69,16 +73,27 @@ def of_model(name):
 def of_random(seed):
     """Return the run of a random diagram, of those that run as machine code."""
     diagram, numbers = random_diagram(random.Random(seed)), np.random.default_rng(seed)
-    u, x0 = 0.1 * numbers.normal(size=(diagram.ninputs or 0, 5)), np.zeros(diagram.nstates or 0)
+    u, x0 = (
+        0.1 * numbers.normal(size=(diagram.ninputs or 0, 5)),
+        np.zeros(diagram.nstates or 0),
+    )
     return clpt.simulate(diagram, np.linspace(0.0, 0.2, 5), u, x0)
 
 
 ELSEWHERE = {"papers-loop", "names"}  # which are asked below
-STIFF = {"rtol": 1e-5, "atol": 1e-7, "method": "rodas5p", "max_step": 0.5, "first_step": 0.01}
+STIFF = {
+    "rtol": 1e-5,
+    "atol": 1e-7,
+    "method": "rodas5p",
+    "max_step": 0.5,
+    "first_step": 0.01,
+}
 RUNS = {
     **{name: partial(of_model, name) for name in MODELS if name not in ELSEWHERE},
     **{f"random {seed}": partial(of_random, seed) for seed in range(12)},
-    "NaN": lambda: clpt.simulate(control.nlsys(bounded, states=1, inputs=1, name="b"), TIMES, 1.0),
+    "NaN": lambda: clpt.simulate(
+        control.nlsys(bounded, states=1, inputs=1, name="b"), TIMES, 1.0
+    ),
     "samples": lambda: clpt.simulate(loop(), TIMES, np.sin(TIMES)),
     "start": lambda: clpt.simulate(loop(), TIMES, 1.0, initial_state=[1.0, -2.0]),
     "parameters": lambda: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": 1.5}),
@@ -97,7 +112,9 @@ def again(tmp_path):
 
     def saved(run):
         clpt.save_run(run, tmp_path / "run.nc")
-        return clpt.load_run(tmp_path / "run.nc"), clpt.load_diagram(tmp_path / "run.nc")
+        return clpt.load_run(tmp_path / "run.nc"), clpt.load_diagram(
+            tmp_path / "run.nc"
+        )
 
     return saved
 
@@ -114,7 +131,9 @@ def test_a_file_repeats_its_run_to_the_same_bytes(again, name):
         assert run.attrs["status"] == repeated.attrs["status"] == "stopped"
         repeated.attrs["message"] = run.attrs["message"]
     assert run.identical(repeated), "attributes differ, or values"
-    assert all(run[n].values.tobytes() == repeated[n].values.tobytes() for n in run.variables)
+    assert all(
+        run[n].values.tobytes() == repeated[n].values.tobytes() for n in run.variables
+    )
     for one in (loaded, repeated):
         assert clpt.simulate(again(one)[1]).equals(run)
 
@@ -122,11 +141,16 @@ def test_a_file_repeats_its_run_to_the_same_bytes(again, name):
 def test_what_a_file_repeats_is_what_python_control_runs(again):
     """The loaded diagram has the rates and outputs of the first one, and its poles."""
     (_, loaded), first = again(clpt.simulate(nested(), TIMES, np.cos(TIMES))), nested()
-    for ours, theirs in ((loaded.dynamics, first.dynamics), (loaded.output, first.output)):
+    for ours, theirs in (
+        (loaded.dynamics, first.dynamics),
+        (loaded.output, first.output),
+    ):
         at = 1.5, [2.0, -1.0], [0.7]
         np.testing.assert_allclose(ours(*at), theirs(*at), rtol=1e-12)
     poles = np.sort_complex(control.linearize(loaded, 0, 0).poles())
-    np.testing.assert_allclose(poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5)
+    np.testing.assert_allclose(
+        poles, [-0.65 - 0.9367497j, -0.65 + 0.9367497j], atol=1e-5
+    )
 
 
 def test_what_is_given_takes_the_place_of_what_was_by_all_that_run_it(again):
@@ -140,21 +164,29 @@ def test_what_is_given_takes_the_place_of_what_was_by_all_that_run_it(again):
         {"params": {"tank.a": 2.0}},
         {"rtol": 1e-4, "method": "rodas5p"},
     ):
-        assert clpt.simulate(diagram, **given).equals(clpt.simulate(loop(), **(usual | given)))
+        assert clpt.simulate(diagram, **given).equals(
+            clpt.simulate(loop(), **(usual | given))
+        )
     found = clpt.sensitivity(diagram, TIMES, to=["tank.a", "x0"])
-    np.testing.assert_array_equal(found.h, clpt.sensitivity(loop(), to=["tank.a", "x0"], **usual).h)
+    np.testing.assert_array_equal(
+        found.h, clpt.sensitivity(loop(), to=["tank.a", "x0"], **usual).h
+    )
     many = clpt.ensemble.run_ensemble(diagram, vary="tank.a=[0.5, 1.0]", timepts=TIMES)
     np.testing.assert_allclose(many.h_final[0], run.h[-1], rtol=1e-6)
 
 
 def test_a_closed_loop_of_ones_own_is_repeated(again, tmp_path):
-    run = clpt.simulate(clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()}), TIMES)
+    run = clpt.simulate(
+        clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()}), TIMES
+    )
     loaded, diagram = again(run)
     assert loaded.equals(run)
     repeated = clpt.simulate(diagram)
     assert run.identical(repeated)
     clpt.compare({"first": run, "again": repeated})  # it has the names of its scenario
-    with pytest.raises(clpt.DataError, match=r"alone does not repeat it; clpt\.load_diagram"):
+    with pytest.raises(
+        clpt.DataError, match=r"alone does not repeat it; clpt\.load_diagram"
+    ):
         clpt.load_scenario(tmp_path / "run.nc")
     assert again(clpt.simulate(SCENARIO))[1].origin.scenario == SCENARIO
 
@@ -171,20 +203,26 @@ def test_no_code_is_kept_and_none_is_run(tmp_path):
     assert found.stdout.strip() == run.h.values.tobytes().hex()
 
 
-def test_a_run_that_grows_far_has_its_page_but_for_axes_beyond_the_largest_double(tmp_path):
+def test_a_run_that_grows_far_has_its_page_but_for_axes_beyond_the_largest_double(
+    tmp_path,
+):
     growing = control.ss(1, 1, 1, 0, name="growing", outputs="y")
     clpt.save_run(clpt.simulate(growing, [0, 100, 200], 0.0, 1.0), tmp_path / "run.nc")
     clpt.report(tmp_path / "run.nc", tmp_path / "run.html")
     assert "e+86</td>" in (tmp_path / "run.html").read_text("utf-8")  # exp(200)
     still = control.ss(0, 1, 1, 0, name="still", outputs="y")
     run = clpt.simulate(still, [0, 1], 0.0, 1.7e308)
-    with pytest.raises(clpt.ClptError, match=r"a figure cannot be drawn: .*; numbers above 1e307"):
+    with pytest.raises(
+        clpt.ClptError, match=r"a figure cannot be drawn: .*; numbers above 1e307"
+    ):
         clpt.report(run, tmp_path / "far.html")
     assert not (tmp_path / "far.html").exists()
 
 
 def test_what_cannot_be_recorded_says_so(tmp_path):
-    unread = control.nlsys(None, lambda t, x, u, p: float(repr(float(u[0]))), inputs=1, outputs=1)
+    unread = control.nlsys(
+        None, lambda t, x, u, p: float(repr(float(u[0]))), inputs=1, outputs=1
+    )
     with pytest.warns(UserWarning, match="runs in Python"):
         odd = clpt.simulate(unread, TIMES, 1.0)
     rate = lambda t, x, u, p: -x  # noqa: E731
@@ -206,8 +244,12 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
         assert why in loaded.attrs["not_repeated"]
         says(clpt.DataError, why, clpt.load_diagram, tmp_path / "run.nc")
     mute = control.nlsys(rate, lambda t, x, u, p: [], inputs=0, outputs=0, states=1)
-    with pytest.raises(clpt.DataError, match="the run has no signal; give its system outputs"):
-        clpt.save_run(clpt.simulate(mute, TIMES, initial_state=[1.0]), tmp_path / "none.nc")
+    with pytest.raises(
+        clpt.DataError, match="the run has no signal; give its system outputs"
+    ):
+        clpt.save_run(
+            clpt.simulate(mute, TIMES, initial_state=[1.0]), tmp_path / "none.nc"
+        )
     assert not (tmp_path / "none.nc").exists()
 
 
@@ -216,7 +258,13 @@ def test_a_parameter_that_the_record_holds_stays(again):
     block = clpt.Block("b", update=counted, states={"y": 1}, parameters={"count": 2.0})
     _, diagram = again(clpt.simulate(block, TIMES, initial_state=[1.0]))
     np.testing.assert_allclose(clpt.simulate(diagram).y, np.exp(-2 * TIMES), atol=1e-7)
-    says(clpt.BlockError, "holds for no other", clpt.simulate, diagram, params={"b.count": 3.0})
+    says(
+        clpt.BlockError,
+        "holds for no other",
+        clpt.simulate,
+        diagram,
+        params={"b.count": 3.0},
+    )
     with pytest.raises(clpt.ClptError, match="recorded up to"):
         clpt.simulate(again(clpt.simulate(kicked(), TIMES))[1], [0.0, 50.0])
 
@@ -231,7 +279,10 @@ def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
 
 
 def test_changed_equations_are_one_sentence_or_a_diagram():
-    texts = [equations_text(RUNS[name]())[0] for name in ("parameters", "sampled-tank", "times")]
+    texts = [
+        equations_text(RUNS[name]())[0]
+        for name in ("parameters", "sampled-tank", "times")
+    ]
     rng, refused = np.random.default_rng(3), []
     for k in range(150):
         json_changed(rng, plain := json.loads(texts[k % 3]))
@@ -244,11 +295,19 @@ def test_changed_equations_are_one_sentence_or_a_diagram():
     for row, column in ((0, -1), (-1, 0), (0, 99)):  # a wire from or to no signal
         plain = json.loads(texts[0])
         plain["diagram"]["connections"][0][:2] = row, column
-        says(clpt.DataError, "its equations are damaged: ", diagram_of_text, json.dumps(plain))
+        says(
+            clpt.DataError,
+            "its equations are damaged: ",
+            diagram_of_text,
+            json.dumps(plain),
+        )
 
 
 LINES = [
-    *(["view", [0], *at] for at in ([[2], [[0, 1, 1]]], [[1], [[0, -1, 1]]], [[], [7]])),  # beside
+    *(
+        ["view", [0], *at]
+        for at in ([[2], [[0, 1, 1]]], [[1], [[0, -1, 1]]], [[], [7]])
+    ),  # beside
     *([kind, [0], [2], None] for kind in ("mul", "import os", "fill")),
     *(["leaf", [], *of] for of in ([[5], ["x", "h"]], [[2], ["x", "secret"]])),
     *(["part", [0], *of] for of in ([[2, 1], 1], [[1], -1])),
@@ -266,7 +325,10 @@ LINES = [
 @pytest.mark.parametrize("line", [*LINES, "no memory holds"], ids=str)
 def test_a_line_of_a_record_that_is_none_is_refused(line):
     """What machine code would believe: each is told, none is run."""
-    plain, said = json.loads(equations_text(RUNS["samples"]())[0]), "damaged: .*(record|KeyError)"
+    plain, said = (
+        json.loads(equations_text(RUNS["samples"]())[0]),
+        "damaged: .*(record|KeyError)",
+    )
     record = plain["diagram"]["blocks"][1]["records"]["output"]
     assert record["operations"][0][:3] == ["leaf", [], [2]]
     if line in LINES:
@@ -296,7 +358,12 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
     }
     for how, data in damaged.items():
         data.drop_encoding().to_netcdf(tmp_path / f"{how}.nc")
-        says(clpt.DataError, rf"\A.*{tmp_path}.*\Z", clpt.load_run, tmp_path / f"{how}.nc")
+        says(
+            clpt.DataError,
+            rf"\A.*{tmp_path}.*\Z",
+            clpt.load_run,
+            tmp_path / f"{how}.nc",
+        )
 
 
 def test_names_of_a_file_are_neither_markup_nor_formulas(again, tmp_path):

@@ -46,16 +46,24 @@ def changes(patch):
     table, plant = table_of(1.0), system(by_params, k=1.0)
     wired = control.ss([[0.0]], *ends, name="a", inputs="u", outputs="y")
     lag = control.ss([[-1.0]], *ends, name="lag")
-    loop = control.interconnect([wired], [["a.u", "-a.y"]], ["a.u"], ["a.y"], name="loop")
+    loop = control.interconnect(
+        [wired], [["a.u", "-a.y"]], ["a.u"], ["a.y"], name="loop"
+    )
     product = lambda t, x, u, p: [functools.reduce(lambda a, b: a * b, [-RATE, x[0]])]  # noqa: E731
     partial = functools.partial(held, [1.0], less=less)
     return {
         "a global": (system(lambda t, x, u, params: [-RATE * x[0]]), of_global),
         "a global behind math": (system(by_math), of_global),
         "a global behind functools": (system(product), of_global),
-        "a list": (system(of_rate(lambda x: TABLE[0])), lambda: TABLE.__setitem__(0, 2.0)),
+        "a list": (
+            system(of_rate(lambda x: TABLE[0])),
+            lambda: TABLE.__setitem__(0, 2.0),
+        ),
         "an import": (system(by_import), lambda: in_module(2.0)),
-        "a closure": (system(of_rate(lambda x: value[0])), lambda: value.append(value.pop() + 1.0)),
+        "a closure": (
+            system(of_rate(lambda x: value[0])),
+            lambda: value.append(value.pop() + 1.0),
+        ),
         "a partial": (system(partial), lambda: less.__setitem__(0, -1.0)),
         "params": (plant, lambda: plant.params.update(k=2.0)),
         "params of another": (
@@ -94,7 +102,9 @@ def system(function, **params):
 
 def end(diagram, **given):
     with np.errstate(all="raise"):
-        return float(clpt.simulate(diagram, TIMES, initial_state=[1.0], **given).states[-1, 0])
+        return float(
+            clpt.simulate(diagram, TIMES, initial_state=[1.0], **given).states[-1, 0]
+        )
 
 
 with pytest.MonkeyPatch.context() as none:
@@ -147,7 +157,9 @@ def test_runs_of_one_diagram_share_no_attributes_and_no_numbers():
     one = clpt.simulate(lag, TIMES, 1.0)
     wanted = one.copy(deep=True)
     two = clpt.simulate(lag, TIMES, 1.0)
-    two.time.attrs["units"] = two.states.attrs["long_name"] = two.attrs["title"] = "changed"
+    two.time.attrs["units"] = two.states.attrs["long_name"] = two.attrs["title"] = (
+        "changed"
+    )
     two.y.values[:] = two.states.values[:] = 0.0
     three = clpt.simulate(lag, TIMES, 1.0)
     for run in (one, three):
@@ -174,7 +186,9 @@ def law():
 
 @pytest.mark.parametrize("sample", [None, 0.5])
 def test_a_global_of_a_law_counts_at_the_next_run(law, monkeypatch, sample):
-    loop = clpt.closed_loop(SHORT, law=clpt.equations.Sampled(law, sample) if sample else law)
+    loop = clpt.closed_loop(
+        SHORT, law=clpt.equations.Sampled(law, sample) if sample else law
+    )
     for gain in (0.8, 1.6):
         monkeypatch.setitem(globals(), "GAIN", gain)
         scenario = SHORT.with_values({"learning.gain": gain, "learning.sample": sample})
@@ -184,7 +198,9 @@ def test_a_global_of_a_law_counts_at_the_next_run(law, monkeypatch, sample):
 
 def test_a_global_of_a_law_counts_in_an_ensemble_and_a_proof(law, monkeypatch):
     def asked():
-        data = clpt.run_ensemble(clpt.closed_loop(SHORT, law=law), "flow.parameters~normal:0.1", 2)
+        data = clpt.run_ensemble(
+            clpt.closed_loop(SHORT, law=law), "flow.parameters~normal:0.1", 2
+        )
         return data.flow_parameter_error, clpt.theory.prove(law, points=200).status
 
     before, proved = asked()

@@ -41,7 +41,11 @@ def test_every_law_runs_and_keeps_its_V(name, tmp_path):
 @pytest.mark.parametrize("name", ["known-flow", "composite-memory"])
 def test_gains_that_are_held_stay(name):
     """That no law's rates move them is asked of blocks."""
-    held = {"learning.adapt_gains": False, "run.duration": 20, "learning.feedback": [0.7, 1.1]}
+    held = {
+        "learning.adapt_gains": False,
+        "run.duration": 20,
+        "learning.feedback": [0.7, 1.1],
+    }
     run = clpt.simulate(with_law(name, **held, **{"learning.feedforward": [0.9, 1.2]}))
     np.testing.assert_array_equal(run.feedback_gain, np.tile([0.7, 1.1], (21, 1)))
     np.testing.assert_array_equal(run.feedforward_gain, np.tile([0.9, 1.2], (21, 1)))
@@ -76,7 +80,9 @@ def test_what_a_block_remembers_starts_at_zero_and_is_wired():
 def test_a_blocks_own_gain_is_its_own():
     faster = clpt.simulate(PAPER.with_values({"learning.gain": 2.0}))
     for own, params in (({"gain": 2.0}, None), ({}, {"adaptation.gain": 2.0})):
-        loop = clpt.closed_loop(PAPER, law=law_blocks.papers_law(name="adaptation", **own))
+        loop = clpt.closed_loop(
+            PAPER, law=law_blocks.papers_law(name="adaptation", **own)
+        )
         run = clpt.simulate(loop, params=params)
         np.testing.assert_array_equal(run.alpha, faster.alpha)
         assert "learning" in run.attrs["scenario"]
@@ -114,7 +120,9 @@ SLOW = clpt.paper_scenario().with_values(
 
 
 def own_law(scenario):
-    (law,) = (block for block in clpt.paper_blocks(scenario) if block.name == "adaptation")
+    (law,) = (
+        block for block in clpt.paper_blocks(scenario) if block.name == "adaptation"
+    )
     return law
 
 
@@ -124,16 +132,28 @@ def test_a_law_that_is_sampled_is_the_sampled_block(period):
     run = clpt.simulate(SLOW.with_values({"learning.sample": period}))
     block = clpt.equations.Sampled(own_law(SLOW), period)
     own = clpt.simulate(clpt.closed_loop(SLOW, law=block))
-    for name in ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain"):
+    for name in (
+        "position",
+        "predicted_position",
+        "alpha",
+        "feedback_gain",
+        "feedforward_gain",
+    ):
         np.testing.assert_allclose(run[name], own[name], rtol=1e-9, atol=1e-12)
     assert run.attrs["engine"] == "native"
 
 
-@pytest.mark.parametrize("law", ["known-flow", "kalman-flow", "composite-memory", "drem"])
+@pytest.mark.parametrize(
+    "law", ["known-flow", "kalman-flow", "composite-memory", "drem"]
+)
 def test_every_engine_samples_a_law(law):
     """A law's own states begin where they do without samples."""
-    scenario = with_law(law).with_values({"learning.gain": 0.05, "run.duration": 1} | FINE)
-    native, python = (clpt.simulate(scenario, engine=engine) for engine in ("native", "python"))
+    scenario = with_law(law).with_values(
+        {"learning.gain": 0.05, "run.duration": 1} | FINE
+    )
+    native, python = (
+        clpt.simulate(scenario, engine=engine) for engine in ("native", "python")
+    )
     np.testing.assert_allclose(native.states, python.states, rtol=1e-6, atol=1e-9)
 
 
@@ -145,9 +165,13 @@ def test_the_scenarios_method_runs():
     assert 'method = "rodas5p"' in found.attrs["scenario"]
     with pytest.raises(ScenarioError, match=r"run\.method = 'euler': must be"):
         SLOW.with_values({"run.method": "euler"})
-    explicit, members = stiff.with_values({"run.method": "dop853"}), {"learning.gain": [0.1, 0.2]}
+    explicit, members = (
+        stiff.with_values({"run.method": "dop853"}),
+        {"learning.gain": [0.1, 0.2]},
+    )
     alpha, other = (
-        clpt.run_ensemble(one, members, trajectories=True).alpha.values for one in (stiff, explicit)
+        clpt.run_ensemble(one, members, trajectories=True).alpha.values
+        for one in (stiff, explicit)
     )
     for m, gain in enumerate((0.1, 0.2)):
         alone = clpt.simulate(stiff.with_values({"learning.gain": gain}))
@@ -157,7 +181,10 @@ def test_the_scenarios_method_runs():
 
 def test_what_is_not_sampled_says_so():
     sampled, end = SLOW.with_values({"learning.sample": 1.0}), SLOW.run.duration
-    fixes = {"learning": {"law": "fix-regression", "sample": 1.0}, "localization.interval": 5.0}
+    fixes = {
+        "learning": {"law": "fix-regression", "sample": 1.0},
+        "localization.interval": 5.0,
+    }
     SLOW.with_values({"learning.sample": end})
     both = {"a": sampled, "b": sampled.with_values({"vehicle.position": [1.0, 0.0]})}
     for said, ask in {

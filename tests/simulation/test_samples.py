@@ -22,7 +22,9 @@ SAMPLES = [  # of a duration and a step
 
 def test_samples_at_multiples_and_the_end_or_where_asked():
     for duration, step, expected in SAMPLES:
-        run = clpt.simulate(CALM.with_values({"run.duration": duration, "run.output_step": step}))
+        run = clpt.simulate(
+            CALM.with_values({"run.duration": duration, "run.output_step": step})
+        )
         assert run.time.values.tolist() == expected
     times = [0.35, 1.23456, 2.1]
     run = clpt.simulate(CALM, times, rtol=1e-11, atol=1e-13)
@@ -33,32 +35,50 @@ def test_samples_at_multiples_and_the_end_or_where_asked():
 
 
 CONVERTER = control.nlsys(
-    None, lambda t, x, u, p: [u[0], np.floor(u[0]), np.ceil(u[0])], inputs=1, outputs=3, name="bits"
+    None,
+    lambda t, x, u, p: [u[0], np.floor(u[0]), np.ceil(u[0])],
+    inputs=1,
+    outputs=3,
+    name="bits",
 )
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_inputs_at_samples_are_those_given(engine):
     for end, count in ((4.0, 41), (1.3, 24), (0.7, 8)):
-        given = np.linspace(-5, 5, count)  # a ramp, of which sums are not those of linspace
+        given = np.linspace(
+            -5, 5, count
+        )  # a ramp, of which sums are not those of linspace
         run = clpt.simulate(CONVERTER, np.linspace(0, end, count), given, engine=engine)
         assert run.attrs["engine"] == engine
         wanted = np.transpose([given, np.floor(given), np.ceil(given)])
         np.testing.assert_array_equal(run.y.values, wanted)
 
 
-DECAY = clpt.Block("decay", update=lambda t, x, u, p: u - x, inputs={"u": 1}, states={"x": 1})
+DECAY = clpt.Block(
+    "decay", update=lambda t, x, u, p: u - x, inputs={"u": 1}, states={"x": 1}
+)
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_inputs_are_held_or_joined_by_straight_lines_whose_kinks_are_hit(engine):
     exact, tight = 1 - np.exp(-np.linspace(0, 3, 13)), {"rtol": 1e-11, "atol": 1e-13}
-    for inputs in (5.0, [5.0], np.array([5.0]), np.full((1, 13), 5.0), np.full(13, 5.0)):
-        run = clpt.simulate(DECAY, np.linspace(0, 3, 13), inputs, engine=engine, **tight)
+    for inputs in (
+        5.0,
+        [5.0],
+        np.array([5.0]),
+        np.full((1, 13), 5.0),
+        np.full(13, 5.0),
+    ):
+        run = clpt.simulate(
+            DECAY, np.linspace(0, 3, 13), inputs, engine=engine, **tight
+        )
         np.testing.assert_allclose(run.x, 5.0 * exact, atol=1e-9)
     # u = t on [0, 1], then 2 - t on [1, 2]: x(1) = e^-1, then with s = t - 1
     # x' = -x + 1 - s, so x = (x(1) - 2) e^-s + 2 - s
-    run = clpt.simulate(DECAY, [0.0, 1.0, 2.0], [[0.0, 1.0, 0.0]], engine=engine, **tight)
+    run = clpt.simulate(
+        DECAY, [0.0, 1.0, 2.0], [[0.0, 1.0, 0.0]], engine=engine, **tight
+    )
     one = np.exp(-1)
     np.testing.assert_allclose(run.x, [0, one, (one - 2) * one + 1], atol=1e-10)
 
@@ -75,7 +95,9 @@ def test_jumps_of_two_blocks_at_one_time(engine):
     delta = disturbance.disturbance("square", [1.0, -2.0], period=0.2)
     ports = {"inputs": {"delta": 2, "zc": 2}, "states": {"s": 4}}
     sum_up = clpt.Block("sum", update=lambda t, x, u, p: u, **ports)
-    loop = clpt.connect([reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up])
+    loop = clpt.connect(
+        [reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up]
+    )
     k = np.arange(31)
     run = clpt.simulate(loop, 0.1 * k, rtol=1e-11, atol=1e-13, engine=engine)
     first = 0.1 * (3 * (k // 6) + np.minimum(k % 6, 3))
@@ -87,7 +109,11 @@ def test_jumps_of_two_blocks_at_one_time(engine):
 def test_status_statistics_and_progress():
     reached = []
     run = clpt.simulate(CALM, progress=reached.append)
-    assert (run.status, run.message[:8], run.solver_restarts) == ("finished", "finished", 8)
+    assert (run.status, run.message[:8], run.solver_restarts) == (
+        "finished",
+        "finished",
+        8,
+    )
     assert run.attrs["solver_steps"] >= 8  # 5.0 / 0.7: intervals begun
     assert run.attrs["solver_evaluations"] >= 11 * run.attrs["solver_steps"]
     assert reached == sorted(reached)
@@ -95,7 +121,9 @@ def test_status_statistics_and_progress():
 
 
 def test_units_and_dimensions():
-    run = clpt.simulate(CALM.with_values({"units": {"length": "km", "time": "h"}}), [0, 1])
+    run = clpt.simulate(
+        CALM.with_values({"units": {"length": "km", "time": "h"}}), [0, 1]
+    )
     assert run.position.dims == ("time", "axis")
     assert run.alpha.dims == ("time", "axis", "basis")
     units = {"position": "km", "time": "h", "alpha": "km h-1", "feedback_gain": "h-1"}
@@ -103,14 +131,22 @@ def test_units_and_dimensions():
     assert {name: run[name].units for name in units} == units
     assert run.attrs["Conventions"].startswith("CF-")
     np.testing.assert_array_equal(run.flow_parameters_estimate, -run.alpha)
-    np.testing.assert_allclose(run.clpe, run.position - run.predicted_position, atol=1e-15)
+    np.testing.assert_allclose(
+        run.clpe, run.position - run.predicted_position, atol=1e-15
+    )
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
-    hour = 1 / 3600  # so that k of a step often lies just below the same time as j dwells
+    hour = (
+        1 / 3600
+    )  # so that k of a step often lies just below the same time as j dwells
     scenario = clpt.paper_scenario().with_values(
-        {"reference.dwell": 5 * hour, "run.output_step": hour, "run.duration": 40 * hour}
+        {
+            "reference.dwell": 5 * hour,
+            "run.output_step": hour,
+            "run.duration": 40 * hour,
+        }
     )
     run = clpt.simulate(scenario, engine=engine)
     number = np.arange(41) // 5
@@ -120,7 +156,11 @@ def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
 
 def drifting(**values):
     still = {"kind": "waypoints", "points": [[0.0, 0.0]], "dwell": 100.0}
-    base = {"flow.parameters": [[0.0] * 3] * 2, "reference": still, "vehicle.max_speed": 1.0}
+    base = {
+        "flow.parameters": [[0.0] * 3] * 2,
+        "reference": still,
+        "vehicle.max_speed": 1.0,
+    }
     return PAPER.with_values({**base, **values})
 
 
@@ -138,14 +178,22 @@ def test_a_flow_that_comes_and_goes():
 
 def test_a_calm_run_says_nothing_and_its_share_is_right():
     # x = 5 e^-t is commanded back at |v_c| = x: flown at 1 until x = 1, at t = 4
-    start = {"vehicle.position": [3.0, 4.0], "run.duration": 16, "run.output_step": 0.125}
+    start = {
+        "vehicle.position": [3.0, 4.0],
+        "run.duration": 16,
+        "run.output_step": 0.125,
+    }
     run = clpt.simulate(drifting(**start))
     assert run.attrs["message"] == "finished: the end of the span was reached"
     share = run.attrs["share_at_speed_limit"]
-    assert share == pytest.approx(0.25, abs=1 / 128)  # the sample where it ends may count
+    assert share == pytest.approx(
+        0.25, abs=1 / 128
+    )  # the sample where it ends may count
     assert np.hypot(*run.velocity.values.T).max() <= 1.0 + 1e-12
     np.testing.assert_allclose(np.hypot(*run.commanded_velocity.values[0]), 5.0)
-    assert run.velocity.attrs["units"] == run.commanded_velocity.attrs["units"] == "m s-1"
+    assert (
+        run.velocity.attrs["units"] == run.commanded_velocity.attrs["units"] == "m s-1"
+    )
 
 
 def test_the_limit_that_ran_is_the_one_that_is_said():
@@ -164,9 +212,15 @@ def test_the_command_says_it(clpt, printed, tmp_path):
     file.write_text(text.replace("\n[vehicle]", "\n[vehicle]\nmax_speed = 1.5", 1))
     found = printed("run", file, "--out", run)
     assert found["speed"]["max_speed"] == 1.5
-    assert 0.01 < found["speed"]["faster_flow"]["share"] < found["speed"]["share_at_limit"] < 1
+    assert (
+        0.01
+        < found["speed"]["faster_flow"]["share"]
+        < found["speed"]["share_at_limit"]
+        < 1
+    )
     assert faster_flow(found["speed"], Units()) in found["message"]
     said = clpt("run", file, "--out", run).out
     assert all(
-        words in said for words in ("share of time at the speed limit", "the flow was faster")
+        words in said
+        for words in ("share of time at the speed limit", "the flow was faster")
     )

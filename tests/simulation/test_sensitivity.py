@@ -12,10 +12,16 @@ from clpt_control.engine.model.declaration import Each
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 
 
-@pytest.mark.parametrize("name", [name for name, model in MODELS.items() if model.varied])
+@pytest.mark.parametrize(
+    "name", [name for name, model in MODELS.items() if model.varied]
+)
 def test_differences_agree(name):
     system, start, u, h, params, move = MODELS[name]
-    labels, start, times = system.state_labels, np.array(start), 100.0 * h * np.arange(6)
+    labels, start, times = (
+        system.state_labels,
+        np.array(start),
+        100.0 * h * np.arange(6),
+    )
     given = {"inputs": u or 0.0, **({} if name == "discrete" else EXACT)}
     given |= {"method": "rodas5p", "rtol": 1e-11} if name == "stiff" else {}
     of_start = [] if name == "root" else labels[: len(start)]
@@ -25,30 +31,46 @@ def test_differences_agree(name):
         step, moved = move * max(1.0, abs(params.get(param, 0.0))), []
         for by in (step, -step):
             if param in params:
-                moved.append({"params": {param: params[param] + by}, "initial_state": start})
+                moved.append(
+                    {"params": {param: params[param] + by}, "initial_state": start}
+                )
             else:
                 moved.append({"initial_state": start + by * np.eye(len(start))[param]})
-        more, less = (clpt.simulate(system, times, **given, **one).states.values for one in moved)
+        more, less = (
+            clpt.simulate(system, times, **given, **one).states.values for one in moved
+        )
         own = (more - less) / (2.0 * step)
         ours = found.isel(parameter=place).values
         assert np.abs(own - ours).max() < 1e-6 * max(1.0, np.abs(own).max()), param
     if name == "root":
-        with pytest.raises(clpt.SimulationError, match=r"derivative of d_x.* of block lag"):
+        with pytest.raises(
+            clpt.SimulationError, match=r"derivative of d_x.* of block lag"
+        ):
             clpt.sensitivity(system, times, to="x0")
 
 
 def test_closed_forms():
     times = np.linspace(0.0, 2.0, 9)
-    found = clpt.sensitivity(decay(2.0), times, "x", ["k", "x0"], initial_state=[3.0], **EXACT)
-    assert found.x.sel(parameter="k").values == pytest.approx(-times * 3 * np.exp(-2 * times))
+    found = clpt.sensitivity(
+        decay(2.0), times, "x", ["k", "x0"], initial_state=[3.0], **EXACT
+    )
+    assert found.x.sel(parameter="k").values == pytest.approx(
+        -times * 3 * np.exp(-2 * times)
+    )
     assert found.x.sel(parameter="x0.x").values == pytest.approx(np.exp(-2 * times))
-    plant = control.ss([[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), 0, name="plant")
+    plant = control.ss(
+        [[0.0, 1.0], [-2.0, -0.3]], [[0.0], [1.0]], np.eye(2), 0, name="plant"
+    )
     found = clpt.sensitivity(plant, times, to=["plant.A[1,0]", "x0"], initial_state=[1.0, 0.0],
                              **EXACT)  # fmt: skip
     big = np.kron(np.eye(2), plant.A) + np.kron([[0, 0], [1, 0]], [[0, 0], [1, 0]])
-    for k, t in enumerate(times):  # Van Loan: the exponential of a matrix and of its slope
+    for k, t in enumerate(
+        times
+    ):  # Van Loan: the exponential of a matrix and of its slope
         whole = expm(t * big)
-        assert found.states[k, :, 1:].values == pytest.approx(expm(t * plant.A), abs=1e-9)
+        assert found.states[k, :, 1:].values == pytest.approx(
+            expm(t * plant.A), abs=1e-9
+        )
         assert found.states[k, :, 0].values == pytest.approx(whole[2:, 0], abs=1e-9)
 
 
@@ -56,7 +78,9 @@ def test_outputs_are_chosen_and_named():
     times = [0.0, 1.0]
     found = clpt.sensitivity(mrac(), times, of=["e", "states"], to="gain", inputs=1.0)
     assert (list(found), list(found.parameter.values)) == (["e", "states"], ["gain"])
-    units = clpt.sensitivity(clpt.connect([teeth()]), times, "x", "teeth.slope").x.attrs["units"]
+    units = clpt.sensitivity(
+        clpt.connect([teeth()]), times, "x", "teeth.slope"
+    ).x.attrs["units"]
     assert units == "m per unit of the parameter"
     both = {"of": ["e"], "to": ["adaptation.gain", "vehicle_x"]}
     found = clpt.sensitivity(clpt.paper_scenario(), times, **both)
@@ -68,19 +92,26 @@ def teeth():
     ports = {"states": {"x": 1}, "breakpoints": Each("period"), "units": {"x": "m"}}
     ports["parameters"] = {"slope": 1.0, "period": 1.0, "interval": -1.0}
     halved = lambda t, x, u, p: [0.5 * x[0]]  # noqa: E731
-    return clpt.Block("teeth", update=lambda t, x, u, p: [p.slope], jump=halved, **ports)
+    return clpt.Block(
+        "teeth", update=lambda t, x, u, p: [p.slope], jump=halved, **ports
+    )
 
 
 def with_output(output, rate, **params):
     names = {"name": "faster", "inputs": 0, "outputs": ["y"], "states": ["x"]}
-    return control.nlsys(lambda t, x, u, p: [rate(x[0], p)], output, params=params, **names)
+    return control.nlsys(
+        lambda t, x, u, p: [rate(x[0], p)], output, params=params, **names
+    )
 
 
 SLOWER = with_output(  # x + k changes by 0.995 with k; without the jump by 1
     lambda t, x, u, p: x + p["k"], lambda x, p: -1.0 - 0.005 * (x < p["k"]), k=0.5
 )
 FASTER = with_output(  # x = 3 (t + x0) - 2 a behind, beside w, whose effect is larger
-    lambda t, x, u, p: x + p["w"] * t, lambda x, p: np.where(x < p["a"], 1.0, 3.0), a=1.0, w=1e5
+    lambda t, x, u, p: x + p["w"] * t,
+    lambda x, p: np.where(x < p["a"], 1.0, 3.0),
+    a=1.0,
+    w=1e5,
 )
 PULSE = autonomous(lambda t, x, u, p: [1.0 if t < p["until"] else 0.0], until=1.0)
 HEADING = autonomous(
@@ -92,8 +123,16 @@ MOVED = {  # system, what moves its jump, start
     "a jump that is crossed": (stepping(), "edge", 0.0),  # x = edge + 3 (t - edge)
     "one of half a percent": (SLOWER, "k", 1.0),  # x = k - 1.005 (t + k - 1)
     "one that moves little": (stepping(little=1e-4), "edge", 0.0),
-    "one that moves less": (stepping(little=1e-5), "edge", 0.0),  # rounding hid it, S was 0
-    "one where the run begins": (stepping(-1.0, 1.0), "edge", 1.0),  # no difference has a limit
+    "one that moves less": (
+        stepping(little=1e-5),
+        "edge",
+        0.0,
+    ),  # rounding hid it, S was 0
+    "one where the run begins": (
+        stepping(-1.0, 1.0),
+        "edge",
+        1.0,
+    ),  # no difference has a limit
     "a time": (PULSE, "until", 0.0),  # x = until
     "a period": (clpt.connect([teeth()]), "teeth.period", 0.0),  # t - (3 - 7/8) P
     "a heading": (HEADING, "k", 0.0),  # x = k v^2/2, v = t - 2 pi n/k
@@ -115,7 +154,9 @@ def test_what_moves_a_jump_is_refused(name):
 def test_an_endless_limit_beside_a_jump_moves_nothing():
     """There is no run a little to both sides of infinity: it ended in a traceback."""
     rate = lambda t, x, u, p: [np.clip(np.where(x[0] < 1.0, 1.0, 3.0), -1.0, p["high"])]  # noqa: E731
-    found = clpt.sensitivity(autonomous(rate, high=np.inf), [0.0, 0.5, 2.0], to=["high"]).x
+    found = clpt.sensitivity(
+        autonomous(rate, high=np.inf), [0.0, 0.5, 2.0], to=["high"]
+    ).x
     assert found.values[-1] == pytest.approx([0.0])
 
 
@@ -124,7 +165,9 @@ def test_before_and_behind_a_jump_all_is_known():
     assert not before.x.values.any()
     times = np.linspace(0.0, 3.5, 36)
     found = clpt.sensitivity(clpt.connect([teeth()]), times, "x", ["teeth.slope", "x0"])
-    assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])  # S halves at each jump
+    assert found.x[-1].values == pytest.approx(
+        [0.5 + 0.875, 0.125]
+    )  # S halves at each jump
 
 
 def gain(output):
@@ -137,12 +180,22 @@ def test_systems_without_a_state():
     assert found.y.values.tolist() == [[3.0], [3.0]]
 
 
-ASKING = autonomous(lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]], k=1.0, n=3.0)
+ASKING = autonomous(
+    lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]], k=1.0, n=3.0
+)
 UNKNOWN = [
     (gain("y"), {"to": "x0"}, "to: nothing is varied"),
     (gain("parameter"), {"to": "k"}, "parameter: is a dimension"),
-    (control.ss(1, 1, 1, 0, name="p"), {"to": "p.A[1,0]"}, "or an element, counted from 0"),
-    (autonomous(lambda t, x, u, p: [float(str(x[0]))]), {"to": "x0"}, "lag: has no .*<lambda>"),
+    (
+        control.ss(1, 1, 1, 0, name="p"),
+        {"to": "p.A[1,0]"},
+        "or an element, counted from 0",
+    ),
+    (
+        autonomous(lambda t, x, u, p: [float(str(x[0]))]),
+        {"to": "x0"},
+        "lag: has no .*<lambda>",
+    ),
     (ASKING, {"to": "n"}, r"n: .*asks for its value"),
     (ASKING, {"to": "q"}, r"must be among k, lag\.k, lag\.n, n, x, x0"),
     (ASKING, {"to": "plant.k"}, r"did you mean k\?"),
@@ -170,7 +223,11 @@ def test_vehicles_that_have_met_are_not_misread():
     three = control.nlsys(meeting, inputs=0, states=6, outputs=6, params={"g": 0.2})
     start, times = [0, 0, 1, 0.2, 0.3, 1], np.linspace(0.0, 2.0, 21)
     for to, mean in (("g", 0.0), ("x0", np.tile(np.eye(2), (3, 3)) / 3.0)):
-        end = clpt.sensitivity(three, times, to=to, initial_state=start, **EXACT).y[-1].values
+        end = (
+            clpt.sensitivity(three, times, to=to, initial_state=start, **EXACT)
+            .y[-1]
+            .values
+        )
         np.testing.assert_allclose(end, mean + 0.0 * end, atol=1e-9)
 
 

@@ -20,7 +20,9 @@ def rms(scenario):
     """Return the rms of |e| per cycle and over the run, of 2000 samples a cycle or shorter run."""
     end = scenario.run.duration
     step = min(scenario.cycle, end) / 2000
-    run = clpt.simulate(scenario, np.append(np.arange(np.ceil(end / step - 1e-6)) * step, end))
+    run = clpt.simulate(
+        scenario, np.append(np.arange(np.ceil(end / step - 1e-6)) * step, end)
+    )
     squares = np.sum((run.predicted_position - run.position).values ** 2, axis=1)
     each = squares[: 2000 * int(end / scenario.cycle + 1e-9)].reshape(-1, 2000)
     return np.sqrt(each.mean(axis=1)), np.sqrt(squares.mean())
@@ -35,12 +37,16 @@ def test_mean_squares_are_over_every_sample(case):
     assert found.summary["clpe_rms"] == pytest.approx(whole, rel=2e-4)
     np.testing.assert_allclose(found.run.time, own.time, rtol=1e-14)
     for name in ("position", "alpha", "reference", "lyapunov"):
-        np.testing.assert_allclose(found.run[name], own[name], rtol=0, atol=1e-7, err_msg=name)
+        np.testing.assert_allclose(
+            found.run[name], own[name], rtol=0, atol=1e-7, err_msg=name
+        )
     last = abs(own.flow_parameters_estimate[-1] - own.flow_parameters).max()
     end, error = [*found.summary["max_flow_parameter_error"].items()][-1]
     assert end == f"{scenario.run.duration:g}"
     assert error == pytest.approx(float(last), abs=1e-7)
-    assert found.run.attrs["solver_steps"] == pytest.approx(own.attrs["solver_steps"], rel=0.1)
+    assert found.run.attrs["solver_steps"] == pytest.approx(
+        own.attrs["solver_steps"], rel=0.1
+    )
 
 
 POINTS = np.random.default_rng(3).uniform(-3, 3, (1000, 2)).tolist()
@@ -58,11 +64,17 @@ def test_a_peak_of_CLPE_is_seen_however_rarely_a_waypoint_comes(case):
     k, points, dwell, end = SELDOM[case]
     gains = {"feedback": [k, k], "feedforward": [k, k]}
     values = {
-        f"{who}.{gain}": own for who in ("vehicle", "learning") for gain, own in gains.items()
+        f"{who}.{gain}": own
+        for who in ("vehicle", "learning")
+        for gain, own in gains.items()
     }
     values |= {"flow.parameters": [[0.0] * 3] * 2, "learning.gain": 0.0}
     values |= {"reference": {"kind": "waypoints", "points": points, "dwell": dwell}}
-    values |= {"learning.position": [0.6, 0.8], "run.duration": end, "run.output_step": end / 10}
+    values |= {
+        "learning.position": [0.6, 0.8],
+        "run.duration": end,
+        "run.output_step": end / 10,
+    }
     found = summary.run_and_report(scenario := PAPER.with_values(values)).summary
     assert found["clpe_rms"] == pytest.approx(1 / np.sqrt(2 * k * end), rel=0.06)
     several = clpt.run_ensemble(scenario, {"vehicle.position": [[0.0, 0.0]]})
@@ -101,7 +113,9 @@ def test_what_misses_a_claim_is_not_rounded_to_what_meets_it():
     """0.1004 of the first cycle is more than 10 %, and 0.0504 more than 0.05."""
     errors = {"200": 0.0504, "2000": 0.0002}
     found = {"max_flow_parameter_error": errors, "max_gain_error": errors}
-    clpe, flow, _ = clpt.simulation.claims({"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found})
+    clpe, flow, _ = clpt.simulation.claims(
+        {"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found}
+    )
     measured = "0.0002, then 2.01e-05 (10.04 %); last cycle 2.01e-05"
     assert (clpe["verdict"], clpe["measured"]) == ("fails", measured)
     assert flow["measured"] == "0.0504 at t = 200, 0.0002 at t = 2000"

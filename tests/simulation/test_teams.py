@@ -8,7 +8,13 @@ from strait import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
 import clpt_control as clpt
 
-VARIABLES = ("position", "predicted_position", "alpha", "feedback_gain", "feedforward_gain")
+VARIABLES = (
+    "position",
+    "predicted_position",
+    "alpha",
+    "feedback_gain",
+    "feedforward_gain",
+)
 
 
 def same(run, other):
@@ -29,7 +35,9 @@ def test_identical_vehicles_are_as_one():
 def test_without_coupling_each_is_alone():
     """And has the CLPE that it has alone, however few samples are recorded."""
     run = clpt.simulate(team(0.0, ROW, **DIFFERENT))
-    seldom = {name: one.with_values({"run.output_step": 4}) for name, one in DIFFERENT.items()}
+    seldom = {
+        name: one.with_values({"run.output_step": 4}) for name, one in DIFFERENT.items()
+    }
     found = clpt.simulation.run_and_report(team(0.0, ROW, **seldom))
     assert found.run.sizes["time"] == 4
     for name, scenario in DIFFERENT.items():
@@ -42,7 +50,10 @@ def test_without_coupling_each_is_alone():
 GAINS = {  # the values of a vehicle, and gamma
     "one": ({}, 0.8),
     "each": (
-        {"gain": None, "gains": {"parameters": 1.3, "feedback": 0.2, "feedforward": 0.5}},
+        {
+            "gain": None,
+            "gains": {"parameters": 1.3, "feedback": 0.2, "feedforward": 0.5},
+        },
         1.3,
     ),
     "held true": ({"adapt_gains": False}, 0.8),
@@ -54,10 +65,15 @@ def test_V_falls_by_what_is_claimed(gains):
     """V(s) - V(t) is the integral of sum e^T KD e + kappa/gamma sum over edges |apart|^2."""
     (values, gamma), kappa, members = GAINS[gains], 0.6, {}
     for name, one in DIFFERENT.items():
-        true = {"feedback": one.vehicle.feedback, "feedforward": one.vehicle.feedforward}
+        true = {
+            "feedback": one.vehicle.feedback,
+            "feedforward": one.vehicle.feedforward,
+        }
         own = values | true if gains == "held true" else values
         tight = {"run.rtol": 1e-12, "run.atol": 1e-13}
-        members[name] = one.with_values(tight | {f"learning.{k}": v for k, v in own.items()})
+        members[name] = one.with_values(
+            tight | {f"learning.{k}": v for k, v in own.items()}
+        )
     times = np.linspace(0.0, 12.0, 2401)  # each jump is a sample of even number
     run, falls = clpt.simulate(team(kappa, ROW, **members), times), np.zeros(len(times))
     for name, one in members.items():
@@ -74,16 +90,26 @@ def test_V_falls_by_what_is_claimed(gains):
 @pytest.mark.parametrize(
     ("edges", "connectivity"), [("ab bc", 1.0), ("ab bc ca", 3.0), ("ab ac ad", 1.0)]
 )
-def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(edges, connectivity):
+def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(
+    edges, connectivity
+):
     """phi = 0 and e = 0: alpha(t) = exp(-kappa L t) alpha(0), on a row, a circle and a star."""
     edges = [tuple(edge) for edge in edges.split()]
     names = sorted({name for edge in edges for name in edge})
     starts, kappa = np.random.default_rng(3).standard_normal((len(names), 2, 3)), 0.35
-    far = {"basis_kernel": "gaussian", "basis_centers": [[1e3, 0.0]] * 3, "run_rtol": 1e-11}
+    far = {
+        "basis_kernel": "gaussian",
+        "basis_centers": [[1e3, 0.0]] * 3,
+        "run_rtol": 1e-11,
+    }
     far |= {"learning_feedback": [1, 1], "learning_feedforward": [1, 1]}
     far["learning_adapt_gains"] = False
     pairs = zip(names, starts, strict=True)
-    of = team(kappa, edges, **{n: vehicle(**far, learning_parameters=start) for n, start in pairs})
+    of = team(
+        kappa,
+        edges,
+        **{n: vehicle(**far, learning_parameters=start) for n, start in pairs},
+    )
     assert of.connectivity == pytest.approx(connectivity)
     run, L = clpt.simulate(of), np.zeros((len(names),) * 2)
     assert float(abs(run.clpe).max()) == 0.0
@@ -92,7 +118,9 @@ def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(edges, co
         L += np.outer(a - b, a - b)
     for t in (0.0, 2.5, 12.0):
         exact = np.einsum("vw,wik->vik", expm(-kappa * L * t), starts)
-        np.testing.assert_allclose(run.alpha.sel(time=t).values, exact, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(
+            run.alpha.sel(time=t).values, exact, rtol=0, atol=1e-9
+        )
     mean = run.alpha.mean("vehicle")
     assert float(abs(mean - mean[0]).max()) < 1e-9
     apart = np.sqrt(((run.alpha - mean) ** 2).sum(("vehicle", "axis", "basis")).values)
@@ -124,7 +152,9 @@ def test_a_team_is_a_diagram_of_python_control():
     start = np.concatenate([clpt.initial_state(one) for one in DIFFERENT.values()])
     ran = clpt.simulate(loop, [0.0, 1.0], 0, start)
     np.testing.assert_allclose(ran["c/x"][-1], run.position[2, -1], rtol=0, atol=1e-7)
-    steered = clpt.simulate(loop, [0.0, 1.0], 0, start, params={"b/consensus.coupling": 0.0})
+    steered = clpt.simulate(
+        loop, [0.0, 1.0], 0, start, params={"b/consensus.coupling": 0.0}
+    )
     assert abs(steered.states[-1] - ran.states[-1]).max() > 1e-4
 
 
@@ -132,7 +162,9 @@ def test_one_vehicle_may_have_a_limit_of_speed():
     """What the other has no limit of is flown as commanded; no gap is filled with NaN."""
     of = team(slow=vehicle(vehicle_max_speed=0.5), free=PAPER)
     run = clpt.simulate(of)
-    assert "; slow: the flow was faster than the vehicle (0.5 m/s)" in run.attrs["message"]
+    assert (
+        "; slow: the flow was faster than the vehicle (0.5 m/s)" in run.attrs["message"]
+    )
     assert "free:" not in run.attrs["message"]
     speed = np.hypot(*np.moveaxis(run.velocity.values, -1, 0))
     assert speed[0].max() <= 0.5 + 1e-12 < speed[1].max()
@@ -144,7 +176,10 @@ def test_one_vehicle_may_have_a_limit_of_speed():
     ("arguments", "said"),
     [
         ({"initial_state": [1.0]}, "initial_state, params: a team has its own"),
-        ({"params": {"a/adaptation.gain": 1.0}}, r"params: a team has its own.*team_loop\(team\)"),
+        (
+            {"params": {"a/adaptation.gain": 1.0}},
+            r"params: a team has its own.*team_loop\(team\)",
+        ),
     ],
 )
 def test_what_a_team_cannot_take(arguments, said):
@@ -152,7 +187,9 @@ def test_what_a_team_cannot_take(arguments, said):
         clpt.simulate(team(a=PAPER, b=PAPER), **arguments)
 
 
-@pytest.mark.parametrize("names", [[np.zeros(0), np.ones(3)], ["a", "c"], [1.0, 2.0]], ids=str)
+@pytest.mark.parametrize(
+    "names", [[np.zeros(0), np.ones(3)], ["a", "c"], [1.0, 2.0]], ids=str
+)
 def test_the_names_of_vehicles_may_be_anything_in_a_file(names):
     run = clpt.simulate(team(a=vehicle(), b=vehicle()))
     others = np.empty(2, dtype=object)

@@ -64,7 +64,9 @@ def block(update, states, **more):
 def lag(rate, output, name):
     """A state of this rate, of which an output is made."""
     ports = {"states": ["x"], "inputs": 0, "outputs": [name]}
-    return control.nlsys(lambda t, x, u, p: rate * x, lambda t, x, u, p: output(t, x), **ports)
+    return control.nlsys(
+        lambda t, x, u, p: rate * x, lambda t, x, u, p: output(t, x), **ports
+    )
 
 
 def memory(factor, beside=1.0):
@@ -74,7 +76,9 @@ def memory(factor, beside=1.0):
 
 def jumping(jump):
     """A memory that fades, and jumps to what is made of it."""
-    return block(lambda x, p: {"m": -x.m}, "m", jump=lambda t, x, u, p: {"m": jump(t, x, p)})
+    return block(
+        lambda x, p: {"m": -x.m}, "m", jump=lambda t, x, u, p: {"m": jump(t, x, p)}
+    )
 
 
 def counting(rate):
@@ -85,7 +89,10 @@ def counting(rate):
 def sourced(source):
     """A plant that a source of time drives."""
     made = clpt.Block(
-        "source", output=lambda t, x, u, p: {"w": source(t)}, outputs={"w": 1}, opaque=True
+        "source",
+        output=lambda t, x, u, p: {"w": source(t)},
+        outputs={"w": 1},
+        opaque=True,
     )
     rates = lambda t, x, u, p: {"x": -x.x, "y": -x.y + u.w}  # noqa: E731
     plant = clpt.Block("plant", update=rates, states={"x": 1, "y": 1}, inputs={"w": 1})
@@ -143,7 +150,9 @@ RIGHT = {
     "MRAC": (mrac(), textbook),
     "MRAC, numbers in V": (
         mrac(),
-        lambda s: (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.kx + 5 / 3) ** 2),
+        lambda s: (
+            (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.kx + 5 / 3) ** 2)
+        ),
     ),
     "backstepping": backstepping(),
     "observer": (observer(), of_the_error),
@@ -203,7 +212,10 @@ REFUTED = {
     "a gain of a fast wave": "x' = -(1 + 1.01*sin(1e6*t))*x",
     "a gain that turns at 900": "x' = -(900 - t)*x",
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5),),
-    "V of an output that is called as its state": (lag(-1, lambda t, x: x - 1, "x"), half),
+    "V of an output that is called as its state": (
+        lag(-1, lambda t, x: x - 1, "x"),
+        half,
+    ),
     "V of a table": "x' = 0.1*x; V = interp(abs(x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0])",
     "V of a floor": "x' = 0*x + 1; V = x*floor(x)",
     "a polynomial that just passes zero": "x' = -x**5 + 2.0001*x**3 - x",
@@ -214,7 +226,9 @@ REFUTED = {
     "a jump to more than its tanh": (jumping(lambda t, x, p: 1.01 * np.tanh(x.m)),),
     "a state named q_0": "y' = -1e6*tanh(y) + q_0; q_0' = 0*q_0",  # where y is small
     "a state called as its parameter": (  # k' = k, and the parameter is 0
-        block(lambda x, p: {"k": x.k + p.k}, "k", parameters={"k": 0.0}, breakpoints=None),
+        block(
+            lambda x, p: {"k": x.k + p.k}, "k", parameters={"k": 0.0}, breakpoints=None
+        ),
         lambda s: s.plant_k**2,
     ),
     "V of a logarithm": "x' = -x; V = log(x)**2",
@@ -252,7 +266,10 @@ OPEN = {  # no point shows it, or none is looked for
     ),
     "no value in the third interval": (counting(lambda k: -(k - 3) / (k - 3)),),
     "no value for its parameters": "x' = -(x**n)*abs(x); n = 0.5",
-    "V of a floor of time": (lag(0, lambda t, x: x**2 * (1 + np.floor(t) ** 2), "V"), "V"),
+    "V of a floor of time": (
+        lag(0, lambda t, x: x**2 * (1 + np.floor(t) ** 2), "V"),
+        "V",
+    ),
     "wrong in a smaller region": "x' = -x*((x - 7)**2 - 1e-9)",
     "no value at a point": "x' = -x/abs(x - 2)",
     "no value at the rest": "x' = -1/x",
@@ -298,7 +315,12 @@ BESIDE = {  # V' <= 0 is right, and more is to be said
 }  # fmt: skip
 CASES = {
     name: (status, *filled(*((row,) if isinstance(row, str) else row)))
-    for said, rows in {"proved": RIGHT, "refuted": REFUTED, "open": OPEN, "": BESIDE}.items()
+    for said, rows in {
+        "proved": RIGHT,
+        "refuted": REFUTED,
+        "open": OPEN,
+        "": BESIDE,
+    }.items()
     for name, row in rows.items()
     for status, row in [(said, row) if said else (f"proved {row[0]}", row[1])]
 }

@@ -12,7 +12,12 @@ from clpt_control.engine.codegen import machine
 from clpt_control.files import CACHE
 from clpt_control.theory.proving import outcomes
 from clpt_control.theory.proving.all_proofs import Statement, statements
-from clpt_control.theory.proving.outcomes import CachedOutcomes, digest, prove_all, second_process
+from clpt_control.theory.proving.outcomes import (
+    CachedOutcomes,
+    digest,
+    prove_all,
+    second_process,
+)
 from clpt_control.theory.proving.proof import Step, theorem
 
 SHORT = Statement("limited_speed", "without hedging")
@@ -30,7 +35,9 @@ def folder(monkeypatch, tmp_path):
 
 
 @of_its_own
-def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, printed, monkeypatch):
+def test_the_second_time_says_the_same_and_that_it_was_judged_before(
+    clpt, printed, monkeypatch
+):
     words = ("prove", "--theorem", "3.3")
     first = clpt(*words)
     assert first.status == 0
@@ -41,7 +48,10 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(clpt, print
     assert told == first.out.rstrip("\n")
     assert last.startswith("judged on 2")
     assert judged["time"] in last
-    assert (judged["before"], printed(*words, "--again")["judged"]["before"]) == (True, False)
+    assert (judged["before"], printed(*words, "--again")["judged"]["before"]) == (
+        True,
+        False,
+    )
 
 
 @of_its_own
@@ -70,7 +80,10 @@ def test_what_fails_is_named_and_not_kept(clpt, monkeypatch):
     monkeypatch.setattr(vehicle, "kinematics", lambda t, x, u, p: u.flow_x - u.v_x)
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 1
-    assert "the proof fails: Theorem 3.2 at step 'V' = -e^T KD e, for every N'" in outcome.err
+    assert (
+        "the proof fails: Theorem 3.2 at step 'V' = -e^T KD e, for every N'"
+        in outcome.err
+    )
     assert Statement("theorems", "3.2") not in kept()
 
 
@@ -85,7 +98,9 @@ def test_versions_processor_and_engine_are_part_of_the_name(monkeypatch):
     names = {digest()}
     for name in outcomes.REQUIRED:
         with monkeypatch.context() as patch:
-            patch.setattr(outcomes, "version", lambda one, name=name: "9" if one == name else "1")
+            patch.setattr(
+                outcomes, "version", lambda one, name=name: "9" if one == name else "1"
+            )
             names.add(digest())
     monkeypatch.setattr(machine, "processor", lambda: ("another", ""))
     names.add(digest())
@@ -119,7 +134,11 @@ def test_without_a_folder_nothing_is_kept_and_the_work_goes_on(monkeypatch):
 
 @pytest.mark.processes
 def test_a_process_that_ends_amid_its_work_ends_no_other(monkeypatch):
-    wanted, asked, raised = [Statement("laws", f"unknown-{k}") for k in range(9)], [], []
+    wanted, asked, raised = (
+        [Statement("laws", f"unknown-{k}") for k in range(9)],
+        [],
+        [],
+    )
     monkeypatch.setattr(threading, "excepthook", raised.append)
 
     def prove(part):

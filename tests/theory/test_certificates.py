@@ -13,7 +13,11 @@ from clpt_control.theory.excitation.certificates import (
     ultimate_bound,
     window_drops,
 )
-from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor, regressors
+from clpt_control.theory.excitation.regressor import (
+    error_matrices,
+    joint_regressor,
+    regressors,
+)
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
@@ -33,7 +37,9 @@ def random_regressors(seed, window, size=1.0, pieces=6, N=1):
     times = (np.arange(pieces)[:, None] + (1 + NODE) / 2) * lengths[0]
     weights = np.tile(lengths[0] * WEIGHT / 2, (pieces, 1))
     amplitude = rng.normal(size=(EACH, N + 4, 3)) * size
-    frequency, phase = (rng.uniform(0, most, (EACH, N + 4, 3, 1, 1)) for most in (4, 2 * np.pi))
+    frequency, phase = (
+        rng.uniform(0, most, (EACH, N + 4, 3, 1, 1)) for most in (4, 2 * np.pi)
+    )
     waves = np.einsum("bcs,bcspn->bpnc", amplitude, np.sin(frequency * times + phase))
     strength = size * rng.choice([0.0, 1.0, 3.0], (EACH, 1, 1, 1))
     jumps = strength * rng.normal(size=(EACH, pieces, 1, N + 4))
@@ -53,17 +59,23 @@ def test_rho_never_exceeds_the_exact_drop(group, size):
 @pytest.mark.parametrize("gain", [0.0, 0.8, 30.0])
 def test_collocation_agrees_with_scipy(gain):
     def w(t):
-        whole = np.stack([np.sin(t), 1 + np.cos(2 * t), np.exp(-t), 2.0 + 0 * t, -1.0 + 0 * t], -1)
+        whole = np.stack(
+            [np.sin(t), 1 + np.cos(2 * t), np.exp(-t), 2.0 + 0 * t, -1.0 + 0 * t], -1
+        )
         return np.split(whole, [1, 3], axis=-1)
 
     times = (np.arange(24)[:, None] + (1 + NODE) / 2) * 0.125
-    rows, end = propagate(regressors(*w(times)), np.array([1.0, 0.5]), gain, np.full(24, 0.125))
+    rows, end = propagate(
+        regressors(*w(times)), np.array([1.0, 0.5]), gain, np.full(24, 0.125)
+    )
 
     def rate(t, flat):
         return (error_matrices(*w(t), [1.0, 0.5], gain)[1] @ flat.reshape(4, 4)).ravel()
 
     at = np.append(times, 3.0)
-    truth = solve_ivp(rate, (0, 3), np.eye(4).ravel(), "DOP853", at, rtol=1e-11, atol=1e-12)
+    truth = solve_ivp(
+        rate, (0, 3), np.eye(4).ravel(), "DOP853", at, rtol=1e-11, atol=1e-12
+    )
     *along, last = truth.y.T.reshape(-1, 4, 4)
     np.testing.assert_allclose(end[1], last, atol=1e-8)
     np.testing.assert_allclose(rows[1].reshape(-1, 4), np.array(along)[:, 0], atol=1e-8)
@@ -78,7 +90,9 @@ def test_w_on_cut_pieces_is_the_polynomial_through_its_nodes():
     found, finer = certificates.finely(w(whole), np.diff(whole)[:, None] * WEIGHT / 2)
     parts = len(finer) // 2
     assert parts > 1
-    cuts = np.concatenate([np.linspace(0.0, 0.4, parts + 1)[:-1], np.linspace(0.4, 1, parts + 1)])
+    cuts = np.concatenate(
+        [np.linspace(0.0, 0.4, parts + 1)[:-1], np.linspace(0.4, 1, parts + 1)]
+    )
     np.testing.assert_allclose(found, w(cuts), atol=1e-6)
     np.testing.assert_allclose(finer.sum(axis=1), np.diff(cuts))
 
@@ -122,8 +136,13 @@ def test_the_corrected_bound_is_never_violated(group):
     KD, gain, window = GROUPS[group]
     *w, weights = random_regressors(20 + group, window)
     drop, rho = window_drops(regressors(*w), weights, KD, gain)
-    A = _pushed(error_matrices(*w, KD, gain))  # the transition of each, beside a push on e
-    steps = [collocated(A[..., k, :, :, :], length) for k, length in enumerate(weights.sum(1))]
+    A = _pushed(
+        error_matrices(*w, KD, gain)
+    )  # the transition of each, beside a push on e
+    steps = [
+        collocated(A[..., k, :, :, :], length)
+        for k, length in enumerate(weights.sum(1))
+    ]
     rng, count = np.random.default_rng(40 + group), 300 * len(steps)
     kind = rng.integers(0, 3, (EACH, 1))
     begin, turn = rng.uniform(0, 2 * np.pi, (EACH, 1)), rng.uniform(0.05, 3, (EACH, 1))
@@ -138,7 +157,9 @@ def test_the_corrected_bound_is_never_violated(group):
         if j >= count // 2:
             largest = np.maximum(largest, np.hypot(*state[..., 0]))
     for shares in (drop.min(0), rho.min(0)):  # exact, and guaranteed
-        assert np.all(largest <= [ultimate_bound(window, 0.05, share) for share in shares])
+        assert np.all(
+            largest <= [ultimate_bound(window, 0.05, share) for share in shares]
+        )
     assert largest.max() > 0.05 / max(KD) / 20
 
 

@@ -6,7 +6,12 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
-from clpt_control.theory.excitation.certify import after_window, certify, least_error, settled
+from clpt_control.theory.excitation.certify import (
+    after_window,
+    certify,
+    least_error,
+    settled,
+)
 from clpt_control.theory.excitation.regressor import error_matrices
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
@@ -14,12 +19,19 @@ PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 
 def test_steps_2_and_3_are_true_of_the_error_matrices():
     rng, gain = np.random.default_rng(1), 0.7
-    phi, x, zc, KD = rng.normal(size=3), rng.normal(size=2), rng.normal(size=2), [1.3, 0.6]
+    phi, x, zc, KD = (
+        rng.normal(size=3),
+        rng.normal(size=2),
+        rng.normal(size=2),
+        [1.3, 0.6],
+    )
     S, back = (np.diag([1.0, *[gain**power] * 5]) for power in (-0.5, 0.5))
     for axis in range(2):
         y = rng.normal(size=6)
         place = x - y[0] * np.eye(2)[axis]
-        A, B = (S @ error_matrices(phi, z, zc, KD, gain)[axis] @ back for z in (place, x))
+        A, B = (
+            S @ error_matrices(phi, z, zc, KD, gain)[axis] @ back for z in (place, x)
+        )
         d = np.sqrt(gain) * y[0] * np.array([-y[4], 0, 0, 0, y[0], 0])
         np.testing.assert_allclose((A - B) @ y, d, atol=1e-12)
         assert y @ B @ y == pytest.approx(-KD[axis] * y[0] ** 2)  # step 3
@@ -33,7 +45,9 @@ def test_the_least_error_is_the_root_and_the_bound_rises(D):
     a = np.array([least_error(one, c, k, gain, D) for one in V])
     B = 1 + np.sqrt(gain * (2 * V + D**2 / (2 * k))) / k
     left = np.sqrt(V * c) - D / k - B * a - np.sqrt(gain / (2 * k)) * a**2
-    np.testing.assert_allclose(np.where(a > 0, left, np.minimum(left, 0) * 0), 0, atol=1e-12)
+    np.testing.assert_allclose(
+        np.where(a > 0, left, np.minimum(left, 0) * 0), 0, atol=1e-12
+    )
     after = np.array([after_window(one, c, k, gain, D) for one in V])
     assert np.all(np.diff(a) >= 0)
     assert np.all(np.diff(after) > 0)
@@ -68,7 +82,9 @@ def start_within(scenario, R, rng):
         "feedback": np.array(car.feedback) + eta[6:8],
         "feedforward": np.array(car.feedforward) - eta[8:],
     }
-    return scenario.with_values({f"learning.{key}": value for key, value in start.items()})
+    return scenario.with_values(
+        {f"learning.{key}": value for key, value in start.items()}
+    )
 
 
 def pushed(kind, amplitude, **more):
@@ -78,7 +94,9 @@ def pushed(kind, amplitude, **more):
 
 def test_what_a_disturbance_may_undo_is_said_of_the_run_alone():
     """A learner that begins true is pushed for good: V ends at most far above the run's."""
-    found = certify(PAPER.with_values(pushed("constant", [0.02, 0.02])), 1e-6, error=5.0)
+    found = certify(
+        PAPER.with_values(pushed("constant", [0.02, 0.02])), 1e-6, error=5.0
+    )
     assert found.within_run
     assert found.ultimate > 5.0
     assert found.said == "CLPE is at most 5 m after 0 s, within the run"
@@ -100,7 +118,9 @@ STARTS = [
 @pytest.mark.parametrize(("values", "R", "starts"), STARTS)
 def test_no_start_within_r_leaves_the_bounds(values, R, starts):
     """V, CLPE and errors at every sample of three cycles; the closest comes near."""
-    scenario = PAPER.with_values({"run.duration": 600, "run.output_step": 0.5, **values})
+    scenario = PAPER.with_values(
+        {"run.duration": 600, "run.output_step": 0.5, **values}
+    )
     found, rng, closest = certify(scenario, R), np.random.default_rng(3), 0.0
     D = found.disturbance * np.sqrt(found.window)
     for _ in range(starts):
@@ -110,7 +130,9 @@ def test_no_start_within_r_leaves_the_bounds(values, R, starts):
         assert V[0] <= R * (1 + 1e-9)
         assert np.all((found.V[window] + D**2 / 4) * (1 + 1e-7) >= V)
         assert np.all(np.hypot(*run.clpe.values.T) <= found.clpe[window])
-        wrong = np.abs(run.flow_parameters_estimate.values - np.array(PAPER.flow.parameters))
+        wrong = np.abs(
+            run.flow_parameters_estimate.values - np.array(PAPER.flow.parameters)
+        )
         assert np.all(wrong.max(axis=(1, 2)) <= found.flow_error[window])
         for j, drop in enumerate(found.drops[:3]):  # a window begun at its own V
             share = V[400 * (j + 1)] / after_window(V[400 * j], drop, 1.0, 0.8, D)
@@ -162,12 +184,16 @@ def test_what_is_not_certified_is_said(values, said):
 def test_the_radius_is_that_of_the_scenarios_own_start():
     found = certify(PAPER)
     assert found.radius == pytest.approx(4.63125)
-    assert json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()
+    assert (
+        json.loads(json.dumps(found.report(), allow_nan=False))["V"] == found.V.tolist()
+    )
 
 
 def test_numbers_that_are_none_are_refused():
     for radius, error in ((-1.0, None), (0.0, None), (1.0, 0.0), (np.inf, None)):
-        with pytest.raises(clpt.ArgumentError, match="must be a number, positive and finite"):
+        with pytest.raises(
+            clpt.ArgumentError, match="must be a number, positive and finite"
+        ):
             certify(PAPER, radius, error=error)
     for radius, error in ((1.0, 1e308), (1e308, None)):
         with pytest.raises(clpt.ScenarioError, match=r"must be at most 1e\+12"):

@@ -17,7 +17,12 @@ import clpt_control as clpt
 from clpt_control.figures import figure_of
 from clpt_control.files import write_file
 from clpt_control.theory.designing import search
-from clpt_control.theory.designing.design import design_plot, learned, linear_gains, time_below
+from clpt_control.theory.designing.design import (
+    design_plot,
+    learned,
+    linear_gains,
+    time_below,
+)
 from clpt_control.theory.designing.waypoint_tracks import (
     Tracks,
     closed_length,
@@ -30,7 +35,9 @@ from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
 
 
-design_track = partial(clpt.theory.design_track, goal="kappa")  # for the smallest eigenvalue
+design_track = partial(
+    clpt.theory.design_track, goal="kappa"
+)  # for the smallest eigenvalue
 SLOW = pytest.mark.slow
 
 
@@ -74,7 +81,9 @@ def per_amplitude(dwells):
     return dwells * np.linalg.eigvalsh([[own, both], [both, DWELL]])[0], c
 
 
-@pytest.mark.parametrize("limit", ["area", "length", pytest.param("max_speed", marks=SLOW)])
+@pytest.mark.parametrize(
+    "limit", ["area", "length", pytest.param("max_speed", marks=SLOW)]
+)
 def test_the_best_track_between_two_places(two_places, limit):
     mu, c = per_amplitude(4)
     given = {"length": 1e3, "area": (-9.0, 9.0, -9.0, 9.0)}
@@ -85,7 +94,9 @@ def test_the_best_track_between_two_places(two_places, limit):
     }[limit]
     best, given = best * mu, given | {limit: own}
     found = design_track(two_places, window=80, start=80, **given)
-    assert 0.99 * best < found.report["after"]["smallest_eigenvalue"] <= best * (1 + 1e-6)
+    assert (
+        0.99 * best < found.report["after"]["smallest_eigenvalue"] <= best * (1 + 1e-6)
+    )
     first, second = np.abs(np.diff(found.scenario.waypoints, axis=0)[0])
     assert first == pytest.approx(second, rel=0.02)
 
@@ -96,16 +107,24 @@ def test_limits_are_kept_over_the_whole_run(paper, quickly):
     six = paper.with_values({"reference.count": 6, "reference.dwell": 15.0})
     limits = {"length": 12.0, "max_speed": 2.6, "area": area}
     found = quickly(six, window=90, start=60, seed=3, **limits)
-    made, after, times = found.scenario, found.report["after"], np.linspace(0, 400, 7001)
+    made, after, times = (
+        found.scenario,
+        found.report["after"],
+        np.linspace(0, 400, 7001),
+    )
     assert (made.waypoints.shape, made.reference.dwell) == ((6, 2), 15.0)
     assert closed_length(made.waypoints) <= 12.0 * (1 + 1e-9)
-    run = clpt.simulate(clpt.closed_loop(made), times, initial_state=clpt.initial_state(made))
+    run = clpt.simulate(
+        clpt.closed_loop(made), times, initial_state=clpt.initial_state(made)
+    )
     for places in (made.waypoints, run.position.values):
         assert np.all(places >= np.array(area[::2]) - 1e-9)
         assert np.all(places <= np.array(area[1::2]) + 1e-9)
     assert np.hypot(*run.v_x.values.T).max() <= 2.6 * (1 + 1e-9)
     assert after["largest_speed"] <= 2.6
-    assert after["closed_length"] == pytest.approx(closed_length(made.waypoints), rel=1e-12)
+    assert after["closed_length"] == pytest.approx(
+        closed_length(made.waypoints), rel=1e-12
+    )
 
 
 def test_the_eigenvalue_is_that_of_the_learner_started_true(paper, short):
@@ -130,9 +149,13 @@ def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper, short, q
 @SLOW
 def test_the_papers_track_can_be_2_3_times_better(paper):
     found = design_track(paper, window=200, start=200)
-    assert found.report["after"]["closed_length"] <= closed_length(paper.waypoints) * (1 + 1e-9)
+    assert found.report["after"]["closed_length"] <= closed_length(paper.waypoints) * (
+        1 + 1e-9
+    )
     assert (len(found.scenario.waypoints), found.scenario.reference.dwell) == (10, 20.0)
-    assert found.report["before"]["smallest_eigenvalue"] == pytest.approx(4.333, abs=1e-3)
+    assert found.report["before"]["smallest_eigenvalue"] == pytest.approx(
+        4.333, abs=1e-3
+    )
     assert found.report["ratio"] > 2.3
 
 
@@ -180,7 +203,9 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     """Against the transition of the error system, piece by piece, with a gain each."""
     scenario = paper.with_values({"vehicle.feedback": [1.0, 2.0], **change})
     gains = linear_gains(scenario)
-    found, _ = Tracks(scenario, (40.0, 60.0), 100.0, 3, 1e-10, gains=gains)(paper.waypoints[None])
+    found, _ = Tracks(scenario, (40.0, 60.0), 100.0, 3, 1e-10, gains=gains)(
+        paper.waypoints[None]
+    )
     along = joint_regressor(started_true(vehicle_alone(scenario)), 40.0, 60.0).scenario
     fine = np.linspace(60.0, 100.0, 40 * 100 + 1)
     times = (fine[1:] + fine[:-1]) / 2
@@ -205,7 +230,9 @@ IMPOSSIBLE = [
     ({"area": (1.0, 1.0, 0.0, 2.0)}, "each pair increasing"),
     ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
     ({"window": 500.0}, "must be positive and lie within the run"),
-    pytest.param({"max_speed": 0.05, "window": 60.0}, "no track was found that keeps", marks=SLOW),
+    pytest.param(
+        {"max_speed": 0.05, "window": 60.0}, "no track was found that keeps", marks=SLOW
+    ),
 ]
 
 
@@ -241,7 +268,9 @@ def test_a_polygon_shrinks_within_its_own_box(points, length):
     [(2.0, 1.0, 3.0), (2.0, 5.0, 0.0), (2.0, 0.1, None), (np.nan, 1.0, 3.0)],
 )
 def test_the_learning_time_is_the_last_crossing(third, level, time):
-    assert time_below(np.arange(5.0), np.array([3.0, 0.5, third, 0.5, 0.4]), level) == time
+    assert (
+        time_below(np.arange(5.0), np.array([3.0, 0.5, third, 0.5, 0.4]), level) == time
+    )
 
 
 def test_a_picture_shows_both_tracks(short, tmp_path):
@@ -251,13 +280,24 @@ def test_a_picture_shows_both_tracks(short, tmp_path):
 
 def test_in_a_measured_current_no_track_is_designed(tmp_path):
     uniform_field(tmp_path / "field.nc", v=0.2, end=400.0)
-    scenario = clpt.paper_scenario().with_values({"flow": {"field": str(tmp_path / "field.nc")}})
-    says(clpt.ScenarioError, r"give flow\.parameters in its place", design_track, scenario)
+    scenario = clpt.paper_scenario().with_values(
+        {"flow": {"field": str(tmp_path / "field.nc")}}
+    )
+    says(
+        clpt.ScenarioError,
+        r"give flow\.parameters in its place",
+        design_track,
+        scenario,
+    )
 
 
 def test_CLPE_of_a_design_is_that_of_clpt_run():
     """Of a strong feedback too, whose CLPE peaks for an eighth of a second at each waypoint."""
-    gains = {"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8], "run.duration": 400}
+    gains = {
+        "vehicle.feedback": [8, 8],
+        "vehicle.feedforward": [8, 8],
+        "run.duration": 400,
+    }
     scenario = clpt.paper_scenario().with_values(gains)
     run, late = clpt.simulation.run_and_report(scenario), learned(scenario, None)
     key = "clpe_rms_last_quarter"

@@ -36,10 +36,14 @@ def test_the_smallest_eigenvalues_of_the_paper(true_paper, kernel, expected):
 
 
 def test_the_second_function_is_not_learnable_in_gaussian_sigma(true_paper):
-    found = gramian(true_paper.with_values({"basis.kernel": "gaussian-sigma"}), 200.0, 200.0)
+    found = gramian(
+        true_paper.with_values({"basis.kernel": "gaussian-sigma"}), 200.0, 200.0
+    )
     assert found.dimension == {"x1": 4, "x2": 4}
     names = [f"theta_{i}[2]" for i in (1, 2)]
-    assert found.not_learnable == [f"{name} is not learnable on this track" for name in names]
+    assert found.not_learnable == [
+        f"{name} is not learnable on this track" for name in names
+    ]
     for name, axis in zip(names, ("x1", "x2"), strict=True):
         assert 0 < found.eigenvalues[axis][0] < 1e-10
         assert found.least_excited[axis][name] == pytest.approx(1, abs=1e-6)
@@ -54,7 +58,8 @@ def test_equal_functions_are_learnable_only_together(true_paper):
     values = {f"basis.{key}": value for key, value in alike.items()}
     found = gramian(true_paper.with_values({**values, "run.duration": 200}), 200.0, 0.0)
     assert found.not_learnable == [
-        f"theta_{i}[1] and theta_{i}[3] are not learnable one by one on this track" for i in (1, 2)
+        f"theta_{i}[1] and theta_{i}[3] are not learnable one by one on this track"
+        for i in (1, 2)
     ]
     assert found.dimension == {"x1": 4, "x2": 4}
 
@@ -67,7 +72,10 @@ def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(pape
     run = clpt_package.simulate(scenario, np.append(0.0, times), rtol=1e-10, atol=1e-12)
     phi = evaluate(scenario.basis_block(), times, run.position.values[1:])
     team = clpt_package.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
-    alone, of_team = gramian(scenario, 40.0, 0.0), gramian(team, 40.0, 0.0).vehicles["a"]
+    alone, of_team = (
+        gramian(scenario, 40.0, 0.0),
+        gramian(team, 40.0, 0.0).vehicles["a"],
+    )
     for i, axis in enumerate(("x1", "x2")):
         z, zc = run.predicted_position.values[1:, i], run.reference.values[1:, i]
         w = np.column_stack([phi, z, zc])
@@ -77,7 +85,9 @@ def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(pape
 
 
 def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
-    cuts, times, weights = regressor.quadrature(paper, 13.0, 71.5, np.array([20.0, 33.3]))
+    cuts, times, weights = regressor.quadrature(
+        paper, 13.0, 71.5, np.array([20.0, 33.3])
+    )
     assert weights.sum() == pytest.approx(58.5, abs=1e-10)
     assert {20.0, 33.3, 40.0, 60.0} <= set(cuts.tolist())
     assert np.all(np.diff(times.ravel()) > 0)
@@ -88,11 +98,15 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
     exact = excitation_report(true_paper, 200.0, 200.0)
     report = excitation_report(
-        clpt_package.simulate(true_paper.with_values({"run.output_step": step})), 200.0, 200.0
+        clpt_package.simulate(true_paper.with_values({"run.output_step": step})),
+        200.0,
+        200.0,
     )
     assert report["trajectory"] == f"recorded run, sampled each {step:g} s"
     assert exact["trajectory"] == "simulated from the initial values"
-    found, wanted = ([one["eigenvalues"][a] for a in ("x1", "x2")] for one in (report, exact))
+    found, wanted = (
+        [one["eigenvalues"][a] for a in ("x1", "x2")] for one in (report, exact)
+    )
     deviation = np.max(np.abs(np.divide(found, wanted) - 1))
     assert deviation <= min(report["accuracy"] + 1e-12, tolerance)
     assert report["contraction"] == pytest.approx(exact["contraction"], rel=1e-3)
@@ -105,12 +119,15 @@ def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     scenario = paper.with_values({"run.output_step": step})
     report = excitation_report(clpt_package.simulate(scenario), 200.0, 200.0)
     found, exact = (
-        one["eigenvalues"]["x1"] for one in (report, excitation_report(scenario, 200.0, 200.0))
+        one["eigenvalues"]["x1"]
+        for one in (report, excitation_report(scenario, 200.0, 200.0))
     )
     assert np.max(np.abs(np.divide(found, exact) - 1)) > 0.25
     assert report["accuracy"] is None
     *_, said, _ = excitation_result(report).sentences
-    assert said.startswith("accuracy of the eigenvalues: not known: the samples are too far")
+    assert said.startswith(
+        "accuracy of the eigenvalues: not known: the samples are too far"
+    )
 
 
 def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
@@ -148,7 +165,14 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     assert len(excitation_report(scenario, 50.0, 20.0)["eigenvalues"]["x1"]) == 5
     says(clpt_package.ScenarioError, "gridded", started_true, scenario)
     stopped = scenario.with_values({"flow.outside": "stop", "reference.radius": 30})
-    says(clpt_package.ScenarioError, "the run ended before: stopped", gramian, stopped, 50.0, 20.0)
+    says(
+        clpt_package.ScenarioError,
+        "the run ended before: stopped",
+        gramian,
+        stopped,
+        50.0,
+        20.0,
+    )
     run = clpt_package.simulate(stopped.with_values({"run.output_step": 0.01}))
     assert len(gramian(run).eigenvalues["x2"]) == 5
 
@@ -158,7 +182,14 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     [(0, 0), (-1, 0), (500, 0), (200, 300), (10, -1), (np.inf, 0), (10, np.inf)],
 )
 def test_a_window_outside_the_run_is_refused(paper, window, start):
-    says(clpt_package.ScenarioError, "within the run, 0 to 400 s", gramian, paper, window, start)
+    says(
+        clpt_package.ScenarioError,
+        "within the run, 0 to 400 s",
+        gramian,
+        paper,
+        window,
+        start,
+    )
 
 
 def test_the_sliding_window_agrees_with_single_windows(paper):
@@ -166,15 +197,21 @@ def test_the_sliding_window_agrees_with_single_windows(paper):
     assert starts[[0, -1]].tolist() == [0.0, 350.0]
     for k in (0, 3, 7):
         for axis, values in gramian(paper, 50.0, float(starts[k])).eigenvalues.items():
-            np.testing.assert_allclose(eigenvalues[axis][k], values, rtol=1e-5, atol=1e-12)
+            np.testing.assert_allclose(
+                eigenvalues[axis][k], values, rtol=1e-5, atol=1e-12
+            )
 
 
 def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
-    scenario = true_paper.with_values({"basis.kernel": "gaussian-sigma", "run.duration": 100})
+    scenario = true_paper.with_values(
+        {"basis.kernel": "gaussian-sigma", "run.duration": 100}
+    )
     _, eigenvalues = sliding_excitation(scenario, 60.0)
     (top, _), (bottom, _) = excitation_plot(scenario, 60.0, 10.0)
     top.figure.savefig(tmp_path / "excitation.png")
-    np.testing.assert_allclose(top.get_lines()[-2].get_ydata(), eigenvalues["x1"][:, 0], rtol=1e-12)
+    np.testing.assert_allclose(
+        top.get_lines()[-2].get_ydata(), eigenvalues["x1"][:, 0], rtol=1e-12
+    )
     least = gramian(scenario, 60.0, 10.0).least_excited["x1"]
     assert [bar.get_height() for bar in bottom.patches] == list(least.values())
 
@@ -183,7 +220,9 @@ def test_the_circles_closed_form_is_the_reference_blocks(paper):
     assert circle_step().holds
     for n in range(3, 25):
         points = circle(3.0, n)
-        np.testing.assert_allclose(points.T @ points, n * 9.0 / 2 * np.eye(2), atol=5e-11)
+        np.testing.assert_allclose(
+            points.T @ points, n * 9.0 / 2 * np.eye(2), atol=5e-11
+        )
     assert np.linalg.matrix_rank(circle(3.0, 2), tol=1e-9) == 1
 
 
@@ -193,7 +232,9 @@ def test_the_command_prints_the_report(printed, tmp_path, true_paper):
     found = printed("excitation", *words, "--figure", tmp_path / "true.png")
     report = excitation_report(true_paper, 200.0, 200.0)
     assert report["eigenvalues"]["x1"] == sorted(report["eigenvalues"]["x1"])
-    assert 0 < report["rho"] < report["drop"] == pytest.approx(1 - report["contraction"])
+    assert (
+        0 < report["rho"] < report["drop"] == pytest.approx(1 - report["contraction"])
+    )
     assert (report["time_to_tenth"] % 200, report["not_learnable"]) == (0, [])
     assert {key: found[key] for key in report} == json.loads(json.dumps(report))
     names = [*(f"theta_1[{k}]" for k in (1, 2, 3)), "K_1", "Gamma_1"]
@@ -204,16 +245,25 @@ def test_the_command_prints_the_report(printed, tmp_path, true_paper):
 def test_the_ceiling_is_an_identity_of_the_blocks():
     """w^T c = x' + KD e, at random states of the running diagram."""
     run = PAPER.with_values(
-        {"model.parameters": [[0.3, 0.1, 0.2], [0.2, 0.7, 0.4]], "vehicle.feedback": [1.5, 0.7]}
+        {
+            "model.parameters": [[0.3, 0.1, 0.2], [0.2, 0.7, 0.4]],
+            "vehicle.feedback": [1.5, 0.7],
+        }
     )
-    truth, loop = gramian(started_true(run), 20.0, 100.0).truth, clpt_package.closed_loop(run)
+    truth, loop = (
+        gramian(started_true(run), 20.0, 100.0).truth,
+        clpt_package.closed_loop(run),
+    )
     rng, own = np.random.default_rng(2), [f"vehicle_x[{i}]" for i in range(2)]
     for t in rng.uniform(0, 100, 20):
         state = rng.normal(size=loop.nstates)
         rate = dict(zip(loop.state_labels, loop.dynamics(t, state, []), strict=True))
         seen = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
         for i, c in enumerate(truth.values()):
-            w = [seen[f"phi_x[{k}]"] for k in range(3)] + [seen[f"z[{i}]"], seen[f"zc[{i}]"]]
+            w = [seen[f"phi_x[{k}]"] for k in range(3)] + [
+                seen[f"z[{i}]"],
+                seen[f"zc[{i}]"],
+            ]
             pulled = run.vehicle.feedback[i] * seen[f"e[{i}]"]
             assert w @ c == pytest.approx(rate[own[i]] + pulled)
 
@@ -230,21 +280,30 @@ def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(key, value):
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
 
 
-@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])  # then each has its own pieces
+@pytest.mark.parametrize(
+    "rough", [regressor.ROUGH, 1e6]
+)  # then each has its own pieces
 def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
     monkeypatch.setattr(regressor, "ROUGH", rough)
     of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
     N, window, start = 3, 6.0, 2.0
     found = gramian(of, window, start)
-    assert found.names["x1"][N:] == [f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")]
+    assert found.names["x1"][N:] == [
+        f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")
+    ]
     for axis in ("x1", "x2"):
         whole = np.zeros((N + 6, N + 6))
         for k, scenario in enumerate(of.members.values()):
             at = [*range(N), N + 2 * k, N + 2 * k + 1]
             whole[np.ix_(at, at)] += gramian(scenario, window, start).gramians[axis]
         np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
-    read = gramian(clpt_package.simulate(of, np.arange(0.0, 12.01, 0.05)), window, start)
-    for one, exact in ((read, found), *((read.vehicles[v], found.vehicles[v]) for v in "abc")):
+    read = gramian(
+        clpt_package.simulate(of, np.arange(0.0, 12.01, 0.05)), window, start
+    )
+    for one, exact in (
+        (read, found),
+        *((read.vehicles[v], found.vehicles[v]) for v in "abc"),
+    ):
         assert one.smallest == pytest.approx(exact.smallest, rel=1e-2)
 
 

@@ -62,11 +62,23 @@ def test_a_point_of_refutation_is_one_of_the_running_blocks():
 def test_V_is_a_name_a_function_or_an_expression():
     plant = written("x' = -2*x")[0]
     x = clpt.equations(plant)["x"]
-    assert str(lyapunov(plant, half).rate) == str(lyapunov(plant, x**2 / 2).rate) == "-2*x**2"
-    assert lyapunov(plant, x**2 / 3, claim=-sympy.Rational(4, 3) * x**2).status == "proved"
-    half_square = {"output": lambda t, x, u, p: u.q**2 / 2, "inputs": {"q": 1}, "outputs": {"V": 1}}
+    assert (
+        str(lyapunov(plant, half).rate)
+        == str(lyapunov(plant, x**2 / 2).rate)
+        == "-2*x**2"
+    )
+    assert (
+        lyapunov(plant, x**2 / 3, claim=-sympy.Rational(4, 3) * x**2).status == "proved"
+    )
+    half_square = {
+        "output": lambda t, x, u, p: u.q**2 / 2,
+        "inputs": {"q": 1},
+        "outputs": {"V": 1},
+    }
     lag = control.tf(1, [1, 2], inputs="w", outputs="q", name="lag")
-    found = lyapunov(clpt.connect([lag, clpt.Block("meter", **half_square)], external="w"), "V")
+    found = lyapunov(
+        clpt.connect([lag, clpt.Block("meter", **half_square)], external="w"), "V"
+    )
     assert (found.status, found.inputs) == ("proved where w = 0", ("w",))
 
 
@@ -98,26 +110,37 @@ def test_what_has_no_factors_is_told_whatever_places_sympy_draws(chance):
 
 @pytest.mark.parametrize("text", f"{SUMS}; {RISING}; {NO_SUMS}".split("; "))
 def test_sums_of_squares(text):
-    names = {s: sympy.Symbol(s, real=True) for s in "xy"} | {"k": sympy.Symbol("k", positive=True)}
+    names = {s: sympy.Symbol(s, real=True) for s in "xy"} | {
+        "k": sympy.Symbol("k", positive=True)
+    }
     V = sympy.nsimplify(sympy.sympify(text, locals=names), rational=True)
     found = squares(V, {names["k"]})
     assert (found is None) == (text in NO_SUMS.split("; "))
     if found is not None:
         assert sympy.simplify(sympy.Add(*found.terms) + found.constant - V) == 0
         random = np.random.default_rng(0)
-        at = [dict(zip(names.values(), abs(random.normal(size=3)), strict=True)) for _ in range(50)]
-        assert min([float(term.subs(one)) for one in at for term in found.terms]) > -1e-9
+        at = [
+            dict(zip(names.values(), abs(random.normal(size=3)), strict=True))
+            for _ in range(50)
+        ]
+        assert (
+            min([float(term.subs(one)) for one in at for term in found.terms]) > -1e-9
+        )
 
 
 def test_the_papers_law_is_proved():
     loop = theorem_loop(2, "learned-flow")
     found = lyapunov(loop, "V")
     assert (found.status, found.inputs) == ("proved", ())
-    KD = next(part for part in loop.syslist if part.name == "vehicle_controller").parameters.KD
+    KD = next(
+        part for part in loop.syslist if part.name == "vehicle_controller"
+    ).parameters.KD
     e = sympy.symbols("e[0] e[1]", real=True)
     wanted = -sum(sympy.Rational(str(k)) * one**2 for k, one in zip(KD, e, strict=True))
     assert sympy.expand(found.rate - wanted) == 0
-    wrong = theorem_loop(2, "learned-flow", law_block=LAWS["learned-flow"].of(2, gain=-0.5))
+    wrong = theorem_loop(
+        2, "learned-flow", law_block=LAWS["learned-flow"].of(2, gain=-0.5)
+    )
     assert lyapunov(wrong, "V").status == "refuted"
 
 
@@ -130,7 +153,10 @@ MISTAKES = {
     "is no single number": (theorem_loop(1, "learned-flow"), "e"),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),
-    "has no states": (control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1), "y"),
+    "has no states": (
+        control.nlsys(None, lambda t, x, u, p: u, inputs=1, outputs=1),
+        "y",
+    ),
     "at = {'x': nan}: must be": (PLANT, half, {"at": {"x": np.nan}}),
     "points = 0: must be a whole number, 1 or": (PLANT, half, {"points": 0}),
     "as they are x' has no value": written("x' = -x/k; k = 0"),
@@ -151,17 +177,24 @@ def test_a_mistake_is_one_sentence(said):
 
 def test_a_result_says_itself():
     found = lyapunov(*written(f"{PENDULUM}; {ENERGY}"))
-    assert repr(found).startswith("<Verdict proved: V' = -omega**2/10 <= 0; V is positive")
+    assert repr(found).startswith(
+        "<Verdict proved: V' = -omega**2/10 <= 0; V is positive"
+    )
     assert "sampled" in found._repr_html_()
 
 
 def test_a_limit_at_infinity_is_none():
     loop = clpt.connect([clpt.parts.pid(1, 0.1), clpt.parts.lag(10.0)], external="r")
     assert not any(
-        rate.has(sympy.oo) for port in clpt.equations(loop).rates.values() for rate in port.flat
+        rate.has(sympy.oo)
+        for port in clpt.equations(loop).rates.values()
+        for rate in port.flat
     )
     assert lyapunov(loop).status == "proved"  # it is linear and stable
-    assert str(clpt.equations(clpt.parts.saturation(0.0, np.inf))) == "y = maximum(u(t), low)"
+    assert (
+        str(clpt.equations(clpt.parts.saturation(0.0, np.inf)))
+        == "y = maximum(u(t), low)"
+    )
 
 
 def test_a_linear_system_says_nothing_of_params():

@@ -15,7 +15,12 @@ from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import audit, misprints
-from clpt_control.theory.proving import all_proofs, invariant_loop, theorem_loop, theorems
+from clpt_control.theory.proving import (
+    all_proofs,
+    invariant_loop,
+    theorem_loop,
+    theorems,
+)
 from clpt_control.theory.proving.proof import proof_or_failure
 
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
@@ -26,19 +31,28 @@ SOURCES = (".flow", "reference", "disturbance", "field", "localization")
 def run_by(block):
     """The functions that a block runs itself."""
     run = (block.update_function, block.output_function, block.jump_function)
-    own = [getattr(function, "beside", function) for function in run]  # of a law's output
+    own = [
+        getattr(function, "beside", function) for function in run
+    ]  # of a law's output
     return [function for function in own if isinstance(function, FunctionType)]
 
 
 def helpers_of(function):
     """The functions of `blocks` that a function calls by name."""
     named = (function.__globals__.get(name) for name in function.__code__.co_names)
-    return [one for one in named if isinstance(one, FunctionType) and ".blocks." in one.__module__]
+    return [
+        one
+        for one in named
+        if isinstance(one, FunctionType) and ".blocks." in one.__module__
+    ]
 
 
 def reached(blocks):
     """Every function that blocks run, helpers included, in a fixed order."""
-    found, stack = {}, [function for block in blocks for function in run_by(block)][::-1]
+    found, stack = (
+        {},
+        [function for block in blocks for function in run_by(block)][::-1],
+    )
     while stack:
         function = stack.pop()
         key = f"{function.__module__.partition('blocks.')[2]}.{function.__name__}"
@@ -51,7 +65,9 @@ def reached(blocks):
 @cache
 def functions():
     """Every function that a block of the package runs."""
-    laws = [b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)]
+    laws = [
+        b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)
+    ]
     return reached([*BLOCKS, *laws])
 
 
@@ -63,7 +79,9 @@ def terms_too(key):
 @cache
 def mutants():
     table = functions().items()
-    return [(k, n) for k, f in table for n, _ in enumerate(alterations(f, terms_too(k)))]
+    return [
+        (k, n) for k, f in table for n, _ in enumerate(alterations(f, terms_too(k)))
+    ]
 
 
 @cache
@@ -71,8 +89,12 @@ def laws_of(function):
     """Name the laws whose equations or V have this function of a law's page."""
     if ".laws." not in function.__module__:
         return ()
-    made = {name: theorem_loop.law_and_V(law, all_proofs.N) for name, law in LAWS.items()}
-    return tuple(name for name, two in made.items() if function in reached(two).values())
+    made = {
+        name: theorem_loop.law_and_V(law, all_proofs.N) for name, law in LAWS.items()
+    }
+    return tuple(
+        name for name, two in made.items() if function in reached(two).values()
+    )
 
 
 def said(law):
@@ -91,7 +113,11 @@ def caught_by(function, code, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
-        for step in all_proofs.team_steps() if function.__module__.endswith(".consensus") else ():
+        for step in (
+            all_proofs.team_steps()
+            if function.__module__.endswith(".consensus")
+            else ()
+        ):
             if not step.holds:
                 return f"team: {step.claim}"
     for sizes in (invariant_loop.SIZES, ALL_SIZES):  # the largest only for what is left
@@ -137,7 +163,9 @@ def few_points(monkeypatch):
     monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
 
 
-@pytest.mark.parametrize("room", ["vehicle", "learner", "field", "laws", "consensus", "clpe"])
+@pytest.mark.parametrize(
+    "room", ["vehicle", "learner", "field", "laws", "consensus", "clpe"]
+)
 def test_altered_signs_fail_the_proof(room):
     first = next(mutant for mutant in mutants() if mutant[0].startswith(f"{room}."))
     assert survivors([first]) == []

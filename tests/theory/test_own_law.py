@@ -35,7 +35,9 @@ def slow(names, which):
 
 SHOWN = {name: (make, {}, "proved", True) for name, make in own_laws.RIGHT.items()}
 SHOWN |= {name: (make, {}, "proved", False) for name, make in own_laws.FOR_TWO.items()}
-SHOWN |= {f"bounded, {name}": (m, {}, "bounded", None) for name, m in own_laws.BOUNDED.items()}
+SHOWN |= {
+    f"bounded, {name}": (m, {}, "bounded", None) for name, m in own_laws.BOUNDED.items()
+}
 SHOWN |= {name: (*row, None) for name, row in own_laws.TEXTBOOK.items()}
 of = partial(prove, points=POINTS)
 
@@ -46,7 +48,9 @@ def test_a_right_law_is_shown(name):
     verdict = of(make(), **more)
     assert (verdict.status, verdict.point) == (status, None)
     assert every in (None, verdict.for_every_N)
-    assert status == "proved" or any(s in verdict.claim for s in ("theta_1[1]**", "|e_1|"))
+    assert status == "proved" or any(
+        s in verdict.claim for s in ("theta_1[1]**", "|e_1|")
+    )
 
 
 @pytest.mark.parametrize("name", own_laws.REFUTED)
@@ -97,7 +101,9 @@ def test_a_V_that_is_not_positive_definite_proves_nothing(V):
 
 
 def of_gain(gain):
-    return lambda truth: lyapunov_candidate("learned-flow", weighted([gain] * 3, *truth))
+    return lambda truth: lyapunov_candidate(
+        "learned-flow", weighted([gain] * 3, *truth)
+    )
 
 
 def of_KD(truth):
@@ -205,7 +211,10 @@ def test_what_holds_for_the_parameters_as_they_are_says_so(b, status):
 
 HIDDEN = [
     (own_laws.composite, "flow_x, the true flow, which no vehicle measures"),
-    (beside("s' = V - s", {"s": 1}, more={"V": 1}), "V, made of the truth, which no vehicle"),
+    (
+        beside("s' = V - s", {"s": 1}, more={"V": 1}),
+        "V, made of the truth, which no vehicle",
+    ),
     (own_laws.paper, ""),
 ]
 
@@ -303,7 +312,11 @@ def test_a_law_that_keeps_relations_is_asked_for_states_that_end(rates, sizes, k
 
 
 KEEPING_A_MATRIX = [
-    ("P' = P*sum(alpha**2); R' = -R*sum(alpha**2)", lambda s: {"P": 1 / s["R"]}, "x, z, alpha"),
+    (
+        "P' = P*sum(alpha**2); R' = -R*sum(alpha**2)",
+        lambda s: {"P": 1 / s["R"]},
+        "x, z, alpha",
+    ),
     ("P' = 0*P; R' = -sqrt(abs(R))", lambda s: {}, "c^T M' c >= 0"),
 ]
 
@@ -314,30 +327,50 @@ def test_a_law_that_keeps_a_matrix_is_asked_for_its_end(rates, kept, said):
 
     def lost(s, p, truth):
         eta = truth.theta + s["alpha"]
-        return [(np.sum(eta**2), np.sum(s["alpha"] ** 2), s["R"][0, 0], 1 / (2 * p.gain))]
+        return [
+            (np.sum(eta**2), np.sum(s["alpha"] ** 2), s["R"][0, 0], 1 / (2 * p.gain))
+        ]
 
-    more = {"invariants": lambda s, p, truth: kept(s), "losses": lost, "semidefinite": ("R",)}
-    own = beside(f"alpha' = -gain*outer(e, P @ phi_x); {rates}", {"P": (1, 1), "R": (1, 1)}, n=1)
+    more = {
+        "invariants": lambda s, p, truth: kept(s),
+        "losses": lost,
+        "semidefinite": ("R",),
+    }
+    own = beside(
+        f"alpha' = -gain*outer(e, P @ phi_x); {rates}", {"P": (1, 1), "R": (1, 1)}, n=1
+    )
     found = of(own(), V_of(WITH_R, LEARNED | {"R": (1, 1)}), **more)
     assert next(step.claim for step in found.steps if not step.holds).startswith(said)
-    assert found.status == "open" or found.status.startswith(f"proved as long as {said}")
+    assert found.status == "open" or found.status.startswith(
+        f"proved as long as {said}"
+    )
 
 
 # --- what is no law, or no loop of one ------------------------------------------------------------
 
 
 def test_a_law_called_as_a_block_that_holds_the_truth_is_refused():
-    known = GAIN | {"KD": np.array(theorem_scenario(own_laws.N, "learned-flow").vehicle.feedback)}
+    known = GAIN | {
+        "KD": np.array(theorem_scenario(own_laws.N, "learned-flow").vehicle.feedback)
+    }
     own = changed("K' = dK - (K - KD)", known)()
     assert of(own).status == "bounded"
-    with pytest.raises(DiagramError, match=r"^error_system: its parameter KD would be taken for"):
+    with pytest.raises(
+        DiagramError, match=r"^error_system: its parameter KD would be taken for"
+    ):
         of(own.copy("error_system"))
 
 
 RISING = [
-    ({"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}, "a disturbance"),
+    (
+        {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}},
+        "a disturbance",
+    ),
     ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "noise in its positions"),
-    ({"vehicle.max_speed": 1.0, "learning.hedging": False}, "a limit of its speed without hedging"),
+    (
+        {"vehicle.max_speed": 1.0, "learning.hedging": False},
+        "a limit of its speed without hedging",
+    ),
     ({"learning.adapt_gains": False}, "K and Gamma that are held"),
 ]
 
@@ -351,5 +384,7 @@ def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
     scenario = started_true(clpt.paper_scenario()).with_values(values)
     if scenario.learning.adapt_gains:
         assert clpt.simulate(scenario, [0.0, 60.0]).lyapunov.values[1] > 1e-6
-    with pytest.raises(DiagramError, match=f"has {said}, so V' is not its law's alone; a law is"):
+    with pytest.raises(
+        DiagramError, match=f"has {said}, so V' is not its law's alone; a law is"
+    ):
         of(clpt.closed_loop(scenario))

@@ -28,10 +28,14 @@ def with_law(name):
     """The paper's scenario with a law, its functions the same everywhere where fixes ask it."""
     row = LAWS[name]
     values = {"learning.law": name, "run.duration": 60, "run.output_step": 0.02}
-    values |= {"learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2} if row.given_estimate else {}
+    values |= (
+        {"learning.theta_estimate": [[0.9, 0.5, 0.7]] * 2} if row.given_estimate else {}
+    )
     values |= {"learning.parameters": None} if row.alpha_is_constant else {}
     if row.at_fixes:
-        values |= {f"learning.{key}": None for key in ("gain", "feedback", "feedforward")}
+        values |= {
+            f"learning.{key}": None for key in ("gain", "feedback", "feedforward")
+        }
         values |= {"localization.interval": 5.0, "basis.widths": [2 * UNIFORM] * 3}
     return PAPER.with_values(values)
 
@@ -65,8 +69,16 @@ ASKED = [
     ("drem", {"localization": {"noise": 0.02, "noise_period": 1.0}}, set()),
     ("projection", {"learning.projection.largest_feedforward": 1.0}, {"balls"}),
     ("dead-zone", {"flow.disturbance": DELTA}, {"falls", "zone"}),
-    ("dead-zone", {"flow.disturbance": DELTA | {"amplitude": [1e-3, 1.0]}}, set()),  # too large
-    ("dead-zone", {"flow.disturbance": DELTA | {"kind": "noise"}}, set()),  # it has no bound
+    (
+        "dead-zone",
+        {"flow.disturbance": DELTA | {"amplitude": [1e-3, 1.0]}},
+        set(),
+    ),  # too large
+    (
+        "dead-zone",
+        {"flow.disturbance": DELTA | {"kind": "noise"}},
+        set(),
+    ),  # it has no bound
 ]
 
 
@@ -110,7 +122,10 @@ ANYWHERE = (Promise("shrinks", ("exact",)),)
 WRONG = {
     "learned-flow": ({"rates": other_sign}, {"falls", "settles", "mean square"}),
     "composite-memory": ({"rates": forgets_all}, {"exponential"}),
-    "drem": ({"promises": ANYWHERE}, {"shrinks"}),  # beside a flow outside the basis too
+    "drem": (
+        {"promises": ANYWHERE},
+        {"shrinks"},
+    ),  # beside a flow outside the basis too
 }
 
 
@@ -126,7 +141,9 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     assert found.broken in promises_in_words(LAWS[name]).values()
 
 
-@pytest.mark.parametrize(("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)])
+@pytest.mark.parametrize(
+    ("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)]
+)
 def test_what_cannot_be_searched_is_refused(law, budget):
     with pytest.raises(clpt_package.ClptError, match=r"law: 'no-law'|budget"):
         refute(law, budget=budget)
@@ -140,11 +157,15 @@ def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypat
     assert (outcome.status, report["status"]) == (1, "refuted")
     assert report["closest"]["shrinks"] > BROKEN
     assert "drem breaks its promise: each parameter's error only shrinks" in outcome.err
-    assert checked_promises(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
+    assert (
+        checked_promises(clpt_package.load_scenario(file), **TIGHT)["shrinks"] > BROKEN
+    )
 
 
 def test_the_command_says_that_nothing_was_found(clpt, refused, tmp_path):
-    outcome = clpt("refute", "known-flow", "--budget", 0.1, "--out", tmp_path / "none.toml")
+    outcome = clpt(
+        "refute", "known-flow", "--budget", 0.1, "--out", tmp_path / "none.toml"
+    )
     assert outcome.status == 0
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()

@@ -32,28 +32,38 @@ POINTS = 100
 def test_gains_each_of_its_own_and_gains_held_true():
     """Of gains that are held K and Gamma may be anything; where they are true nothing is left."""
     each, held = (
-        prove(LAWS["learned-flow"].of(2, gain=0.5, gain_K=k, gain_Gamma=g), points=POINTS)
+        prove(
+            LAWS["learned-flow"].of(2, gain=0.5, gain_K=k, gain_Gamma=g), points=POINTS
+        )
         for k, g in ((0.2, 0.7), (0.0, 0.0))
     )
     assert (each.status, each.for_every_N, each.residual) == ("proved", True, 0)
     assert held.status != "proved"
     names = {str(s): s for s in held.residual.free_symbols}
-    true = {names[f"{g}_{i}"]: names[f"{g}D_{i}"] for g in ("K", "Gamma") for i in (1, 2)}
+    true = {
+        names[f"{g}_{i}"]: names[f"{g}D_{i}"] for g in ("K", "Gamma") for i in (1, 2)
+    }
     assert sympy.expand(held.residual.subs(true)) == 0
 
 
 def backwards(t, x, u, p):
-    return {port: -rate for port, rate in LAWS["learned-flow"].rates(t, x, u, p).items()}
+    return {
+        port: -rate for port, rate in LAWS["learned-flow"].rates(t, x, u, p).items()
+    }
 
 
 def unread(t, x, u, p):
     raise ValueError("no such equation")
 
 
-@pytest.mark.parametrize(("rates", "said"), [(backwards, "V' "), (unread, "no such equation")])
+@pytest.mark.parametrize(
+    ("rates", "said"), [(backwards, "V' "), (unread, "no such equation")]
+)
 def test_a_wrong_law_would_not_stand_in_the_table(rates, said, monkeypatch):
     name, (_, proofs) = "learned-flow", all_proofs.PROOFS["laws"]
-    monkeypatch.setitem(proofs, name, partial(proof_of_law, LAWS[name]._replace(rates=rates)))
+    monkeypatch.setitem(
+        proofs, name, partial(proof_of_law, LAWS[name]._replace(rates=rates))
+    )
     found = all_proofs.Statement("laws", name).prove()
     assert (found.status, found.holds) == ("open", False)
     assert said in found.claim
@@ -71,7 +81,9 @@ NEEDED = {
 }
 START = [[0.3, -0.2, 0.1], [0.0, 0.4, 0.2]]
 DROPPED = [  # the first of each law by `make test`, all by `make test-slow`
-    pytest.param(law, port, marks=() if port == NEEDED[law.name][0] else pytest.mark.slow)
+    pytest.param(
+        law, port, marks=() if port == NEEDED[law.name][0] else pytest.mark.slow
+    )
     for law in KEEPING
     for port in NEEDED[law.name]
 ]
@@ -84,7 +96,10 @@ def name_of(one):
 def dearest_slow(laws):
     """Leave to `make test-slow` what takes most of the time and is proved in the same way."""
     dear = ("composite-least-squares", "concurrent")
-    return [pytest.param(law, marks=pytest.mark.slow) if law.name in dear else law for law in laws]
+    return [
+        pytest.param(law, marks=pytest.mark.slow) if law.name in dear else law
+        for law in laws
+    ]
 
 
 @pytest.fixture(autouse=True)
@@ -96,7 +111,11 @@ def few_points(monkeypatch):
 @pytest.mark.parametrize(("law", "port"), DROPPED, ids=name_of)
 def test_without_a_relation_nothing_is_proved(law, port):
     def fewer(s, p, truth):
-        return {key: value for key, value in law.invariants(s, p, truth).items() if key != port}
+        return {
+            key: value
+            for key, value in law.invariants(s, p, truth).items()
+            if key != port
+        }
 
     assert proof_of_law(law._replace(invariants=fewer)).status == "open"
 
@@ -106,7 +125,10 @@ def test_a_law_is_bounded_only_where_every_error_shrinks():
 
     def fewer(s, p, truth):
         kept = law.invariants(s, p, truth)
-        return {**kept, "alpha": [np.ravel(kept["alpha"])[0], *np.ravel(s["alpha"])[1:]]}
+        return {
+            **kept,
+            "alpha": [np.ravel(kept["alpha"])[0], *np.ravel(s["alpha"])[1:]],
+        }
 
     assert proof_of_law(law).status == "bounded"
     for change in ({"invariants": fewer}, {"readout": "b"}):
@@ -120,7 +142,9 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         return [(2, *first), *others]
 
     growth = {"error_growth": lambda s, p, truth: 2 * law.error_growth(s, p, truth)}
-    found = proof_of_law(law._replace(**(growth if law.makes_estimate else {"losses": twice})))
+    found = proof_of_law(
+        law._replace(**(growth if law.makes_estimate else {"losses": twice}))
+    )
     assert found.status == "open"
     assert "left over" in found.claim
 
@@ -128,19 +152,27 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
 @pytest.mark.parametrize("law", KEEPING, ids=name_of)
 def test_a_run_starts_and_stays_where_the_relations_hold(law):
     start = "theta_estimate" if law.alpha_is_constant else "parameters"
-    own = {"vehicle.position": [0.7, -1.1], "learning.parameters": None, f"learning.{start}": START}
+    own = {
+        "vehicle.position": [0.7, -1.1],
+        "learning.parameters": None,
+        f"learning.{start}": START,
+    }
     scenario = clpt.paper_scenario().with_values({"learning.law": law.name, **own})
     truth, block = truth_of(scenario), law.block(scenario.known_to_law)
     p, shapes = block.parameters, {**block.state_shapes, **block.output_shapes}
     loop, times = clpt.closed_loop(scenario), np.array([0.0, 5.0, 30.0])
-    run = response(loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13)
+    run = response(
+        loop, times, None, clpt.initial_state(scenario), rtol=1e-11, atol=1e-13
+    )
     ports = [label.split("[")[0] for label in loop.output_labels]
     for column in run.outputs.T:
         flat = {port: column[[one == port for one in ports]] for port in set(ports)}
         s = {port: value.reshape(shapes.get(port, -1)) for port, value in flat.items()}
         for port, value in law.invariants(s, p, truth).items():
             np.testing.assert_allclose(s[port], value, atol=1e-9)
-        assert all(np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.semidefinite)
+        assert all(
+            np.linalg.eigvalsh(s[port]).min() > -1e-10 for port in law.semidefinite
+        )
         s |= {"w'": -s.get("w", np.ones(1))}
         assert all(np.prod(product) > -1e-10 for product in law.losses(s, p, truth))
 
@@ -148,7 +180,12 @@ def test_a_run_starts_and_stays_where_the_relations_hold(law):
 WITH_P = [law for law in KEEPING if law.weighted_error is not None]
 
 
-BOUNDS = ("tr P <= k_0 is kept", "P^-1 >= rho P(0)^-1", "P^-1 <= P(0)^-1", "eta is bounded")
+BOUNDS = (
+    "tr P <= k_0 is kept",
+    "P^-1 >= rho P(0)^-1",
+    "P^-1 <= P(0)^-1",
+    "eta is bounded",
+)
 
 
 @pytest.mark.parametrize("law", dearest_slow(WITH_P), ids=name_of)
@@ -167,9 +204,15 @@ def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
 
 
 BREAKING = [
-    (lambda x: {"origin": x.origin}, "and is kept where they jump"),  # where the last one began
+    (
+        lambda x: {"origin": x.origin},
+        "and is kept where they jump",
+    ),  # where the last one began
     (lambda x: {"S": -x.S, "B": -x.B}, "Q_1, Q_2, S >= 0 is not left where they jump"),
-    (lambda x: {"alpha": 0.0}, "V does not rise where they jump"),  # farther from the truth
+    (
+        lambda x: {"alpha": 0.0},
+        "V does not rise where they jump",
+    ),  # farther from the truth
 ]
 
 
@@ -201,7 +244,10 @@ def jumping(text, gain=0.5):
 
 @pytest.mark.parametrize(
     ("change", "status", "detail"),
-    [("m = e @ e", "proved", ""), ("alpha = 0.5*alpha", "proved between jumps", "V changes by")],
+    [
+        ("m = e @ e", "proved", ""),
+        ("alpha = 0.5*alpha", "proved between jumps", "V changes by"),
+    ],
 )
 def test_what_is_known_of_jumps_is_said(change, status, detail):
     verdict = prove(jumping(change), points=200)
@@ -212,7 +258,9 @@ def test_what_is_known_of_jumps_is_said(change, status, detail):
     assert not verdict.for_every_N
 
 
-@pytest.mark.parametrize(("change", "holds"), [("m = 0.5*m", True), ("m = e @ e", False)])
+@pytest.mark.parametrize(
+    ("change", "holds"), [("m = 0.5*m", True), ("m = e @ e", False)]
+)
 def test_V_may_fall_where_states_jump(change, holds):
     level = lambda t, x, u, p: {"V": (u.e @ u.e + u.m @ u.m) / 2}  # noqa: E731
     V = Block("lyapunov", output=level, inputs={"e": 2, "m": 1}, outputs={"V": 1})
@@ -222,7 +270,9 @@ def test_V_may_fall_where_states_jump(change, holds):
 @pytest.mark.parametrize("read", [symbolic_loop, ArrayLoop])
 def test_other_proofs_refuse_jumps(read):
     diagram = theorem_loop(N, "learned-flow", law_block=jumping("m = e @ e"))
-    with pytest.raises(DiagramError, match=r"^own: its states jump, and this proof speaks of no"):
+    with pytest.raises(
+        DiagramError, match=r"^own: its states jump, and this proof speaks of no"
+    ):
         read(diagram)
 
 
@@ -241,7 +291,9 @@ TURNED = [
 def test_a_jump_at_which_V_rises_refutes(change):
     verdict = prove(jumping(change), points=200)
     assert verdict.status == "refuted at a jump"
-    before, after = (verdict.diagram.output(*one)[-1] for one in (verdict.point, verdict.after))
+    before, after = (
+        verdict.diagram.output(*one)[-1] for one in (verdict.point, verdict.after)
+    )
     assert verdict.point.t == verdict.after.t == math.floor(verdict.point.t) > 0
     assert after > before
     assert not verdict.for_every_N
@@ -259,8 +311,12 @@ def test_every_step_is_shown(monkeypatch):
     steps = fix_steps(FIXES, 50)
     assert [step.how for step in steps] == ["exact", "exact", "sampled"]
     assert all(step.holds for step in steps)
-    assert "V" in AtFixes(FIXES, 1, late=False).after(ARRIVE, 1, off=1)  # a fix that is not exact
-    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))  # a law that forgets the integral
+    assert "V" in AtFixes(FIXES, 1, late=False).after(
+        ARRIVE, 1, off=1
+    )  # a fix that is not exact
+    monkeypatch.setattr(
+        invariants, "MOVING", ("x", "z")
+    )  # a law that forgets the integral
     assert not fix_steps(FIXES, 10)[0].holds
 
 
@@ -277,7 +333,11 @@ def test_V_never_rises_in_a_uniform_current_whatever_is_missing_or_late():
         "basis.periods": [float("inf"), 12.0],
         "flow.parameters": [[0.3, 0.1], [-0.2, 0.2]],
         **dict.fromkeys(["basis.phases", "model.parameters", "learning.parameters"]),
-        **{"localization.dropouts": 0.3, "localization.latency": 2.0, "run.duration": 200},
+        **{
+            "localization.dropouts": 0.3,
+            "localization.latency": 2.0,
+            "run.duration": 200,
+        },
     }
     V = clpt.simulate(AT.with_values(values)).lyapunov.values
     assert np.all(np.diff(V) <= 1e-12 * V[0])

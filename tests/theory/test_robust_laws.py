@@ -85,20 +85,25 @@ def burst(law, faint, quiet, cycles=2, theta=0.5):
     state = np.array([0.0, 0.0, -theta, *np.zeros(5)])
 
     def rate(t, s, w):
-        de = plant.dynamics(t, s[:2], [w, 0, 0, 0, 0, s[2] + theta, s[3], 0.0, 0.0, 0.0, 0.0])
+        de = plant.dynamics(
+            t, s[:2], [w, 0, 0, 0, 0, s[2] + theta, s[3], 0.0, 0.0, 0.0, 0.0]
+        )
         return [de[0] + 1.0, de[1], *law.dynamics(t, s[2:], [*s[:2], w, 0, 0, 0, 0])]
 
     for j in range(2 * cycles):
         w, span = ((faint, quiet), (1.0, 20.0))[j % 2]
         times = np.linspace(0, span, 1001)
-        run = solve_ivp(rate, (0, span), state, "LSODA", times, args=(w,), rtol=1e-8, atol=1e-10)
+        run = solve_ivp(
+            rate, (0, span), state, "LSODA", times, args=(w,), rtol=1e-8, atol=1e-10
+        )
         state = run.y[:, -1]
         peak = max(peak, np.abs(run.y[0]).max() if j >= cycles else 0.0)
     return peak
 
 
 @pytest.mark.parametrize(
-    ("faint", "quiet"), [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)]
+    ("faint", "quiet"),
+    [(0.2, 250.0), pytest.param(0.05, 4000.0, marks=pytest.mark.slow)],
 )
 def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint, quiet):
     """Largest |e|: the paper's 0.52/faint; with a robust law Delta/k, as without learning."""
@@ -116,7 +121,9 @@ def test_no_burst_after_a_drift_and_the_bound_does_not_know_the_regressor(faint,
 def test_a_run_stays_in_the_set(name):
     """Against runs of the whole diagram with one function under Delta, started off the truth."""
     values = {f"basis.{key}": [getattr(PAPER.basis, key)[0]] for key in ONE_EACH}
-    flow = {f"{key}.parameters": [[1.0], [0.9]] for key in ("flow", "model", "learning")}
+    flow = {
+        f"{key}.parameters": [[1.0], [0.9]] for key in ("flow", "model", "learning")
+    }
     scenario = with_square_wave(PAPER.with_values(values | flow), 0.05, 3.5)
     truth, own = truth_of(scenario), law_of(name, 1)
     blocks = [own if b.name == "adaptation" else b for b in paper_blocks(scenario)]
@@ -124,7 +131,9 @@ def test_a_run_stays_in_the_set(name):
     start = clpt.initial_state(scenario)
     start[:2] += 2.0
     start[4:] *= 0.5
-    V = clpt.simulate(loop, np.linspace(0, 60, 601), initial_state=start).V.values.ravel()
+    V = clpt.simulate(
+        loop, np.linspace(0, 60, 601), initial_state=start
+    ).V.values.ravel()
     if name == "dead-zone":
         assert np.all(np.diff(V) <= 1e-9)
     else:

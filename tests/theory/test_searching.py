@@ -40,7 +40,9 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
     assert found.status == ("proved but for q" if turned else "proved"), found
     V = sympy.lambdify(list(clpt.equations(own).motion), found.V)
     close, t = {"rtol": 1e-10, "atol": 1e-12}, np.linspace(0, 10, 401)
-    values = V(*control.input_output_response(own, t, 0, start, solve_ivp_kwargs=close).states)
+    values = V(
+        *control.input_output_response(own, t, 0, start, solve_ivp_kwargs=close).states
+    )
     assert np.all(np.diff(values) <= 1e-8 * values[0])
     assert values.min() > -1e-12
 
@@ -50,7 +52,9 @@ def test_of_a_model_reference_loop_it_is_the_textbooks(filtered):
     """A filter of the reference, which input alone moves, is not in V."""
     rates = "y' = y + 3*(kr*{0} - ky*y); ym' = -4*ym + 4*{0}; kr' = -2*{0}*(y - ym)"
     more = "; f' = r - f" if filtered else ""
-    text = f"{rates}; ky' = 2*y*(y - ym){more}; input r".format("f" if filtered else "r")
+    text = f"{rates}; ky' = 2*y*(y - ym){more}; input r".format(
+        "f" if filtered else "r"
+    )
     loop, _ = written(text)
     found = lyapunov(loop, at={"kr": 4 / 3, "ky": 5 / 3})
     y, ym, kr, ky, *_ = clpt.equations(loop).motion
@@ -66,14 +70,21 @@ PAPERS = [
 ]
 
 
-@pytest.mark.parametrize("scenario", PAPERS, ids=lambda scenario: f"N = {scenario.basis.N}")
+@pytest.mark.parametrize(
+    "scenario", PAPERS, ids=lambda scenario: f"N = {scenario.basis.N}"
+)
 def test_of_the_papers_loop_it_is_its_eq_24(scenario):
     loop = clpt.closed_loop(scenario, external="zc")
-    theta, gamma = np.array(scenario.flow.parameters), sympy.Rational(str(scenario.learning.gain))
+    theta, gamma = (
+        np.array(scenario.flow.parameters),
+        sympy.Rational(str(scenario.learning.gain)),
+    )
     truth = {f"alpha[{i},{j}]": -value for (i, j), value in np.ndenumerate(theta)}
     for port in ("feedback", "feedforward"):
         name = {"feedback": "K", "feedforward": "Gamma"}[port]
-        truth |= {f"{name}[{i}]": g for i, g in enumerate(getattr(scenario.vehicle, port))}
+        truth |= {
+            f"{name}[{i}]": g for i, g in enumerate(getattr(scenario.vehicle, port))
+        }
     found = lyapunov(loop, at=truth)
     states = {str(s): s for s in clpt.equations(loop).motion}
     errors = [states[f"x[{i}]"] - states[f"z[{i}]"] for i in range(2)]
@@ -83,7 +94,8 @@ def test_of_the_papers_loop_it_is_its_eq_24(scenario):
 
 
 @pytest.mark.parametrize(
-    "seed", [0, 1, 2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(3, 20))]
+    "seed",
+    [0, 1, 2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(3, 20))],
 )
 def test_a_stable_linear_system_always_has_one_and_no_other_does(seed):
     random = np.random.default_rng(seed)
@@ -114,7 +126,9 @@ LEAVING = [  # of what leaves its rest no V is found
 def test_of_what_leaves_its_rest_nothing_is_proved(text):
     found = lyapunov(written(text)[0])
     assert (found.status == "proved") is (text in FOUND)
-    assert found.status in ("open", "proved") or found.status.startswith("proved but for")
+    assert found.status in ("open", "proved") or found.status.startswith(
+        "proved but for"
+    )
 
 
 MANY = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
@@ -123,7 +137,11 @@ MANY = control.ss(-np.eye(17), np.zeros((17, 0)), np.eye(17), np.zeros((17, 0)))
 NO_SEARCH = [
     ("x' = 1 - x", {}, r"x' = 1 at the rest"),
     ("x' = -1/x", {}, r"x' has no value at the rest"),
-    ("x' = -x", {"claim": lambda s: -s.x}, "leave the claim out: it is of a V that is given"),
+    (
+        "x' = -x",
+        {"claim": lambda s: -s.x},
+        "leave the claim out: it is of a V that is given",
+    ),
     (MANY, {}, "has 17 states; a V is searched for of at most 16"),
 ]
 
@@ -159,7 +177,10 @@ def test_the_level_is_where_samples_of_the_rate_first_fail(name):
     a, b = np.meshgrid(*[np.linspace(-half, half, 2001)] * 2)
     rates = [eval(part[5:], NUMPY, {"a": a, "b": b}) for part in text.split("; ")]
     h = 1e-6
-    slopes = (V(a + h, b) - V(a - h, b)) / (2 * h), (V(a, b + h) - V(a, b - h)) / (2 * h)
+    slopes = (
+        (V(a + h, b) - V(a - h, b)) / (2 * h),
+        (V(a, b + h) - V(a, b - h)) / (2 * h),
+    )
     rate = sum(slope * own for slope, own in zip(slopes, rates, strict=True))
     away = np.hypot(a, b) > 1e-3
     edge = (np.abs(a) == half) | (np.abs(b) == half)
@@ -194,7 +215,9 @@ def test_a_level_is_exact_where_it_is_known_by_hand():
 
 def test_inputs_and_parameters_as_they_are_are_said():
     box = {"x": (-1, 1)}
-    damped = control.nlsys(lambda t, x, u, p: -x + x**3, states=["x"], inputs=0, params={"k": 1.0})
+    damped = control.nlsys(
+        lambda t, x, u, p: -x + x**3, states=["x"], inputs=0, params={"k": 1.0}
+    )
     assert "as they are" not in lyapunov(damped, lambda s: s.x**2, within=box).claim
     said = judged("x' = -k*x; k = 2; V = x**2", -1, 1).claim
     assert "with the parameters as they are: what begins there comes to rest" in said
@@ -214,10 +237,18 @@ def test_what_is_not_shown_is_open(rate):
 
 NO_REGION = [
     ("x' = -x", {"q": (-1, 1)}, "has no 'q'; states are x"),
-    ("x' = -x", {"x": (1, 2)}, "x from 1 to 2; must be finite, with the rest, 0, between"),
+    (
+        "x' = -x",
+        {"x": (1, 2)},
+        "x from 1 to 2; must be finite, with the rest, 0, between",
+    ),
     ("x' = -x", {"x": (-1, np.inf)}, "must be finite"),
     ("x' = -x", {"x": (-1, 0, 1)}, "must be an array of numbers"),
-    ("x' = -x*(2 + sin(t))", {"x": (-1, 1)}, "no region that lasts, for it moves with t"),
+    (
+        "x' = -x*(2 + sin(t))",
+        {"x": (-1, 1)},
+        "no region that lasts, for it moves with t",
+    ),
 ]
 
 
@@ -230,10 +261,26 @@ def test_a_box_or_a_system_that_has_no_region_is_refused(text, within, sentence)
 
 X, Y = sympy.symbols("x y", real=True)
 LEAVES = st.one_of(
-    st.sampled_from([X, Y]), st.integers(-3, 3).map(sympy.Integer), st.just(sympy.Rational(1, 7))
+    st.sampled_from([X, Y]),
+    st.integers(-3, 3).map(sympy.Integer),
+    st.just(sympy.Rational(1, 7)),
 )
-ONE = [sympy.sin, sympy.cos, sympy.exp, sympy.tanh, sympy.atan, sympy.cosh, SIGN, sympy.Abs]
-ONE += [lambda a: a**2, lambda a: a**3, lambda a: 1 / (2 + a**2), lambda a: sympy.sqrt(1 + a**2)]
+ONE = [
+    sympy.sin,
+    sympy.cos,
+    sympy.exp,
+    sympy.tanh,
+    sympy.atan,
+    sympy.cosh,
+    SIGN,
+    sympy.Abs,
+]
+ONE += [
+    lambda a: a**2,
+    lambda a: a**3,
+    lambda a: 1 / (2 + a**2),
+    lambda a: sympy.sqrt(1 + a**2),
+]
 TWO = [sympy.Add, sympy.Mul, MAXIMUM, lambda a, b: CLIP(a, -1, b)]
 TWO += [lambda a, b: WHERE(GT(a, b), a, 2)]
 EXPRESSIONS = st.recursive(
@@ -252,9 +299,13 @@ WORDS = {
 
 
 @settings(max_examples=60, deadline=None, derandomize=True)
-@given(EXPRESSIONS, st.floats(-3, 3), st.floats(-3, 3), st.floats(0, 2), st.floats(0, 2))
+@given(
+    EXPRESSIONS, st.floats(-3, 3), st.floats(-3, 3), st.floats(0, 2), st.floats(0, 2)
+)
 def test_an_enclosure_holds_every_sample(expression, x, y, wide, high):
-    boxes = {s: np.array([[at], [at + size]]) for s, at, size in ((X, x, wide), (Y, y, high))}
+    boxes = {
+        s: np.array([[at], [at + size]]) for s, at, size in ((X, x, wide), (Y, y, high))
+    }
     low, top = (float(end[0]) for end in enclosed(expression, boxes))
     share = np.linspace(0, 1, 7)
     a, b = np.meshgrid(x + wide * share, y + high * share)
@@ -267,7 +318,19 @@ def test_an_enclosure_holds_every_sample(expression, x, y, wide, high):
 
 def test_what_has_no_value_in_a_box_is_not_enclosed():
     box = {X: (np.array([-1.0, 0.5]), np.array([1.0, 2.0]))}
-    for e in (1 / X, sympy.log(X), sympy.sqrt(X), X ** sympy.Rational(-1, 3), 0 * Y + X**-2):
+    for e in (
+        1 / X,
+        sympy.log(X),
+        sympy.sqrt(X),
+        X ** sympy.Rational(-1, 3),
+        0 * Y + X**-2,
+    ):
         low, high = enclosed(e, box)
         assert np.isfinite([low, high]).all(axis=0).tolist() == [False, True]
-    says(clpt.ClptError, "no function whose range in a box is known", enclosed, sympy.gamma(X), box)
+    says(
+        clpt.ClptError,
+        "no function whose range in a box is known",
+        enclosed,
+        sympy.gamma(X),
+        box,
+    )

@@ -17,7 +17,12 @@ from clpt_control.theory.proving.every_n import SUM, EveryN
 from clpt_control.theory.proving.running_rate import PointSearch
 from clpt_control.theory.proving.signs import vanishes
 from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
-from clpt_control.theory.proving.theorem_loop import law_and_V, law_loop, theorem_loop, vanish
+from clpt_control.theory.proving.theorem_loop import (
+    law_and_V,
+    law_loop,
+    theorem_loop,
+    vanish,
+)
 
 
 @pytest.mark.parametrize(
@@ -31,8 +36,13 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     x, along = search.random.standard_normal((2, 20, diagram.nstates))
     t, u, h = np.zeros(20), search.random.standard_normal((20, diagram.ninputs)), 1e-5
     slopes = search.slopes.at(search.known(t, x.T, u.T), 20)[1:]
-    ahead, behind = (search.blocks.by_control(t, x + way * h * along, u)[1] for way in (1, -1))
-    wanted, size = np.sum(slopes * along.T, axis=0), np.sum(np.abs(slopes * along.T), axis=0)
+    ahead, behind = (
+        search.blocks.by_control(t, x + way * h * along, u)[1] for way in (1, -1)
+    )
+    wanted, size = (
+        np.sum(slopes * along.T, axis=0),
+        np.sum(np.abs(slopes * along.T), axis=0),
+    )
     assert np.all(np.abs((ahead - behind) / (2 * h) - wanted) < 1e-6 * size)
 
 
@@ -51,7 +61,9 @@ def test_symbols_have_the_papers_names():
     """Two values of one name are two symbols."""
     law = LAWS["learned-flow"].of(2, gain=0.123)
     candidate = theorem_loop(2, "learned-flow").syslist[-1]
-    loop = symbolic_loop(theorem_loop(2, "learned-flow", law_block=law, candidate=candidate))
+    loop = symbolic_loop(
+        theorem_loop(2, "learned-flow", law_block=law, candidate=candidate)
+    )
     of = loop.parameters
     for symbol, name in (
         (of["adaptation"].gain, "adaptation.gain"),
@@ -114,7 +126,9 @@ def test_it_says_what_cancelling_says(one, other):
 def reader(**shapes):
     """Leaves of these shapes on one tape, and their elements."""
     tape = Tape()
-    leaves = {name: tape.add("leaf", (), shape, ("u", name)) for name, shape in shapes.items()}
+    leaves = {
+        name: tape.add("leaf", (), shape, ("u", name)) for name, shape in shapes.items()
+    }
 
     def named(at, shape, index):
         return sympy.Symbol(at[1] + "".join(f"[{k}]" for k in index), real=True)
@@ -129,11 +143,16 @@ def of_numbers(expression, values, N):
         if one.func == SUM:
             body, *pairs = one.args
             names = [str(k) for k in pairs[::2]]
-            each = (dict(zip(names, at, strict=True)) for at in np.ndindex(*[N] * len(names)))
+            each = (
+                dict(zip(names, at, strict=True))
+                for at in np.ndindex(*[N] * len(names))
+            )
             return sum(numbers(body, places | at) for at in each)
         if one.is_Symbol:
             name, *index = str(one).replace("]", "").split("[")
-            return values[name][tuple(places[k] if k in places else int(k) for k in index)]
+            return values[name][
+                tuple(places[k] if k in places else int(k) for k in index)
+            ]
         if one.is_number:
             return float(one)
         return float(one.func(*(sympy.Float(numbers(a, places), 30) for a in one.args)))
@@ -146,9 +165,15 @@ FORMS = {
     "a product of sums": lambda a, b, P, c: np.sum(np.outer(a, b)) * np.sum(a),
     "a form": lambda a, b, P, c: a @ P @ b - c * (b @ P.T @ b),
     "the same index twice": lambda a, b, P, c: np.trace(P) + np.sum((P @ a) ** 2),
-    "a sum in a function": lambda a, b, P, c: np.exp(-np.sum(a**2)) * a @ b / (1 + b @ b),
-    "a function in a sum": lambda a, b, P, c: np.sum(np.tanh(a * c) * np.sqrt(b**2 + 1)),
-    "rows and columns": lambda a, b, P, c: np.sum(P * a[:, None] - P.T * b) + np.sum(P @ P.T),
+    "a sum in a function": lambda a, b, P, c: (
+        np.exp(-np.sum(a**2)) * a @ b / (1 + b @ b)
+    ),
+    "a function in a sum": lambda a, b, P, c: np.sum(
+        np.tanh(a * c) * np.sqrt(b**2 + 1)
+    ),
+    "rows and columns": lambda a, b, P, c: (
+        np.sum(P * a[:, None] - P.T * b) + np.sum(P @ P.T)
+    ),
     "a matrix of sums": lambda a, b, P, c: np.sum(np.exp(P @ a) * b),
 }
 SHAPES = {"a": ("N",), "b": ("N",), "P": ("N", "N"), "c": ()}
@@ -157,7 +182,10 @@ SHAPES = {"a": ("N",), "b": ("N",), "P": ("N", "N"), "c": ()}
 def drawn(shapes, N, seed):
     """A number for each element of leaves."""
     random = np.random.default_rng(seed)
-    return {name: 0.3 * random.standard_normal([N] * len(shape)) for name, shape in shapes.items()}
+    return {
+        name: 0.3 * random.standard_normal([N] * len(shape))
+        for name, shape in shapes.items()
+    }
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -173,10 +201,13 @@ def test_what_is_read_holds_for_each_N(form, N):
 def test_the_derivative_is_that_of_each_N(form):
     shapes = SHAPES | {"d": ("N",)}
     elements, u, tape = reader(**shapes)
-    slope = Direction(tape, {u["a"]._ref: u["d"]}).of(FORMS[form](*(u[k] for k in "abPc")))
+    slope = Direction(tape, {u["a"]._ref: u["d"]}).of(
+        FORMS[form](*(u[k] for k in "abPc"))
+    )
     values, h = drawn(shapes, 3, seed=1), 1e-6
     ahead, behind = (
-        FORMS[form](values["a"] + s * values["d"], *(values[k] for k in "bPc")) for s in (h, -h)
+        FORMS[form](values["a"] + s * values["d"], *(values[k] for k in "bPc"))
+        for s in (h, -h)
     )
     found = of_numbers(elements.of(slope), values, 3)
     assert found == pytest.approx((ahead - behind) / (2 * h), rel=1e-7, abs=1e-9)
@@ -190,7 +221,9 @@ def own_block(function, N):
 
 def loop_of(function, claim):
     """s' = function(e, phi) as a diagram, and s' = claim as what is left of it."""
-    loop = ArrayLoop(connect([own_block(function, 7)], external=["e", "phi_x"], name="own"))
+    loop = ArrayLoop(
+        connect([own_block(function, 7)], external=["e", "phi_x"], name="own")
+    )
     return loop, [loop.rates["s"][0] - claim(loop.inputs["e"], loop.inputs["phi_x"])]
 
 
@@ -212,7 +245,9 @@ NOT_ALIKE = {
     "behind the loop": behind_the_loop,
     "product of phi_k": lambda e, phi: np.prod(phi),
     "(sum phi_k)/N": lambda e, phi: np.mean(phi),
-    "all but the fifth": lambda e, phi: np.sum(np.where(np.arange(len(phi)) == 4, -phi, phi)),
+    "all but the fifth": lambda e, phi: np.sum(
+        np.where(np.arange(len(phi)) == 4, -phi, phi)
+    ),
 }
 
 
@@ -241,7 +276,11 @@ CLAIMS = [
     (elementary, lambda e, phi: 0.0, False),
     (ONES, lambda e, phi: e[0], False),
     (ONES, lambda e, phi: e[0] * np.sum(0 * phi + 1), True),
-    (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)), True),  # of a sum, which is an atom
+    (
+        SHARE,
+        lambda e, phi: 1 - 1 / (1 + np.sum(phi**2)),
+        True,
+    ),  # of a sum, which is an atom
     (SHARE, lambda e, phi: 1 - 1 / (1 + np.sum(phi) ** 2), False),
 ]
 
@@ -253,7 +292,11 @@ def test_only_what_holds_for_every_N_is_shown(function, claim, shown):
 
 def test_a_signal_that_is_not_fed_function_by_function_is_refused():
     block = own_block(lambda e, phi: phi @ phi, N=2)
-    turn = {"output": lambda t, x, u, p: u.e[::-1], "outputs": {"phi_x": 2}, "inputs": {"e": 2}}
+    turn = {
+        "output": lambda t, x, u, p: u.e[::-1],
+        "outputs": {"phi_x": 2},
+        "inputs": {"e": 2},
+    }
     diagram = connect([block, Block("turned", **turn)], external=["e"], name="own")
     with pytest.raises(Unread, match=r"own\.phi_x is not fed function by function"):
         ArrayLoop(diagram)
@@ -267,4 +310,7 @@ def test_jumps_have_no_slope_where_V_shall_fall():
     for jumping in (np.floor(a), np.sign(a), np.where(a > 0, 1.0, a)):
         with pytest.raises(Unread, match="derivative"):
             smooth.of(np.sum(jumping))
-    assert str(elements.of(smooth.of(np.maximum(a, 0.0)))[0]) == "where(ge(a[0], 0), a[0], 0)"
+    assert (
+        str(elements.of(smooth.of(np.maximum(a, 0.0)))[0])
+        == "where(ge(a[0], 0), a[0], 0)"
+    )

@@ -12,15 +12,29 @@ from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import audit, counterexamples, misprints
 from clpt_control.theory.proving import all_proofs
-from clpt_control.theory.proving.all_proofs import GRAPHS, LIMITED_SPEED, statements, team_steps
+from clpt_control.theory.proving.all_proofs import (
+    GRAPHS,
+    LIMITED_SPEED,
+    statements,
+    team_steps,
+)
 from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
-from clpt_control.theory.proving.proof import Step, checked, cited, proof_or_failure, theorem
+from clpt_control.theory.proving.proof import (
+    Step,
+    checked,
+    cited,
+    proof_or_failure,
+    theorem,
+)
 
 
 @pytest.fixture(scope="module")
 def proofs():
     """The theorems' proofs, kept as `clpt prove` keeps them."""
-    wanted, kept = [one for one in statements() if one.room == "theorems"], CachedOutcomes()
+    wanted, kept = (
+        [one for one in statements() if one.room == "theorems"],
+        CachedOutcomes(),
+    )
     kept.store(prove_all([one for one in wanted if one not in kept.outcomes]))
     return {one.name: kept.outcomes[one] for one in wanted}
 
@@ -38,11 +52,17 @@ def test_what_is_found_of_a_theorem(proofs, number):
     (status, cites, points), proof = FOUND[number], proofs[number]
     hows = [step.how for step in proof.steps]
     assert (proof.status, proof.for_every_N) == (status, True)
-    assert all(step.holds and (step.every_N or step.how != "exact") for step in proof.steps)
+    assert all(
+        step.holds and (step.every_N or step.how != "exact") for step in proof.steps
+    )
     assert bool(proof.cited) == ("cited" in hows) == cites
-    assert bool(proof.corrected) == ("counterexample" in hows) == (status == "corrected")
+    assert (
+        bool(proof.corrected) == ("counterexample" in hows) == (status == "corrected")
+    )
     called = [step.detail for step in proof.steps if step.how == "sampled"]
-    assert [text.split(" points")[0] for text in called] == [f"N = 3, {n}" for n in points]
+    assert [text.split(" points")[0] for text in called] == [
+        f"N = 3, {n}" for n in points
+    ]
     assert all((proof.assumptions, proof.not_proved))
     one = Step("for N = 2 alone", True, "exact", every_N=False)
     assert not theorem("", (), (*proof.steps, one), "").for_every_N
@@ -51,7 +71,11 @@ def test_what_is_found_of_a_theorem(proofs, number):
 @pytest.mark.parametrize("number", range(len(misprints())))
 def test_a_misprint_fails_as_printed_and_passes_corrected(number):
     misprint = misprints()[number]
-    assert (misprint.holds(True), misprint.holds(False), misprint.confirmed) == (False, True, True)
+    assert (misprint.holds(True), misprint.holds(False), misprint.confirmed) == (
+        False,
+        True,
+        True,
+    )
 
 
 @pytest.mark.usefixtures("few_calls")
@@ -67,19 +91,29 @@ def test_prove_prints_json(printed, monkeypatch):
     hows = {step["how"] for one in theorems.values() for step in one["steps"]}
     assert hows == {"exact", "cited", "counterexample", "sampled"}
     assert {"equation", "printed", "corrected", "check"} <= set(found["misprints"][0])
-    assert {name: (one["status"], one["for_every_N"]) for name, one in limited.items()} == {
+    assert {
+        name: (one["status"], one["for_every_N"]) for name, one in limited.items()
+    } == {
         "with hedging": ("proved", True),
         "every law with hedging": ("proved", False),
         "without hedging": ("corrected", True),
     }
     (of_laws,) = limited["every law with hedging"]["steps"]
-    assert of_laws["detail"].split(", ") == [law.name for law in LAWS.values() if not law.at_fixes]
+    assert of_laws["detail"].split(", ") == [
+        law.name for law in LAWS.values() if not law.at_fixes
+    ]
     assert limited["without hedging"]["corrected"].startswith("int |e|^2")
     assert (team["status"], team["for_every_N"]) == ("proved", True)
-    assert [step["how"] for step in team["steps"]] == [*["exact"] * len(GRAPHS), "sampled"]
+    assert [step["how"] for step in team["steps"]] == [
+        *["exact"] * len(GRAPHS),
+        "sampled",
+    ]
     assert list(laws) == list(LAWS)
     for one in laws.values():
-        bounded, holds = one["status"] == "bounded", [step["holds"] for step in one["steps"]]
+        bounded, holds = (
+            one["status"] == "bounded",
+            [step["holds"] for step in one["steps"]],
+        )
         assert one["claim"]
         assert bounded or (one["status"], all(holds)) == ("proved", True)
         assert any(step["how"] == "sampled" and step["holds"] for step in one["steps"])
@@ -96,7 +130,10 @@ def test_prove_one_theorem_and_refuse_another(clpt, refused):
 
 TURNS = [
     (lambda p: np.where(p.gain == 0.8, -1.0, 1.0), "left over"),
-    (lambda p: -1.0 if p.gain == 0.8 else 1.0, "asks for the value of its parameter gain"),
+    (
+        lambda p: -1.0 if p.gain == 0.8 else 1.0,
+        "asks for the value of its parameter gain",
+    ),
 ]
 
 
@@ -118,9 +155,17 @@ def test_a_step_that_cannot_be_checked_fails():
     def fails(error):
         raise error
 
-    step = checked("V falls", lambda: fails(package.DiagramError("alpha' has no value")))
-    assert (step.holds, step.detail) == (False, "cannot be checked: alpha' has no value")
-    for asked in (checked, proof_or_failure):  # an error of the package says nothing of a claim
+    step = checked(
+        "V falls", lambda: fails(package.DiagramError("alpha' has no value"))
+    )
+    assert (step.holds, step.detail) == (
+        False,
+        "cannot be checked: alpha' has no value",
+    )
+    for asked in (
+        checked,
+        proof_or_failure,
+    ):  # an error of the package says nothing of a claim
         with pytest.raises(ZeroDivisionError):
             asked("one over zero", lambda: 1 / 0)
 
@@ -161,8 +206,12 @@ def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
     found = package.theory.certificate(scenario, 80.0, 20.0)
     V = package.simulate(scenario, [0.0, 20.0, 100.0]).lyapunov.values
     assert V[2] / V[1] <= found.contraction < 1
-    with pytest.raises(package.ScenarioError, match=r"no certificate: learning\.hedging = false"):
-        package.theory.certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
+    with pytest.raises(
+        package.ScenarioError, match=r"no certificate: learning\.hedging = false"
+    ):
+        package.theory.certificate(
+            scenario.with_values({"learning.hedging": False}), 80.0, 20.0
+        )
 
 
 def added(t, x, u, p):
@@ -192,9 +241,17 @@ def test_a_wrong_equation_is_not_proved(module, name, wrong, claim, monkeypatch)
 
 def test_a_law_that_reads_the_velocity_reads_the_flown_one():
     """Of the composite laws `blocks/test_composite_laws` asks it."""
-    held = {"learning.adapt_gains": False, "learning.gain": None, "vehicle.max_speed": 1.0}
+    held = {
+        "learning.adapt_gains": False,
+        "learning.gain": None,
+        "vehicle.max_speed": 1.0,
+    }
     held |= {"learning.feedback": [1.0, 1.0], "learning.feedforward": [1.0, 1.0]}
-    values = {"learning.law": "kalman-flow", "learning.parameters": None, "run.duration": 200}
+    values = {
+        "learning.law": "kalman-flow",
+        "learning.parameters": None,
+        "run.duration": 200,
+    }
     run = package.simulate(PAPER.with_values({**values, **held, "run.rtol": 1e-10}))
     assert run.attrs["share_at_speed_limit"] > 0.2
     error = run.flow_parameters_estimate[-1].values - np.array(PAPER.flow.parameters)
@@ -236,7 +293,10 @@ def test_16_is_violated_on_the_papers_system():
     found = counterexamples.known_flow_counterexample()
     assert (found.equation, found.ratio) == ("(16)", pytest.approx(1.367, rel=0.01))
     assert found.rms < 1
-    cycles = [found.size[(found.times >= t) & (found.times < t + 200)].max() for t in (600, 800)]
+    cycles = [
+        found.size[(found.times >= t) & (found.times < t + 200)].max()
+        for t in (600, 800)
+    ]
     assert min(cycles) > 1.2 * found.claimed
 
 
@@ -248,7 +308,8 @@ def test_the_square_wave_at_resonance_gives_four_over_pi(gain):
 
 
 @pytest.mark.parametrize(
-    ("faint", "quiet", "peak"), [(0.2, 250, 2.19), (0.1, 1000, 4.92), (0.05, 4000, 10.38)]
+    ("faint", "quiet", "peak"),
+    [(0.2, 250, 2.19), (0.1, 1000, 4.92), (0.05, 4000, 10.38)],
 )
 def test_drift_then_burst(faint, quiet, peak):
     found = counterexamples.burst_counterexample(faint, quiet)

@@ -61,10 +61,14 @@ class Known(NamedTuple):
     position: np.ndarray  # shape (2,), x(0), length
     alpha: np.ndarray  # shape (2, N), alpha(0), length per time
     theta_estimate: np.ndarray  # shape (2, N), given, or alpha_M, length per time
-    settings: Mapping[str, Any]  # every key of the law's own table, its value or default
+    settings: Mapping[
+        str, Any
+    ]  # every key of the law's own table, its value or default
     GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
     fixes: Fixes | None = None  # None: the position is read at all times
-    limited: bool = False  # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
+    limited: bool = (
+        False  # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
+    )
 
     @property
     def cycle(self) -> float:
@@ -88,7 +92,9 @@ class Known(NamedTuple):
         R = float(np.max(np.linalg.norm(places - self.waypoints.mean(axis=0), axis=1)))
         if R == 0:
             place = "start and waypoints lie at one place"
-            raise ScenarioError(f"reference: {place}; give prior and noise in the law's own table")
+            raise ScenarioError(
+                f"reference: {place}; give prior and noise in the law's own table"
+            )
         return R
 
     @property
@@ -111,7 +117,9 @@ class Setting(NamedTuple):
     meaning: str  # what it is, with its unit
     usual: Any  # where it is left out: a number, or what makes it of what is known
     # "below 1" and "at most 1" are positive too
-    allowed: Literal["positive", "not negative", "below 1", "at most 1", "row"] = "positive"
+    allowed: Literal["positive", "not negative", "below 1", "at most 1", "row"] = (
+        "positive"
+    )
 
     @property
     def default(self) -> Any:
@@ -133,10 +141,14 @@ PRIOR = Setting(
     "standard deviation of each theta, length/time; 0.3 k R, mean KD times track's reach",
     scaled(0.3, k=1, R=1),
 )
-NOISE = Setting("r of the regression, length/time^0.5; 0.1 R k^0.5", scaled(0.1, k=0.5, R=1))
+NOISE = Setting(
+    "r of the regression, length/time^0.5; 0.1 R k^0.5", scaled(0.1, k=0.5, R=1)
+)
 FILTER = Setting("pole l of the filter, 1/time; 2 k", scaled(2))
 MEMORY = Setting(
-    "m of the memory, which keeps all and comes to 1/m, 1/time; 0.1 k", scaled(0.1), "not negative"
+    "m of the memory, which keeps all and comes to 1/m, 1/time; 0.1 k",
+    scaled(0.1),
+    "not negative",
 )
 
 
@@ -151,9 +163,17 @@ class State(NamedTuple):
 
 
 PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
-MOVING = {**PAPER, "x": 2, "v_x": 2}  # and of laws that read where the vehicle was carried
+MOVING = {
+    **PAPER,
+    "x": 2,
+    "v_x": 2,
+}  # and of laws that read where the vehicle was carried
 BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # of V by P
-LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}  # the outputs of a law
+LEARNED = {
+    "alpha": State((2, "N")),
+    "K": State(2),
+    "Gamma": State(2),
+}  # the outputs of a law
 # gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
@@ -161,7 +181,9 @@ Part = dict[str, Any]  # fields of a row that laws share
 MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 
 
-def output_and_states(output: Any, states: tuple[str, ...], t: Any, x: Any, u: Any, p: Any) -> Any:
+def output_and_states(
+    output: Any, states: tuple[str, ...], t: Any, x: Any, u: Any, p: Any
+) -> Any:
     """Return the outputs of a law that has more than its states, by port."""
     return {**output(t, x, u, p), **{name: getattr(x, name) for name in states}}
 
@@ -183,7 +205,9 @@ class Law(NamedTuple):
 
     name: str  # learning.law; its own table is learning.NAME, with _ for -
     rates: Callable[..., Any]  # the rates of its states; their docstring is its page
-    family: Callable[..., Any] | None = None  # whose docstring is the page of several laws
+    family: Callable[..., Any] | None = (
+        None  # whose docstring is the page of several laws
+    )
     needs: str = ""  # one line
     # a key of its own table; the name of what is known, as it is; or what makes it of what is known
     parameters: Mapping[str, Any] = GAINS
@@ -197,26 +221,40 @@ class Law(NamedTuple):
     breakpoints: Callable[..., np.ndarray] | None = None
     candidate: Callable[..., Any] | None = None  # V, where it is not Eq. (17) or (24)
     V_inputs: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # e and outputs of the law
-    V_gain: Callable[[Any], float] = lambda p: p.get("gain", 1.0)  # the gain of alpha in V
-    check: Callable[[Any, Known], None] = lambda law, known: None  # raises where it cannot run
+    V_gain: Callable[[Any], float] = lambda p: p.get(
+        "gain", 1.0
+    )  # the gain of alpha in V
+    check: Callable[[Any, Known], None] = lambda law, known: (
+        None
+    )  # raises where it cannot run
     # for the proof, of (states, parameters, truth): state -> what it is in the others, at all times
     invariants: Callable[..., dict[str, Any]] | None = None
     semidefinite: tuple[str, ...] = ()  # states that are matrices M = M^T >= 0
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
-    perturbation: Callable[..., Any] | None = None  # what V' has beside, which bounds the law
-    weighted_error: Callable[..., Any] | None = None  # eta P^-1, of a law with a covariance P
+    perturbation: Callable[..., Any] | None = (
+        None  # what V' has beside, which bounds the law
+    )
+    weighted_error: Callable[..., Any] | None = (
+        None  # eta P^-1, of a law with a covariance P
+    )
     # V of such a law of its input eta P^-1, which is what it is anywhere, not as the invariants say
     candidate_by_P: Callable[..., Any] | None = None
     # of a law that makes an estimate: (d P^-1 d^T)', d = theta_hat - theta; its states have d P^-1
     # too, shape (2, N)
     error_growth: Callable[..., Any] = lambda states, p, truth: 0
-    error_left: str = ""  # a state w: every parameter's error is w times its first, and w' <= 0
+    error_left: str = (
+        ""  # a state w: every parameter's error is w times its first, and w' <= 0
+    )
     readout: str = ""  # an output that is theta once w has fallen
     V_rate: str = ""  # V' in words
     promises: tuple[Promise, ...] = ()
-    doubt: Callable[[Any, Truth], str] = lambda p, truth: ""  # why it need not keep its promise
-    level: Callable[[Any, Truth, float], float] | None = None  # of V, of the largest disturbance
+    doubt: Callable[[Any, Truth], str] = lambda p, truth: (
+        ""
+    )  # why it need not keep its promise
+    level: Callable[[Any, Truth, float], float] | None = (
+        None  # of V, of the largest disturbance
+    )
 
     @property
     def table(self) -> str:
@@ -273,15 +311,23 @@ class Law(NamedTuple):
 
         def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
             symmetric = {name: (s[name] + s[name].T) / 2 for name in semidefinite}
-            relations = (one({**s, **symmetric}, p, truth) for one in every("invariants"))
+            relations = (
+                one({**s, **symmetric}, p, truth) for one in every("invariants")
+            )
             return merged([symmetric, *relations])
 
         def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
             return [product for one in every("losses") for product in one(s, p, truth)]
 
-        semidefinite = tuple(sorted(name for names in every("semidefinite") for name in names))
+        semidefinite = tuple(
+            sorted(name for names in every("semidefinite") for name in names)
+        )
         fields = merged(parts) | {field: merged(every(field)) for field in MAPPINGS}
-        fields |= {"invariants": invariants, "losses": losses, "semidefinite": semidefinite}
+        fields |= {
+            "invariants": invariants,
+            "losses": losses,
+            "semidefinite": semidefinite,
+        }
         return self._replace(**fields)
 
     def parameters_of(self, known: Known) -> Parameters:
@@ -290,7 +336,9 @@ class Law(NamedTuple):
         values: dict[str, Any] = {}
         for name, source in self.parameters.items():
             make = attrgetter(source) if isinstance(source, str) else source
-            values[name] = make.of(known, name) if isinstance(make, Setting) else make(known)
+            values[name] = (
+                make.of(known, name) if isinstance(make, Setting) else make(known)
+            )
         if self.one_gain and known.gains.one:
             rest = {name: value for name, value in values.items() if name not in GAINS}
             values = {"gain": known.gains.feedback} | rest
@@ -308,7 +356,9 @@ class Law(NamedTuple):
             "adaptation",
             update=self.rates,
             output=update_wrapper(whole, self.output) if self.output else None,
-            inputs={port: n for port, n in self.inputs.items() if port != "v_c" or limited},
+            inputs={
+                port: n for port, n in self.inputs.items() if port != "v_c" or limited
+            },
             outputs={**self.outputs, **states},
             states=states,
             parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
@@ -321,14 +371,25 @@ class Law(NamedTuple):
     def starts(self, known: Known) -> dict[str, Any]:
         """Return where its own states are at t = 0; the others are zero."""
         p = self.parameters_of(known)
-        starts = {name: one.start for name, one in self.states.items() if one.start is not None}
-        return {name: one(known, p) if callable(one) else one for name, one in starts.items()}
+        starts = {
+            name: one.start
+            for name, one in self.states.items()
+            if one.start is not None
+        }
+        return {
+            name: one(known, p) if callable(one) else one
+            for name, one in starts.items()
+        }
 
     def V(self, p: Any, truth: Truth, along_run: bool = False) -> Block:
         """Make V of its parameters; along a run eta P^-1, `weighted`, is an input of its own."""
         values = weighted((self.V_gain(p), *gains_of(p)), *truth)._asdict()
-        values |= {name: getattr(p, name) for name in self.parameters if name not in values}
-        ports = {name: state.shape for name, state in {**LEARNED, **self.states}.items()}
+        values |= {
+            name: getattr(p, name) for name in self.parameters if name not in values
+        }
+        ports = {
+            name: state.shape for name, state in {**LEARNED, **self.states}.items()
+        }
         ports |= {"e": 2, "weighted": (2, "N")}
         usual = known_flow_V if self.alpha_is_constant else learned_flow_V
         by_P = self.candidate_by_P if along_run else None

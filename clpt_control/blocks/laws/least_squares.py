@@ -54,7 +54,10 @@ NORMALISED_GRADIENT = Law(
     "normalised-gradient",
     rates=normalised_gradient,
     promises=promised("true spanned exact", "falls", "settles"),
-    parameters={**GAINS, "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4))},
+    parameters={
+        **GAINS,
+        "regression_gain": Setting("gamma_n, 1/time; 4 k (k mean KD)", scaled(4)),
+    },
     losses=regression_losses,
     V_rate="-e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS)
@@ -113,12 +116,16 @@ LEAST_SQUARES = Law(
     ),
     parameters={
         **K_GAMMA,
-        "forgetting": Setting("lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"),
+        "forgetting": Setting(
+            "lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"
+        ),
         "alpha_0": lambda known: known.alpha,
     },
     candidate=least_squares_level,
     V_inputs=("e", "alpha", "K", "Gamma", "rho"),
-    perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
+    perturbation=lambda s, p, truth: (
+        (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
+    ),
     V_rate="-e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)",
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, covariance(errors_by_rho, "rate"))
 
@@ -174,8 +181,12 @@ COMPOSITE_LEAST_SQUARES = Law(
     promises=promised("true spanned exact", "falls", "settles"),
     parameters={
         **K_GAMMA,
-        "weight": Setting("w, of CLPE beside the regression, 1/time; 100 k", scaled(100)),
-        "forgetting": Setting("lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"),
+        "weight": Setting(
+            "w, of CLPE beside the regression, 1/time; 100 k", scaled(100)
+        ),
+        "forgetting": Setting(
+            "lambda_0 of P, 1/time; 0 forgets nothing", 0.0, "not negative"
+        ),
     },
     candidate=composite_level,
     V_inputs=("e", "alpha", "K", "Gamma", "rho", "impulse"),
@@ -184,7 +195,11 @@ COMPOSITE_LEAST_SQUARES = Law(
     FILTERED_FLOW,
     COMMANDED_GAINS,
     covariance(errors_by_impulse, "weight"),
-    {"states": {"impulse": State((2, "N"), lambda known, p: known.alpha * p.information)}},
+    {
+        "states": {
+            "impulse": State((2, "N"), lambda known, p: known.alpha * p.information)
+        }
+    },
 )
 
 LAWS = (NORMALISED_GRADIENT, LEAST_SQUARES, COMPOSITE_LEAST_SQUARES)

@@ -4,7 +4,17 @@ from typing import Any
 
 import numpy as np
 
-from .law import K_GAMMA, NOISE, PRIOR, Law, Setting, State, Truth, adapt_gains, promised
+from .law import (
+    K_GAMMA,
+    NOISE,
+    PRIOR,
+    Law,
+    Setting,
+    State,
+    Truth,
+    adapt_gains,
+    promised,
+)
 from .regressions import FILTERED_FLOW, filter_rates, filtered_flow
 
 # --- learned flow ----------------------------------------------------------------------------
@@ -146,7 +156,10 @@ KALMAN_FLOW = Law(
     output=known_flow_output,
     outputs={"alpha": (2, "N")},
     error_growth=error_growth,
-    promises=(*promised("true exact", "mean square"), *promised("spanned exact", "estimate")),
+    promises=(
+        *promised("true exact", "mean square"),
+        *promised("spanned exact", "estimate"),
+    ),
     semidefinite=("P",),
     perturbation=lambda s, p, truth: (
         (s["x"] - s["z"]) @ ((truth.theta - s["theta_hat"]) @ s["phi_x"])

@@ -81,7 +81,10 @@ from .law import (
 
 def filter_rates(x, u, p):
     """Return phi_f' and q'."""
-    return {"phi_f": p.filter * (u.phi_x - x.phi_f), "q": p.filter * (p.filter * u.x + u.v_x - x.q)}
+    return {
+        "phi_f": p.filter * (u.phi_x - x.phi_f),
+        "q": p.filter * (p.filter * u.x + u.v_x - x.q),
+    }
 
 
 def filtered_flow(x, u, p):
@@ -100,10 +103,15 @@ def unexplained_square(s: Any, p: Any, truth: Truth) -> Any:
 
 
 FILTERED_FLOW: Part = {
-    "states": {"phi_f": State("N"), "q": State(2, lambda known, p: p.filter * known.position)},
+    "states": {
+        "phi_f": State("N"),
+        "q": State(2, lambda known, p: p.filter * known.position),
+    },
     "inputs": MOVING,
     "parameters": {"filter": FILTER},
-    "invariants": lambda s, p, truth: {"q": p.filter * s["x"] - truth.theta @ s["phi_f"]},  # F_f
+    "invariants": lambda s, p, truth: {
+        "q": p.filter * s["x"] - truth.theta @ s["phi_f"]
+    },  # F_f
 }
 
 
@@ -143,7 +151,10 @@ def pulling_memory(Q: str, b: str) -> Part:
 def gain_rates(x, u, p):
     """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
     y = getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
-    w, kappa = np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T  # a row for each axis
+    w, kappa = (
+        np.stack([-u.x, u.zc]).T,
+        np.stack([x.K, x.Gamma]).T,
+    )  # a row for each axis
     G_w = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2
     size, m_w = 1 + np.sum(G_w * w, axis=1), 0.1 * p.rate * G_w
     Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])
@@ -193,12 +204,18 @@ def forgetting(x, p):
 def covariance_rates(x, p, P_phi):
     """Return P' and rho', of P phi_f."""
     forgotten = forgetting(x, p)
-    return {"P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2, "rho": -forgotten * x.rho}
+    return {
+        "P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2,
+        "rho": -forgotten * x.rho,
+    }
 
 
 def level_by_P(u, p, weighted, w):
     """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is `weighted`."""
-    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * weighted)}
+    return {
+        "V": level(u.e, u, p)
+        + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * weighted)
+    }
 
 
 def error_by_P(p: Any, alpha: np.ndarray, P: np.ndarray) -> np.ndarray:
@@ -213,14 +230,18 @@ def error_by_P(p: Any, alpha: np.ndarray, P: np.ndarray) -> np.ndarray:
 def priors(known: Known) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
     each = known.settings["priors"]
-    return np.full(known.N, known.prior) if each is None else np.asarray(each, dtype=float)
+    return (
+        np.full(known.N, known.prior) if each is None else np.asarray(each, dtype=float)
+    )
 
 
 def check_priors(law: Law, known: Known) -> None:
     """Refuse priors that do not fit the functions."""
     one, each = known.settings["prior"], known.settings["priors"]
     if each is not None and (one is not None or len(each) != known.N or not any(each)):
-        wanted = f"{known.N} numbers, one for each function, not all 0, in place of prior"
+        wanted = (
+            f"{known.N} numbers, one for each function, not all 0, in place of prior"
+        )
         raise ScenarioError(f"learning.{law.table}.priors: must be {wanted}")
 
 
@@ -248,7 +269,9 @@ def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
     return {
         "keys": {
             "prior": PRIOR,
-            "priors": Setting("in place of prior: one a function, 0 to hold it", None, "row"),
+            "priors": Setting(
+                "in place of prior: one a function, 0 to hold it", None, "row"
+            ),
         },
         "parameters": {
             "noise": NOISE,
@@ -263,6 +286,8 @@ def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
         "invariants": invariants,
         "losses": losses,
         "weighted_error": weighted_error,
-        "candidate_by_P": lambda t, x, u, p: level_by_P(u, p, u.weighted, getattr(p, weight)),
+        "candidate_by_P": lambda t, x, u, p: level_by_P(
+            u, p, u.weighted, getattr(p, weight)
+        ),
         "semidefinite": ("P",),
     }

@@ -6,7 +6,18 @@ import numpy as np
 
 from ...engine.model.declaration import Each, multiples
 from ...errors import ScenarioError
-from .law import GAINS, K_GAMMA, MEMORY, PRIOR, Law, Setting, State, adapt_gains, promised, scaled
+from .law import (
+    GAINS,
+    K_GAMMA,
+    MEMORY,
+    PRIOR,
+    Law,
+    Setting,
+    State,
+    adapt_gains,
+    promised,
+    scaled,
+)
 from .regressions import (
     COMMANDED_GAINS,
     FILTERED_FLOW,
@@ -24,7 +35,9 @@ from .regressions import (
 def memory_rates(x, u, p):
     """Return Q' and b'."""
     phi_f, size = x.phi_f, 1 + x.phi_f @ x.phi_f
-    Q, b = remembered(x.Q, x.b, filtered_flow(x, u, p), phi_f, p.forgetting * phi_f, size)
+    Q, b = remembered(
+        x.Q, x.b, filtered_flow(x, u, p), phi_f, p.forgetting * phi_f, size
+    )
     return {"Q": Q, "b": b}
 
 
@@ -67,7 +80,9 @@ COMPOSITE_MEMORY = Law(
     rates=composite_memory,
     parameters={
         **GAINS,
-        "memory_gain": Setting("gamma_c, 1/time^2; 0.8 k^2 (k mean KD)", scaled(0.8, k=2)),
+        "memory_gain": Setting(
+            "gamma_c, 1/time^2; 0.8 k^2 (k mean KD)", scaled(0.8, k=2)
+        ),
         "forgetting": MEMORY,
     },
 ).with_parts(FILTERED_FLOW, COMMANDED_GAINS, pulling_memory("Q", "b"))
@@ -128,10 +143,25 @@ def concurrent(t, x, u, p):
 def next_window(t, x, u, p):
     """Phi and Y of a window of Eq. (1) are passed on; Phi = 0 and origin = x begin the next."""
     same = {name: getattr(x, name) for name in CONTINUOUS}
-    return {**same, "shown": x.Phi, "carried": u.x - x.origin, "Phi": 0.0, "origin": u.x}
+    return {
+        **same,
+        "shown": x.Phi,
+        "carried": u.x - x.origin,
+        "Phi": 0.0,
+        "origin": u.x,
+    }
 
 
-CONTINUOUS = ("alpha", "K", "Gamma", "S", "B", "Q_1", "Q_2", "b_v")  # where a window ends
+CONTINUOUS = (
+    "alpha",
+    "K",
+    "Gamma",
+    "S",
+    "B",
+    "Q_1",
+    "Q_2",
+    "b_v",
+)  # where a window ends
 WINDOW: dict[str, Any] = {
     "states": {
         "Phi": State("N"),
@@ -150,7 +180,9 @@ CONCURRENT = Law(
     parameters={
         **GAINS,
         "memory_gain": Setting("gamma_c, 1/time; k, the mean of KD", scaled(1)),
-        "window": Setting("T over which flow and basis are summed, time; 1/k", scaled(1, k=-1)),
+        "window": Setting(
+            "T over which flow and basis are summed, time; 1/k", scaled(1, k=-1)
+        ),
     },
     jump=next_window,
     breakpoints=Each("window"),
@@ -242,8 +274,12 @@ DREM = Law(
     ),
     parameters={
         "rate": Setting("g, 1/time, of each parameter once excited; k", scaled(1)),
-        "excitation": Setting("c, the determinant from which on the rate is g", 0.05, "at most 1"),
-        "margin": Setting("of 1 - w, from which on the readout is theta", 0.5, "below 1"),
+        "excitation": Setting(
+            "c, the determinant from which on the rate is g", 0.05, "at most 1"
+        ),
+        "margin": Setting(
+            "of 1 - w, from which on the readout is theta", 0.5, "below 1"
+        ),
         **K_GAMMA,
         "forgetting": MEMORY,
         "alpha_0": lambda known: known.alpha,
@@ -253,11 +289,19 @@ DREM = Law(
     V_gain=lambda p: p.rate**2,
     check=check_size,
     error_left="w",
-    invariants=lambda s, p, truth: {"alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta},
+    invariants=lambda s, p, truth: {
+        "alpha": s["w"] * (truth.theta + p.alpha_0) - truth.theta
+    },
     readout="readout",
-    perturbation=lambda s, p, truth: (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"]),
+    perturbation=lambda s, p, truth: (
+        (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
+    ),
     losses=lambda s, p, truth: [  # f, |eta|^2/g^2
-        (-s["w'"][0] / s["w"][0], np.sum((truth.theta + s["alpha"]) ** 2), 1 / p.rate**2)
+        (
+            -s["w'"][0] / s["w"][0],
+            np.sum((truth.theta + s["alpha"]) ** 2),
+            1 / p.rate**2,
+        )
     ],
     V_rate="-e^T KD e + e^T eta phi - f |eta|^2/g^2, eta = w eta(0), w' = -f w <= 0",
 ).with_parts(memory("Q", "b"), FILTERED_FLOW, {"states": {"w": State(1, 1.0)}})
@@ -370,7 +414,9 @@ FIX_REGRESSION = Law(
     rates=predict,
     promises=promised("spanned exact uniform", "falls"),
     parameters={
-        "noise": Setting("r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5", usual_noise),
+        "noise": Setting(
+            "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5", usual_noise
+        ),
         "KD": lambda known: known.KD,
         "GammaD": lambda known: known.GammaD,
         "between": lambda known: known.fixes.between,

@@ -58,7 +58,9 @@ def switching_sigma(t, x, u, p):
     """Eqs. (21)-(23), with a leak from zero at a norm M to `leak` at 2 M."""
     limits = (p.largest_flow, p.largest_feedback, p.largest_feedforward)
     norms = map(np.linalg.norm, (x.alpha, x.K, x.Gamma))
-    leaks = (p.leak * np.clip(a / M - 1, 0, 1) for a, M in zip(norms, limits, strict=True))
+    leaks = (
+        p.leak * np.clip(a / M - 1, 0, 1) for a, M in zip(norms, limits, strict=True)
+    )
     return leaking(t, x, u, p, *leaks)
 
 
@@ -85,7 +87,9 @@ NORM_LIMITS = {
         lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
     ),
     "largest_feedback": Setting(f"largest norm of K, per time; {TWICE}", twice_gains),
-    "largest_feedforward": Setting(f"largest norm of Gamma, per time; {TWICE}", twice_gains),
+    "largest_feedforward": Setting(
+        f"largest norm of Gamma, per time; {TWICE}", twice_gains
+    ),
 }
 
 
@@ -117,7 +121,9 @@ def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
     """Return the level of sigma and what the leak lacks below 2 M: (s - s_j) d^T a <= s |d| |a|."""
     (gain, _), k = of_what_adapts(p, truth), truth.KD.min()
     limits = (getattr(p, key) for key in NORM_LIMITS)
-    lacks = sum(2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True))
+    lacks = sum(
+        2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True)
+    )
     own = level_of_sigma(p, truth, delta)
     return own + float(p.leak * lacks / min(k, gain * p.leak))
 
@@ -129,7 +135,9 @@ def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
     return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
 
 
-LEAK = Setting("its gain times leak is forgotten per time, all of alpha in a cycle", cycle_leak)
+LEAK = Setting(
+    "its gain times leak is forgotten per time, all of alpha in a cycle", cycle_leak
+)
 SIGMA = Law(
     "sigma",
     needs="nothing but a gain; what is learned is pulled to zero",
@@ -227,7 +235,9 @@ def projected_rate(a, rate, largest, layer):
     """Return the rate of a without the part of it that points outward."""
     squares, inner = np.sum(a * a), largest**2
     share = np.clip((squares - inner) / (inner * layer * (2 + layer)), 0, 1)
-    return rate - share * np.maximum(np.sum(rate * a), 0) / np.maximum(squares, inner) * a
+    return (
+        rate - share * np.maximum(np.sum(rate * a), 0) / np.maximum(squares, inner) * a
+    )
 
 
 def projection(t, x, u, p):

@@ -21,9 +21,22 @@ from .fused_expressions import Components, Write
 from .loop_nests import Body, Key, Location, LoopPrinter
 from .plan import Nest, Planner
 
-SIGNATURE = "double t, const double *x, const double *u, const double *p, const double *kept"
-ARRAYS = {"X": "x", "U": "u", "P": "p", "I": "kept", "T": "T_", "K": "K_", "W": "w", "D": "out"}
-FUNCTIONS = (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
+SIGNATURE = (
+    "double t, const double *x, const double *u, const double *p, const double *kept"
+)
+ARRAYS = {
+    "X": "x",
+    "U": "u",
+    "P": "p",
+    "I": "kept",
+    "T": "T_",
+    "K": "K_",
+    "W": "w",
+    "D": "out",
+}
+FUNCTIONS = (
+    (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
+)
 HELPERS = {one.split()[2].partition("_(")[0]: one.strip() for one in FUNCTIONS}
 
 
@@ -31,7 +44,10 @@ class CRecord(DiagramRecord):
     """A diagram whose inputs are an array, and whose intervals and jumps another."""
 
     def __init__(self, wiring: Any, layout: Layout):
-        self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]  # places in P
+        self.set_by_integrator = [
+            *layout.intervals.values(),
+            *layout.jumps.values(),
+        ]  # places in P
         super().__init__(wiring, layout, "free")
 
     def _inputs(self) -> int:
@@ -60,10 +76,15 @@ class CProgram:
         if record.layout.jumps:
             ports["jump"] = record.leaps, "D"
         with deep():
-            writes = {name: self.components.writes(*arguments) for name, arguments in ports.items()}
+            writes = {
+                name: self.components.writes(*arguments)
+                for name, arguments in ports.items()
+            }
             plan = Planner(self.components)
             nests = {name: plan.nests(items) for name, items in writes.items()}
-            self.functions = {name: CPrinter(self, items).text for name, items in nests.items()}
+            self.functions = {
+                name: CPrinter(self, items).text for name, items in nests.items()
+            }
 
     def function(self, name: str) -> str:
         """Return one function; `signals` writes into `w`, its argument, the others into `out`."""
@@ -72,7 +93,10 @@ class CProgram:
         room = ""
         if into == "out" and "w[" in text:
             room = f"    double w[{self.components.room}];\n"
-        names = (argument.split()[-1].strip("*") for argument in [*SIGNATURE.split(","), into])
+        names = (
+            argument.split()[-1].strip("*")
+            for argument in [*SIGNATURE.split(","), into]
+        )
         unused = "".join(f" (void){argument};" for argument in names)
         return f"static void {name}_({SIGNATURE}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
 
@@ -102,7 +126,9 @@ class CPrinter(LoopPrinter):
     def __init__(self, program: CProgram, nests: tuple[Nest, ...]):
         super().__init__(program.components.all, {})
         self.program = program
-        self.lines: list[list[str]] = []  # lines in order; a list for values to come in each loop
+        self.lines: list[
+            list[str]
+        ] = []  # lines in order; a list for values to come in each loop
         self.values: dict[int, list[str]] = {}  # lists for values inside so many loops
         self.depth = 0
         for nest in nests:
@@ -153,7 +179,9 @@ class CPrinter(LoopPrinter):
         self.statement(f"{total} += {value};")
         return total
 
-    def load(self, location: Location, loops: Iterable[int], vectorized: bool = False) -> str:
+    def load(
+        self, location: Location, loops: Iterable[int], vectorized: bool = False
+    ) -> str:
         """Return an element of an array."""
         array, offset, strides = location
         if array == "t":

@@ -33,7 +33,11 @@ from .switching_conditions import LOCKED, Decisions, Port
 SHORT = 16
 NAMED = 2
 SIGNED = named(lambda row: row.signed_zero)
-FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}  # inverses, of which angles are folded
+FOLDS = {
+    "asin": "sin",
+    "acos": "cos",
+    "atan": "tan",
+}  # inverses, of which angles are folded
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
 # the lengths from which on an axis without and with a name loops, and whether decisions are locked
@@ -61,10 +65,18 @@ class Slot(NamedTuple):
 class Layout:
     """The slots of all parameters of a diagram, and the diagram's own values of P and T."""
 
-    slots: dict[tuple[int, str], Slot] = field(default_factory=dict)  # of (block, field)
-    intervals: dict[int, int] = field(default_factory=dict)  # block -> its `interval` in P
-    jumps: dict[int, int] = field(default_factory=dict)  # block -> place in P: `JUMPS` or 0
-    time_tables: dict[tuple, TimeTable] = field(default_factory=dict)  # by rows, shift and side
+    slots: dict[tuple[int, str], Slot] = field(
+        default_factory=dict
+    )  # of (block, field)
+    intervals: dict[int, int] = field(
+        default_factory=dict
+    )  # block -> its `interval` in P
+    jumps: dict[int, int] = field(
+        default_factory=dict
+    )  # block -> place in P: `JUMPS` or 0
+    time_tables: dict[tuple, TimeTable] = field(
+        default_factory=dict
+    )  # by rows, shift and side
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
 
@@ -89,7 +101,9 @@ class Layout:
             value = np.asarray(getattr(parameters[k], name), dtype=float).ravel()
             shared_value = values_by_offset.setdefault(offset, value)
             if not np.array_equal(shared_value, value):
-                raise ValueError(f"{name} of block {k} no longer equals the field it stands with")
+                raise ValueError(
+                    f"{name} of block {k} no longer equals the field it stands with"
+                )
             P[offset : offset + len(value)] = value
         return P
 
@@ -204,9 +218,13 @@ class DiagramRecord(RecordMerger):
         self.tape = Tape()
         self.entries = self.tape.operations
         self.owners: dict[int, int] = {}  # the blocks that entries come from
-        self.decided_by: dict[int, tuple] = {}  # entry that may decide -> its long axes, and where
+        self.decided_by: dict[
+            int, tuple
+        ] = {}  # entry that may decide -> its long axes, and where
         self.rates: list[Port] = []
-        self._jumped: dict[int, dict[str, Ref]] = {}  # states of a block after jumps, once known
+        self._jumped: dict[
+            int, dict[str, Ref]
+        ] = {}  # states of a block after jumps, once known
         self.inputs[0] = self._inputs()
         self.signals = self._rates()
         self.margins: list[Ref] = []  # of guards
@@ -223,7 +241,12 @@ class DiagramRecord(RecordMerger):
             self.leaps += self._stored(k, "states", [*states.values()])
 
     def add(
-        self, kind: str, arguments: Sequence[Ref], shape: tuple, at: Any = None, owner: int = WIRE
+        self,
+        kind: str,
+        arguments: Sequence[Ref],
+        shape: tuple,
+        at: Any = None,
+        owner: int = WIRE,
     ) -> int:
         """Add an entry; return its index."""
         index = len(self.entries)
@@ -241,14 +264,18 @@ class DiagramRecord(RecordMerger):
         node = self.wiring.nodes[k]
         fed = self.fed(k) if node.system.feedthrough else {}
         values = self.run(k, "output", fed)
-        ports = [port for port in self._stored(k, "outputs", values) if prod(port.shape)]
+        ports = [
+            port for port in self._stored(k, "outputs", values) if prod(port.shape)
+        ]
         for port in ports:
             self.outputs[port.first] = port.ref
         return ports
 
     def _rates(self) -> list[Port]:
         """Write the rates of all states; return all signals."""
-        signals: dict[int, Port] = {}  # of a block that is run twice, those of the second run
+        signals: dict[
+            int, Port
+        ] = {}  # of a block that is run twice, those of the second run
         for k in self.wiring.order:
             signals |= {port.first: port for port in self._output(k)}
         for k, node in enumerate(self.wiring.nodes):
@@ -262,7 +289,9 @@ class DiagramRecord(RecordMerger):
         node = self.wiring.nodes[k]
         request = self.layout.jumps.get(k)
         shapes = node.system.state_shapes
-        states = {name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()}
+        states = {
+            name: self.leaf(k, "x", name, shape) for name, shape in shapes.items()
+        }
         if request is not None:
             requested = self.load("P", request, ())
             jumps = self.add("gt", (requested, 0.5), ())
@@ -270,7 +299,9 @@ class DiagramRecord(RecordMerger):
             self._change(k, states, jumps, values)
         return states
 
-    def _change(self, k: int, states: dict[str, Ref], condition: Ref, values: list[Ref]) -> None:
+    def _change(
+        self, k: int, states: dict[str, Ref], condition: Ref, values: list[Ref]
+    ) -> None:
         """Change the last states of a block where a condition holds."""
         shapes = self.wiring.nodes[k].system.state_shapes
         names = [*states][-len(values) :]
@@ -282,7 +313,9 @@ class DiagramRecord(RecordMerger):
         """Sample the inputs of blocks that sample, with the signals after all jumps."""
         nodes = self.wiring.nodes
         self.outputs = {}
-        sampling = [k for k, node in enumerate(nodes) if node.system.first_held is not None]
+        sampling = [
+            k for k, node in enumerate(nodes) if node.system.first_held is not None
+        ]
         if not sampling:
             return
         for k in self.wiring.order:
@@ -309,7 +342,9 @@ class DiagramRecord(RecordMerger):
             offset += prod(lengths)
         return ports
 
-    def _axes(self, block: Block, shape: tuple) -> tuple[tuple[int, ...], tuple[bool, ...]]:
+    def _axes(
+        self, block: Block, shape: tuple
+    ) -> tuple[tuple[int, ...], tuple[bool, ...]]:
         """Return lengths of axes, and which of them loop."""
         lengths = bound(shape, block.sizes)
         long = []
@@ -323,7 +358,9 @@ class DiagramRecord(RecordMerger):
         """Return lengths of axes."""
         return self._axes(block, shape)[0]
 
-    def put(self, k: int, role: str, record: Record, operation: Operation, refs: list[Ref]) -> Ref:
+    def put(
+        self, k: int, role: str, record: Record, operation: Operation, refs: list[Ref]
+    ) -> Ref:
         """Write an operation of a block."""
         block = self.wiring.nodes[k].system
         kind, arguments, shape, at = operation
@@ -408,7 +445,9 @@ class DiagramRecord(RecordMerger):
         fed = super().fed(k)
         block = self.wiring.nodes[k].system
         records = block.records.values()
-        kinds = {operation.kind for record in records for operation in record.operations}
+        kinds = {
+            operation.kind for record in records for operation in record.operations
+        }
         if kinds & {"join", "part"}:  # which take whole arrays
             for port, declared in block.declared["inputs"].items():
                 shape = self.shape(block, declared)

@@ -31,7 +31,9 @@ from .diagram_record import DiagramRecord
 from .switching_conditions import Port
 
 JUMPING = named(lambda row: row.smoothness >= JUMP)
-Varied = tuple[tuple[int, str, int], ...]  # (block, field, index in it) of varied parameters
+Varied = tuple[
+    tuple[int, str, int], ...
+]  # (block, field, index in it) of varied parameters
 
 
 class Directions(NamedTuple):
@@ -54,7 +56,11 @@ class _FiniteDirection(Direction):
 
     def _slope(self, k: int) -> Any:
         slope = super()._slope(k)
-        if slope is None or self.tape.operations[k].kind not in ("sqrt", "hypot", "pow"):
+        if slope is None or self.tape.operations[k].kind not in (
+            "sqrt",
+            "hypot",
+            "pow",
+        ):
             return slope
         is_zero = self.tape.value(k) == 0.0
         is_nan = slope != slope
@@ -67,7 +73,11 @@ def add_derivatives(record: DiagramRecord, form: Directions) -> None:
     last_node = record.wiring.nodes[-1]
     nstates = last_node.states.stop
     nsignals = last_node.outputs.stop
-    groups = [(record.rates, nstates), (record.leaps, nstates), (record.signals, nsignals)]
+    groups = [
+        (record.rates, nstates),
+        (record.leaps, nstates),
+        (record.signals, nsignals),
+    ]
     roots = [port.ref for ports, _ in groups for port in ports]
     entries = reached(record.entries, roots)
     loads = [k for k in sorted(entries) if record.entries[k].kind == "load"]
@@ -118,7 +128,10 @@ class Place(NamedTuple):
 
 
 def places_of(
-    wiring: Wiring, parameters: Sequence[Any], states: Sequence[str], inputs: Sequence[str] = ()
+    wiring: Wiring,
+    parameters: Sequence[Any],
+    states: Sequence[str],
+    inputs: Sequence[str] = (),
 ) -> dict[str, list[Place]]:
     """Return every name that may vary, with its places; a name with two places is ambiguous.
 
@@ -147,14 +160,18 @@ def _positions(labels: Sequence[str]) -> dict[str, tuple[int, ...]]:
     return {name: tuple(positions) for name, positions in by_name.items()}
 
 
-def place_of(key: str, names: Mapping[str, list[Place]], parameters: Sequence[Any]) -> Place | None:
+def place_of(
+    key: str, names: Mapping[str, list[Place]], parameters: Sequence[Any]
+) -> Place | None:
     """Return the only place of a name, or of an element of an array, ``plant.A[0,1]``."""
     array, _, inside = key.removesuffix("]").rpartition("[")
     arrays = names.get(array, ())
     if key in names or len(arrays) != 1:
         candidates = names.get(key, ())
         return candidates[0] if len(candidates) == 1 else None
-    if not re.fullmatch(r"\d+(\s*,\s*\d+)*", inside):  # -1 and 0:2 are no single elements
+    if not re.fullmatch(
+        r"\d+(\s*,\s*\d+)*", inside
+    ):  # -1 and 0:2 are no single elements
         return None
     location = arrays[0]
     if not location.fields:
@@ -167,7 +184,9 @@ def place_of(key: str, names: Mapping[str, list[Place]], parameters: Sequence[An
     return location._replace(element=element)
 
 
-def value_at(location: Place, parameters: Sequence[Any], start: np.ndarray) -> np.ndarray:
+def value_at(
+    location: Place, parameters: Sequence[Any], start: np.ndarray
+) -> np.ndarray:
     """Return the value that parameters of blocks, or a start, have at a place."""
     if location.fields:
         k, name = location.fields[0]

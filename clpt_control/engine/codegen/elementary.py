@@ -21,7 +21,9 @@ import numpy as np
 
 from ..trace.elementwise import elementwise, where
 
-MAGIC = 6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
+MAGIC = (
+    6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
+)
 LN2 = 0.6931471805599453
 LN2_LOW = 2.3190468138462996e-17
 LOG2_E = 1.4426950408889634
@@ -29,13 +31,33 @@ TINY = 2.2250738585072014e-308
 
 # coefficients of the highest power first
 LOG = (
-    *(0.14616721179861816, 0.15331699633543858, 0.18182889786191042, 0.2222221112572281),
+    *(
+        0.14616721179861816,
+        0.15331699633543858,
+        0.18182889786191042,
+        0.2222221112572281,
+    ),
     *(0.28571428626031065, 0.3999999999989938, 0.666666666666667),
 )
 ATAN = (
-    *(0.016282993238924487, -0.034568068014968874, 0.0455149623749493, -0.052304330074828924),
-    *(0.05878926110528101, -0.06666424634599337, 0.07692296361048218, -0.09090908753017178),
-    *(0.11111111105145725, -0.14285714285659729, 0.19999999999999804, -0.3333333333333333),
+    *(
+        0.016282993238924487,
+        -0.034568068014968874,
+        0.0455149623749493,
+        -0.052304330074828924,
+    ),
+    *(
+        0.05878926110528101,
+        -0.06666424634599337,
+        0.07692296361048218,
+        -0.09090908753017178,
+    ),
+    *(
+        0.11111111105145725,
+        -0.14285714285659729,
+        0.19999999999999804,
+        -0.3333333333333333,
+    ),
 )
 
 # --- primitives -----------------------------------------------------------------------------
@@ -327,7 +349,10 @@ def position_in_row(index, count):
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{function.__name__: function for function in (exp, expm1, log, tanh, hypot)},
-    **{function.__name__: function for function in (sin, cos, tan, asin, acos, atan, atan2)},
+    **{
+        function.__name__: function
+        for function in (sin, cos, tan, asin, acos, atan, atan2)
+    },
     **{function.__name__: function for function in (minimum, maximum, sign)},
     "place": position_in_row,
     "pow": power,

@@ -75,9 +75,13 @@ class Components(Elements):
         self.prepared = prepared or 0  # next free offset in P
         self.constants: list[float] = []  # K
         self.tables: list[np.ndarray] = []  # behind the numbers in T
-        self.buffers: dict[int, list[Write]] = {}  # arrays that are written before they are read
+        self.buffers: dict[
+            int, list[Write]
+        ] = {}  # arrays that are written before they are read
         self._indices: dict[Any, int] = {}
-        self._arrays: dict[Any, tuple[str, int, int]] = {}  # entry -> array, offset, buffer or -1
+        self._arrays: dict[
+            Any, tuple[str, int, int]
+        ] = {}  # entry -> array, offset, buffer or -1
 
     # --- components -----------------------------------------------------------------------
 
@@ -113,7 +117,11 @@ class Components(Elements):
         return self._indices[key]
 
     def load(
-        self, array: str, offset: int, terms: Iterable[tuple[Index, int]], buffer: int = -1
+        self,
+        array: str,
+        offset: int,
+        terms: Iterable[tuple[Index, int]],
+        buffer: int = -1,
     ) -> Value:
         """Return array[offset + sum of stride * index]; `buffer` is -1 for other arrays."""
         offset, strides = _strides(offset, terms)
@@ -163,7 +171,9 @@ class Components(Elements):
             return self._read(arguments[0], shape, index, at)
         return super()._element(ref, index)
 
-    def _summed(self, ref: Ref, index: tuple, axis: int, count: int, long: bool) -> Value:
+    def _summed(
+        self, ref: Ref, index: tuple, axis: int, count: int, long: bool
+    ) -> Value:
         before = index[:axis]
         after = index[axis:]
 
@@ -270,7 +280,9 @@ class Components(Elements):
 
     # --- arrays that are written first ----------------------------------------------------
 
-    def _read(self, ref: int, shape: tuple, index: tuple[Index, ...], after: int = 0) -> Value:
+    def _read(
+        self, ref: int, shape: tuple, index: tuple[Index, ...], after: int = 0
+    ) -> Value:
         """Return an element of a value in a buffer, read in a shape from element `after` on."""
         array, offset, buffer = self._buffer(ref)
         terms = zip(index, row_strides(shape), strict=True)
@@ -331,7 +343,11 @@ class Components(Elements):
     def _writes(self, port: Port, array: str, element: Element) -> Iterator[Write]:
         offset, shape, long, ref = port
         entry = self.operations[ref] if type(ref) is int else None
-        if entry is not None and entry.kind in ("stack", "join") and entry.shape == shape:
+        if (
+            entry is not None
+            and entry.kind in ("stack", "join")
+            and entry.shape == shape
+        ):
             for section in entry.arguments:
                 lengths = shape[1:]
                 axes = long[1:]
@@ -353,14 +369,18 @@ class Components(Elements):
         for index in product(*indices):
             terms = zip(index, row_strides(shape), strict=True)
             start, strides = _strides(offset, terms)
-            loop_numbers = {symbol: k for k, symbol in enumerate(strides)}  # outermost first
+            loop_numbers = {
+                symbol: k for k, symbol in enumerate(strides)
+            }  # outermost first
             number = self.as_number(element(ref, index))
             value = with_axes(number, loop_numbers)
             lengths = tuple([length for length, _ in strides])
             yield Write(array, start, tuple(strides.values()), lengths, value)
 
 
-def _strides(offset: int, terms: Iterable[tuple[Index, int]]) -> tuple[int, dict[Symbol, int]]:
+def _strides(
+    offset: int, terms: Iterable[tuple[Index, int]]
+) -> tuple[int, dict[Symbol, int]]:
     """Return offset + sum of stride * index: the number, and the stride of each symbol."""
     strides: dict[Symbol, int] = {}
     for index, stride in terms:

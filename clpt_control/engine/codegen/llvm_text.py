@@ -41,7 +41,9 @@ ARRAYS = ("t", "X", "P", "T", "W", "D")
 UNROLLED = 4  # the longest loop of one run that unrolls
 UNROLLED_RUNS = 8  # the longest inner loop, or loop of eight runs, that unrolls
 CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
-MOST_INLINED = 64  # calls of a function; LLVM takes minutes for thousands in one piece of code
+MOST_INLINED = (
+    64  # calls of a function; LLVM takes minutes for thousands in one piece of code
+)
 SLOW = 5  # a root or a quotient takes as long as so many operations
 Terms = Sequence[tuple[Any, int]]  # index and stride of each loop
 
@@ -67,24 +69,37 @@ class LLVMPrinter(LoopPrinter):
     """Printer of one function, for 1 run or `LANES` side by side."""
 
     def __init__(
-        self, module: ir.Module, name: str, lanes: int, program: Program, inlined: set[str]
+        self,
+        module: ir.Module,
+        name: str,
+        lanes: int,
+        program: Program,
+        inlined: set[str],
     ):
-        super().__init__(program.components, {} if name == "prepare" else program.prepared)
+        super().__init__(
+            program.components, {} if name == "prepare" else program.prepared
+        )
         self.lanes = lanes
         self.active = LANES  # of eight iterations at once, those that the mask leaves
-        self.has_chain = False  # whether the current loop has a long chain of operations
+        self.has_chain = (
+            False  # whether the current loop has a long chain of operations
+        )
         self.inlined = inlined if name == "derivative" else set()
         self.nests = program.functions[name]
         self.begins: dict[int, ir.Block] = {}  # first block inside so many loops
         self._declare(module, name, program.constants)
 
-    def _declare(self, module: ir.Module, name: str, constants: Sequence[float]) -> None:
+    def _declare(
+        self, module: ir.Module, name: str, constants: Sequence[float]
+    ) -> None:
         """Declare the function, its arrays and the array of constants, K."""
         pointer = DOUBLE.as_pointer()
         signature = ir.FunctionType(ir.VoidType(), [pointer] * len(ARRAYS))
         function = ir.Function(module, signature, name)
         function.attributes.add("nounwind")
-        function.attributes.alignstack = 64  # a register that is saved lies in one line of cache
+        function.attributes.alignstack = (
+            64  # a register that is saved lies in one line of cache
+        )
         self.arrays: dict[str, Any] = {}
         for argument, array in zip(function.args, ARRAYS, strict=True):
             argument.add_attribute("noalias")
@@ -94,7 +109,9 @@ class LLVMPrinter(LoopPrinter):
         if not constants:
             return
         if "K" not in module.globals:
-            numbers = bytearray(np.array(constants).tobytes())  # printed sooner than doubles
+            numbers = bytearray(
+                np.array(constants).tobytes()
+            )  # printed sooner than doubles
             kind = ir.ArrayType(ir.IntType(8), len(numbers))
             table = ir.GlobalVariable(module, kind, "K")
             table.linkage = "internal"
@@ -144,7 +161,9 @@ class LLVMPrinter(LoopPrinter):
             position = step if position is None else builder.add(position, step)
         columns = self.columns(array)
         if position is None:
-            return builder.gep(self.arrays[array], [ir.Constant(WORD, offset * columns)])
+            return builder.gep(
+                self.arrays[array], [ir.Constant(WORD, offset * columns)]
+            )
         if offset:
             position = builder.add(position, ir.Constant(WORD, offset))
         if columns > 1:
@@ -163,7 +182,9 @@ class LLVMPrinter(LoopPrinter):
         stride = self.vector_stride(loops, strides) if vectorized else None
         return self._load(array, offset, terms, stride)
 
-    def _load(self, array: str, offset: int, terms: Terms = (), stride: int | None = None) -> Any:
+    def _load(
+        self, array: str, offset: int, terms: Terms = (), stride: int | None = None
+    ) -> Any:
         """Read a number, or one for each run; or those of eight iterations, a `stride` apart."""
         builder = self.builder
         if stride not in (None, 1):
@@ -180,7 +201,12 @@ class LLVMPrinter(LoopPrinter):
         vector_address = builder.bitcast(address, vector(width).as_pointer())
         if stride is None or self.active == width:
             return builder.load(vector_address, align=8)
-        arguments = [vector_address, ir.Constant(INT32, 8), self.mask(), constant(1.0, width)]
+        arguments = [
+            vector_address,
+            ir.Constant(INT32, 8),
+            self.mask(),
+            constant(1.0, width),
+        ]
         return self._masked("load", vector(width), arguments)
 
     def store(self, value: Any, location: Location) -> None:
@@ -285,7 +311,9 @@ class LLVMPrinter(LoopPrinter):
         index_phi.add_incoming(next_index, builder.block)
         for phi, value in zip(sum_phis, results, strict=True):
             phi.add_incoming(value, builder.block)
-        continues = builder.icmp_signed("<", next_index, ir.Constant(WORD, indices.stop))
+        continues = builder.icmp_signed(
+            "<", next_index, ir.Constant(WORD, indices.stop)
+        )
         builder.cbranch(continues, inside, after)
         builder.position_at_end(after)
         for index in remaining:
@@ -369,7 +397,9 @@ def sort_by_start(block: ir.Block) -> None:
     ends: dict[int, int] = {}
     starts: dict[int, int] = {}
     for operation in block.instructions:
-        start = max((ends.get(id(argument), 0) for argument in operation.operands), default=0)
+        start = max(
+            (ends.get(id(argument), 0) for argument in operation.operands), default=0
+        )
         is_root = operation.opname == "call" and "sqrt" in operation.callee.name
         slow = operation.opname == "fdiv" or is_root
         starts[id(operation)] = start

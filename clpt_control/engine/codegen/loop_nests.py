@@ -11,11 +11,19 @@ from typing import Any
 from .fused_expressions import Component, Write, row_strides
 from .plan import Nest
 
-ROW_ARGUMENT = {"lookup": 1, "search": 1, "argmin": 0}  # operation -> argument that is a row
+ROW_ARGUMENT = {
+    "lookup": 1,
+    "search": 1,
+    "argmin": 0,
+}  # operation -> argument that is a row
 NO_LOOP = -1
-Body = Callable[[Any, list], list]  # prints an iteration: index, sums before it -> sums after it
+Body = Callable[
+    [Any, list], list
+]  # prints an iteration: index, sums before it -> sums after it
 Location = tuple[str, int, tuple[int, ...]]  # array, offset, stride of each axis
-Key = tuple[int, tuple[int, ...], bool]  # component, loops of its axes, for eight iterations
+Key = tuple[
+    int, tuple[int, ...], bool
+]  # component, loops of its axes, for eight iterations
 
 
 class LoopPrinter(ABC):
@@ -29,9 +37,13 @@ class LoopPrinter(ABC):
     def __init__(self, components: Sequence[Component], prepared: dict[int, int]):
         self.components = components
         self.prepared = prepared
-        self.saved: dict[int, int] = {}  # component -> its offset in W, once it is written
+        self.saved: dict[
+            int, int
+        ] = {}  # component -> its offset in W, once it is written
         self.outside: dict[Key, Any] = {}  # values outside all loops, of all nests
-        self.scopes: list[dict[Key, Any]] = []  # values inside so many loops of the current nest
+        self.scopes: list[
+            dict[Key, Any]
+        ] = []  # values inside so many loops of the current nest
 
     # --- statements of a language -----------------------------------------------------------
 
@@ -101,7 +113,9 @@ class LoopPrinter(ABC):
             return self.print_level(depth + 1, sums)
 
         is_innermost = depth + 1 == len(lengths)
-        totals = [item for item in self.current_nest.items if item.summed and is_innermost]
+        totals = [
+            item for item in self.current_nest.items if item.summed and is_innermost
+        ]
         values = self.print_loop(depth, body, totals)
         for total, value in zip(totals, values, strict=True):
             if depth:
@@ -132,7 +146,9 @@ class LoopPrinter(ABC):
 
     # --- values -------------------------------------------------------------------------------
 
-    def terms(self, loops: Iterable[int], strides: tuple[int, ...]) -> list[tuple[Any, int]]:
+    def terms(
+        self, loops: Iterable[int], strides: tuple[int, ...]
+    ) -> list[tuple[Any, int]]:
         """Return index and stride of each loop."""
         indices = [self.indices[loop] for loop in loops]
         return list(zip(indices, strides, strict=True))
@@ -145,7 +161,9 @@ class LoopPrinter(ABC):
         component_loops = tuple([loops[k] for k in axes])
         return self.value(component, component_loops, vectorized)
 
-    def value(self, component: int, loops: tuple[int, ...], vectorized: bool = False) -> Any:
+    def value(
+        self, component: int, loops: tuple[int, ...], vectorized: bool = False
+    ) -> Any:
         """Return the value of a component; print it if it is new."""
         key = component, loops, vectorized
         depth = max(loops, default=-1) + 1
@@ -155,7 +173,9 @@ class LoopPrinter(ABC):
             scope[key] = self.insert(depth, key, printer)
         return scope[key]
 
-    def printer(self, component: int, loops: tuple[int, ...], vectorized: bool) -> Callable:
+    def printer(
+        self, component: int, loops: tuple[int, ...], vectorized: bool
+    ) -> Callable:
         """Return a function that prints a value; the arguments of the value are printed first."""
         if vectorized and self.vector_loop not in loops:
             scalar = self.value(component, loops)

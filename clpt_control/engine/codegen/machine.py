@@ -32,12 +32,16 @@ from ...progress import note
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
 ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 LANES = 8  # runs side by side, or iterations of a loop at once
-MOST_FILES = 4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
+MOST_FILES = (
+    4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
+)
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE.parent / "solver" / "solver.ll"
-BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')  # or calls of its own functions
+BRANCHES = re.compile(
+    r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)'
+)  # or calls of its own functions
 
 
 @contextmanager
@@ -85,7 +89,9 @@ def target_machine(level: int = 3) -> Any:
     llvm.initialize_native_asmprinter()
     name, features = processor()
     target = llvm.Target.from_default_triple()
-    return target.create_target_machine(cpu=name, features=features, opt=level, jit=True)
+    return target.create_target_machine(
+        cpu=name, features=features, opt=level, jit=True
+    )
 
 
 # --- the cache ------------------------------------------------------------------------------
@@ -120,7 +126,9 @@ def cache_code(name: str, code: bytes) -> None:
 # --- code -----------------------------------------------------------------------------------
 
 
-def _load(name: str, text: Callable[[], str], plain: bool = False, level: int = 3) -> Any:
+def _load(
+    name: str, text: Callable[[], str], plain: bool = False, level: int = 3
+) -> Any:
     """Return LLVM's engine with code from the cache, or else compiled; it knows the addresses.
 
     In `plain` text, and in text without branches, most of LLVM's passes find nothing.
@@ -166,7 +174,9 @@ class Machine:
     ):
         name = code_name(source, _printers())
         self._engine = _load(name, lambda: str(module()), plain, level)
-        self.addresses = {name: self._engine.get_function_address(name) for name in names}
+        self.addresses = {
+            name: self._engine.get_function_address(name) for name in names
+        }
 
 
 @cache
@@ -198,14 +208,24 @@ def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
         elif type(value) is np.ndarray:
             flags = value.flags
             if not flags.c_contiguous or value.dtype.char not in "dl":
-                raise TypeError(f"the solver takes no array of {value.dtype}, {value.strides}")
+                raise TypeError(
+                    f"the solver takes no array of {value.dtype}, {value.strides}"
+                )
             if not value.size:
                 address = 0
             elif flags.writeable:  # six times as quick as `__array_interface__`
                 address = addressof(c_char.from_buffer(value.data))
             else:
                 address = value.__array_interface__["data"][0]
-            numbers += (0, 0, value.size, value.itemsize, address, *value.shape, *value.strides)
+            numbers += (
+                0,
+                0,
+                value.size,
+                value.itemsize,
+                address,
+                *value.shape,
+                *value.strides,
+            )
         else:
             numbers.append(value)
     return numbers
@@ -215,7 +235,12 @@ POINTERS = CFUNCTYPE(None, *[c_void_p] * 6)
 
 
 def callback(
-    function: Callable, n: int, places: int, array: str, count: int, raised: list[BaseException]
+    function: Callable,
+    n: int,
+    places: int,
+    array: str,
+    count: int,
+    raised: list[BaseException],
 ) -> Any:
     """Return a function of time, n states and the beginning of P as the solver calls it.
 
@@ -247,10 +272,18 @@ def compiled_solver() -> SimpleNamespace:
     text = TEXT.read_text("utf-8")
 
     def announced() -> str:
-        often = "once" if cache_folder() else "each time: there is no folder to keep it in"
-        note(f"making the solver's machine code for this processor, a few seconds, {often}")
+        often = (
+            "once" if cache_folder() else "each time: there is no folder to keep it in"
+        )
+        note(
+            f"making the solver's machine code for this processor, a few seconds, {often}"
+        )
         return text
 
     engine = _load(f"solver-{code_name(text)}", announced)
-    entries = {name: engine.get_function_address(name) for name in ("advance", "evaluate")}
-    return SimpleNamespace(engine=engine, **{name: _entry(at) for name, at in entries.items()})
+    entries = {
+        name: engine.get_function_address(name) for name in ("advance", "evaluate")
+    }
+    return SimpleNamespace(
+        engine=engine, **{name: _entry(at) for name, at in entries.items()}
+    )

@@ -14,7 +14,9 @@ from .fused_expressions import LONG, Components, Value
 
 HEAVY = 10  # cost of a function, beside an addition
 MOST = 64  # terms of one sum; a longer one is left as it is
-Signed = tuple[bool, int, Value]  # a term: whether it is added, the block it comes from, its value
+Signed = tuple[
+    bool, int, Value
+]  # a term: whether it is added, the block it comes from, its value
 
 
 class MergedSums:
@@ -48,7 +50,12 @@ class MergedSums:
         return merged if self.work(merged) < self.work(plain) else plain
 
     def terms(
-        self, plus: bool, ref: Ref, index: tuple, unsummed: list, sums: dict[int, list[Signed]]
+        self,
+        plus: bool,
+        ref: Ref,
+        index: tuple,
+        unsummed: list,
+        sums: dict[int, list[Signed]],
     ) -> None:
         """Sort the terms of a value: sums over a long axis, by its length, and the rest."""
         if type(ref) is float:
@@ -115,7 +122,9 @@ class MergedSums:
         for i, terms in enumerate(term_lists):
             for j, earlier_terms in enumerate(term_lists[:i]):
                 for plus, owner, value in list(terms):
-                    opposites = (o for o in earlier_terms if o[2] == value and o[0] != plus)
+                    opposites = (
+                        o for o in earlier_terms if o[2] == value and o[0] != plus
+                    )
                     opposite = next(opposites, None)
                     if opposite is not None and opposite[1] != owner:
                         terms.remove((plus, owner, value))

@@ -47,7 +47,9 @@ class Program(NamedTuple):
     parameters: int  # length of P
     room: int  # length of W
     decided: int  # how many numbers are decided
-    deciding: tuple[tuple, ...]  # of each decision: its first number, and where it is made
+    deciding: tuple[
+        tuple, ...
+    ]  # of each decision: its first number, and where it is made
     timed: bool = False  # whether time alone decides
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
 
@@ -75,7 +77,10 @@ class Planner:
     def program(self, writes: dict[str, list[Write]], decisions: Decisions) -> Program:
         """Return the program whose functions write these."""
         components = self.components
-        functions = {name: self.nests(function_writes) for name, function_writes in writes.items()}
+        functions = {
+            name: self.nests(function_writes)
+            for name, function_writes in writes.items()
+        }
         self.preparing = True
         functions["prepare"] = self.nests(self.preparation)
         constants = tuple(components.constants)
@@ -83,7 +88,9 @@ class Planner:
         tables = np.concatenate([NO_TABLES, *components.tables])
         decision_facts = tuple(decisions.of), decisions.timed, tables
         operations = tuple(self.all)
-        return Program(operations, functions, self.prepared, constants, *sizes, *decision_facts)
+        return Program(
+            operations, functions, self.prepared, constants, *sizes, *decision_facts
+        )
 
     # --- what is prepared -----------------------------------------------------------------
 
@@ -171,7 +178,9 @@ class Planner:
             if name == "sum":
                 (value, axes), count = arguments  # the summed axis is the innermost
                 loops = tuple(len(lengths) if k == BOUND else k for k in axes)
-                item = item._replace(lengths=(*lengths, count), value=(value, loops), summed=True)
+                item = item._replace(
+                    lengths=(*lengths, count), value=(value, loops), summed=True
+                )
             items.append((level[c], item))
             if lengths:  # a single number is not written
                 components.room += prod(lengths)
@@ -223,7 +232,9 @@ class Planner:
                 for loop, stride in zip(loops, strides, strict=True):
                     strided[loop] += stride not in (0, 1)
             elif name != "sum":
-                stack += [(a, tuple(loops[k] for k in axes)) for a, axes in self.arguments(c)]
+                stack += [
+                    (a, tuple(loops[k] for k in axes)) for a, axes in self.arguments(c)
+                ]
         return min(reversed(range(len(strided))), key=strided.__getitem__)
 
 
@@ -246,7 +257,9 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     behind += [port._replace(first=port.first + 2 * count) for port in decisions.least]
     with deep():
         writes = {
-            "derivative": components.writes(record.rates, "D", MergedSums(components).element),
+            "derivative": components.writes(
+                record.rates, "D", MergedSums(components).element
+            ),
             "signals": components.writes(record.signals, "W"),
             "margin": [_least(components)],
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],

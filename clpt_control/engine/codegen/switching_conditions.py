@@ -21,7 +21,12 @@ import numpy as np
 from ..record.graph import reached
 from ..record.operations import TABLE, named
 
-COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}  # the sign of a - b where they hold
+COMPARED = {
+    "lt": -1.0,
+    "le": -1.0,
+    "gt": 1.0,
+    "ge": 1.0,
+}  # the sign of a - b where they hold
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
 PLACES = ("search", "argmin")
 LOCKED = named(lambda row: row.decisions)
@@ -41,7 +46,9 @@ class Port(NamedTuple):
 
 def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """Return the arguments of an operation that a question is about."""
-    if kind == "atan2":  # which jumps where its first argument is 0 and its second is negative
+    if (
+        kind == "atan2"
+    ):  # which jumps where its first argument is 0 and its second is negative
         return arguments[0], 0.0
     if name in COMPARED:
         threshold = arguments[1] if len(arguments) > 1 else 0.0
@@ -49,7 +56,9 @@ def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...
     return arguments if name in ("floordiv", "search") else arguments[-1:]
 
 
-def _locked_value(kind: str, arguments: tuple[Ref, ...], outcomes: list[Ref], add: Add) -> Ref:
+def _locked_value(
+    kind: str, arguments: tuple[Ref, ...], outcomes: list[Ref], add: Add
+) -> Ref:
     """Return the value of an operation with the outcomes of its decisions."""
     outcome = outcomes[0]
     if kind in COMPARED or kind in WHOLE or kind in PLACES:
@@ -106,7 +115,9 @@ class Decisions:
         record = self.record
         locked = dict[int, Ref]()
         first_decision = self.count
-        moving: set[Ref] = set()  # entries that change within a step, with locked decisions
+        moving: set[Ref] = (
+            set()
+        )  # entries that change within a step, with locked decisions
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
         inputs = len(record.layout.P)
 
@@ -170,7 +181,9 @@ class Decisions:
             numbers = np.arange(number, number + size)
             stays = np.isin(numbers, fixed).astype(float)
             if stays.any():
-                mask = record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
+                mask = (
+                    record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
+                )
                 now = add("where", mask, H, now)
                 distance = add("where", mask, 1.0, distance)
             self.now.append(Port(number, shape, long, now))

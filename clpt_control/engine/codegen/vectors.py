@@ -91,7 +91,9 @@ def _lanes(builder: ir.IRBuilder, value: Any, lanes: range) -> Any:
     return builder.shuffle_vector(value, value, ir.Constant(mask_type, list(lanes)))
 
 
-def declared(module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]) -> Any:
+def declared(
+    module: ir.Module, name: str, result: ir.Type, arguments: list[ir.Type]
+) -> Any:
     """Return a function of the module; declare it if it is new."""
     if name in module.globals:
         return module.globals[name]
@@ -109,7 +111,9 @@ def _instruction(name: str) -> Primitive:
 
 
 def _comparison(symbol: str) -> Primitive:
-    ordered = "unordered" if symbol == "!=" else "ordered"  # NaN differs from each number
+    ordered = (
+        "unordered" if symbol == "!=" else "ordered"
+    )  # NaN differs from each number
     return lambda builder, a, b: getattr(builder, f"fcmp_{ordered}")(symbol, a, b)
 
 
@@ -131,7 +135,9 @@ def _library(name: str) -> Primitive:
     def call(builder: ir.IRBuilder, *a: Any) -> Any:
         function = declared(builder.module, name, DOUBLE, [DOUBLE] * len(a))
         operands = [elements(builder, vector) for vector in a]
-        numbers = [builder.call(function, scalars) for scalars in zip(*operands, strict=True)]
+        numbers = [
+            builder.call(function, scalars) for scalars in zip(*operands, strict=True)
+        ]
         return gathered(builder, numbers)
 
     return call
@@ -252,7 +258,11 @@ def tape_of(name: str, count: int) -> list[Operation]:
 
 
 def calculate(
-    builder: ir.IRBuilder, name: str, width: int, arguments: Sequence[Any], inline: bool = False
+    builder: ir.IRBuilder,
+    name: str,
+    width: int,
+    arguments: Sequence[Any],
+    inline: bool = False,
 ) -> Any:
     """Return the value of an operation; a long one is a function, printed once a module.
 
@@ -277,7 +287,10 @@ def calculate(
 
 
 def calculate_tape(
-    builder: ir.IRBuilder, operations: Sequence[Operation], width: int, leaves: Sequence[Any]
+    builder: ir.IRBuilder,
+    operations: Sequence[Operation],
+    width: int,
+    leaves: Sequence[Any],
 ) -> Any:
     """Return the last value of a tape."""
     values: list[Any] = []
@@ -299,7 +312,9 @@ def calculate_tape(
 ROW = (DOUBLE.as_pointer(), WORD, WORD)
 
 
-def _function(module: ir.Module, name: str, arguments: tuple[ir.Type, ...]) -> tuple[Any, bool]:
+def _function(
+    module: ir.Module, name: str, arguments: tuple[ir.Type, ...]
+) -> tuple[Any, bool]:
     """Return a function of the module, and whether it is still to be written."""
     if name in module.globals:
         return module.globals[name], False

@@ -100,7 +100,9 @@ def readings(
         return np.asarray(rates), np.asarray(outputs)
 
     def no_jump(t: float, x: Any, u: Any) -> np.ndarray:
-        raise DiagramError("python-control knows no jumps of states; clpt.simulate runs them")
+        raise DiagramError(
+            "python-control knows no jumps of states; clpt.simulate runs them"
+        )
 
     return {
         "python": _sweep_backend(sweep),
@@ -125,7 +127,9 @@ def _sweep_backend(sweep: Sweep) -> Backend:
     return Backend(evaluate, jump)
 
 
-def _native_backend(diagram: Any, params: Any, form: str | None = None, lanes: int = 1) -> Backend:
+def _native_backend(
+    diagram: Any, params: Any, form: str | None = None, lanes: int = 1
+) -> Backend:
     @cache
     def compiled() -> _MachineCode:
         return _MachineCode(NativeDiagram(diagram, params, form), lanes)
@@ -215,7 +219,9 @@ class _SymbolicSweep(Sweep):
         super().__init__(*arguments)
         self._functions: dict[tuple[int, str], SymbolicFunction] = {}
 
-    def _call(self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any) -> None:
+    def _call(
+        self, role: str, k: int, t: float, x: np.ndarray, u: np.ndarray, out: Any
+    ) -> None:
         block = self.nodes[k].system
         if block.opaque:
             super()._call(role, k, t, x, u, out)
@@ -233,11 +239,16 @@ class _SymbolicSweep(Sweep):
 LONG = 20  # operations; a longer expression gets a symbol of its own
 MOST = 20_000  # scalar operations; SymPy takes a millisecond for each
 # functions that would lose digits, or range, if written out: log1p(a) as log(1 + a)
-PRECISE = {name: sympy.Function(f"{name}_", real=True) for name in named(lambda row: not row.exact)}
+PRECISE = {
+    name: sympy.Function(f"{name}_", real=True)
+    for name in named(lambda row: not row.exact)
+}
 NAMES: dict[str, Callable[..., Any]] = {
     **ON_NUMBERS,
     **{f"{name}_": ELEMENTWISE[name] for name in PRECISE},
-    **{name: ELEMENTWISE[name] for name in ("sin", "cos", "tan")},  # NaN beyond MOST_ANGLE
+    **{
+        name: ELEMENTWISE[name] for name in ("sin", "cos", "tan")
+    },  # NaN beyond MOST_ANGLE
 }
 
 
@@ -265,7 +276,9 @@ class SymbolicFunction(Symbols):
         step_values = [value for _, value in self.steps]
         for value in (*values, *step_values):
             if value.has(sympy.zoo, sympy.nan, sympy.I):
-                raise BlockError(f"SymPy finds that the equations divide by zero: {value}")
+                raise BlockError(
+                    f"SymPy finds that the equations divide by zero: {value}"
+                )
         self._compiled = sympy.lambdify(
             list(self.leaves.values()),
             values,

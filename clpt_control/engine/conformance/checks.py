@@ -61,7 +61,9 @@ def roles(block: Block) -> list[str]:
 def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
     size = block.noutputs if role == "output" else block.nstates
-    arrays = {f: v.copy() for f, v in sample.p._asdict().items() if isinstance(v, np.ndarray)}
+    arrays = {
+        f: v.copy() for f, v in sample.p._asdict().items() if isinstance(v, np.ndarray)
+    }
     p = sample.p._replace(**arrays)
     return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), p)
 
@@ -77,7 +79,9 @@ def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
 
 
 def _in_range(block: Block, sample: Sample) -> bool:
-    return all(np.all(np.isfinite(python_values(block, r, sample))) for r in roles(block))
+    return all(
+        np.all(np.isfinite(python_values(block, r, sample))) for r in roles(block)
+    )
 
 
 def _repeats(block: Block, samples: list[Sample]) -> Iterator[str]:
@@ -112,7 +116,9 @@ def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
 def _backends(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Every backend computes what Python computes."""
     for name, backend in readings(block).items():
-        failures = (_backend_failure(block, name, backend, sample) for sample in samples)
+        failures = (
+            _backend_failure(block, name, backend, sample) for sample in samples
+        )
         yield from islice(filter(None, failures), 1)
 
 
@@ -127,7 +133,9 @@ def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) 
     except ClptError as error:
         return f"{block.name}: the backend '{name}' refuses: {error}"
     for role, value in values.items():
-        expected = python_values(block, role, sample) if role in compared else np.zeros(0)
+        expected = (
+            python_values(block, role, sample) if role in compared else np.zeros(0)
+        )
         if differ(expected, value):
             return (
                 f"{block.name}.{role}: Python gives {expected}, the backend "
@@ -202,7 +210,9 @@ def _jumps(block: Block, samples: list[Sample]) -> Iterator[str]:
 # --- other units ------------------------------------------------------------------------------
 
 
-def unit_check(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iterator[str]]:
+def unit_check(
+    units: Mapping[str, str],
+) -> Callable[[Block, list[Sample]], Iterator[str]]:
     """Return the check of a block whose ports, parameters and time t have these units."""
 
     def check(block: Block, samples: list[Sample]) -> Iterator[str]:
@@ -212,7 +222,9 @@ def unit_check(units: Mapping[str, str]) -> Callable[[Block, list[Sample]], Iter
     return check
 
 
-def _unit_failures(block: Block, samples: list[Sample], units: Mapping[str, str]) -> Iterator[str]:
+def _unit_failures(
+    block: Block, samples: list[Sample], units: Mapping[str, str]
+) -> Iterator[str]:
     ports = {**block.input_ports, **block.state_ports, **block.output_ports}
     fields = [
         name
@@ -232,9 +244,14 @@ def _unit_failures(block: Block, samples: list[Sample], units: Mapping[str, str]
         return
     symbols = set().union(*map(powers, units.values()))
     for symbol in sorted(symbols):
-        factors = {name: FACTOR ** powers(unit).get(symbol, 0) for name, unit in units.items()}
+        factors = {
+            name: FACTOR ** powers(unit).get(symbol, 0) for name, unit in units.items()
+        }
         for role in roles(block):
-            failures = (_unit_failure(block, role, sample, factors, fields) for sample in samples)
+            failures = (
+                _unit_failure(block, role, sample, factors, fields)
+                for sample in samples
+            )
             for port, value, expected in islice(filter(None, failures), 1):
                 yield (
                     f"{block.name}.{role}: {port} is not of the unit '{units[port]}' that is "
@@ -245,7 +262,11 @@ def _unit_failures(block: Block, samples: list[Sample], units: Mapping[str, str]
 
 
 def _unit_failure(
-    block: Block, role: str, sample: Sample, factors: Mapping[str, float], fields: Sequence[str]
+    block: Block,
+    role: str,
+    sample: Sample,
+    factors: Mapping[str, float],
+    fields: Sequence[str],
 ) -> tuple[str, float, float] | None:
     """Return port, value and expected value of a signal that is not scaled as its unit."""
 
@@ -311,12 +332,17 @@ class ConformanceReport(NamedTuple):
         if self.ok:
             return f"{self.block}: conforms ({len(self.checks)} checks)"
         count = len(self.failures)
-        return "\n".join([f"{self.block}: {count} failure{'s'[: count > 1]}", *self.failures])
+        return "\n".join(
+            [f"{self.block}: {count} failure{'s'[: count > 1]}", *self.failures]
+        )
 
 
 @public
 def conformance(
-    block: Block, seed: Seed = 0, samples: int = 20, units: Mapping[str, str] | None = None
+    block: Block,
+    seed: Seed = 0,
+    samples: int = 20,
+    units: Mapping[str, str] | None = None,
 ) -> None:
     """Raise an error unless a block conforms.
 
@@ -343,7 +369,10 @@ def conformance(
 
 @public
 def check_block(
-    block: Block, seed: Seed = 0, samples: int = 20, units: Mapping[str, str] | None = None
+    block: Block,
+    seed: Seed = 0,
+    samples: int = 20,
+    units: Mapping[str, str] | None = None,
 ) -> ConformanceReport:
     """Check a block and return a report.
 
@@ -388,4 +417,6 @@ def check_block(
             if failures:
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]
-    return ConformanceReport(block.name, tuple(descriptions), tuple(dict.fromkeys(failures)))
+    return ConformanceReport(
+        block.name, tuple(descriptions), tuple(dict.fromkeys(failures))
+    )

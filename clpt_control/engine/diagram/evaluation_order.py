@@ -35,7 +35,9 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
         waits[k] = sources if sources and reaches_outputs(node.system) else set()
     order: list[int] = []
     while waits:
-        ready = next((k for k, sources in waits.items() if sources.isdisjoint(waits)), None)
+        ready = next(
+            (k for k, sources in waits.items() if sources.isdisjoint(waits)), None
+        )
         if ready is None:
             return _by_signals(nodes, order, waits)
         order.append(ready)
@@ -43,7 +45,9 @@ def order_of(nodes: list[Any]) -> tuple[int, ...]:
     return tuple(order)
 
 
-def _by_signals(nodes: list[Any], order: list[int], waits: dict[int, set[int]]) -> tuple[int, ...]:
+def _by_signals(
+    nodes: list[Any], order: list[int], waits: dict[int, set[int]]
+) -> tuple[int, ...]:
     """Return the order of blocks that wait for each other, signal by signal."""
     computed: set[int] = set()
     for k in order:
@@ -81,7 +85,9 @@ def _needed_signals(node: Any) -> dict[int, set[int]]:
     return needed
 
 
-def _without_zero_entries(nodes: list[Any], waits: dict[int, set[int]]) -> tuple[int, ...]:
+def _without_zero_entries(
+    nodes: list[Any], waits: dict[int, set[int]]
+) -> tuple[int, ...]:
     """Return the order after zeros in matrices of linear blocks are constants; refuse a loop."""
     linear_blocks = [k for k in waits if is_linear(nodes[k].system)]
     if linear_blocks:

@@ -96,7 +96,9 @@ class Diagram(control.InterconnectedSystem):
         for subsystem in self.syslist:
             is_named = any(key.startswith(f"{subsystem.name}.") for key in params)
             if is_named and not isinstance(subsystem, Block):
-                subsystem._update_params({**self.params, **own_params(subsystem.name, params)})
+                subsystem._update_params(
+                    {**self.params, **own_params(subsystem.name, params)}
+                )
 
 
 def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> list[Any]:
@@ -107,7 +109,9 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
     """
     params = {} if params is None else params
     if not isinstance(params, Mapping):
-        raise BlockError(f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}")
+        raise BlockError(
+            f"params = {params!r}: must be a dict, such as {{'adaptation.gain': 2.0}}"
+        )
     accepted: set[str] = set()
     names: set[str] = set()
     parameters: list[Any] = []
@@ -123,7 +127,9 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         accepted |= set(fields)
         names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:
-        if key not in accepted and not any(_has_param(*system, key) for system in systems):
+        if key not in accepted and not any(
+            _has_param(*system, key) for system in systems
+        ):
             names = names.union(*(system.names for _, system in systems))
             raise BlockError(_unknown_parameter(key, accepted, names))
     return parameters
@@ -131,7 +137,9 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
 
 def _has_param(name: str, system: System, key: str) -> bool:
     diagrams, systems = prefixes_of(name)
-    return any(system.mentions(key.removeprefix(prefix)) for prefix in diagrams + systems)
+    return any(
+        system.mentions(key.removeprefix(prefix)) for prefix in diagrams + systems
+    )
 
 
 def _unknown_parameter(key: str, accepted: set[str], names: set[str]) -> str:
@@ -147,7 +155,9 @@ class Port(NamedTuple):
     """A port of one of the blocks that are connected."""
 
     block: int  # index of the block
-    signals: list[int]  # indices of the port's signals among the block's inputs or outputs
+    signals: list[
+        int
+    ]  # indices of the port's signals among the block's inputs or outputs
 
 
 class MatchedPorts(NamedTuple):
@@ -197,11 +207,17 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
     for name in external:
         if name in sources or name not in users:
             is_output = name in sources
-            why = f"{names[sources[name].block]} makes it" if is_output else "no block takes it"
+            why = (
+                f"{names[sources[name].block]} makes it"
+                if is_output
+                else "no block takes it"
+            )
             raise DiagramError(
                 f"'{name}' cannot come from outside: {why}; blocks take {', '.join(sorted(users))}"
             )
-    return MatchedPorts(sources, users, {name: len(users[name][0].signals) for name in external})
+    return MatchedPorts(
+        sources, users, {name: len(users[name][0].signals) for name in external}
+    )
 
 
 def _check_fit(name: str, ports: Sequence[Port], blocks: Sequence[Part]) -> None:
@@ -290,7 +306,9 @@ def connect(
         systems,
         connections=connections or False,
         inplist=inputs,
-        outlist=[(source.block, k) for source in sources.values() for k in source.signals],
+        outlist=[
+            (source.block, k) for source in sources.values() for k in source.signals
+        ],
         inputs=labels(outside),
         outputs=labels({port: len(source.signals) for port, source in sources.items()}),
         name=name,
@@ -306,7 +324,9 @@ def _check_params(systems: Sequence[Part]) -> None:
     for system in systems:
         for key, value in system.params.items():
             owner = owners.setdefault(key, system)
-            if not isinstance(value, Parameters) and not np.array_equal(owner.params[key], value):
+            if not isinstance(value, Parameters) and not np.array_equal(
+                owner.params[key], value
+            ):
                 raise DiagramError(
                     f"{key} = {brief(value)} of {system.name} is {brief(owner.params[key])} of "
                     f"{owner.name}: python-control would give both the last; rename one, or give "
@@ -336,10 +356,14 @@ def wiring_of_blocks(blocks: Sequence[Part], external: Iterable[str] = ()) -> Wi
     signals = {label: k for k, label in enumerate(outputs)}
     signals |= {label: ~k for k, label in enumerate(inputs)}
     rows: list[Row] = [
-        {signals[label]: 1.0} for block in blocks for label in whole_labels(block.input_labels)
+        {signals[label]: 1.0}
+        for block in blocks
+        for label in whole_labels(block.input_labels)
     ]
     named = [(block.name, block) for block in blocks]
-    return ordered_wiring(named, rows, len(inputs), [{k: 1.0} for k in range(len(outputs))])
+    return ordered_wiring(
+        named, rows, len(inputs), [{k: 1.0} for k in range(len(outputs))]
+    )
 
 
 # --- a condition that ends a run: stop(t, y, u) > 0 continues it, it ends at the fall to 0 --------
@@ -351,7 +375,9 @@ STOP = "stop"  # name of the block
 def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     """Return the wiring with a block that reads outputs and inputs, and ends the run."""
     if not callable(stop):
-        raise DiagramError(f"stop = {brief(stop)}: must be a function of t, outputs and inputs")
+        raise DiagramError(
+            f"stop = {brief(stop)}: must be a function of t, outputs and inputs"
+        )
     if wiring.dt:
         raise DiagramError(
             f"stop: a diagram of discrete time (dt = {wiring.dt}) has nothing between its samples "
@@ -377,4 +403,6 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
     rows = [row for node in wiring.nodes for row in node.rows]
     rows += [*outputs, *({~k: 1.0} for k in range(ninputs))]
     order = (*wiring.order, len(wiring.nodes))
-    return ordered_wiring([*wiring.blocks, (STOP, block)], rows, ninputs, outputs, order=order)
+    return ordered_wiring(
+        [*wiring.blocks, (STOP, block)], rows, ninputs, outputs, order=order
+    )

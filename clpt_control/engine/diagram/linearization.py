@@ -39,7 +39,12 @@ from .sampled_linearization import (
 from .wiring import Node, Wiring, read_anew, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
-STEPS = 1e-6, -1e-6, 1e-8, -1e-8  # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
+STEPS = (
+    1e-6,
+    -1e-6,
+    1e-8,
+    -1e-8,
+)  # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
 # remainder at the small step, relative to the remainder at the large step
 SMOOTH = 5e-3
 JUMP = 0.3
@@ -52,7 +57,13 @@ class _About:
     """A diagram's record about a point, with its derivative along each state and input."""
 
     def __init__(
-        self, diagram: Any, wiring: Wiring, block_parameters: list[Any], t: float, x: Any, u: Any
+        self,
+        diagram: Any,
+        wiring: Wiring,
+        block_parameters: list[Any],
+        t: float,
+        x: Any,
+        u: Any,
     ):
         self.tape = Tape()
         self.point = np.concatenate([x, u])
@@ -79,7 +90,9 @@ class _About:
             if node.system.breakpoints_function is not None and p.interval < 0:
                 k = node.system.interval_at(t, p)
                 self.parameters[node.name] = p._replace(interval=k)
-        self.record = TapeRecord(diagram, wiring, self.leaf, self.input_of, self.tape, closed=True)
+        self.record = TapeRecord(
+            diagram, wiring, self.leaf, self.input_of, self.tape, closed=True
+        )
 
     def leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a parameter, or a state, which varies."""
@@ -98,14 +111,20 @@ class _About:
     def varying(self, key: tuple, shape: Shape, position: slice) -> Any:
         """Return a leaf with a value at the point, and with directions."""
         leaf = self.tape.add("leaf", (), shape, key)
-        self.direction.known[operand(leaf)] = self.tape.add("leaf", (), shape, ("d", key))
+        self.direction.known[operand(leaf)] = self.tape.add(
+            "leaf", (), shape, ("d", key)
+        )
         self.values[key] = self.point[position].reshape(*shape, 1)
         self.values["d", key] = self.unit_vectors[position].reshape(*shape, self.count)
         self.positions[key] = position
         return leaf
 
     def numbers(
-        self, arrays: list[Any], shapes: list[Shape], leaves: Mapping[Any, Any], columns: int
+        self,
+        arrays: list[Any],
+        shapes: list[Shape],
+        leaves: Mapping[Any, Any],
+        columns: int,
     ) -> np.ndarray:
         """Return arrays of the tape as numbers, a row for each element."""
         refs = [operand(lifted(self.tape, array)) for array in arrays]
@@ -129,7 +148,9 @@ class _About:
             leaves[key] = moved[position].reshape(*shape, -1)
         return self.numbers(values, shapes_of(values), leaves, moves.shape[1])
 
-    def sampled_values(self, blocks: Sequence[SampledBlock]) -> Iterator[tuple[slice, Any]]:
+    def sampled_values(
+        self, blocks: Sequence[SampledBlock]
+    ) -> Iterator[tuple[slice, Any]]:
         """Yield position and value of each port of a sampled block's states at the next sample."""
         names = {block.name for block in blocks}
         for (name, port), position in self.states.items():
@@ -162,7 +183,9 @@ class _About:
         slopes = self.slopes(checked)
         n = self.count
         at_point = self.near(checked, np.zeros((n, 1)))
-        is_finite = np.all(np.isfinite(slopes), axis=1)  # others are refused where they matter
+        is_finite = np.all(
+            np.isfinite(slopes), axis=1
+        )  # others are refused where they matter
         slopes = np.where(is_finite[:, None], slopes, 0.0)
         drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
         # along each state and input, and along all at once
@@ -170,7 +193,9 @@ class _About:
         moves = np.hstack([step * directions for step in STEPS])
         changes = self.near(checked, moves) - at_point
         remainder = np.abs(changes - slopes @ moves)
-        far_ahead, far_behind, near_ahead, near_behind = np.split(remainder, len(STEPS), axis=1)
+        far_ahead, far_behind, near_ahead, near_behind = np.split(
+            remainder, len(STEPS), axis=1
+        )
         # compare the remainders of the small step with those of the large step
         rounding = ROUNDING * (np.abs(at_point) + np.abs(slopes) @ size)
         wide = np.maximum(far_ahead, far_behind)
@@ -260,16 +285,26 @@ def linearize(
     n = wiring.nodes[-1].states.stop
     m = wiring.ninputs
     if not n + m:
-        raise DiagramError(f"{system.name}: has no states and no inputs to linearize along")
+        raise DiagramError(
+            f"{system.name}: has no states and no inputs to linearize along"
+        )
     x = _vector("x", x, n)
     u = _vector("u", u, m)
     try:
         block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)
         about = _About(system, wiring, block_parameters, t, x, u)
-        for _ in blocks:  # each holds what it samples at this point, some what others make of it
-            about = _About(system, wiring, block_parameters, t, about.with_samples(x, blocks), u)
-        ports = [(node, port) for node in wiring.nodes for port in node.system.declared["outputs"]]
+        for _ in (
+            blocks
+        ):  # each holds what it samples at this point, some what others make of it
+            about = _About(
+                system, wiring, block_parameters, t, about.with_samples(x, blocks), u
+            )
+        ports = [
+            (node, port)
+            for node in wiring.nodes
+            for port in node.system.declared["outputs"]
+        ]
         signals = [about.record.signals[node.name, port] for node, port in ports]
         rates = [about.record.rates[port] for port in about.states]
         AB = about.slopes(rates)
@@ -305,7 +340,9 @@ def linearize(
     dt = wiring.dt
     if blocks:
         dt = common_period(blocks)
-        A, B, C, D, remaining = discrete_system(SampledSlopes(AB, CD, jumps), blocks, dt)
+        A, B, C, D, remaining = discrete_system(
+            SampledSlopes(AB, CD, jumps), blocks, dt
+        )
         states = [states[k] for k in remaining]
     linear = state_space(
         *(A, B, C, D, dt),
@@ -317,7 +354,9 @@ def linearize(
     return minimal_of(linear) if minimal else linear
 
 
-def state_space(A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any) -> control.StateSpace:
+def state_space(
+    A: Any, B: Any, C: Any, D: Any, dt: Any, **labels: Any
+) -> control.StateSpace:
     """Return `control.StateSpace`, also of no inputs, which it refuses beside one state or output.
 
     Its matrices of shape (1, 0) become (0, 0).
@@ -347,11 +386,15 @@ def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
     """Return a basis of the states that inputs reach: single states where that is possible."""
 
     def columns(M: np.ndarray) -> np.ndarray:
-        return orth(M, rcond=REACHED) if M.size else M[:, :0]  # which SciPy 1.13 refuses
+        return (
+            orth(M, rcond=REACHED) if M.size else M[:, :0]
+        )  # which SciPy 1.13 refuses
 
     basis = columns(B)
     size = np.linalg.norm(A) or 1.0
-    while (larger := columns(np.hstack([basis, A @ basis / size]))).shape != basis.shape:
+    while (
+        larger := columns(np.hstack([basis, A @ basis / size]))
+    ).shape != basis.shape:
         basis = larger
     reaches = np.any(np.abs(basis) > REACHED, axis=1)
     reached_states = np.flatnonzero(reaches)
@@ -373,5 +416,11 @@ def minimal_of(system: control.StateSpace) -> control.StateSpace:
         C = C @ V
         plain = np.all((V == 0.0) | (V == 1.0))
         names = [names[np.argmax(v)] if plain else f"x[{k}]" for k, v in enumerate(V.T)]
-    labels = {"states": names or None, "inputs": system.input_labels, "name": system.name}
-    return state_space(A, B, C, system.D, system.dt, outputs=system.output_labels, **labels)
+    labels = {
+        "states": names or None,
+        "inputs": system.input_labels,
+        "name": system.name,
+    }
+    return state_space(
+        A, B, C, system.D, system.dt, outputs=system.output_labels, **labels
+    )

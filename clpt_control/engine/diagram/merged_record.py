@@ -38,7 +38,11 @@ def open_sizes(wiring: Wiring) -> dict[str, int]:
     for node in wiring.nodes:
         for name, value in node.system.sizes.items():
             values_by_name.setdefault(name, set()).add(value)
-    return {name: values.pop() for name, values in values_by_name.items() if len(values) == 1}
+    return {
+        name: values.pop()
+        for name, values in values_by_name.items()
+        if len(values) == 1
+    }
 
 
 class Source(NamedTuple):
@@ -55,9 +59,15 @@ class RecordMerger:
 
     # methods of the two users
     add: Callable[..., Ref]  # write an operation: kind, arguments, shape, at
-    put: Callable[..., Ref]  # write a block's operation: k, role, record, operation, arguments
-    leaf: Callable[..., Ref]  # time, a state or a parameter of a block: k, group, name, shape
-    part: Callable[..., Ref]  # elements of a value from an offset on: ref, offset, shape
+    put: Callable[
+        ..., Ref
+    ]  # write a block's operation: k, role, record, operation, arguments
+    leaf: Callable[
+        ..., Ref
+    ]  # time, a state or a parameter of a block: k, group, name, shape
+    part: Callable[
+        ..., Ref
+    ]  # elements of a value from an offset on: ref, offset, shape
     shape: Callable[..., Shape]  # a shape of a block in this record: block, shape
 
     def __init__(self, wiring: Wiring, input_sizes: Mapping[int, int]):
@@ -73,7 +83,8 @@ class RecordMerger:
         # sizes of ports by first signal, and the first signal of each signal's port
         self._sizes = output_sizes, input_sizes
         self._starts = [
-            [start for start, size in sizes.items() for _ in range(size)] for sizes in self._sizes
+            [start for start, size in sizes.items() for _ in range(size)]
+            for sizes in self._sizes
         ]
 
     # --- a block ------------------------------------------------------------------------------
@@ -184,7 +195,9 @@ class TapeRecord(RecordMerger):
         self.signals: Values = {}  # outputs of blocks
         self.rates: Values = {}
         self.jumps: Values = {}  # states after a jump
-        self.fields = {node.name: self._parameter_shapes(node.system) for node in wiring.nodes}
+        self.fields = {
+            node.name: self._parameter_shapes(node.system) for node in wiring.nodes
+        }
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
 
@@ -201,7 +214,9 @@ class TapeRecord(RecordMerger):
             if node.system.jump_function is not None:
                 self._write_states(k, "jump", u, self.jumps)
 
-    def _write_states(self, k: int, role: str, u: dict[str, Any], results: Values) -> None:
+    def _write_states(
+        self, k: int, role: str, u: dict[str, Any], results: Values
+    ) -> None:
         name = self.wiring.nodes[k].name
         for port, value in self._results(k, role, u).items():
             results[name, port] = value
@@ -241,16 +256,25 @@ class TapeRecord(RecordMerger):
 
     def shape(self, block: Block, shape: Shape) -> Shape:
         """Return a shape in which only the diagram's open sizes have names."""
-        return tuple(n if isinstance(n, int) or n in self.open else block.sizes[n] for n in shape)
+        return tuple(
+            n if isinstance(n, int) or n in self.open else block.sizes[n] for n in shape
+        )
 
     # --- on the tape ----------------------------------------------------------------------------
 
-    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> Ref:
+    def add(
+        self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None
+    ) -> Ref:
         """Write an operation."""
         return self.tape.add(kind, arguments, shape, at)._node
 
     def put(
-        self, k: int, role: str, record: Record, operation: Operation, arguments: list[Ref]
+        self,
+        k: int,
+        role: str,
+        record: Record,
+        operation: Operation,
+        arguments: list[Ref],
     ) -> Ref:
         """Write an operation of a block."""
         shape = self.shape(self.wiring.nodes[k].system, operation.shape)

@@ -105,7 +105,9 @@ def discrete_system(
     rates = np.zeros((size, size))
     rates[:nstates] = slopes.rates
     counts = [round(period / block.period) for block in blocks]
-    sample_times = [{Fraction(k, count) for k in range(1, count + 1)} for count in counts]
+    sample_times = [
+        {Fraction(k, count) for k in range(1, count + 1)} for count in counts
+    ]
 
     # the map of states and inputs over the period, from sample to sample; times in periods
     time = Fraction(0)

@@ -90,7 +90,9 @@ class Names:
 
     def __init__(self, wiring: Wiring, inputs: Iterable[str]):
         self.count = Counter([*inputs])
-        self.kinds: dict[tuple[str, str], list[str]] = {}  # (block, name) -> kinds with this name
+        self.kinds: dict[
+            tuple[str, str], list[str]
+        ] = {}  # (block, name) -> kinds with this name
         owners: dict[str, list[Any]] = {}  # of parameters
         for node in wiring.nodes:
             outputs = [group.name for group in groups(node.system, "output")]
@@ -99,7 +101,11 @@ class Names:
                 states = []
             fields = fields_of(node.system)
             self.count.update({*outputs, *states})
-            for kind, names in (("output", outputs), ("state", states), ("parameter", fields)):
+            for kind, names in (
+                ("output", outputs),
+                ("state", states),
+                ("parameter", fields),
+            ):
                 for name in names:
                     self.kinds.setdefault((node.name, name), []).append(kind)
             for name in fields:
@@ -108,7 +114,9 @@ class Names:
             values = [getattr(system.parameters, name) for system in systems]
             # python-control gives all its systems the same value
             is_shared = all(isinstance(system, System) for system in systems)
-            is_shared = is_shared and all(np.array_equal(value, values[0]) for value in values)
+            is_shared = is_shared and all(
+                np.array_equal(value, values[0]) for value in values
+            )
             self.count[name] += 1 if is_shared else len(systems)
 
     def port(self, node: Node, group: str, kind: str) -> str:
@@ -127,7 +135,9 @@ class Names:
         """Return the name of an element of a port."""
         return element_name(port, shape, index)
 
-    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+    def parameter(
+        self, node: Node, name: str, value: np.ndarray, index: tuple
+    ) -> sympy.Expr:
         """Return the symbol of a parameter's element, which has the sign of its value."""
         number = float(value[index])
         if is_linear(node.system) or not np.isfinite(number):
@@ -142,7 +152,9 @@ class Names:
 class Numbers(Names):
     """The same, with parameters as their numbers."""
 
-    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+    def parameter(
+        self, node: Node, name: str, value: np.ndarray, index: tuple
+    ) -> sympy.Expr:
         """Return the number of a parameter's element, except for the interval."""
         if name == "interval":
             return super().parameter(node, name, value, index)

@@ -119,11 +119,15 @@ class Equations:
         functions and inputs are differentiated with respect to time as well.
         """
         if self.discrete:
-            raise DiagramError(f"{self.name}: is of discrete time, in which nothing has a rate")
+            raise DiagramError(
+                f"{self.name}: is of discrete time, in which nothing has a rate"
+            )
         value = self[expression] if isinstance(expression, str) else expression
         value = sympy.sympify(value)
         if not isinstance(value, sympy.Expr):
-            raise DiagramError(f"{self.name}: {expression} is of several signals; give one of them")
+            raise DiagramError(
+                f"{self.name}: {expression} is of several signals; give one of them"
+            )
         rates = {TIME: sympy.Integer(1), **self.motion}
         terms = [sympy.diff(value, s) * rate for s, rate in rates.items()]
         return sympy.Add(*terms)
@@ -154,7 +158,9 @@ class Equations:
                 if value != s:
                     yield jump + period, s, value
 
-    def _lines(self, print_as: Callable[[Any], str], rate: str, jump: str) -> Iterator[str]:
+    def _lines(
+        self, print_as: Callable[[Any], str], rate: str, jump: str
+    ) -> Iterator[str]:
         """Yield the equations as text."""
         rows = [*self._rows(rate, jump)]
         for form, s, value in rows[:MOST_EQUATIONS]:
@@ -172,25 +178,41 @@ class Equations:
         lines = []
         for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}"):
             is_equation = " = " in line
-            lines.append(line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= ")
-        return "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
+            lines.append(
+                line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= "
+            )
+        return (
+            "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
+        )
 
 
 class _SymbolicRecord:
     """A diagram's record with symbols for its leaves, and its equations."""
 
-    def __init__(self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]):
+    def __init__(
+        self, diagram: Any, wiring: Wiring, names: Names, hidden: Iterable[str]
+    ):
         self.wiring = wiring
         self.names = names
         self.hidden = set(hidden)
         self.tape = Tape()
         self.table: dict[Any, Any] = {}  # leaf -> symbols
-        self.result = Equations(diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt))
-        self.undefined_functions: dict[Any, tuple] = {}  # leaf -> node, port, shape, inputs
+        self.result = Equations(
+            diagram.name, {}, {}, {}, {}, {}, {}, {}, discrete=bool(wiring.dt)
+        )
+        self.undefined_functions: dict[
+            Any, tuple
+        ] = {}  # leaf -> node, port, shape, inputs
         # states by block and port
         self.symbols = {node.name: self._states_of(node) for node in wiring.nodes}
         self.record = TapeRecord(
-            diagram, wiring, self._leaf, self._input_of, self.tape, self._stand_in, closed=True
+            diagram,
+            wiring,
+            self._leaf,
+            self._input_of,
+            self.tape,
+            self._stand_in,
+            closed=True,
         )
 
     # --- symbols of leaves ------------------------------------------------------------------
@@ -207,7 +229,10 @@ class _SymbolicRecord:
                 symbols[k] = sympy.Symbol(element, real=True)
             self.result.states[port] = symbols[indices].reshape(shape)
         ports = places(block.state_shapes)
-        return {port: symbols[signals].reshape(shape) for port, (signals, shape) in ports.items()}
+        return {
+            port: symbols[signals].reshape(shape)
+            for port, (signals, shape) in ports.items()
+        }
 
     def _leaf(self, group: str, node: Node, name: str, shape: Shape) -> Any:
         """Return a state or a parameter of a block as an array."""
@@ -237,7 +262,9 @@ class _SymbolicRecord:
         self.result.inputs[port] = self._functions(port, shape, declared)
         return self._array(("u", port), self.result.inputs[port])
 
-    def _functions(self, port: str, shape: Shape, declared: Shape, *inputs: Any) -> np.ndarray:
+    def _functions(
+        self, port: str, shape: Shape, declared: Shape, *inputs: Any
+    ) -> np.ndarray:
         """Return undefined functions of time and of inputs."""
         functions = np.empty(shape, dtype=object)
         for index in np.ndindex(shape):
@@ -263,7 +290,9 @@ class _SymbolicRecord:
         if key not in self.table:
             node, port, shape, arrays = self.undefined_functions[key]
             declared = node.system.declared["outputs"][port]
-            inputs = [e for array in arrays for e in self.elements.all_of(operand(array))]
+            inputs = [
+                e for array in arrays for e in self.elements.all_of(operand(array))
+            ]
             name = self.names.port(node, port, "output")
             self.table[key] = self._functions(name, shape, declared, *inputs)
         return self.table[key][index]
@@ -287,11 +316,15 @@ class _SymbolicRecord:
             self._add_signals(node)
             self._add_parameters(node)
         result.pinned = sorted(self.record.pinned)
-        arrays = [symbols for ports in self.symbols.values() for symbols in ports.values()]
+        arrays = [
+            symbols for ports in self.symbols.values() for symbols in ports.values()
+        ]
         counts = Counter(s for symbols in arrays for s in symbols.flat)
         for symbol, count in counts.items():
             if count > 1:
-                raise DiagramError(f"{result.name}: two states are called {symbol}; rename one")
+                raise DiagramError(
+                    f"{result.name}: two states are called {symbol}; rename one"
+                )
         return result
 
     def _add_signals(self, node: Node) -> None:
@@ -310,7 +343,9 @@ class _SymbolicRecord:
         if system.jump_function is not None:
             ports = self.symbols[node.name].values()
             symbols = np.concatenate([port_symbols.ravel() for port_symbols in ports])
-            elements = self._elements_of(self.record.jumps, node, system.declared["states"])
+            elements = self._elements_of(
+                self.record.jumps, node, system.declared["states"]
+            )
             result.jumps[block] = dict(zip(symbols, elements, strict=True))
         if isinstance(system, Sampled):
             result.periods[block] = system.period

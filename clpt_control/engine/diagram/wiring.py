@@ -28,8 +28,12 @@ from .evaluation_order import order_of
 MOST_DENSE = 40_000  # entries of the largest matrix that is not sparse
 Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
 Params = Mapping[str, Any] | None  # call-time parameters, as python-control has them
-Sizes = tuple[int | None, int | None]  # of states and inputs, for a system that leaves them open
-Row = dict[int, float]  # a sum of signals: block output k, or diagram input ~k -> its gain
+Sizes = tuple[
+    int | None, int | None
+]  # of states and inputs, for a system that leaves them open
+Row = dict[
+    int, float
+]  # a sum of signals: block output k, or diagram input ~k -> its gain
 
 
 class Wire(NamedTuple):
@@ -130,7 +134,9 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
     first_output = first_input = 0
     for subsystem in system.syslist:
         inner_inputs, inner_outputs = _flatten(subsystem, subsystem.name)
-        block_inputs += [_shifted(row, first_output, first_input) for row in inner_inputs]
+        block_inputs += [
+            _shifted(row, first_output, first_input) for row in inner_inputs
+        ]
         outputs += [_shifted(row, first_output, first_input) for row in inner_outputs]
         first_output += sum(int(leaf.noutputs or 0) for _, leaf in leaves([subsystem]))
         first_input += int(subsystem.ninputs or 0)
@@ -143,17 +149,23 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
         """Return the row of an input of a subsystem."""
         if k not in resolved:
             resolved[k] = None  # while its sources are resolved
-            sources = [(resolve(outputs[j]), gain) for j, gain in connections.get(k, ())]
+            sources = [
+                (resolve(outputs[j]), gain) for j, gain in connections.get(k, ())
+            ]
             outer: Row = {~j: gain for j, gain in external.get(k, ())}
             resolved[k] = _sum([(outer, 1.0), *sources])
         row = resolved[k]
         if row is None:
-            raise DiagramError(f"{name}: nested diagrams feed each other without a block")
+            raise DiagramError(
+                f"{name}: nested diagrams feed each other without a block"
+            )
         return row
 
     def resolve(row: Row) -> Row:
         """Return a row of the subsystems as a row of the whole system."""
-        return _sum([({k: 1.0} if k >= 0 else input_row(~k), gain) for k, gain in row.items()])
+        return _sum(
+            [({k: 1.0} if k >= 0 else input_row(~k), gain) for k, gain in row.items()]
+        )
 
     # an output of the system is a sum of outputs and, after them, inputs of subsystems
     n = len(outputs)
@@ -197,7 +209,9 @@ def leaves(
     """Yield the systems of a diagram and of nested diagrams with their names."""
     for system in systems:
         if isinstance(system, control.InterconnectedSystem):
-            yield from leaves(system.syslist, separator, f"{path}{system.name}{separator}")
+            yield from leaves(
+                system.syslist, separator, f"{path}{system.name}{separator}"
+            )
         else:
             yield path + system.name, system
 
@@ -218,7 +232,9 @@ def units_of(wiring: Wiring) -> tuple[list[str], list[str]]:
     return outputs, inputs
 
 
-def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None)) -> Wiring:
+def wiring_of(
+    diagram: Part, params: Params = None, sizes: Sizes = (None, None)
+) -> Wiring:
     """Return the wiring of a diagram, nested ones included, of blocks alone.
 
     python-control's systems become blocks, with `params` as python-control passes them on, and
@@ -228,10 +244,16 @@ def wiring_of(diagram: Part, params: Params = None, sizes: Sizes = (None, None))
     blocks = blocks_of(diagram, params, sizes)
     if not blocks:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):  # its block knows the sizes
+    if None in (
+        diagram.nstates,
+        diagram.ninputs,
+        diagram.noutputs,
+    ):  # its block knows the sizes
         ((name, diagram),) = blocks
         inputs, outputs = _flatten(diagram, name)
-    return ordered_wiring(blocks, inputs, int(diagram.ninputs or 0), outputs, diagram.dt or 0)
+    return ordered_wiring(
+        blocks, inputs, int(diagram.ninputs or 0), outputs, diagram.dt or 0
+    )
 
 
 def read_anew(system: Any) -> None:
@@ -332,7 +354,9 @@ def ordered_wiring(
         states = slice(x, x := x + block.nstates)
         own_inputs = slice(u, u := u + block.ninputs)
         own_outputs = slice(y, y := y + block.noutputs)
-        rows = [{k: gain for k, gain in row.items() if gain} for row in inputs[own_inputs]]
+        rows = [
+            {k: gain for k, gain in row.items() if gain} for row in inputs[own_inputs]
+        ]
         nodes.append(Node(block, name, states, own_inputs, own_outputs, tuple(rows)))
     order = order or order_of(nodes)
     return Wiring(tuple(nodes), order, ninputs, tuple(outputs), dt)
@@ -352,8 +376,12 @@ def as_part(system: Any, discrete: bool = False) -> Part:
 
 def is_discrete(*systems: Any) -> bool:
     """Return whether systems have one discrete time, as python-control combines them."""
-    times = [dt for dt in (getattr(system, "dt", 0) for system in systems) if dt is not None]
-    periods = {dt for dt in times if dt is not True}  # not a difference of sets: True == 1.0
+    times = [
+        dt for dt in (getattr(system, "dt", 0) for system in systems) if dt is not None
+    ]
+    periods = {
+        dt for dt in times if dt is not True
+    }  # not a difference of sets: True == 1.0
     return bool(times) and 0 not in times and len(periods) < 2
 
 

@@ -39,7 +39,9 @@ class Call(local):
 
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
-        self.start: tuple[float, float] | None = None  # time and interval of the first rate
+        self.start: tuple[float, float] | None = (
+            None  # time and interval of the first rate
+        )
 
 
 @public
@@ -104,7 +106,9 @@ class Block(ReadBlock):
     array([1.5, 2.5])
     """
 
-    first_held: int | None = None  # of a sampled block: the first state that holds an input
+    first_held: int | None = (
+        None  # of a sampled block: the first state that holds an input
+    )
     units: Mapping[str, str] = MappingProxyType({})
 
     def __init__(
@@ -139,16 +143,22 @@ class Block(ReadBlock):
                 raise BlockError(f"{name}: {sentence}")
 
         refuse(output is None and not states, "a block without states needs `output`")
-        refuse((update is None) != (not states), "`update` and `states` belong together")
         refuse(
-            output is None and outputs is not None and shapes_of(outputs) != declared["states"],
+            (update is None) != (not states), "`update` and `states` belong together"
+        )
+        refuse(
+            output is None
+            and outputs is not None
+            and shapes_of(outputs) != declared["states"],
             "without `output` the outputs are the states; leave them out",
         )
         refuse(
             jump is not None and (breakpoints is None or not states),
             "a jump sets states at the block's own breakpoints; give `breakpoints` and `states`",
         )
-        refuse(not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time")
+        refuse(
+            not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time"
+        )
         refuse(
             dt and (breakpoints is not None or guard is not None),
             "a block of discrete time has no breakpoints and no guard; leave them out",
@@ -157,11 +167,17 @@ class Block(ReadBlock):
             guard is not None and guard.policy not in ("raise", "stop"),
             f'a guard\'s policy {guard and guard.policy!r} must be "raise" or "stop"',
         )
-        self.update_function, self.output_function, self.jump_function = update, output, jump
+        self.update_function, self.output_function, self.jump_function = (
+            update,
+            output,
+            jump,
+        )
         self.opaque, self.breakpoints_function, self.guard = opaque, breakpoints, guard
         self.name, self.units = name, dict(units or {})
         self.declared, self.parameter_shapes = declared, shapes_of(shapes)
-        self.raised: dict[str, str] = {}  # role -> error of its last call, which returned NaN
+        self.raised: dict[
+            str, str
+        ] = {}  # role -> error of its last call, which returned NaN
         self._inner = {}
         self._sizes = dict(sizes or {})
         self.parameters = parameters
@@ -215,7 +231,9 @@ class Block(ReadBlock):
 
     def __getstate__(self) -> dict[str, Any]:
         omitted = (*READ, "_call_of_thread")
-        return {name: value for name, value in self.__dict__.items() if name not in omitted}
+        return {
+            name: value for name, value in self.__dict__.items() if name not in omitted
+        }
 
     # --- parameters -------------------------------------------------------------------
 
@@ -249,7 +267,9 @@ class Block(ReadBlock):
     def params(self, value: Mapping[str, Any]) -> None:
         """Ignore python-control's empty default; refuse any other value."""
         if value:
-            raise BlockError(f"{self.name}.params: are read; set {self.name}.parameters")
+            raise BlockError(
+                f"{self.name}.params: are read; set {self.name}.parameters"
+            )
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
         """Return the parameters, changed by {"block.field": value}."""
@@ -263,8 +283,13 @@ class Block(ReadBlock):
             elif key == self.name and hasattr(value, "_fields"):
                 continue  # python-control passes it to every block of a diagram
             elif self.name in (owner, key) or not in_diagram:
-                names = ", ".join(f"{self.name}.{f}" for f in self.parameters._fields) or "none"
-                raise BlockError(f"unknown parameter '{key}': block {self.name} knows {names}")
+                names = (
+                    ", ".join(f"{self.name}.{f}" for f in self.parameters._fields)
+                    or "none"
+                )
+                raise BlockError(
+                    f"unknown parameter '{key}': block {self.name} knows {names}"
+                )
         return self.with_values(changes)
 
     @public
@@ -273,7 +298,9 @@ class Block(ReadBlock):
         for field, value in changes.items():
             if field not in self.parameters._fields:
                 names = ", ".join(self.parameters._fields) or "none"
-                raise BlockError(f"{self.name}: unknown parameter {field!r}; it has {names}")
+                raise BlockError(
+                    f"{self.name}: unknown parameter {field!r}; it has {names}"
+                )
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
                 raise BlockError(
@@ -282,7 +309,9 @@ class Block(ReadBlock):
                 )
         if not changes:
             return self.parameters
-        return checked_parameters(self.name, self.parameters._replace(**changes), self.parameters)
+        return checked_parameters(
+            self.name, self.parameters._replace(**changes), self.parameters
+        )
 
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         self._call.parameters, self._call.start = self.with_params(params), None
@@ -294,7 +323,9 @@ class Block(ReadBlock):
         """Return the sorted times in (t0, t1] at which the block jumps."""
         if self.breakpoints_function is None:
             return np.zeros(0)
-        returned = self.breakpoints_function(self.parameters if p is None else p, t0, t1)
+        returned = self.breakpoints_function(
+            self.parameters if p is None else p, t0, t1
+        )
         try:
             times = np.asarray(returned, dtype=float)
         except (TypeError, ValueError):
@@ -330,7 +361,9 @@ class Block(ReadBlock):
 
     # --- calls of the functions in Python -----------------------------------------------
 
-    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def values(
+        self, role: str, size: int, t: float, x: Any, u: Any, p: Any
+    ) -> np.ndarray:
         """Return a function's values, or NaN after an error of numbers.
 
         A run may try such numbers and continue without them; the error is stored in `raised`.
@@ -357,7 +390,9 @@ class Block(ReadBlock):
         return f"{self.name}.{role}: {located(function, error)}{text}"
 
     @np.errstate(all="ignore")
-    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def _evaluate(
+        self, role: str, size: int, t: float, x: Any, u: Any, p: Any
+    ) -> np.ndarray:
         function, ports = self._plan[role]
         returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
         return flattened(f"{self.name}.{role}", returned, ports, size)

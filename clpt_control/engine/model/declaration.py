@@ -109,7 +109,9 @@ def powers(unit: str) -> dict[str, int]:
                 continue
             match = UNIT.fullmatch(word)
             if match is None:
-                raise BlockError(f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'")
+                raise BlockError(
+                    f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'"
+                )
             symbol, power = match.groups()
             if symbol not in ("rad", "radians"):
                 power = int(power or 1)
@@ -153,7 +155,9 @@ class Each:
 
     def interval(self, p: Any) -> float:
         """Return the time between two breakpoints."""
-        period = getattr(p, self.period) if isinstance(self.period, str) else self.period
+        period = (
+            getattr(p, self.period) if isinstance(self.period, str) else self.period
+        )
         return self.part * period
 
     def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
@@ -219,7 +223,9 @@ def named_values(name: str, parameters: Any) -> dict[str, Any]:
     if hasattr(parameters, "_asdict"):
         return parameters._asdict()
     if is_dataclass(parameters) and not isinstance(parameters, type):
-        return {field.name: getattr(parameters, field.name) for field in fields(parameters)}
+        return {
+            field.name: getattr(parameters, field.name) for field in fields(parameters)
+        }
     raise BlockError(
         f"{name}: parameters must be a dict, a NamedTuple or a dataclass, not "
         f"{type(parameters).__name__}"
@@ -231,7 +237,9 @@ def checked_parameters(name: str, parameters: Any, like: Any = None) -> Paramete
     values: dict[str, Any] = {}
     for field, value in named_values(name, parameters).items():
         if not isinstance(field, str) or not field.isidentifier() or field in METHODS:
-            raise BlockError(f"{name}: the parameter name {field!r} must be a Python name")
+            raise BlockError(
+                f"{name}: the parameter name {field!r} must be a Python name"
+            )
         model = value if like is None else getattr(like, field)
         is_whole = isinstance(model, int | np.integer)
         try:
@@ -279,6 +287,9 @@ def block_line(block: Any) -> str:
 def docs_of(block: Any) -> list[str]:
     """Return the docstrings of a block's functions; of a sampled block, of the inner block."""
     block = getattr(block, "inner", block)
-    functions = [getattr(block, f"{role}_function", None) for role in ("update", "output", "jump")]
+    functions = [
+        getattr(block, f"{role}_function", None)
+        for role in ("update", "output", "jump")
+    ]
     docs = (getattr(f, "func", f).__doc__ for f in functions if f)
     return [doc for doc in docs if doc]

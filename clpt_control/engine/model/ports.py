@@ -31,7 +31,9 @@ def shapes_of(ports: Declared | None) -> dict[str, Shape]:
     return shapes
 
 
-def sized(name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]) -> dict[str, Shape]:
+def sized(
+    name: str, shapes: Mapping[str, Shape], sizes: Mapping[str, int]
+) -> dict[str, Shape]:
     """Return shapes with numbers in place of named sizes."""
     numbers = {}
     for port, shape in shapes.items():
@@ -114,7 +116,9 @@ def flattened(
         out = np.asarray(returned, dtype=float).ravel()
     except (TypeError, ValueError) as error:  # a list of arrays of several shapes
         if not isinstance(returned, list | tuple):
-            raise BlockError(f"{name}: returns {brief(returned)}; must return numbers") from error
+            raise BlockError(
+                f"{name}: returns {brief(returned)}; must return numbers"
+            ) from error
         out = np.concatenate([np.ravel(value) for value in returned]).astype(float)
     if spreads and len(out) == 1:
         out = np.full(size, out[0])
@@ -123,7 +127,9 @@ def flattened(
     return out
 
 
-def check_ports(name: str, returned: Mapping[str, Any], ports: Mapping[str, Any]) -> None:
+def check_ports(
+    name: str, returned: Mapping[str, Any], ports: Mapping[str, Any]
+) -> None:
     """Refuse a mapping that has other names than the ports."""
     if returned.keys() != ports.keys():
         raise BlockError(f"{name}: returns {list(returned)}; must return {list(ports)}")
@@ -168,7 +174,9 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     """
     ports: dict[str, list[int]] = {}
     for index, label in enumerate(labels):
-        port, _, number = label.rpartition("[")  # y[2][0] is of the port y[2], as of sys[2, :]
+        port, _, number = label.rpartition(
+            "["
+        )  # y[2][0] is of the port y[2], as of sys[2, :]
         count = len(ports.get(port, ()))
         name = port if number == f"{count}]" else label
         ports.setdefault(name, []).append(index)

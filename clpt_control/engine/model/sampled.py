@@ -68,7 +68,9 @@ class Sampled(Block):
 
     def __init__(self, inner: Block, period: float):
         if not 0 < float(period) < np.inf:
-            raise DiagramError(f"{inner.name}: period = {period}: must be a positive time")
+            raise DiagramError(
+                f"{inner.name}: period = {period}: must be a positive time"
+            )
         if inner.breakpoints_function is not None or inner.guard is not None:
             raise DiagramError(
                 f"{inner.name}: has breakpoints or a guard of its own, so it cannot be sampled"
@@ -119,7 +121,9 @@ class Sampled(Block):
             self.inner.read_anew()
             self._forget()
 
-    def values(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def values(
+        self, role: str, size: int, t: float, x: Any, u: Any, p: Any
+    ) -> np.ndarray:
         """Return the inner block's values with the held inputs."""
         if role == "update":
             return np.zeros(size)

@@ -54,7 +54,9 @@ class System(Block):
             outfcn is None and q < n
         )  # of the states, as python-control takes them
         self.update_function = updfcn if n else None
-        self.output_function = (lambda t, x, u, params: x[:q]) if returns_first_states else outfcn
+        self.output_function = (
+            (lambda t, x, u, params: x[:q]) if returns_first_states else outfcn
+        )
         self.jump_function = self.breakpoints_function = self.guard = None
         self.opaque = False
         self._inner = {}
@@ -64,21 +66,39 @@ class System(Block):
         states = {"x": (n,)} if n else {}
         self.declared = {
             "inputs": {"u": (m,)} if m else {},
-            "outputs": states if self.output_function is None else {"y": (q,)} if q else {},
+            "outputs": states
+            if self.output_function is None
+            else {"y": (q,)}
+            if q
+            else {},
             "states": states,
         }
         # params that are numbers, which the block has as parameters
-        self.number_names = {key for key, value in self._params.items() if _is_number(key, value)}
+        self.number_names = {
+            key for key, value in self._params.items() if _is_number(key, value)
+        }
         self.parameters = Parameters(
-            **{key: _leaf(own) for key, own in self._params.items() if key in self.number_names}
+            **{
+                key: _leaf(own)
+                for key, own in self._params.items()
+                if key in self.number_names
+            }
         )
         self.nstates = n
         self.ninputs = m
         self.noutputs = q
         self.dt = system.dt or 0
-        for kind, count, letter in (("input", m, "u"), ("output", q, "y"), ("state", n, "x")):
+        for kind, count, letter in (
+            ("input", m, "u"),
+            ("output", q, "y"),
+            ("state", n, "x"),
+        ):
             labels = getattr(system, f"{kind}_index")
-            labels = labels if len(labels) == count else {f"{letter}[{k}]": k for k in range(count)}
+            labels = (
+                labels
+                if len(labels) == count
+                else {f"{letter}[{k}]": k for k in range(count)}
+            )
             setattr(self, f"{kind}_index", dict(labels))
 
     # --- parameters -------------------------------------------------------------------------
@@ -103,7 +123,8 @@ class System(Block):
     def mentions(self, name: str) -> bool:
         """Return whether the functions could read a param of a name."""
         return name in self.declared_names or any(
-            name in names or EVERY in names or name in texts for names, texts in self._names_read()
+            name in names or EVERY in names or name in texts
+            for names, texts in self._names_read()
         )
 
     def reads(self, name: str) -> bool:
@@ -113,7 +134,9 @@ class System(Block):
     @property
     def names(self) -> set[str]:
         """Return the params that it declares, or reads."""
-        return self.declared_names.union(*(names for names, _ in self._names_read())) - {EVERY}
+        return self.declared_names.union(
+            *(names for names, _ in self._names_read())
+        ) - {EVERY}
 
     def _names_read(self) -> Iterator[tuple[frozenset[Any], frozenset[Any]]]:
         """Yield the params that each function reads, any where it is not read itself, and texts."""
@@ -143,7 +166,9 @@ class System(Block):
         shapes = {key: np.shape(self._params[key]) for key in self.number_names}
         ports = self.declared["states"], self.declared["inputs"]
         try:
-            result = read(function, role, *ports, self._params, shapes, out, of_control=True)
+            result = read(
+                function, role, *ports, self._params, shapes, out, of_control=True
+            )
         except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
         except BlockError as error:  # which begins with the role
@@ -154,7 +179,9 @@ class System(Block):
         self.read_with[role] = result.pinned, ""
         return result.record
 
-    def _evaluate(self, role: str, size: int, t: float, x: Any, u: Any, p: Any) -> np.ndarray:
+    def _evaluate(
+        self, role: str, size: int, t: float, x: Any, u: Any, p: Any
+    ) -> np.ndarray:
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
         values = flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
@@ -167,7 +194,9 @@ class System(Block):
         if role not in self._spread:
             self._spread.add(role)
             count, signals = (
-                (self.nstates, "states") if role == "update" else (self.noutputs, "outputs")
+                (self.nstates, "states")
+                if role == "update"
+                else (self.noutputs, "outputs")
             )
             warn(
                 f"{self.name}.{role} returns one number, which each of its {count} {signals} gets; "
@@ -272,7 +301,9 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
         shapes={name: SHAPES[name] for name in parameters},
         sizes={"m": inputs, "q": outputs},
     )
-    block.__dict__["_read_records"] = RECORDS.setdefault(left_out, {})  # the same for all sizes
+    block.__dict__["_read_records"] = RECORDS.setdefault(
+        left_out, {}
+    )  # the same for all sizes
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):
@@ -287,21 +318,28 @@ def is_linear(part: control.NonlinearIOSystem) -> bool:
     return getattr(block, "output_function", None) is output
 
 
-def _matrices(system: control.StateSpace | control.TransferFunction) -> tuple[np.ndarray, ...]:
+def _matrices(
+    system: control.StateSpace | control.TransferFunction,
+) -> tuple[np.ndarray, ...]:
     """Return A, B, C, D; each entry of a matrix of transfer functions has states of its own."""
     if isinstance(system, control.StateSpace):
         return system.A, system.B, system.C, system.D
     rows, columns = np.indices((system.noutputs, system.ninputs)).reshape(2, -1)
     entries = zip(rows, columns, strict=True)
     try:
-        subsystems = [control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in entries]
+        subsystems = [
+            control.tf2ss(system.num[i][j], system.den[i][j]) for i, j in entries
+        ]
     except ValueError:
         raise DiagramError(
             f"{system.name}: a numerator of higher degree than its denominator differentiates, "
             "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
         ) from None
     matrices = zip(
-        *((subsystem.A, subsystem.B, subsystem.C, subsystem.D) for subsystem in subsystems),
+        *(
+            (subsystem.A, subsystem.B, subsystem.C, subsystem.D)
+            for subsystem in subsystems
+        ),
         strict=True,
     )
     A, B, C, D = (block_diag(*blocks) for blocks in matrices)
@@ -314,7 +352,10 @@ def with_constants(block: Block) -> Block:
     """Return a linear block whose matrices are constants, not parameters."""
     if isinstance(block, Sampled):
         return Sampled(with_constants(block.inner), block.period)
-    labels = {f"{kind}s": getattr(block, f"{kind}_labels") for kind in ("input", "output", "state")}
+    labels = {
+        f"{kind}s": getattr(block, f"{kind}_labels")
+        for kind in ("input", "output", "state")
+    }
     system = control.ss(*_matrices_of(block), block.dt, **labels)
     return System(control.nlsys(system, name=block.name, dt=block.dt, **labels))
 
@@ -323,11 +364,22 @@ def on_each_axis(block: Block, count: int) -> Block:
     """Return a linear block of one signal for so many signals, each with states of its own."""
     A, B, C, D = (np.kron(np.eye(count), matrix) for matrix in _matrices_of(block))
     linear_block = linear(control.ss(A, B, C, D, name=block.name))
-    return Sampled(linear_block, block.period) if isinstance(block, Sampled) else linear_block
+    return (
+        Sampled(linear_block, block.period)
+        if isinstance(block, Sampled)
+        else linear_block
+    )
 
 
 def _matrices_of(block: Block) -> list[np.ndarray]:
     """Return A, B, C, D of a linear block."""
-    empty = np.zeros((0, 0)), np.zeros((0, block.ninputs)), np.zeros((block.noutputs, 0))
+    empty = (
+        np.zeros((0, 0)),
+        np.zeros((0, block.ninputs)),
+        np.zeros((block.noutputs, 0)),
+    )
     zero = np.zeros((block.noutputs, block.ninputs))
-    return [getattr(block.parameters, *pair) for pair in zip("ABCD", (*empty, zero), strict=True)]
+    return [
+        getattr(block.parameters, *pair)
+        for pair in zip("ABCD", (*empty, zero), strict=True)
+    ]

@@ -17,7 +17,9 @@ from .block import Block
 from .ports import places
 
 
-def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, str], np.ndarray]:
+def leaf_values(
+    block: Block, t: Any, x: Any, u: Any, p: Any
+) -> Callable[[str, str], np.ndarray]:
     """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
     states = places(block.state_shapes)
     inputs = places(block.input_shapes)
@@ -36,7 +38,9 @@ def leaf_values(block: Block, t: Any, x: Any, u: Any, p: Any) -> Callable[[str, 
     return leaf
 
 
-def on_arrays(block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None) -> np.ndarray:
+def on_arrays(
+    block: Block, role: str, t: Any, x: Any, u: Any, p: Any = None
+) -> np.ndarray:
     """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
 
     Its parameters are the block's, or those given; their `interval` may be one for each time.

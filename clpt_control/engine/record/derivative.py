@@ -79,7 +79,9 @@ class Direction:
         if kind == "where":
             return _chosen(values[0], *slopes[1:])
         if kind in ("sum", "view", "fill", "stack", "join", "part"):
-            refs = [self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)]
+            refs = [
+                self._argument(a, s) for a, s in zip(arguments, slopes, strict=True)
+            ]
             return self.tape.add(kind, refs, shape, at)
         if kind == "pick" and (slopes[1] is None or not self.smooth):
             if slopes[0] is None:

@@ -84,11 +84,15 @@ class Record:
 
     def leaves(self, group: str) -> list[str]:
         """Return the names of the leaves of a group that outputs depend on."""
-        leaves = [operation.at for operation in self.operations if operation.kind == "leaf"]
+        leaves = [
+            operation.at for operation in self.operations if operation.kind == "leaf"
+        ]
         names = [name for leaf_group, name in leaves if leaf_group == group]
         return list(dict.fromkeys(names))
 
-    def values(self, leaf: Callable[[str, str], Any], sizes: dict[str, int]) -> list[np.ndarray]:
+    def values(
+        self, leaf: Callable[[str, str], Any], sizes: dict[str, int]
+    ) -> list[np.ndarray]:
         """Return the outputs at one point; ``leaf("x", "alpha")`` is an array."""
 
         def leaf_at_point(group: str, name: str) -> np.ndarray:
@@ -139,7 +143,9 @@ def reached(operations: Iterable[Any], roots: Iterable[Ref]) -> set[int]:
 
 
 def compact(
-    operations: list[Operation], outputs: list[Ref], shapes: Iterable[Shape] | None = None
+    operations: list[Operation],
+    outputs: list[Ref],
+    shapes: Iterable[Shape] | None = None,
 ) -> Record:
     """Return the record of these outputs: only what they depend on."""
     used = sorted(reached(operations, outputs))
@@ -195,7 +201,10 @@ def viewed(array: np.ndarray, mapped: tuple, shape: tuple[int, ...]) -> np.ndarr
 
 
 def evaluated(
-    record: Record, leaf: Callable[[Any, Any], Any], sizes: Mapping[str, int] = {}, points: int = 1
+    record: Record,
+    leaf: Callable[[Any, Any], Any],
+    sizes: Mapping[str, int] = {},
+    points: int = 1,
 ) -> list[np.ndarray]:
     """Return the outputs of a record at several points, of shape (*shape, points).
 
@@ -251,7 +260,9 @@ def _section(operation: Operation, array: np.ndarray) -> np.ndarray:
 
 # operations on whole arrays: operation, arguments -> value
 ARRAY_OPERATIONS: dict[str, Callable[..., Any]] = {
-    "constant": lambda operation: np.frombuffer(operation.at).reshape((*operation.shape, 1)),
+    "constant": lambda operation: np.frombuffer(operation.at).reshape(
+        (*operation.shape, 1)
+    ),
     "sum": lambda operation, array: np.sum(array, axis=operation.at),
     "fill": lambda _, number: number,
     "stack": lambda _, *arrays: np.stack(np.broadcast_arrays(*arrays)),

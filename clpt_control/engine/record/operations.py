@@ -11,7 +11,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-MOST_ANGLE = 2.0**50  # rad; beyond it doubles are a quarter apart and an angle means nothing
+MOST_ANGLE = (
+    2.0**50
+)  # rad; beyond it doubles are a quarter apart and an angle means nothing
 Slope = Callable[..., Any]
 
 
@@ -79,7 +81,9 @@ def _circular(ufunc: np.ufunc, slope: Slope) -> Row:
 def _comparison(ufunc: np.ufunc, symbol: str, *decisions: str) -> Row:
     """Return the row of a comparison."""
     llvm = f"compare {symbol}"
-    return Row(ufunc, llvm=llvm, c=symbol, smoothness=STEP, decisions=decisions, operator=True)
+    return Row(
+        ufunc, llvm=llvm, c=symbol, smoothness=STEP, decisions=decisions, operator=True
+    )
 
 
 def _logical(ufunc: np.ufunc, llvm: str, symbol: str) -> Row:
@@ -209,7 +213,9 @@ TABLE: dict[str, Row] = {
         whole=True,
         on_truths="or",
     ),
-    "sign": Row(np.sign, llvm="inline", smoothness=STEP, decisions=("gt", "lt"), whole=True),
+    "sign": Row(
+        np.sign, llvm="inline", smoothness=STEP, decisions=("gt", "lt"), whole=True
+    ),
     "floor": _rounding(np.floor, "floor"),
     "ceil": _rounding(np.ceil, "ceil"),
     "trunc": _rounding(np.trunc, "trunc"),
@@ -222,7 +228,9 @@ TABLE: dict[str, Row] = {
         exact=False,
     ),
     "exp": Row(np.exp, (lambda a, f: f,)),
-    "expm1": Row(np.expm1, (lambda a, f: f + 1.0,), sympy=lambda s, a: s.exp(a) - 1, exact=False),
+    "expm1": Row(
+        np.expm1, (lambda a, f: f + 1.0,), sympy=lambda s, a: s.exp(a) - 1, exact=False
+    ),
     "log": Row(np.log, (lambda a, f: 1.0 / a,)),
     "log1p": Row(
         np.log1p,

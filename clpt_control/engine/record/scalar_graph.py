@@ -18,7 +18,9 @@ from .graph import Operation, Record, Ref, Shape, bound
 
 # an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
 Index = tuple[Any, ...]
-MOST_AT_ONCE = 256  # elements of an array that are computed in order, so that nothing goes deep
+MOST_AT_ONCE = (
+    256  # elements of an array that are computed in order, so that nothing goes deep
+)
 MOST = 300_000  # elements; more are given up
 
 
@@ -27,7 +29,9 @@ class Elements:
 
     most: float = MOST  # elements
 
-    def __init__(self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None):
+    def __init__(
+        self, operations: Sequence[Operation], sizes: Mapping[str, int] | None = None
+    ):
         self.operations = operations
         self.sizes = sizes or {}
         self.values: dict[tuple[int, Index], Any] = {}

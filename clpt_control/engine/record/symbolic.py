@@ -19,7 +19,9 @@ from .operations import COMPARISONS, KINK, LOGICAL, TABLE, Row, named
 from .scalar_graph import Elements, Index
 
 ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
-Leaf = Callable[[tuple[str, str], Shape, Index], Any]  # (group, name), its shape, a place -> symbol
+Leaf = Callable[
+    [tuple[str, str], Shape, Index], Any
+]  # (group, name), its shape, a place -> symbol
 
 
 @lru_cache(maxsize=10_000)
@@ -136,7 +138,9 @@ class Symbols(Elements):
         if kind == "minimum":  # np.clip(u, low, high) is minimum(maximum(u, low), high)
             for inner, high in (arguments, arguments[::-1]):
                 if getattr(inner, "func", None) == SYMPY["maximum"]:
-                    u, low = inner.args if inner.args[0].free_symbols else inner.args[::-1]
+                    u, low = (
+                        inner.args if inner.args[0].free_symbols else inner.args[::-1]
+                    )
                     return SYMPY["clip"](u, low, high)
         return SYMPY[kind](*arguments)
 

@@ -46,7 +46,9 @@ from .solver_layout import (
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
-LATER = 64  # looks for stiffness that do not count, after a run was found not to be stiff
+LATER = (
+    64  # looks for stiffness that do not count, after a run was found not to be stiff
+)
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
 EMPTY = np.zeros((0, 3, 0))
@@ -68,7 +70,9 @@ class Callee(NamedTuple):
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
     decided: int  # their number
-    unannounced: int  # 1 if rates may jump where no decision says so, 2 if at samples too
+    unannounced: (
+        int  # 1 if rates may jump where no decision says so, 2 if at samples too
+    )
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
@@ -100,7 +104,13 @@ class Callee(NamedTuple):
         return result
 
     def evaluate(
-        self, role: int, times: Any, x: Any, segments: Schedule, parameters: Any, count: int
+        self,
+        role: int,
+        times: Any,
+        x: Any,
+        segments: Schedule,
+        parameters: Any,
+        count: int,
     ) -> np.ndarray:
         """Return the first `count` results of a function at times and states x (nt, n), a row each.
 
@@ -168,7 +178,9 @@ class Batch:
         self.status = np.zeros(m, dtype=np.int64)
         self.reached = np.zeros(m, dtype=np.int64)
         self.counts = np.zeros((m, 4), dtype=np.int64)
-        self.continuations: dict[int, Batch] = {}  # of stiff runs, and of a run that slides
+        self.continuations: dict[
+            int, Batch
+        ] = {}  # of stiff runs, and of a run that slides
         self.slides: list[float] = []  # times at which it began to slide
         # 3. memory of the lanes
         lanes = callee.lanes
@@ -198,7 +210,9 @@ class Batch:
         self.signs = D[decision_points : decision_points + callee.decided]
         guard = EMPTY
         if callee.guarded:
-            guard = D[decision_points + callee.decided :][:sample_points].reshape(-1, 3, 1)
+            guard = D[decision_points + callee.decided :][:sample_points].reshape(
+                -1, 3, 1
+            )
         # 6. the solver's argument
         self._tolerances = np.zeros(2)
         self.linear = callee.linear.for_solver
@@ -275,7 +289,9 @@ class Batch:
             self.reached[m] = before + batch.reached[0]
             self.counts[m] += batch.counts[0]
 
-    def advance(self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS) -> int:
+    def advance(
+        self, rtol: float, atol: float, budget: int, most: int = MEMBER_STEPS
+    ) -> int:
         """Take some steps in each lane; return how many lanes are at work."""
         self._tolerances[:] = max(rtol, 2.3e-14), atol
         self._call[-2:] = budget, most

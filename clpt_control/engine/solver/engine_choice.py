@@ -43,7 +43,9 @@ def make_runner(
     choice = engine or os.environ.get(ENGINE) or "native"
     if choice not in ENGINES:
         origin = "engine" if engine else f"the environment variable {ENGINE}"
-        raise SimulationError(f"{origin} = '{choice}': must be one of {', '.join(ENGINES)}")
+        raise SimulationError(
+            f"{origin} = '{choice}': must be one of {', '.join(ENGINES)}"
+        )
     if choice == "native":
         try:
             return NativeDiagram(wiring, params, apart=apart)
@@ -53,7 +55,12 @@ def make_runner(
 
 
 def run_checked(
-    runner: PythonDiagram, name: str, start: Any, times: Any, params: Any, **options: Any
+    runner: PythonDiagram,
+    name: str,
+    start: Any,
+    times: Any,
+    params: Any,
+    **options: Any,
 ) -> tuple[Solution, ndarray]:
     """Run a diagram, in Python if it was misread; return the solution and all signals along it."""
     inputs = options["inputs"]
@@ -67,7 +74,9 @@ def run_checked(
     return solution, runner.signals(solution, inputs)
 
 
-def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) -> tuple[Any, str]:
+def run_compared(
+    runner: NativeDiagram, start: Any, times: Any, **options: Any
+) -> tuple[Any, str]:
     """Run a diagram; return the solution and a sentence on the function that was misread, or ""."""
     inputs = options["inputs"]
     try:
@@ -79,7 +88,9 @@ def run_compared(runner: NativeDiagram, start: Any, times: Any, **options: Any) 
         if not why:
             points = getattr(error, "points", [])
             why = difference_ahead(runner, points, times, inputs)
-        if not why and Status.NOT_FINITE.sentence in str(error):  # blocks in Python find nothing
+        if not why and Status.NOT_FINITE.sentence in str(
+            error
+        ):  # blocks in Python find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise
@@ -115,7 +126,9 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
     segments = runner.segments_of(solution, inputs)
     solution.signals = runner.evaluated_signals(solution, inputs)
     signals = solution.signals[samples]
-    agrees = _agrees(runner, segments, solution.t[samples], solution.x[samples], inputs, signals)
+    agrees = _agrees(
+        runner, segments, solution.t[samples], solution.x[samples], inputs, signals
+    )
     for k in np.array(samples)[~agrees]:
         why = _difference_beside(runner, segments, solution.t[k], solution.x[k], inputs)
         if why:
@@ -124,7 +137,11 @@ def difference(runner: NativeDiagram, solution: Solution, inputs: Inputs | None)
 
 
 def _difference_beside(
-    runner: NativeDiagram, segments: Schedule, t: float, x: ndarray, inputs: Inputs | None
+    runner: NativeDiagram,
+    segments: Schedule,
+    t: float,
+    x: ndarray,
+    inputs: Inputs | None,
 ) -> str:
     """Return a sentence on the function that differs at all states next to x too, or ""."""
     for distance, moved in zip(DISTANCES, beside(x), strict=True):
@@ -138,7 +155,9 @@ def _difference_beside(
     return misread or f"at t = {t:.6g} its rates are not those of its functions"
 
 
-def difference_ahead(runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None) -> str:
+def difference_ahead(
+    runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None
+) -> str:
     """Return where Python gives a number, and machine code none, ahead of a stopped run."""
     if not points or all(node.system.of_package for node in runner.wiring.nodes):
         return ""
@@ -180,7 +199,9 @@ def _agrees(
         signals = callee.evaluate(SIGNALS, times, x, segments, P, runner.nsignals)
     machine = [signals]
     if runner.nstates:
-        machine.append(callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates))
+        machine.append(
+            callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates)
+        )
     if sweep.jumping:
         values = segments.values.copy()
         requests = np.isin(segments.indices, list(runner.jumps.values()))

@@ -53,7 +53,9 @@ class Sweep:
         self._moving = [k for k in wiring.order if systems[k].nstates]
         breaking = [system.breakpoints_function is not None for system in systems]
         self._breaking = np.flatnonzero(breaking).tolist()
-        self._with_intervals = [k for k in self._breaking if not parameters[k].interval >= 0.0]
+        self._with_intervals = [
+            k for k in self._breaking if not parameters[k].interval >= 0.0
+        ]
         jumping = [system.jump_function is not None for system in systems]
         self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
@@ -148,7 +150,9 @@ class Sweep:
         with np.errstate(all="ignore"):
             return self.rates(t, x, u, self._blocks)
 
-    def rates(self, t: float, x: ndarray, u: External = None, blocks: Any = None) -> ndarray:
+    def rates(
+        self, t: float, x: ndarray, u: External = None, blocks: Any = None
+    ) -> ndarray:
         """Return the state derivative; of the outputs only those that feed a block are computed."""
         t = np.float64(t)
         self._pass(t, x, u, blocks or self._feeding)
@@ -188,7 +192,9 @@ class Sweep:
             self._sample(k)
         return self._states.copy()
 
-    def _call(self, role: str, k: int, t: float, x: ndarray, u: ndarray, out: Any) -> None:
+    def _call(
+        self, role: str, k: int, t: float, x: ndarray, u: ndarray, out: Any
+    ) -> None:
         system = self.nodes[k].system
         parameters = self._current[k]
         out[:] = system.values(role, len(out), t, x, u, parameters)
@@ -202,7 +208,9 @@ class Sweep:
         sources = np.concatenate([self.signals, self._external])
         return self.wiring.output_map @ sources
 
-    def margin(self, t: float, x: ndarray, u: External = None) -> tuple[float, str, str]:
+    def margin(
+        self, t: float, x: ndarray, u: External = None
+    ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
         self.evaluate(t, x, u)
         least = np.inf
@@ -239,10 +247,16 @@ class Sweep:
         return None
 
 
-DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}  # of results
+DESCRIPTIONS = {
+    "jump": "state",
+    "output": "signal",
+    "update": "derivative of",
+}  # of results
 
 
-def _first_not_finite(node: Node, role: str, values: ndarray, advice: str) -> str | None:
+def _first_not_finite(
+    node: Node, role: str, values: ndarray, advice: str
+) -> str | None:
     """Return a sentence on the first of a block's values that is not finite, or its error."""
     system = node.system
     labels = system.output_labels if role == "output" else system.state_labels

@@ -42,13 +42,19 @@ from .solver_layout import (
 SHARES = (0.0, 0.0803, 0.25, 0.3333, 0.5, 0.6575, 0.75, 0.8889, 1.0)
 # of the polynomial through the quarters at each point between them: the factors of the quarters
 FACTORS = tuple(
-    math.prod((SHARES[a] - SHARES[c]) / (SHARES[b] - SHARES[c]) for c in range(0, 9, 2) if c != b)
+    math.prod(
+        (SHARES[a] - SHARES[c]) / (SHARES[b] - SHARES[c])
+        for c in range(0, 9, 2)
+        if c != b
+    )
     for a in range(1, 9, 2)
     for b in range(0, 9, 2)
 )
 QUARTERS = SAMPLE_POINTS // 2
 CLEAR = 10.0  # errors between points that a distance must exceed
-TIME_ROUNDING = 1e-15  # of the time: rounding moves what changes in it by so much of its change
+TIME_ROUNDING = (
+    1e-15  # of the time: rounding moves what changes in it by so much of its change
+)
 SHORTEST = 1e-13  # step up to an event, of a run: in a shorter one states move by rounding alone
 
 
@@ -101,7 +107,9 @@ def check_guard(solver):
         put_state_within(solver, SHARES[point])
         margin = margin_at(solver, lane[STAGE_TIME], row_of(point))
         solver.guard_points[point, DISTANCE, 0] = margin
-        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE  # the edge belongs to it
+        solver.guard_points[point, ROUNDING, 0] = (
+            solver_layout.OUTSIDE
+        )  # the edge belongs to it
     if find_crossing(solver, solver.guard_points):
         fail(solver, 0, Status.GUARD_LEFT)
         lane[ACCEPTED, 0] = 0.0
@@ -133,7 +141,9 @@ def find_crossing(solver, points):
     clear_until = point if integers[EVENT_INDEX, 0] < 0 else point - 1
     shortest = SHORTEST * (solver.times[-1] - solver.times[0])
     divisible = not fixed and lane[TRIAL_SIZE, 0] > 2.0 * shortest
-    if divisible and may_hide(points, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]):
+    if divisible and may_hide(
+        points, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]
+    ):
         retry(solver, 0, 0.5 * lane[TRIAL_SIZE, 0])
         integers[EVENT_INDEX, 0] = -1
     return integers[EVENT_INDEX, 0] >= 0
@@ -164,7 +174,10 @@ def may_hide(points, last, end, size):
         for point in range(SAMPLE_POINTS):
             change = points[point + 1, DISTANCE, j] - points[point, DISTANCE, j]
             rounding += time_rounding * abs(change)
-        if error > rounding and least_distance_of(points, j, last, error) <= CLEAR * error:
+        if (
+            error > rounding
+            and least_distance_of(points, j, last, error) <= CLEAR * error
+        ):
             return True
     return False
 

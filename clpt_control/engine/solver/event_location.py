@@ -14,7 +14,14 @@ step began.  If a decision has changed within the step, the step is valid up to 
 
 import math
 
-from .event_checks import SHARES, SHORTEST, TIME_ROUNDING, first_crossed, may_hide, row_of
+from .event_checks import (
+    SHARES,
+    SHORTEST,
+    TIME_ROUNDING,
+    first_crossed,
+    may_hide,
+    row_of,
+)
 from .solver_layout import (
     ACCEPTED,
     ANEW,
@@ -59,9 +66,8 @@ CLOSE = 1e-5  # width of the bracket behind which the effect of an event is meas
 MOST_TRIALS = 45  # halvings that reach WIDTH, and one more
 NEGLIGIBLE = 0.1  # effect, in tolerances, up to which a step may pass an event
 MOST_NEGLIGIBLE = 32  # events with a negligible effect in one step
-MOST_EVENTS = (
-    1000  # in a row, each within a share of the run: SHORT_RESTING if states rest meanwhile
-)
+MOST_EVENTS = 1000  # in a row, each soon after the other
+# "soon", as a share of the run: if a state moves by its tolerance meanwhile, and otherwise
 SHORT_MOVING, SHORT_RESTING = 1e-7, 5e-6
 
 
@@ -119,7 +125,11 @@ def measure_effect(solver, point):
     """Raise the effect of the events to that of the decisions at a point, if negligible so far."""
     lane, integers = solver.lane, solver.integers
     in_bracket = lane[LOW, 0] < lane[HIGH, 0]
-    if integers[EVENT_INDEX, 0] < 0 or lane[EVENT_EFFECT, 0] > NEGLIGIBLE or not in_bracket:
+    if (
+        integers[EVENT_INDEX, 0] < 0
+        or lane[EVENT_EFFECT, 0] > NEGLIGIBLE
+        or not in_bracket
+    ):
         return
     if first_crossed(solver.points, point) < 0:
         return
@@ -171,7 +181,10 @@ def bracket_next(solver, effective, start):
     the events are `effective`, or only if they are not.
     """
     lane, integers = solver.lane, solver.integers
-    if integers[EVENT_INDEX, 0] < 0 or (lane[EVENT_EFFECT, 0] > NEGLIGIBLE) != effective:
+    if (
+        integers[EVENT_INDEX, 0] < 0
+        or (lane[EVENT_EFFECT, 0] > NEGLIGIBLE) != effective
+    ):
         return False
     points = solver.points
     for j in range(points.shape[2]):
@@ -247,7 +260,9 @@ def restart_behind_event(solver):
         since_last = lane[TIME, 0] - lane[LAST_EVENT, 0]
         moves = False
         for i in range(solver.shape.states):
-            tolerance = solver.tolerances[1] + solver.tolerances[0] * abs(states[STATE, i, 0])
+            tolerance = solver.tolerances[1] + solver.tolerances[0] * abs(
+                states[STATE, i, 0]
+            )
             moves = moves or abs(states[RATE, i, 0]) * since_last > tolerance
         share = SHORT_MOVING if moves else SHORT_RESTING
         is_short = since_last < share * (solver.times[-1] - solver.times[0])

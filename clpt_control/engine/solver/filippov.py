@@ -117,7 +117,12 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
 
 
 def _next_batch(
-    diagram: Any, batch: Batch, begin: Begin, sliding: Sliding | None, t: float, x: ndarray
+    diagram: Any,
+    batch: Batch,
+    begin: Begin,
+    sliding: Sliding | None,
+    t: float,
+    x: ndarray,
 ) -> Batch:
     """Run the next batch, with or without sliding, and copy its samples into the first."""
     times = batch.times

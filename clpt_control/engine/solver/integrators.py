@@ -68,10 +68,14 @@ from .solver_layout import (
     Status,
 )
 
-LAST_TERM = 1.23e-3  # share of the interpolant's last term that is its error in a stiff step
+LAST_TERM = (
+    1.23e-3  # share of the interpolant's last term that is its error in a stiff step
+)
 TRUSTED = 100.0  # tolerances: the largest error of the interpolant
 Rows = dict[int, Any]
-fmuladd = partial(elementwise, "fmuladd")  # a b + c, rounded once where the processor can
+fmuladd = partial(
+    elementwise, "fmuladd"
+)  # a b + c, rounded once where the processor can
 
 
 class StepTape:
@@ -484,7 +488,9 @@ def formulas(method: int) -> dict[str, Formula]:
         stages = [partial(_stage_implicit, k) for k in range(RODAS5P - 1)]
     else:  # RK4 and MAP
         named["attempt"] = _attempt_fixed
-        named["control"] = partial(_control_fixed, _runge_kutta if method == RK4 else _next_sample)
+        named["control"] = partial(
+            _control_fixed, _runge_kutta if method == RK4 else _next_sample
+        )
         named["accept"] = _accept_fixed
         named["dense"] = _dense_fixed
         times = [0.5, 0.5, 1.0] if method == RK4 else []

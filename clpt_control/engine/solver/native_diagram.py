@@ -28,7 +28,10 @@ from .schedule import Inputs
 from .solver_layout import DOP853, RK4, RODAS5P
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
-MANY, SHORTER = 1500, 3  # components of a long program, and how much shorter one of loops is
+MANY, SHORTER = (
+    1500,
+    3,
+)  # components of a long program, and how much shorter one of loops is
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
@@ -88,7 +91,9 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
     held on a switch.  An `Uncompiled` error says what cannot be compiled.
     """
     if form not in FORMS and not isinstance(form, HeldSwitch | Directions):
-        raise DiagramError(f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out")
+        raise DiagramError(
+            f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out"
+        )
     blocks: list[Any] = [node.system for node in wiring.nodes]
     try:
         records = tuple(tuple(block.records.items()) for block in blocks)
@@ -98,7 +103,9 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
         tuple(tuple(sizes.items()) for sizes in (*block.declared.values(), block.sizes))
         for block in blocks
     )
-    wires = tuple((node.states.start, node.outputs.start, node.wires) for node in wiring.nodes)
+    wires = tuple(
+        (node.states.start, node.outputs.start, node.wires) for node in wiring.nodes
+    )
     key = (
         records,
         shapes,
@@ -122,7 +129,11 @@ def _code(structure: Structure, form: Form) -> Code:
             raise
         return _planned(structure, "looped")
     size = len(code.program.components)
-    if form is not None or size <= MANY or SHORTER * _array_operations(structure) >= size:
+    if (
+        form is not None
+        or size <= MANY
+        or SHORTER * _array_operations(structure) >= size
+    ):
         return code
     looped = _planned(structure, "looped")
     looped_size = len(looped.program.components)
@@ -133,7 +144,9 @@ def _array_operations(structure: Structure) -> int:
     """Return how many operations the records have, each of which is a loop's component at least."""
     blocks: list[Any] = [node.system for node in structure.wiring.nodes]
     records = [record for block in blocks for record in block.records.values()]
-    return sum(line.kind in ELEMENTWISE for record in records for line in record.operations)
+    return sum(
+        line.kind in ELEMENTWISE for record in records for line in record.operations
+    )
 
 
 def _planned(structure: Structure, form: Form) -> Code:
@@ -228,7 +241,9 @@ class NativeDiagram(PythonDiagram):
         self.jumps = self.layout.jumps
         self.time_tables = [*self.layout.time_tables.values()]
         self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
-        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1  # and of the decisions
+        self.decided_at = (
+            self.layout.inputs(self.wiring.ninputs) + 1
+        )  # and of the decisions
         self._callees: dict[tuple[int, int], Callee] = {}
 
     def parameters(self) -> np.ndarray:
@@ -256,7 +271,9 @@ class NativeDiagram(PythonDiagram):
         return diagram
 
     def _with_derivatives(self, form: Form) -> Form:
-        return self.form._replace(form=form) if isinstance(self.form, Directions) else form
+        return (
+            self.form._replace(form=form) if isinstance(self.form, Directions) else form
+        )
 
     def _code(self, method: int) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
@@ -264,7 +281,9 @@ class NativeDiagram(PythonDiagram):
             return code_of(self.wiring, self.layout, self._with_derivatives("free"))
         return self.code
 
-    def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
+    def callee(
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853
+    ) -> Callee:
         """Return what the solver calls, for one of its methods.
 
         A diagram with events takes one run at a time: eight lanes are slower than one there.

@@ -56,13 +56,17 @@ LOWER, UPPER, MIDDLE = RATE + 1, RATE + 5, RATE + 6
 def locate_jump(solver):
     """Try a step again up to the first jump of the rates within it."""
     lane, integers = solver.lane, solver.integers
-    if integers[BURST, 0] > MOST_JUMPS:  # crossed to and fro, in steps as small as need be
+    if (
+        integers[BURST, 0] > MOST_JUMPS
+    ):  # crossed to and fro, in steps as small as need be
         return
     # Step 1: is any defect large?
     usual = lane[USUAL_DEFECT, 0]
     limit = max(LARGE, UNUSUAL * usual)
     defect = largest_defect(solver, KINKED * limit)
-    smooth = usual + 0.25 * (min(defect, LARGE + 1.5 * usual) - usual)  # if rates do not jump
+    smooth = usual + 0.25 * (
+        min(defect, LARGE + 1.5 * usual) - usual
+    )  # if rates do not jump
     if defect <= limit:
         lane[USUAL_DEFECT, 0] = smooth
         return
@@ -113,7 +117,9 @@ def find_jump(solver, limit):
         count_evaluations(solver, 8)
         low, high, odd_change = quarter(solver, low, share)
         low, high, remaining = quarter(solver, low, high)
-        if remaining > max(limit, SUDDEN * odd_change):  # the next one tells a jump from a kink
+        if remaining > max(
+            limit, SUDDEN * odd_change
+        ):  # the next one tells a jump from a kink
             count_evaluations(solver, 3)
             low, high, remaining = quarter(solver, low, high)
             if remaining > max(limit, SUDDEN * odd_change):
@@ -191,7 +197,9 @@ def slope_within(states, i, share):
     y, slope = 0.0, 0.0
     for r in range(7):
         y += states[TERMS + 6 - r, i, 0]
-        slope = slope * (share if r % 2 == 0 else 1.0 - share) + (y if r % 2 == 0 else -y)
+        slope = slope * (share if r % 2 == 0 else 1.0 - share) + (
+            y if r % 2 == 0 else -y
+        )
         y *= share if r % 2 == 0 else 1.0 - share
     return slope
 

@@ -64,7 +64,9 @@ class PythonDiagram:
     ramp = -1  # offset in P of the diagram's inputs, where they are read from there
 
     def __init__(
-        self, diagram: control.NonlinearIOSystem | Wiring, params: Mapping[str, Any] | None = None
+        self,
+        diagram: control.NonlinearIOSystem | Wiring,
+        params: Mapping[str, Any] | None = None,
     ):
         if isinstance(diagram, Wiring):
             self.wiring = diagram
@@ -75,7 +77,9 @@ class PythonDiagram:
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
-        self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}  # 1 where it jumps
+        self.jumps = {
+            k: index for index, k in enumerate(self.sweep.jumping)
+        }  # 1 where it jumps
         self.time_tables: list[TimeTable] = []  # of machine code
 
     def __repr__(self) -> str:
@@ -96,7 +100,9 @@ class PythonDiagram:
 
     schedule = make_schedule
 
-    def callee(self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853) -> Callee:
+    def callee(
+        self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853
+    ) -> Callee:
         """Return the functions that the solver calls, for one of its methods."""
         n = self.nstates
         sweep = self.sweep
@@ -229,7 +235,11 @@ class PythonDiagram:
         return self._solution(start, times, inputs, options)
 
     def _solution(
-        self, start: np.ndarray, times: np.ndarray, inputs: Inputs | None, options: "RunOptions"
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: "RunOptions",
     ) -> Solution:
         """Integrate, and once more without located switches if the first run is stuck on one."""
         batch = self._prepare(start, times, inputs, options)
@@ -245,7 +255,9 @@ class PythonDiagram:
             except SimulationError:
                 pass  # the error is that of the first run
             else:
-                return replace(solution, method=f"{solution.method}, switches not located")
+                return replace(
+                    solution, method=f"{solution.method}, switches not located"
+                )
         if error:
             raise error
         solution = ended(self.sweep, batch, inputs)
@@ -253,11 +265,17 @@ class PythonDiagram:
         return solution
 
     def _prepare(
-        self, start: np.ndarray, times: np.ndarray, inputs: Inputs | None, options: "RunOptions"
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: "RunOptions",
     ) -> Batch:
         """Return the batch of a run at the first time, after blocks have sampled."""
         segments = self.schedule(times, inputs, BEND * options.rtol)
-        callee = self.callee(1, inputs, self.method_number(options.method, options.step))
+        callee = self.callee(
+            1, inputs, self.method_number(options.method, options.step)
+        )
         P = self.parameters()
         start = sampled_start(callee, start, float(times[0]), segments, P)
         return self._batch(inputs, options, P, start, times, segments)
@@ -272,7 +290,9 @@ class PythonDiagram:
         segments: Schedule,
     ) -> Batch:
         """Return a batch of one run at its first time."""
-        callee = self.callee(1, inputs, self.method_number(options.method, options.step))
+        callee = self.callee(
+            1, inputs, self.method_number(options.method, options.step)
+        )
         return Batch(
             callee,
             start[None],
@@ -351,7 +371,9 @@ class PythonDiagram:
             NaN from where a run could not go on.
         """
         times = checked_times("times", times)
-        options = RunOptions.checked(self.wiring.dt, times, step=step, rtol=rtol, atol=atol)
+        options = RunOptions.checked(
+            self.wiring.dt, times, step=step, rtol=rtol, atol=atol
+        )
         states = checked_state("starts", starts, (len(starts), self.nstates))
         # blocks sample as the runs begin
         P = self.parameters()
@@ -360,9 +382,13 @@ class PythonDiagram:
         for k, start in enumerate(states):
             states[k] = sampled_start(callee, start, float(times[0]), segments, P)
         # all runs as one batch
-        callee = self.callee(self.lanes(len(states)), None, self.method_number(step=step))
+        callee = self.callee(
+            self.lanes(len(states)), None, self.method_number(step=step)
+        )
         parameters = np.tile(P, (len(states), 1))
-        batch = Batch(callee, states, parameters, times, [segments], longest=options.max_step)
+        batch = Batch(
+            callee, states, parameters, times, [segments], longest=options.max_step
+        )
         batch.adaptive(options.rtol, options.atol)
         return batch.out
 
@@ -371,7 +397,9 @@ class PythonDiagram:
         return 1
 
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
-        return None if inputs is None else read_inputs(inputs, times, self.wiring.ninputs)
+        return (
+            None if inputs is None else read_inputs(inputs, times, self.wiring.ninputs)
+        )
 
     def signals(self, solution: Solution, inputs: Any = None) -> np.ndarray:
         """Return all block outputs (nt, nsignals) at a solution's times, in the wiring's order.
@@ -399,7 +427,9 @@ class PythonDiagram:
         trouble = trouble or f"a signal is not finite; {advice}"
         raise SimulationError(f"at t = {t:.9g}: {trouble}")
 
-    def evaluated_signals(self, solution: Solution, inputs: Inputs | None) -> np.ndarray:
+    def evaluated_signals(
+        self, solution: Solution, inputs: Inputs | None
+    ) -> np.ndarray:
         """Return all block outputs at a solution's times, finite or not."""
         if solution.signals is not None:
             return solution.signals
@@ -420,7 +450,13 @@ class PythonDiagram:
 ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > RK4}
 METHODS = {"auto": DOP853, **ADAPTIVE}
 # the least that an option may be
-LEAST = {"rtol": 0.0, "atol": 0.0, "step": 5e-324, "max_step": 5e-324, "first_step": 5e-324}
+LEAST = {
+    "rtol": 0.0,
+    "atol": 0.0,
+    "step": 5e-324,
+    "max_step": 5e-324,
+    "first_step": 5e-324,
+}
 
 
 @dataclass(frozen=True)
@@ -467,7 +503,9 @@ class RunOptions:
 def _refuse(names: Any, case: str) -> None:
     """Refuse options that a kind of run does not have."""
     if names:
-        raise SimulationError(f"{', '.join(sorted(names))}: {case} has none; leave it out")
+        raise SimulationError(
+            f"{', '.join(sorted(names))}: {case} has none; leave it out"
+        )
 
 
 def _checked_number(name: str, value: Any) -> float:
@@ -483,7 +521,9 @@ def _checked_number(name: str, value: Any) -> float:
 def checked_method(method: str | None) -> str:
     """Return the name of a method; refuse an unknown one."""
     if method is not None and method not in METHODS:
-        raise SimulationError(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+        raise SimulationError(
+            f"method = {method!r}: must be one of {', '.join(METHODS)}"
+        )
     return method or "auto"
 
 

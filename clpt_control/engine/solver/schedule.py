@@ -171,7 +171,9 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
     if isinstance(inputs, Inputs):  # as read before
         return inputs
     if callable(inputs):
-        raise SimulationError("inputs: a function is none; connect a block whose output it is")
+        raise SimulationError(
+            "inputs: a function is none; connect a block whose output it is"
+        )
     inputs = stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
@@ -253,7 +255,9 @@ def make_schedule(
     # 3. straight lines of the inputs of machine code
     if diagram.ramp >= 0 and inputs is not None and wiring.ninputs:
         sample_times, u = inputs.samples
-        k = np.searchsorted(sample_times[1:], starts, side="right")  # the line from this sample on
+        k = np.searchsorted(
+            sample_times[1:], starts, side="right"
+        )  # the line from this sample on
         columns.append(sample_times[k])
         columns += [*u[:, k]]
         columns += [*inputs.slopes[:, k]]

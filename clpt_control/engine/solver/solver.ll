@@ -1,4 +1,4 @@
-; sha256 268a70ceeaecde863ef0e419edaa12083a53204afb1b460ac80255cd8c0db548
+; sha256 009df6b26a2b82cbdb799995390598443cc85b8b9193492b71ca6d9abde0c44e
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
@@ -35,10 +35,10 @@ define dso_local range(i32 0, 2) i32 @advance_of_many(ptr noalias %retptr, ptr n
 entry:
   %.1170.i = alloca i8, align 1
   %excinfo.4.i = alloca ptr, align 8
-  %.1041.i7942 = alloca i8, align 1
-  %excinfo.4.i7943 = alloca ptr, align 8
-  %.1658.i7951 = alloca i8, align 1
-  %excinfo.8.i7952 = alloca ptr, align 8
+  %.1041.i7941 = alloca i8, align 1
+  %excinfo.4.i7942 = alloca ptr, align 8
+  %.1658.i7950 = alloca i8, align 1
+  %excinfo.8.i7951 = alloca ptr, align 8
   %.434 = icmp sgt i64 %arg.solver.1.3, 0
   %.441 = icmp sgt i64 %arg.solver.1.6, 0
   %or.cond53104 = select i1 %.434, i1 true, i1 %.441
@@ -353,8 +353,8 @@ B312.preheader:                                   ; preds = %B284
   %24 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53052
   %.894.i5003.i = icmp slt i64 %arg.solver.1.2, 5
   %.53106 = select i1 %.894.i5003.i, i64 0, i64 2
-  %.1087.i5154.i = icmp ne i64 %arg.solver.1.2, 1
-  %"$phi432.4.2.i.i.2" = zext i1 %.1087.i5154.i to i64
+  %.1087.i5155.i = icmp ne i64 %arg.solver.1.2, 1
+  %"$phi432.4.2.i.i.2" = zext i1 %.1087.i5155.i to i64
   %.idx53053 = mul i64 %arg.solver.7.5.1, 88
   %25 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53053
   %.1373.i.i.not = icmp eq i64 %arg.solver.1.3, 0
@@ -371,11 +371,11 @@ B312.preheader:                                   ; preds = %B284
   %29 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx53057
   %.1111.idx = shl i64 %arg.solver.7.5.1, 5
   %.1111 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1111.idx
-  %.444.i.i1264 = getelementptr i8, ptr %arg.solver.0.4, i64 48
-  %.566.i1280 = icmp slt i64 %arg.solver.1.2, 5
+  %.444.i.i1263 = getelementptr i8, ptr %arg.solver.0.4, i64 48
+  %.566.i1279 = icmp slt i64 %arg.solver.1.2, 5
   %.430.i406.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.500.i.i4493 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.430.i406.i
-  %.781.i1282 = icmp eq i64 %arg.solver.1.2, 9
+  %.500.i.i4492 = getelementptr double, ptr %arg.solver.10.0.4, i64 %.430.i406.i
+  %.781.i1281 = icmp eq i64 %arg.solver.1.2, 9
   %.5095283.not.i = icmp slt i64 %arg.solver.1.1, 1
   %.612.i = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
   %.idx5279.i = mul i64 %.612.i, 136
@@ -424,21 +424,21 @@ B312.preheader:                                   ; preds = %B284
   %38 = add nsw i64 %arg.solver.15.6.5.0, -2
   %.679.i.i = icmp sgt i64 %arg.solver.1.1, 0
   %39 = add i64 %arg.solver.15.3.1, %arg.solver.15.3.0
-  %.797.i.i3426 = add i64 %arg.solver.15.3.0, 1
+  %.797.i.i3425 = add i64 %arg.solver.15.3.0, 1
   %.711.i.i12.sroa.0.053103 = add i64 %arg.solver.1.1, 1
-  %.1111.i.i3525.idx = mul i64 %arg.solver.7.5.1, 160
-  %.1111.i.i3525 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1111.i.i3525.idx
+  %.1111.i.i3524.idx = mul i64 %arg.solver.7.5.1, 160
+  %.1111.i.i3524 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1111.i.i3524.idx
   %.199.i = add i64 %arg.solver.15.3.1, 1
-  %.962.i1292 = add i64 %arg.solver.1.2, -1
-  %storemerge53059 = tail call i64 @llvm.smax.i64(i64 %.962.i1292, i64 0)
-  %.1005.i131253701.not = icmp slt i64 %.962.i1292, 1
-  %.1229.i2091.idx = shl i64 %arg.solver.7.5.1, 6
-  %.1229.i2091 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1229.i2091.idx
+  %.962.i1291 = add i64 %arg.solver.1.2, -1
+  %storemerge53059 = tail call i64 @llvm.smax.i64(i64 %.962.i1291, i64 0)
+  %.1005.i131153701.not = icmp slt i64 %.962.i1291, 1
+  %.1229.i2090.idx = shl i64 %arg.solver.7.5.1, 6
+  %.1229.i2090 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1229.i2090.idx
   %.430.i1766.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
   %.475.i1795.i.idx = mul i64 %.430.i1766.i, 136
   %.475.i1795.i = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i1795.i.idx
   %.5221942.not.i = icmp sgt i64 %arg.solver.1.1, 0
-  %or.cond53622.not = select i1 %.781.i1282, i1 %.5221942.not.i, i1 false
+  %or.cond53622.not = select i1 %.781.i1281, i1 %.5221942.not.i, i1 false
   %.627.i53590 = mul i64 %arg.solver.11.5.2, %arg.solver.11.5.1
   %.idx1940.i = mul i64 %.627.i53590, 80
   %40 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx1940.i
@@ -452,7 +452,7 @@ B312.preheader:                                   ; preds = %B284
   %.idx.i53608 = mul i64 %.1089.i, 136
   %43 = getelementptr i8, ptr %arg.solver.11.4, i64 %.idx.i53608
   %.444.i2246.i = getelementptr i8, ptr %arg.solver.0.4, i64 56
-  %spec.select = or i1 %.781.i1282, %spec.select53141
+  %spec.select = or i1 %.781.i1281, %spec.select53141
   %.idx53100 = mul i64 %arg.solver.7.5.1, 40
   %44 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53100
   %.idx53101 = mul i64 %arg.solver.7.5.1, 184
@@ -475,24 +475,24 @@ B312.preheader:                                   ; preds = %B284
   %53 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53095
   %.idx53096 = mul i64 %arg.solver.7.5.1, 232
   %54 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53096
-  %.471.i7971 = icmp ne i64 %arg.solver.1.2, 12
-  %.471.i7971.not = xor i1 %.471.i7971, true
-  %not.brmerge = select i1 %.447, i1 %.471.i7971.not, i1 false
-  %.510.i14701 = icmp sgt i64 %arg.solver.1.2, 4
-  %.554.i13817.idx = shl i64 %arg.solver.7.5.1, 6
-  %.554.i13817 = getelementptr i8, ptr %arg.solver.7.4, i64 %.554.i13817.idx
-  %.430.i.i14663 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.475.i.i14685.idx = mul i64 %.430.i.i14663, 136
-  %.475.i.i14685 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i14685.idx
-  %.500.i.i14694.idx = mul i64 %.430.i.i14663, 104
-  %.500.i.i14694 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i14694.idx
-  %.444.i.i13765 = getelementptr i8, ptr %arg.solver.0.4, i64 112
+  %.471.i7970 = icmp ne i64 %arg.solver.1.2, 12
+  %.471.i7970.not = xor i1 %.471.i7970, true
+  %not.brmerge = select i1 %.447, i1 %.471.i7970.not, i1 false
+  %.510.i14700 = icmp sgt i64 %arg.solver.1.2, 4
+  %.554.i13816.idx = shl i64 %arg.solver.7.5.1, 6
+  %.554.i13816 = getelementptr i8, ptr %arg.solver.7.4, i64 %.554.i13816.idx
+  %.430.i.i14662 = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
+  %.475.i.i14684.idx = mul i64 %.430.i.i14662, 136
+  %.475.i.i14684 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i14684.idx
+  %.500.i.i14693.idx = mul i64 %.430.i.i14662, 104
+  %.500.i.i14693 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i14693.idx
+  %.444.i.i13764 = getelementptr i8, ptr %arg.solver.0.4, i64 112
   %.444.i860.i = getelementptr i8, ptr %arg.solver.0.4, i64 104
-  %.719.i.i11972.idx = shl i64 %arg.solver.7.5.1, 6
-  %.719.i.i11972 = getelementptr i8, ptr %arg.solver.7.4, i64 %.719.i.i11972.idx
+  %.719.i.i11971.idx = shl i64 %arg.solver.7.5.1, 6
+  %.719.i.i11971 = getelementptr i8, ptr %arg.solver.7.4, i64 %.719.i.i11971.idx
   %.430.i851.i.i = mul nsw i64 %arg.solver.1.1, %arg.solver.1.0
-  %.475.i.i.i12429.idx = mul i64 %.430.i851.i.i, 136
-  %.475.i.i.i12429 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i.i12429.idx
+  %.475.i.i.i12428.idx = mul i64 %.430.i851.i.i, 136
+  %.475.i.i.i12428 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.475.i.i.i12428.idx
   %.444.i430.i.i = getelementptr i8, ptr %arg.solver.0.4, i64 208
   %.444.i1763.i = getelementptr i8, ptr %arg.solver.0.4, i64 96
   %.idx53064 = shl i64 %arg.solver.8.5.1, 4
@@ -744,39 +744,39 @@ B312.preheader:                                   ; preds = %B284
   %.2050 = icmp sgt i64 %arg.solver.1.0, 1
   %.2104.idx = mul i64 %arg.solver.7.5.1, 40
   %.2104 = getelementptr i8, ptr %arg.solver.7.4, i64 %.2104.idx
-  %.444.i15152 = getelementptr i8, ptr %arg.solver.0.4, i64 88
-  %.473.i15659.idx = mul i64 %arg.solver.7.5.1, 96
-  %.473.i15659 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i15659.idx
-  %.529.i15742.idx = mul i64 %arg.solver.7.5.1, 40
-  %.529.i15742 = getelementptr i8, ptr %arg.solver.7.4, i64 %.529.i15742.idx
-  %.644.i15826.idx = mul i64 %arg.solver.7.5.1, 120
-  %.644.i15826 = getelementptr i8, ptr %arg.solver.7.4, i64 %.644.i15826.idx
-  %.737.i1586853726.not = icmp slt i64 %arg.solver.1.1, 1
-  %.807.i17143 = getelementptr i8, ptr %arg.solver.2.4, i64 8
+  %.444.i15151 = getelementptr i8, ptr %arg.solver.0.4, i64 88
+  %.473.i15658.idx = mul i64 %arg.solver.7.5.1, 96
+  %.473.i15658 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i15658.idx
+  %.529.i15741.idx = mul i64 %arg.solver.7.5.1, 40
+  %.529.i15741 = getelementptr i8, ptr %arg.solver.7.4, i64 %.529.i15741.idx
+  %.644.i15825.idx = mul i64 %arg.solver.7.5.1, 120
+  %.644.i15825 = getelementptr i8, ptr %arg.solver.7.4, i64 %.644.i15825.idx
+  %.737.i1586753726.not = icmp slt i64 %arg.solver.1.1, 1
+  %.807.i17142 = getelementptr i8, ptr %arg.solver.2.4, i64 8
   %96 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.1077.i15908 = getelementptr i8, ptr %96, i64 -8
-  %.1169.i17110.idx = mul i64 %arg.solver.8.5.1, 24
-  %.1169.i17110 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1169.i17110.idx
-  %.1232.i15981.idx = mul i64 %arg.solver.8.5.1, 24
-  %.1232.i15981 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1232.i15981.idx
-  %.1396.i16100.idx = mul i64 %arg.solver.7.5.1, 24
-  %.1396.i16100 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1396.i16100.idx
+  %.1077.i15907 = getelementptr i8, ptr %96, i64 -8
+  %.1169.i17109.idx = mul i64 %arg.solver.8.5.1, 24
+  %.1169.i17109 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1169.i17109.idx
+  %.1232.i15980.idx = mul i64 %arg.solver.8.5.1, 24
+  %.1232.i15980 = getelementptr i8, ptr %arg.solver.8.4, i64 %.1232.i15980.idx
+  %.1396.i16099.idx = mul i64 %arg.solver.7.5.1, 24
+  %.1396.i16099 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1396.i16099.idx
   %.2458.idx = mul i64 %arg.solver.7.5.1, 40
   %.2458 = getelementptr i8, ptr %arg.solver.7.4, i64 %.2458.idx
-  %.473.i17817.idx = shl i64 %arg.solver.7.5.1, 8
-  %.473.i17817 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i17817.idx
-  %.587.i17946.idx = mul i64 %arg.solver.7.5.1, 48
-  %.587.i17946 = getelementptr i8, ptr %arg.solver.7.4, i64 %.587.i17946.idx
-  %.766.i18074.idx = mul i64 %arg.solver.7.5.1, 120
-  %.766.i18074 = getelementptr i8, ptr %arg.solver.7.4, i64 %.766.i18074.idx
+  %.473.i17816.idx = shl i64 %arg.solver.7.5.1, 8
+  %.473.i17816 = getelementptr i8, ptr %arg.solver.7.4, i64 %.473.i17816.idx
+  %.587.i17945.idx = mul i64 %arg.solver.7.5.1, 48
+  %.587.i17945 = getelementptr i8, ptr %arg.solver.7.4, i64 %.587.i17945.idx
+  %.766.i18073.idx = mul i64 %arg.solver.7.5.1, 120
+  %.766.i18073 = getelementptr i8, ptr %arg.solver.7.4, i64 %.766.i18073.idx
   %97 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.798.i18101 = getelementptr i8, ptr %97, i64 -8
-  %.887.i18437.idx = mul i64 %arg.solver.8.5.1, 24
-  %.887.i18437 = getelementptr i8, ptr %arg.solver.8.4, i64 %.887.i18437.idx
-  %.950.i18173.idx = mul i64 %arg.solver.8.5.1, 24
-  %.950.i18173 = getelementptr i8, ptr %arg.solver.8.4, i64 %.950.i18173.idx
-  %.1224.i18372.idx = mul i64 %arg.solver.7.5.1, 24
-  %.1224.i18372 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1224.i18372.idx
+  %.798.i18100 = getelementptr i8, ptr %97, i64 -8
+  %.887.i18436.idx = mul i64 %arg.solver.8.5.1, 24
+  %.887.i18436 = getelementptr i8, ptr %arg.solver.8.4, i64 %.887.i18436.idx
+  %.950.i18172.idx = mul i64 %arg.solver.8.5.1, 24
+  %.950.i18172 = getelementptr i8, ptr %arg.solver.8.4, i64 %.950.i18172.idx
+  %.1224.i18371.idx = mul i64 %arg.solver.7.5.1, 24
+  %.1224.i18371 = getelementptr i8, ptr %arg.solver.7.4, i64 %.1224.i18371.idx
   %.2606.not = icmp ne i64 %arg.solver.1.4, 0
   %.idx14062.i = mul i64 %arg.solver.7.5.1, 40
   %98 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx14062.i
@@ -809,7 +809,7 @@ B312.preheader:                                   ; preds = %B284
   %106 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53079
   %.idx53081 = mul i64 %arg.solver.7.5.1, 24
   %107 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53081
-  %.520.i.i.i2262853731.not = icmp slt i64 %arg.solver.4.1.5.0, 1
+  %.520.i.i.i2262753731.not = icmp slt i64 %arg.solver.4.1.5.0, 1
   %.idx53084 = shl i64 %arg.solver.8.5.1, 4
   %108 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx53084
   %.idx.i53388 = mul i64 %arg.solver.7.5.1, 24
@@ -860,7 +860,7 @@ B312.preheader:                                   ; preds = %B284
   %.idx53083 = mul i64 %arg.solver.7.5.1, 232
   %119 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53083
   %120 = getelementptr double, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0
-  %.1649.i19972 = getelementptr i8, ptr %120, i64 -8
+  %.1649.i19971 = getelementptr i8, ptr %120, i64 -8
   %121 = getelementptr double, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1
   %.idx53085 = mul i64 %arg.solver.7.5.1, 232
   %122 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53085
@@ -873,14 +873,14 @@ B312.preheader:                                   ; preds = %B284
   %.idx53089 = shl i64 %arg.solver.8.5.1, 4
   %126 = getelementptr i8, ptr %arg.solver.8.4, i64 %.idx53089
   %127 = getelementptr i8, ptr %arg.solver.0.4, i64 216
-  %.500.i.i.i12437.idx = mul i64 %.430.i851.i.i, 112
-  %.500.i.i.i12437 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12437.idx
+  %.500.i.i.i12436.idx = mul i64 %.430.i851.i.i, 112
+  %.500.i.i.i12436 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12436.idx
   %128 = getelementptr i8, ptr %arg.solver.0.4, i64 224
-  %.500.i.i.i12437.1.idx = mul i64 %.430.i851.i.i, 120
-  %.500.i.i.i12437.1 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12437.1.idx
+  %.500.i.i.i12436.1.idx = mul i64 %.430.i851.i.i, 120
+  %.500.i.i.i12436.1 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12436.1.idx
   %129 = getelementptr i8, ptr %arg.solver.0.4, i64 232
-  %.500.i.i.i12437.2.idx = shl i64 %.430.i851.i.i, 7
-  %.500.i.i.i12437.2 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12437.2.idx
+  %.500.i.i.i12436.2.idx = shl i64 %.430.i851.i.i, 7
+  %.500.i.i.i12436.2 = getelementptr i8, ptr %arg.solver.10.0.4, i64 %.500.i.i.i12436.2.idx
   br label %B312
 
 B312:                                             ; preds = %B312.preheader, %B1072
@@ -1015,18 +1015,18 @@ B176.i.i:                                         ; preds = %B132.if.i.i
   %135 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.887.i4996.i
   %.891.i5000.i = getelementptr i8, ptr %135, i64 8
   %.892.i5001.i = load i64, ptr %.891.i5000.i, align 8, !noalias !50
-  %.915.i5010.i = add nsw i64 %.892.i5001.i, %.53106
-  store i64 %.915.i5010.i, ptr %.891.i5000.i, align 8, !noalias !50
-  %.1031.i5102.i = load i64, ptr %.837.i4955.i, align 8, !noalias !50
-  %.1058.i5125.i = icmp slt i64 %.1031.i5102.i, 0
-  %.1059.i5126.i = select i1 %.1058.i5125.i, i64 %arg.solver.6.3.5.0, i64 0
-  %.1060.i5127.i = add i64 %.1059.i5126.i, %.1031.i5102.i
-  %.1080.i5147.i = mul i64 %.1060.i5127.i, %arg.solver.6.3.5.1
-  %136 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1080.i5147.i
-  %.1084.i5151.i = getelementptr i8, ptr %136, i64 16
-  %.1085.i5152.i = load i64, ptr %.1084.i5151.i, align 8, !noalias !50
-  %.1108.i5162.i = add nsw i64 %.1085.i5152.i, %"$phi432.4.2.i.i.2"
-  store i64 %.1108.i5162.i, ptr %.1084.i5151.i, align 8, !noalias !50
+  %.915.i5011.i = add nsw i64 %.892.i5001.i, %.53106
+  store i64 %.915.i5011.i, ptr %.891.i5000.i, align 8, !noalias !50
+  %.1031.i5103.i = load i64, ptr %.837.i4955.i, align 8, !noalias !50
+  %.1058.i5126.i = icmp slt i64 %.1031.i5103.i, 0
+  %.1059.i5127.i = select i1 %.1058.i5126.i, i64 %arg.solver.6.3.5.0, i64 0
+  %.1060.i5128.i = add i64 %.1059.i5127.i, %.1031.i5103.i
+  %.1080.i5148.i = mul i64 %.1060.i5128.i, %arg.solver.6.3.5.1
+  %136 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1080.i5148.i
+  %.1084.i5152.i = getelementptr i8, ptr %136, i64 16
+  %.1085.i5153.i = load i64, ptr %.1084.i5152.i, align 8, !noalias !50
+  %.1108.i5163.i = add nsw i64 %.1085.i5153.i, %"$phi432.4.2.i.i.2"
+  store i64 %.1108.i5163.i, ptr %.1084.i5152.i, align 8, !noalias !50
   %.1223.i.i = getelementptr double, ptr %25, i64 %.459.i4701.i.053693
   %.1224.i.i = load double, ptr %.1223.i.i, align 8, !noalias !50
   %.1225.i.i = fcmp une double %.1224.i.i, 0.000000e+00
@@ -1082,9 +1082,9 @@ _ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF
 
 B706.i.i:                                         ; preds = %B560.i.i, %_ZN5pages13solver_layout4failB3v16B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_515, %B536.i.i
   %.474.i1467.i.i = getelementptr double, ptr %27, i64 %.459.i4701.i.053693
-  %.475.i.i5179.i = load double, ptr %.474.i1467.i.i, align 8, !noalias !66
+  %.475.i.i5180.i = load double, ptr %.474.i1467.i.i, align 8, !noalias !66
   %.529.i1501.i.i = getelementptr double, ptr %28, i64 %.459.i4701.i.053693
-  store double %.475.i.i5179.i, ptr %.529.i1501.i.i, align 8, !noalias !66
+  store double %.475.i.i5180.i, ptr %.529.i1501.i.i, align 8, !noalias !66
   %.583.i.i.i = getelementptr i64, ptr %29, i64 %.459.i4701.i.053693
   %.584.i.i.i = load i64, ptr %.583.i.i.i, align 8, !noalias !66
   %.600.i.i.i = icmp slt i64 %.584.i.i.i, %arg.solver.5.5.0
@@ -1107,10 +1107,10 @@ B743.i.i:                                         ; preds = %B160.i.i.i, %B706.i
   br i1 %.518.i4767.i, label %B132.if.i.i, label %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
 
 B132.if.i.i:                                      ; preds = %B644.i, %B743.i.i
-  %.462.i4702.i.053694 = phi i64 [ %.527.i6234.i, %B743.i.i ], [ %storemerge, %B644.i ]
-  %.459.i4701.i.053693 = phi i64 [ %.531.i6237.i, %B743.i.i ], [ 0, %B644.i ]
-  %.527.i6234.i = add nsw i64 %.462.i4702.i.053694, -1
-  %.531.i6237.i = add nsw i64 %.459.i4701.i.053693, 1
+  %.462.i4702.i.053694 = phi i64 [ %.527.i6235.i, %B743.i.i ], [ %storemerge, %B644.i ]
+  %.459.i4701.i.053693 = phi i64 [ %.531.i6238.i, %B743.i.i ], [ 0, %B644.i ]
+  %.527.i6235.i = add nsw i64 %.462.i4702.i.053694, -1
+  %.531.i6238.i = add nsw i64 %.459.i4701.i.053693, 1
   %.612.i.i = getelementptr double, ptr %22, i64 %.459.i4701.i.053693
   %.613.i.i = load double, ptr %.612.i.i, align 8, !noalias !50
   %.614.i.i = fcmp olt double %.613.i.i, 5.000000e-01
@@ -1120,10 +1120,10 @@ _ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWs
   %not..1043 = phi i1 [ %spec.select, %B258.i ], [ %spec.select, %B312 ], [ true, %B644.i ], [ true, %B743.i.i ]
   %.1112 = load double, ptr %.1111, align 8
   %.1113 = fcmp ogt double %.1112, 5.000000e-01
-  %.445.i.i1265 = load i64, ptr %.444.i.i1264, align 8, !noalias !70
-  %.486.i.i1278 = inttoptr i64 %.445.i.i1265 to ptr
-  tail call void %.486.i.i1278(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !70
-  br i1 %.566.i1280, label %B106.i, label %B184.i
+  %.445.i.i1264 = load i64, ptr %.444.i.i1263, align 8, !noalias !70
+  %.486.i.i1277 = inttoptr i64 %.445.i.i1264 to ptr
+  tail call void %.486.i.i1277(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !70
+  br i1 %.566.i1279, label %B106.i, label %B184.i
 
 B512:                                             ; preds = %B504.if
   %138 = getelementptr double, ptr %44, i64 %.1313.053705
@@ -1156,131 +1156,131 @@ B594:                                             ; preds = %B590, %B460.i
 B122.i.preheader:                                 ; preds = %B550.i.i
   br i1 %.499, label %B644, label %B124.if.i
 
-B176.i.i7039:                                     ; preds = %B130.if.i.i
-  %.665.i.i7074 = getelementptr double, ptr %46, i64 %.452.i.i4509.053712
-  %.666.i.i7075 = load double, ptr %.665.i.i7074, align 8, !noalias !76
-  %.5.i.i.i = fptosi double %.666.i.i7075 to i64
-  %.744.i.i7114 = getelementptr double, ptr %47, i64 %.452.i.i4509.053712
-  %.745.i.i7115 = load double, ptr %.744.i.i7114, align 8, !noalias !76
-  %.5.i1.i.i = fptosi double %.745.i.i7115 to i64
-  %.819.i.i7147 = mul i64 %.605.i.i7033, %arg.solver.6.3.5.1
-  %.823.i.i7148 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i.i7147
-  %.824.i.i7149 = load i64, ptr %.823.i.i7148, align 8, !noalias !76
-  %.825.i.i = add nsw i64 %.824.i.i7149, %.5.i.i.i
-  store i64 %.825.i.i, ptr %.823.i.i7148, align 8, !noalias !76
-  %.931.i.i7213 = getelementptr i8, ptr %.823.i.i7148, i64 24
-  %.932.i.i7214 = load i64, ptr %.931.i.i7213, align 8, !noalias !76
-  %.933.i.i7215 = add nsw i64 %.932.i.i7214, %.5.i1.i.i
-  store i64 %.933.i.i7215, ptr %.931.i.i7213, align 8, !noalias !76
-  %.1041.i.i7283 = getelementptr i8, ptr %.823.i.i7148, i64 8
-  %.1042.i.i7284 = load i64, ptr %.1041.i.i7283, align 8, !noalias !76
-  %.1045.i.i7287 = add nsw i64 %.5.i1.i.i, %.5.i.i.i
-  %.1046.i.i7288 = mul nsw i64 %.1045.i.i7287, %.962.i1292
-  %.1047.i.i7289 = add nsw i64 %.1046.i.i7288, %.5.i.i.i
-  %.1048.i.i7290 = add nsw i64 %.1047.i.i7289, %.1042.i.i7284
-  store i64 %.1048.i.i7290, ptr %.1041.i.i7283, align 8, !noalias !76
-  store double 0.000000e+00, ptr %.665.i.i7074, align 8, !noalias !76
-  store double 0.000000e+00, ptr %.744.i.i7114, align 8, !noalias !76
-  %.1266.i.i7422 = getelementptr double, ptr %48, i64 %.452.i.i4509.053712
-  %.1267.i.i7423 = load double, ptr %.1266.i.i7422, align 8, !noalias !76
-  %.1269.i.i7425 = sitofp i64 %.1045.i.i7287 to double
-  %.1270.i.i7426 = fsub double %.1267.i.i7423, %.1269.i.i7425
-  store double %.1270.i.i7426, ptr %.1266.i.i7422, align 8, !noalias !76
+B176.i.i7038:                                     ; preds = %B130.if.i.i
+  %.665.i.i7073 = getelementptr double, ptr %46, i64 %.452.i.i4508.053712
+  %.666.i.i7074 = load double, ptr %.665.i.i7073, align 8, !noalias !76
+  %.5.i.i.i = fptosi double %.666.i.i7074 to i64
+  %.744.i.i7113 = getelementptr double, ptr %47, i64 %.452.i.i4508.053712
+  %.745.i.i7114 = load double, ptr %.744.i.i7113, align 8, !noalias !76
+  %.5.i1.i.i = fptosi double %.745.i.i7114 to i64
+  %.819.i.i7146 = mul i64 %.605.i.i7032, %arg.solver.6.3.5.1
+  %.823.i.i7147 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i.i7146
+  %.824.i.i7148 = load i64, ptr %.823.i.i7147, align 8, !noalias !76
+  %.825.i.i = add nsw i64 %.824.i.i7148, %.5.i.i.i
+  store i64 %.825.i.i, ptr %.823.i.i7147, align 8, !noalias !76
+  %.931.i.i7212 = getelementptr i8, ptr %.823.i.i7147, i64 24
+  %.932.i.i7213 = load i64, ptr %.931.i.i7212, align 8, !noalias !76
+  %.933.i.i7214 = add nsw i64 %.932.i.i7213, %.5.i1.i.i
+  store i64 %.933.i.i7214, ptr %.931.i.i7212, align 8, !noalias !76
+  %.1041.i.i7282 = getelementptr i8, ptr %.823.i.i7147, i64 8
+  %.1042.i.i7283 = load i64, ptr %.1041.i.i7282, align 8, !noalias !76
+  %.1045.i.i7286 = add nsw i64 %.5.i1.i.i, %.5.i.i.i
+  %.1046.i.i7287 = mul nsw i64 %.1045.i.i7286, %.962.i1291
+  %.1047.i.i7288 = add nsw i64 %.1046.i.i7287, %.5.i.i.i
+  %.1048.i.i7289 = add nsw i64 %.1047.i.i7288, %.1042.i.i7283
+  store i64 %.1048.i.i7289, ptr %.1041.i.i7282, align 8, !noalias !76
+  store double 0.000000e+00, ptr %.665.i.i7073, align 8, !noalias !76
+  store double 0.000000e+00, ptr %.744.i.i7113, align 8, !noalias !76
+  %.1266.i.i7421 = getelementptr double, ptr %48, i64 %.452.i.i4508.053712
+  %.1267.i.i7422 = load double, ptr %.1266.i.i7421, align 8, !noalias !76
+  %.1269.i.i7424 = sitofp i64 %.1045.i.i7286 to double
+  %.1270.i.i7425 = fsub double %.1267.i.i7422, %.1269.i.i7424
+  store double %.1270.i.i7425, ptr %.1266.i.i7421, align 8, !noalias !76
   br label %B550.i.i
 
-B550.i.i:                                         ; preds = %B176.i.i7039, %B130.if.i.i
-  %.510.i.i5823 = icmp sgt i64 %.455.i.i4510.053713, 1
-  br i1 %.510.i.i5823, label %B130.if.i.i, label %B122.i.preheader
+B550.i.i:                                         ; preds = %B176.i.i7038, %B130.if.i.i
+  %.510.i.i5822 = icmp sgt i64 %.455.i.i4509.053713, 1
+  br i1 %.510.i.i5822, label %B130.if.i.i, label %B122.i.preheader
 
 B130.if.i.i:                                      ; preds = %B594, %B550.i.i
-  %.455.i.i4510.053713 = phi i64 [ %.519.i.i7464, %B550.i.i ], [ %storemerge, %B594 ]
-  %.452.i.i4509.053712 = phi i64 [ %.523.i.i7467, %B550.i.i ], [ 0, %B594 ]
-  %.519.i.i7464 = add nsw i64 %.455.i.i4510.053713, -1
-  %.523.i.i7467 = add nsw i64 %.452.i.i4509.053712, 1
-  %140 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i.i4509.053712
-  %.605.i.i7033 = load i64, ptr %140, align 8, !noalias !76
-  %.610.i.i7036 = icmp sgt i64 %.605.i.i7033, -1
-  br i1 %.610.i.i7036, label %B176.i.i7039, label %B550.i.i
+  %.455.i.i4509.053713 = phi i64 [ %.519.i.i7463, %B550.i.i ], [ %storemerge, %B594 ]
+  %.452.i.i4508.053712 = phi i64 [ %.523.i.i7466, %B550.i.i ], [ 0, %B594 ]
+  %.519.i.i7463 = add nsw i64 %.455.i.i4509.053713, -1
+  %.523.i.i7466 = add nsw i64 %.452.i.i4508.053712, 1
+  %140 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i.i4508.053712
+  %.605.i.i7032 = load i64, ptr %140, align 8, !noalias !76
+  %.610.i.i7035 = icmp sgt i64 %.605.i.i7032, -1
+  br i1 %.610.i.i7035, label %B176.i.i7038, label %B550.i.i
 
-B224.i6406:                                       ; preds = %B124.if.i
-  %.925.i6451 = getelementptr double, ptr %51, i64 %.600.i4945.053715
-  %.926.i6452 = load double, ptr %.925.i6451, align 8, !noalias !83
-  %.927.i = fcmp ogt double %.926.i6452, 5.000000e-01
-  br i1 %.927.i, label %B262.i6453, label %B360.i
+B224.i6405:                                       ; preds = %B124.if.i
+  %.925.i6450 = getelementptr double, ptr %51, i64 %.600.i4944.053715
+  %.926.i6451 = load double, ptr %.925.i6450, align 8, !noalias !83
+  %.927.i = fcmp ogt double %.926.i6451, 5.000000e-01
+  br i1 %.927.i, label %B262.i6452, label %B360.i
 
-B262.i6453:                                       ; preds = %B224.i6406
-  %.5.i.i = fptosi double %.926.i6452 to i64
-  %.469.i429.i = load i64, ptr %.751.i5945, align 8, !noalias !84
+B262.i6452:                                       ; preds = %B224.i6405
+  %.5.i.i = fptosi double %.926.i6451 to i64
+  %.469.i429.i = load i64, ptr %.751.i5944, align 8, !noalias !84
   %.474.i430.i = icmp sgt i64 %.469.i429.i, -1
   br i1 %.474.i430.i, label %B60.i.i, label %B360.i
 
-B360.i:                                           ; preds = %B224.i6406, %B60.i.i, %B262.i6453, %B124.i.i
-  %.1221.i6115 = getelementptr double, ptr %52, i64 %.600.i4945.053715
-  %.1222.i6116 = load double, ptr %.1221.i6115, align 8, !noalias !83
-  %.1223.i6117 = fcmp ogt double %.1222.i6116, 5.000000e-01
-  br i1 %.1223.i6117, label %B398.i, label %B690.i
+B360.i:                                           ; preds = %B224.i6405, %B60.i.i, %B262.i6452, %B124.i.i
+  %.1221.i6114 = getelementptr double, ptr %52, i64 %.600.i4944.053715
+  %.1222.i6115 = load double, ptr %.1221.i6114, align 8, !noalias !83
+  %.1223.i6116 = fcmp ogt double %.1222.i6115, 5.000000e-01
+  br i1 %.1223.i6116, label %B398.i, label %B690.i
 
 B398.i:                                           ; preds = %B360.i
   %spec.select53111 = select i1 %between.3.i.053717, i1 true, i1 %.434
-  %.1266.i6142 = icmp slt i64 %.807.i5995, %arg.solver.5.5.0
-  br i1 %.1266.i6142, label %B482.i, label %B546.i
+  %.1266.i6141 = icmp slt i64 %.807.i5994, %arg.solver.5.5.0
+  br i1 %.1266.i6141, label %B482.i, label %B546.i
 
 B482.i:                                           ; preds = %B398.i
-  %.1288.i6337 = icmp slt i64 %.807.i5995, 0
-  %.1289.i6338 = select i1 %.1288.i6337, i64 %arg.solver.5.5.0, i64 0
-  %141 = getelementptr double, ptr %arg.solver.5.4, i64 %.807.i5995
-  %.1303.i6352 = getelementptr double, ptr %141, i64 %.1289.i6338
-  %.1304.i6353 = load double, ptr %.1303.i6352, align 8, !noalias !83
-  %.1360.i6402 = getelementptr double, ptr %53, i64 %.600.i4945.053715
-  %.1361.i6403 = load double, ptr %.1360.i6402, align 8, !noalias !83
-  %.1362.i6404 = fcmp olt double %.1304.i6353, %.1361.i6403
-  br i1 %.1362.i6404, label %B542.i, label %B546.i
+  %.1288.i6336 = icmp slt i64 %.807.i5994, 0
+  %.1289.i6337 = select i1 %.1288.i6336, i64 %arg.solver.5.5.0, i64 0
+  %141 = getelementptr double, ptr %arg.solver.5.4, i64 %.807.i5994
+  %.1303.i6351 = getelementptr double, ptr %141, i64 %.1289.i6337
+  %.1304.i6352 = load double, ptr %.1303.i6351, align 8, !noalias !83
+  %.1360.i6401 = getelementptr double, ptr %53, i64 %.600.i4944.053715
+  %.1361.i6402 = load double, ptr %.1360.i6401, align 8, !noalias !83
+  %.1362.i6403 = fcmp olt double %.1304.i6352, %.1361.i6402
+  br i1 %.1362.i6403, label %B542.i, label %B546.i
 
 B542.i:                                           ; preds = %B482.i
   br label %B546.i
 
 B546.i:                                           ; preds = %B542.i, %B482.i, %B398.i
   %between.5.i.2 = phi i1 [ true, %B542.i ], [ %spec.select53111, %B482.i ], [ %spec.select53111, %B398.i ]
-  %.1424.i6193 = mul i64 %.752.i5946, %arg.solver.6.3.5.1
-  %.1428.i6197 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1424.i6193
-  %.1429.i6198 = load i64, ptr %.1428.i6197, align 8, !noalias !83
-  %.1440.i4964.0 = and i64 %.1429.i6198, 127
-  %.1470.i6205 = icmp eq i64 %.1440.i4964.0, 0
-  br i1 %.1470.i6205, label %B662.i, label %B624.i
+  %.1424.i6192 = mul i64 %.752.i5945, %arg.solver.6.3.5.1
+  %.1428.i6196 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1424.i6192
+  %.1429.i6197 = load i64, ptr %.1428.i6196, align 8, !noalias !83
+  %.1440.i4963.0 = and i64 %.1429.i6197, 127
+  %.1470.i6204 = icmp eq i64 %.1440.i4963.0, 0
+  br i1 %.1470.i6204, label %B662.i, label %B624.i
 
 B624.i:                                           ; preds = %B546.i
-  %.1533.i6258 = getelementptr double, ptr %54, i64 %.600.i4945.053715
-  %.1534.i6259 = load double, ptr %.1533.i6258, align 8, !noalias !83
-  %.1536.i6260 = fcmp ogt double %.1534.i6259, 0.000000e+00
-  br i1 %.1536.i6260, label %B662.i, label %B690.i
+  %.1533.i6257 = getelementptr double, ptr %54, i64 %.600.i4944.053715
+  %.1534.i6258 = load double, ptr %.1533.i6257, align 8, !noalias !83
+  %.1536.i6259 = fcmp ogt double %.1534.i6258, 0.000000e+00
+  br i1 %.1536.i6259, label %B662.i, label %B690.i
 
 B662.i:                                           ; preds = %B546.i, %B624.i
-  store double 1.000000e+00, ptr %.867.i6045, align 8, !noalias !83
+  store double 1.000000e+00, ptr %.867.i6044, align 8, !noalias !83
   br label %B690.i
 
 B690.i:                                           ; preds = %B124.if.i, %B662.i, %B624.i, %B360.i
   %between.4.i.1 = phi i1 [ %between.5.i.2, %B662.i ], [ %between.5.i.2, %B624.i ], [ %between.3.i.053717, %B360.i ], [ %between.3.i.053717, %B124.if.i ]
   %stiffness.3.i.1 = phi i1 [ true, %B662.i ], [ %stiffness.2.i.053718, %B624.i ], [ %stiffness.2.i.053718, %B360.i ], [ %stiffness.2.i.053718, %B124.if.i ]
-  %.657.i5876 = icmp sgt i64 %.603.i4946.053716, 1
-  br i1 %.657.i5876, label %B124.if.i, label %B608.endif.loopexit
+  %.657.i5875 = icmp sgt i64 %.603.i4945.053716, 1
+  br i1 %.657.i5875, label %B124.if.i, label %B608.endif.loopexit
 
 B124.if.i:                                        ; preds = %B122.i.preheader, %B690.i
   %stiffness.2.i.053718 = phi i1 [ %stiffness.3.i.1, %B690.i ], [ false, %B122.i.preheader ]
   %between.3.i.053717 = phi i1 [ %between.4.i.1, %B690.i ], [ false, %B122.i.preheader ]
-  %.603.i4946.053716 = phi i64 [ %.666.i6978, %B690.i ], [ %storemerge, %B122.i.preheader ]
-  %.600.i4945.053715 = phi i64 [ %.670.i6981, %B690.i ], [ 0, %B122.i.preheader ]
-  %.666.i6978 = add nsw i64 %.603.i4946.053716, -1
-  %.670.i6981 = add nsw i64 %.600.i4945.053715, 1
-  %.751.i5945 = getelementptr i64, ptr %arg.solver.8.4, i64 %.600.i4945.053715
-  %.752.i5946 = load i64, ptr %.751.i5945, align 8, !noalias !83
-  %.806.i5994 = getelementptr i64, ptr %49, i64 %.600.i4945.053715
-  %.807.i5995 = load i64, ptr %.806.i5994, align 8, !noalias !83
-  %.867.i6045 = getelementptr double, ptr %50, i64 %.600.i4945.053715
-  store double 0.000000e+00, ptr %.867.i6045, align 8, !noalias !83
-  %.870.i6047 = icmp sgt i64 %.752.i5946, -1
-  br i1 %.870.i6047, label %B224.i6406, label %B690.i
+  %.603.i4945.053716 = phi i64 [ %.666.i6977, %B690.i ], [ %storemerge, %B122.i.preheader ]
+  %.600.i4944.053715 = phi i64 [ %.670.i6980, %B690.i ], [ 0, %B122.i.preheader ]
+  %.666.i6977 = add nsw i64 %.603.i4945.053716, -1
+  %.670.i6980 = add nsw i64 %.600.i4944.053715, 1
+  %.751.i5944 = getelementptr i64, ptr %arg.solver.8.4, i64 %.600.i4944.053715
+  %.752.i5945 = load i64, ptr %.751.i5944, align 8, !noalias !83
+  %.806.i5993 = getelementptr i64, ptr %49, i64 %.600.i4944.053715
+  %.807.i5994 = load i64, ptr %.806.i5993, align 8, !noalias !83
+  %.867.i6044 = getelementptr double, ptr %50, i64 %.600.i4944.053715
+  store double 0.000000e+00, ptr %.867.i6044, align 8, !noalias !83
+  %.870.i6046 = icmp sgt i64 %.752.i5945, -1
+  br i1 %.870.i6046, label %B224.i6405, label %B690.i
 
-B60.i.i:                                          ; preds = %B262.i6453
+B60.i.i:                                          ; preds = %B262.i6452
   %.507.i448.i = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i429.i
   %.508.i449.i = load i64, ptr %.507.i448.i, align 8, !noalias !84
   %.509.i450.i = icmp eq i64 %.508.i449.i, 0
@@ -1293,77 +1293,77 @@ B124.i.i:                                         ; preds = %B60.i.i
 B644:                                             ; preds = %B594, %B122.i.preheader, %B608.endif.loopexit
   %between.2.1 = phi i1 [ true, %B594 ], [ true, %B122.i.preheader ], [ %309, %B608.endif.loopexit ]
   %stiffness.2.1 = phi i1 [ true, %B594 ], [ true, %B122.i.preheader ], [ %311, %B608.endif.loopexit ]
-  store i8 0, ptr %.1041.i7942, align 1, !noalias !87
-  store ptr null, ptr %excinfo.4.i7943, align 8, !noalias !87
-  store i8 0, ptr %.1658.i7951, align 1, !noalias !87
-  store ptr null, ptr %excinfo.8.i7952, align 8, !noalias !87
+  store i8 0, ptr %.1041.i7941, align 1, !noalias !87
+  store ptr null, ptr %excinfo.4.i7942, align 8, !noalias !87
+  store i8 0, ptr %.1658.i7950, align 1, !noalias !87
+  store ptr null, ptr %excinfo.8.i7951, align 8, !noalias !87
   %spec.select53114 = select i1 %accepted.2.1.lcssa, i1 true, i1 %.1113
   %spec.select53143 = select i1 %not.brmerge, i1 %spec.select53114, i1 false
-  %or.cond = select i1 %accepted.2.1.lcssa, i1 %.510.i14701, i1 false
+  %or.cond = select i1 %accepted.2.1.lcssa, i1 %.510.i14700, i1 false
   %brmerge53115 = select i1 %or.cond, i1 true, i1 %spec.select53143
   br i1 %brmerge53115, label %B138.i, label %B216.i
 
 B138.i:                                           ; preds = %B644
-  %.460.i.i14678 = load i64, ptr %arg.solver.0.4, align 8, !noalias !91
-  %.501.i.i14695 = inttoptr i64 %.460.i.i14678 to ptr
-  tail call void %.501.i.i14695(ptr %.554.i13817, ptr %.475.i.i14685, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i14694), !noalias !91
+  %.460.i.i14677 = load i64, ptr %arg.solver.0.4, align 8, !noalias !91
+  %.501.i.i14694 = inttoptr i64 %.460.i.i14677 to ptr
+  tail call void %.501.i.i14694(ptr %.554.i13816, ptr %.475.i.i14684, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i14693), !noalias !91
   br label %B216.i
 
 B216.i:                                           ; preds = %B644, %B138.i
-  br i1 %stiffness.2.1, label %B266.i7986, label %B224.i13330
+  br i1 %stiffness.2.1, label %B266.i7985, label %B224.i13329
 
-B224.i13330:                                      ; preds = %B216.i
-  %.445.i.i13766 = load i64, ptr %.444.i.i13765, align 8, !noalias !94
-  %.486.i422.i13778 = inttoptr i64 %.445.i.i13766 to ptr
-  tail call void %.486.i422.i13778(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !94
-  br label %B266.i7986
+B224.i13329:                                      ; preds = %B216.i
+  %.445.i.i13765 = load i64, ptr %.444.i.i13764, align 8, !noalias !94
+  %.486.i422.i13777 = inttoptr i64 %.445.i.i13765 to ptr
+  tail call void %.486.i422.i13777(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !94
+  br label %B266.i7985
 
-B266.i7986:                                       ; preds = %B216.i, %B224.i13330
+B266.i7985:                                       ; preds = %B216.i, %B224.i13329
   %142 = select i1 %.441, i1 %accepted.2.1.lcssa, i1 false
   br i1 %142, label %B296.i, label %B368.i
 
-B296.i:                                           ; preds = %B266.i7986
+B296.i:                                           ; preds = %B266.i7985
   %.445.i861.i = load i64, ptr %.444.i860.i, align 8, !noalias !97
   %.486.i876.i = inttoptr i64 %.445.i861.i to ptr
   tail call void %.486.i876.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !97
-  store i8 0, ptr %.1041.i7942, align 1, !noalias !87
-  %.1160.i13311 = call fastcc i32 @_ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29(ptr %.1041.i7942, ptr %excinfo.4.i7943, ptr %arg.solver.0.4, i64 %arg.solver.1.1, i64 %arg.solver.1.2, i64 %arg.solver.1.6, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0, ptr %arg.solver.6.3.4, i64 %arg.solver.6.3.5.0, i64 %arg.solver.6.3.5.1, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4, ptr %arg.solver.11.4, i64 %arg.solver.11.5.1, i64 %arg.solver.11.5.2, ptr %arg.solver.12.4, i64 %arg.solver.12.5.0, i64 %arg.solver.12.5.1, i64 %arg.solver.12.5.2)
-  %.1161.i13312 = load ptr, ptr %excinfo.4.i7943, align 8, !noalias !87
-  %.1162.i13313.not = icmp eq i32 %.1160.i13311, 0
-  %.1169.i13320 = select i1 %.1162.i13313.not, ptr undef, ptr %.1161.i13312
-  %.1170.i13321 = load i8, ptr %.1041.i7942, align 1, !noalias !87
-  %.1173.i13322 = icmp ne i8 %.1170.i13321, 0
-  br i1 %.1162.i13313.not, label %B368.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
+  store i8 0, ptr %.1041.i7941, align 1, !noalias !87
+  %.1160.i13310 = call fastcc i32 @_ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29(ptr %.1041.i7941, ptr %excinfo.4.i7942, ptr %arg.solver.0.4, i64 %arg.solver.1.1, i64 %arg.solver.1.2, i64 %arg.solver.1.6, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0, ptr %arg.solver.6.3.4, i64 %arg.solver.6.3.5.0, i64 %arg.solver.6.3.5.1, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4, ptr %arg.solver.11.4, i64 %arg.solver.11.5.1, i64 %arg.solver.11.5.2, ptr %arg.solver.12.4, i64 %arg.solver.12.5.0, i64 %arg.solver.12.5.1, i64 %arg.solver.12.5.2)
+  %.1161.i13311 = load ptr, ptr %excinfo.4.i7942, align 8, !noalias !87
+  %.1162.i13312.not = icmp eq i32 %.1160.i13310, 0
+  %.1169.i13319 = select i1 %.1162.i13312.not, ptr undef, ptr %.1161.i13311
+  %.1170.i13320 = load i8, ptr %.1041.i7941, align 1, !noalias !87
+  %.1173.i13321 = icmp ne i8 %.1170.i13320, 0
+  br i1 %.1162.i13312.not, label %B368.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
-B368.i:                                           ; preds = %B296.i, %B266.i7986
-  %crossed.2.i.0 = phi i1 [ false, %B266.i7986 ], [ %.1173.i13322, %B296.i ]
+B368.i:                                           ; preds = %B296.i, %B266.i7985
+  %crossed.2.i.0 = phi i1 [ false, %B266.i7985 ], [ %.1173.i13321, %B296.i ]
   %between.2.1.not = xor i1 %between.2.1, true
   %brmerge53118 = select i1 %between.2.1.not, i1 true, i1 %crossed.2.i.0
   %brmerge53119 = select i1 %brmerge53118, i1 true, i1 %spec.select53143
   br i1 %brmerge53119, label %B384.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f
 
 B384.i:                                           ; preds = %B368.i
-  br i1 %.471.i7971, label %B498.i.critedge, label %B82.if.i.i
+  br i1 %.471.i7970, label %B498.i.critedge, label %B82.if.i.i
 
 B82.if.i.i:                                       ; preds = %B384.i
-  %.445.i.i.i11931 = load i64, ptr %127, align 8, !noalias !101
-  %.486.i.i.i11944 = inttoptr i64 %.445.i.i.i11931 to ptr
-  tail call void %.486.i.i.i11944(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
-  %.460.i.i.i12425 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
-  %.501.i.i.i12438 = inttoptr i64 %.460.i.i.i12425 to ptr
-  tail call void %.501.i.i.i12438(ptr %.719.i.i11972, ptr %.475.i.i.i12429, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12437), !noalias !107
-  %.445.i.i.i11931.1 = load i64, ptr %128, align 8, !noalias !101
-  %.486.i.i.i11944.1 = inttoptr i64 %.445.i.i.i11931.1 to ptr
-  tail call void %.486.i.i.i11944.1(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
-  %.460.i.i.i12425.1 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
-  %.501.i.i.i12438.1 = inttoptr i64 %.460.i.i.i12425.1 to ptr
-  tail call void %.501.i.i.i12438.1(ptr %.719.i.i11972, ptr %.475.i.i.i12429, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12437.1), !noalias !107
-  %.445.i.i.i11931.2 = load i64, ptr %129, align 8, !noalias !101
-  %.486.i.i.i11944.2 = inttoptr i64 %.445.i.i.i11931.2 to ptr
-  tail call void %.486.i.i.i11944.2(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
-  %.460.i.i.i12425.2 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
-  %.501.i.i.i12438.2 = inttoptr i64 %.460.i.i.i12425.2 to ptr
-  tail call void %.501.i.i.i12438.2(ptr %.719.i.i11972, ptr %.475.i.i.i12429, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12437.2), !noalias !107
+  %.445.i.i.i11930 = load i64, ptr %127, align 8, !noalias !101
+  %.486.i.i.i11943 = inttoptr i64 %.445.i.i.i11930 to ptr
+  tail call void %.486.i.i.i11943(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
+  %.460.i.i.i12424 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
+  %.501.i.i.i12437 = inttoptr i64 %.460.i.i.i12424 to ptr
+  tail call void %.501.i.i.i12437(ptr %.719.i.i11971, ptr %.475.i.i.i12428, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12436), !noalias !107
+  %.445.i.i.i11930.1 = load i64, ptr %128, align 8, !noalias !101
+  %.486.i.i.i11943.1 = inttoptr i64 %.445.i.i.i11930.1 to ptr
+  tail call void %.486.i.i.i11943.1(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
+  %.460.i.i.i12424.1 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
+  %.501.i.i.i12437.1 = inttoptr i64 %.460.i.i.i12424.1 to ptr
+  tail call void %.501.i.i.i12437.1(ptr %.719.i.i11971, ptr %.475.i.i.i12428, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12436.1), !noalias !107
+  %.445.i.i.i11930.2 = load i64, ptr %129, align 8, !noalias !101
+  %.486.i.i.i11943.2 = inttoptr i64 %.445.i.i.i11930.2 to ptr
+  tail call void %.486.i.i.i11943.2(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !101
+  %.460.i.i.i12424.2 = load i64, ptr %arg.solver.0.4, align 8, !noalias !107
+  %.501.i.i.i12437.2 = inttoptr i64 %.460.i.i.i12424.2 to ptr
+  tail call void %.501.i.i.i12437.2(ptr %.719.i.i11971, ptr %.475.i.i.i12428, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i.i12436.2), !noalias !107
   %.445.i431.i.i = load i64, ptr %.444.i430.i.i, align 8, !noalias !110
   %.486.i444.i.i = inttoptr i64 %.445.i431.i.i to ptr
   tail call void %.486.i444.i.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !110
@@ -1378,8 +1378,8 @@ B172.i.i:                                         ; preds = %B96.if.i.i
   %.723.i2381.i = getelementptr double, ptr %56, i64 %.452.i2192.i.053724
   %.724.i2382.i = load double, ptr %.723.i2381.i, align 8, !noalias !116
   %.725.i.i = fcmp uge double %.724.i2382.i, 5.000000e-01
-  %.738.i.i9830.not = icmp slt i64 %.660.i2354.i, %arg.solver.5.5.0
-  %or.cond53122 = select i1 %.725.i.i, i1 %.738.i.i9830.not, i1 false
+  %.738.i.i9829.not = icmp slt i64 %.660.i2354.i, %arg.solver.5.5.0
+  %or.cond53122 = select i1 %.725.i.i, i1 %.738.i.i9829.not, i1 false
   br i1 %or.cond53122, label %B250.i.i, label %B503.i.i
 
 B250.i.i:                                         ; preds = %B172.i.i
@@ -1394,64 +1394,64 @@ B250.i.i:                                         ; preds = %B172.i.i
   br i1 %.833.i2462.i, label %B300.i.i, label %B503.i.i
 
 B300.i.i:                                         ; preds = %B250.i.i
-  %.888.i.i9845 = getelementptr double, ptr %58, i64 %.452.i2192.i.053724
-  %.889.i.i9846 = load double, ptr %.888.i.i9845, align 8, !noalias !116
-  %.890.i.i9847 = fcmp ogt double %.889.i.i9846, 1.000000e+00
-  br i1 %.890.i.i9847, label %B338.i.i9848, label %B503.i.i
+  %.888.i.i9844 = getelementptr double, ptr %58, i64 %.452.i2192.i.053724
+  %.889.i.i9845 = load double, ptr %.888.i.i9844, align 8, !noalias !116
+  %.890.i.i9846 = fcmp ogt double %.889.i.i9845, 1.000000e+00
+  br i1 %.890.i.i9846, label %B338.i.i9847, label %B503.i.i
 
-B338.i.i9848:                                     ; preds = %B300.i.i
+B338.i.i9847:                                     ; preds = %B300.i.i
   %.946.i2540.i = getelementptr double, ptr %59, i64 %.452.i2192.i.053724
   %.947.i2541.i = load double, ptr %.946.i2540.i, align 8, !noalias !116
   store double 0.000000e+00, ptr %.723.i2381.i, align 8, !noalias !120
-  %.517.i.i.i9917 = getelementptr double, ptr %.1111, i64 %.452.i2192.i.053724
-  store double 0.000000e+00, ptr %.517.i.i.i9917, align 8, !noalias !120
+  %.517.i.i.i9916 = getelementptr double, ptr %.1111, i64 %.452.i2192.i.053724
+  store double 0.000000e+00, ptr %.517.i.i.i9916, align 8, !noalias !120
   %.570.i.i.i = getelementptr double, ptr %60, i64 %.452.i2192.i.053724
   store double %.947.i2541.i, ptr %.570.i.i.i, align 8, !noalias !120
   %.626.i.i.i = load i64, ptr %.604.i2305.i, align 8, !noalias !120
-  %.652.i.i.i9984 = icmp slt i64 %.626.i.i.i, 0
-  %.653.i.i.i = select i1 %.652.i.i.i9984, i64 %arg.solver.6.3.5.0, i64 0
-  %.654.i.i.i9985 = add i64 %.653.i.i.i, %.626.i.i.i
-  %.674.i.i.i9996 = mul i64 %.654.i.i.i9985, %arg.solver.6.3.5.1
-  %.678.i.i.i = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.674.i.i.i9996
+  %.652.i.i.i9983 = icmp slt i64 %.626.i.i.i, 0
+  %.653.i.i.i = select i1 %.652.i.i.i9983, i64 %arg.solver.6.3.5.0, i64 0
+  %.654.i.i.i9984 = add i64 %.653.i.i.i, %.626.i.i.i
+  %.674.i.i.i9995 = mul i64 %.654.i.i.i9984, %arg.solver.6.3.5.1
+  %.678.i.i.i = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.674.i.i.i9995
   %.679.i.i.i = load i64, ptr %.678.i.i.i, align 8, !noalias !120
-  %.680.i.i.i9997 = add nsw i64 %.679.i.i.i, -1
-  store i64 %.680.i.i.i9997, ptr %.678.i.i.i, align 8, !noalias !120
-  %.784.i.i.i10029 = load i64, ptr %.604.i2305.i, align 8, !noalias !120
-  %.810.i.i.i = icmp slt i64 %.784.i.i.i10029, 0
+  %.680.i.i.i9996 = add nsw i64 %.679.i.i.i, -1
+  store i64 %.680.i.i.i9996, ptr %.678.i.i.i, align 8, !noalias !120
+  %.784.i.i.i10028 = load i64, ptr %.604.i2305.i, align 8, !noalias !120
+  %.810.i.i.i = icmp slt i64 %.784.i.i.i10028, 0
   %.811.i.i.i = select i1 %.810.i.i.i, i64 %arg.solver.6.3.5.0, i64 0
-  %.812.i.i.i = add i64 %.811.i.i.i, %.784.i.i.i10029
+  %.812.i.i.i = add i64 %.811.i.i.i, %.784.i.i.i10028
   %.832.i.i.i = mul i64 %.812.i.i.i, %arg.solver.6.3.5.1
   %144 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.832.i.i.i
   %.836.i.i.i = getelementptr i8, ptr %144, i64 24
   %.837.i.i.i = load i64, ptr %.836.i.i.i, align 8, !noalias !120
   %.838.i.i.i = add nsw i64 %.837.i.i.i, 1
   store i64 %.838.i.i.i, ptr %.836.i.i.i, align 8, !noalias !120
-  %.1119.i.i10054 = load double, ptr %.776.i2411.i, align 8, !noalias !116
-  %.1177.i.i10091 = getelementptr double, ptr %61, i64 %.452.i2192.i.053724
-  store double %.1119.i.i10054, ptr %.1177.i.i10091, align 8, !noalias !116
-  %.1232.i.i10124 = mul i64 %.605.i2306.i, %arg.solver.6.3.5.1
-  %145 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1232.i.i10124
-  %.1236.i.i10126 = getelementptr i8, ptr %145, i64 8
-  %.1237.i.i10127 = load i64, ptr %.1236.i.i10126, align 8, !noalias !116
-  %.1238.i.i10128 = add nsw i64 %.1237.i.i10127, 3
-  store i64 %.1238.i.i10128, ptr %.1236.i.i10126, align 8, !noalias !116
+  %.1119.i.i10053 = load double, ptr %.776.i2411.i, align 8, !noalias !116
+  %.1177.i.i10090 = getelementptr double, ptr %61, i64 %.452.i2192.i.053724
+  store double %.1119.i.i10053, ptr %.1177.i.i10090, align 8, !noalias !116
+  %.1232.i.i10123 = mul i64 %.605.i2306.i, %arg.solver.6.3.5.1
+  %145 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.1232.i.i10123
+  %.1236.i.i10125 = getelementptr i8, ptr %145, i64 8
+  %.1237.i.i10126 = load i64, ptr %.1236.i.i10125, align 8, !noalias !116
+  %.1238.i.i10127 = add nsw i64 %.1237.i.i10126, 3
+  store i64 %.1238.i.i10127, ptr %.1236.i.i10125, align 8, !noalias !116
   br label %B503.i.i
 
-B503.i.i:                                         ; preds = %B250.i.i, %B300.i.i, %B338.i.i9848, %B96.if.i.i, %B172.i.i
+B503.i.i:                                         ; preds = %B250.i.i, %B300.i.i, %B338.i.i9847, %B96.if.i.i, %B172.i.i
   %.510.i2249.i = icmp sgt i64 %.455.i2193.i.053725, 1
   br i1 %.510.i2249.i, label %B96.if.i.i, label %B498.i
 
 B96.if.i.i:                                       ; preds = %B82.if.i.i, %B503.i.i
-  %.455.i2193.i.053725 = phi i64 [ %.519.i.i10166, %B503.i.i ], [ %storemerge, %B82.if.i.i ]
+  %.455.i2193.i.053725 = phi i64 [ %.519.i.i10165, %B503.i.i ], [ %storemerge, %B82.if.i.i ]
   %.452.i2192.i.053724 = phi i64 [ %.523.i3359.i, %B503.i.i ], [ 0, %B82.if.i.i ]
-  %.519.i.i10166 = add nsw i64 %.455.i2193.i.053725, -1
+  %.519.i.i10165 = add nsw i64 %.455.i2193.i.053725, -1
   %.523.i3359.i = add nsw i64 %.452.i2192.i.053724, 1
   %.604.i2305.i = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i2192.i.053724
   %.605.i2306.i = load i64, ptr %.604.i2305.i, align 8, !noalias !116
-  %.659.i.i9806 = getelementptr i64, ptr %55, i64 %.452.i2192.i.053724
-  %.660.i2354.i = load i64, ptr %.659.i.i9806, align 8, !noalias !116
-  %.668.i.i9810 = icmp slt i64 %.605.i2306.i, 0
-  br i1 %.668.i.i9810, label %B503.i.i, label %B172.i.i
+  %.659.i.i9805 = getelementptr i64, ptr %55, i64 %.452.i2192.i.053724
+  %.660.i2354.i = load i64, ptr %.659.i.i9805, align 8, !noalias !116
+  %.668.i.i9809 = icmp slt i64 %.605.i2306.i, 0
+  br i1 %.668.i.i9809, label %B503.i.i, label %B172.i.i
 
 B498.i.critedge:                                  ; preds = %B384.i
   %.445.i1764.i.c = load i64, ptr %.444.i1763.i.c, align 8, !noalias !113
@@ -1463,12 +1463,12 @@ B498.i:                                           ; preds = %B503.i.i, %B82.if.i
   br i1 %crossed.2.i.0, label %B502.i, label %B562.i
 
 B502.i:                                           ; preds = %B498.i
-  store i8 0, ptr %.1658.i7951, align 1, !noalias !87
-  %.1777.i8961 = call fastcc i32 @_ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29(ptr %.1658.i7951, ptr %excinfo.8.i7952, ptr %arg.solver.0.4, i64 %arg.solver.1.1, i64 %arg.solver.1.2, i64 %arg.solver.1.6, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0, ptr %arg.solver.6.3.4, i64 %arg.solver.6.3.5.0, i64 %arg.solver.6.3.5.1, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4, ptr %arg.solver.11.4, i64 %arg.solver.11.5.1, i64 %arg.solver.11.5.2, ptr %arg.solver.12.4, i64 %arg.solver.12.5.0, i64 %arg.solver.12.5.1, i64 %arg.solver.12.5.2)
-  %.1778.i8962 = load ptr, ptr %excinfo.8.i7952, align 8, !noalias !87
-  %.1779.i8963.not = icmp eq i32 %.1777.i8961, 0
-  %.1786.i = select i1 %.1779.i8963.not, ptr undef, ptr %.1778.i8962
-  br i1 %.1779.i8963.not, label %B502.endif.endif.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
+  store i8 0, ptr %.1658.i7950, align 1, !noalias !87
+  %.1777.i8960 = call fastcc i32 @_ZN5pages12event_checks16check_conditionsB3v45B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Linear_28array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_202_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_29(ptr %.1658.i7950, ptr %excinfo.8.i7951, ptr %arg.solver.0.4, i64 %arg.solver.1.1, i64 %arg.solver.1.2, i64 %arg.solver.1.6, ptr %arg.solver.5.4, i64 %arg.solver.5.5.0, ptr %arg.solver.6.3.4, i64 %arg.solver.6.3.5.0, i64 %arg.solver.6.3.5.1, ptr %arg.solver.7.4, i64 %arg.solver.7.5.1, ptr %arg.solver.8.4, i64 %arg.solver.8.5.1, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4, ptr %arg.solver.11.4, i64 %arg.solver.11.5.1, i64 %arg.solver.11.5.2, ptr %arg.solver.12.4, i64 %arg.solver.12.5.0, i64 %arg.solver.12.5.1, i64 %arg.solver.12.5.2)
+  %.1778.i8961 = load ptr, ptr %excinfo.8.i7951, align 8, !noalias !87
+  %.1779.i8962.not = icmp eq i32 %.1777.i8960, 0
+  %.1786.i = select i1 %.1779.i8962.not, ptr undef, ptr %.1778.i8961
+  br i1 %.1779.i8962.not, label %B502.endif.endif.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
 B532.i:                                           ; preds = %B502.endif.endif.i
   store double 0.000000e+00, ptr %.468.i.i, align 8, !noalias !123
@@ -2979,7 +2979,7 @@ B756.endif.endif.i:                               ; preds = %_ZN5pages12event_ch
   br i1 %.1782.not.i, label %B56.i.i.preheader, label %B812.i
 
 _ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl: ; preds = %B56.i.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_, %B130.i.i53164, %B550.i53170, %B646.i, %B138.i53163, %B812.i, %B916.i
-  %excinfo.9.i7954.0 = phi ptr [ %excinfo.7.0.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ null, %B138.i53163 ], [ null, %B812.i ], [ null, %B550.i53170 ], [ null, %B916.i ], [ %excinfo.2.0.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %excinfo.1.2.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ null, %B646.i ], [ null, %B130.i.i53164 ], [ null, %B56.i.i ]
+  %excinfo.9.i7953.0 = phi ptr [ %excinfo.7.0.i, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ null, %B138.i53163 ], [ null, %B812.i ], [ null, %B550.i53170 ], [ null, %B916.i ], [ %excinfo.2.0.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %excinfo.1.2.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ null, %B646.i ], [ null, %B130.i.i53164 ], [ null, %B56.i.i ]
   %common.ret.op.i = phi i32 [ 1, %_ZN5pages12event_checks8may_hideB3v81B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE5ArrayIdLi3E1C7mutable7alignedE23Literal_5bint_5d_288_29dd.exit.i ], [ 0, %B138.i53163 ], [ 0, %B812.i ], [ 0, %B550.i53170 ], [ 0, %B916.i ], [ %common.ret.op.i10904.i, %_ZN5pages14event_location12bracket_nextB3v79B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28flo ], [ %.5421.i, %_ZN5pages14event_location15measure_effectsB3v61B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_ ], [ 0, %B646.i ], [ 0, %B130.i.i53164 ], [ 0, %B56.i.i ]
   %.1930.i.not = icmp eq i32 %common.ret.op.i, 0
   br i1 %.1930.i.not, label %B562.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
@@ -3113,11 +3113,11 @@ B384.endif.i:                                     ; preds = %B124.i.i53212, %B60
 
 _ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6: ; preds = %B108.if.i, %B462.i, %B342.endif.if.i
   %excinfo.10.i.0 = phi ptr [ %.1296.i, %B342.endif.if.i ], [ null, %B462.i ], [ @.const.picklebuf.a832a7f8175c2530692ab82e581e246bf5646a28.51, %B108.if.i ]
-  %.2078.i8549.not = phi i1 [ false, %B342.endif.if.i ], [ true, %B462.i ], [ false, %B108.if.i ]
+  %.2078.i8548.not = phi i1 [ false, %B342.endif.if.i ], [ true, %B462.i ], [ false, %B108.if.i ]
   %common.ret.op.i53209 = phi i32 [ 1, %B342.endif.if.i ], [ 0, %B462.i ], [ 1, %B108.if.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1170.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %excinfo.4.i)
-  br i1 %.2078.i8549.not, label %B614.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
+  br i1 %.2078.i8548.not, label %B614.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
 B614.i:                                           ; preds = %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6, %B562.i
   br i1 %spec.select53143, label %B618.i, label %B648.i
@@ -5218,20 +5218,20 @@ _ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4
   br i1 %.2224.i.not, label %B648.i, label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f, !prof !100
 
 B648.i:                                           ; preds = %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %B614.i
-  %spec.select53125 = select i1 %between.2.1, i1 true, i1 %.471.i7971
+  %spec.select53125 = select i1 %between.2.1, i1 true, i1 %.471.i7970
   %223 = select i1 %spec.select53125, i64 0, i64 3
   br label %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f
 
 B502.endif.endif.i:                               ; preds = %B502.i
-  %.1787.i = load i8, ptr %.1658.i7951, align 1, !noalias !87
+  %.1787.i = load i8, ptr %.1658.i7950, align 1, !noalias !87
   %.1790.i.not = icmp eq i8 %.1787.i, 0
   br i1 %.1790.i.not, label %B562.i, label %B532.i
 
 _ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f: ; preds = %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl, %B502.i, %B296.i, %B368.i, %B648.i
   %.1735.0 = phi i64 [ 0, %B368.i ], [ 0, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ %223, %B648.i ], [ 0, %B296.i ], [ 0, %B502.i ], [ 0, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ 0, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
-  %excinfo.5.2 = phi ptr [ %excinfo.5.0, %B368.i ], [ %excinfo.10.i.0, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ %excinfo.5.0, %B648.i ], [ %.1169.i13320, %B296.i ], [ %.1786.i, %B502.i ], [ %excinfo.9.i7954.0, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %excinfo.11.i.0, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
-  %.185814711 = phi i32 [ 0, %B368.i ], [ %common.ret.op.i53209, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ 0, %B648.i ], [ 1, %B296.i ], [ 1, %B502.i ], [ %common.ret.op.i, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %common.ret.op.i53223, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
-  %.1860.not = icmp eq i32 %.185814711, 0
+  %excinfo.5.2 = phi ptr [ %excinfo.5.0, %B368.i ], [ %excinfo.10.i.0, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ %excinfo.5.0, %B648.i ], [ %.1169.i13319, %B296.i ], [ %.1786.i, %B502.i ], [ %excinfo.9.i7953.0, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %excinfo.11.i.0, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
+  %.185814710 = phi i32 [ 0, %B368.i ], [ %common.ret.op.i53209, %_ZN5pages12event_checks11check_guardB3v84B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float6 ], [ 0, %B648.i ], [ 1, %B296.i ], [ 1, %B502.i ], [ %common.ret.op.i, %_ZN5pages14event_location13locate_eventsB3v60B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl ], [ %common.ret.op.i53223, %_ZN5pages10rate_jumps11locate_jumpB3v87B66c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsBAQ4s_2fqErM2IZKIKUpsIgmAA_3d_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_ ]
+  %.1860.not = icmp eq i32 %.185814710, 0
   br i1 %.1860.not, label %B644.endif.endif, label %B644.endif.if, !prof !100
 
 B202.i:                                           ; preds = %B126.if.i
@@ -5395,105 +5395,105 @@ B744:                                             ; preds = %B722
   br i1 %.2106, label %B782, label %B824
 
 B782:                                             ; preds = %B744, %B722
-  %.445.i15153 = load i64, ptr %.444.i15152, align 8, !noalias !579
-  %.486.i15170 = inttoptr i64 %.445.i15153 to ptr
-  tail call void %.486.i15170(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !579
+  %.445.i15152 = load i64, ptr %.444.i15151, align 8, !noalias !579
+  %.486.i15169 = inttoptr i64 %.445.i15152 to ptr
+  tail call void %.486.i15169(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !579
   br label %B824
 
 B824:                                             ; preds = %B782, %B744
   br i1 %142, label %B850, label %B880
 
 B850:                                             ; preds = %B824
-  %.474.i15660 = load double, ptr %.473.i15659, align 8, !noalias !582
-  %.475.i15661 = fcmp oeq double %.474.i15660, 1.000000e+00
-  br i1 %.475.i15661, label %B82.i, label %B828.i
+  %.474.i15659 = load double, ptr %.473.i15658, align 8, !noalias !582
+  %.475.i15660 = fcmp oeq double %.474.i15659, 1.000000e+00
+  br i1 %.475.i15660, label %B82.i, label %B828.i
 
 B82.i:                                            ; preds = %B850
-  %.530.i15743 = load double, ptr %.529.i15742, align 8, !noalias !582
-  %.531.i15744 = fcmp ogt double %.530.i15743, 5.000000e-01
-  br i1 %.531.i15744, label %B122.i15745, label %B828.i
+  %.530.i15742 = load double, ptr %.529.i15741, align 8, !noalias !582
+  %.531.i15743 = fcmp ogt double %.530.i15742, 5.000000e-01
+  br i1 %.531.i15743, label %B122.i15744, label %B828.i
 
-B122.i15745:                                      ; preds = %B82.i
-  %.591.i15787 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
-  %.645.i15827 = load double, ptr %.644.i15826, align 8, !noalias !582
-  %.646.i15828 = fsub double %.591.i15787, %.645.i15827
-  br i1 %.737.i1586853726.not, label %B448.i, label %B252.if.i
+B122.i15744:                                      ; preds = %B82.i
+  %.591.i15786 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
+  %.645.i15826 = load double, ptr %.644.i15825, align 8, !noalias !582
+  %.646.i15827 = fsub double %.591.i15786, %.645.i15826
+  br i1 %.737.i1586753726.not, label %B448.i, label %B252.if.i
 
 B374.i:                                           ; preds = %B252.if.i
-  %.808.i17144 = load double, ptr %.807.i17143, align 8, !noalias !582
-  %.839.i17170 = load double, ptr %arg.solver.2.4, align 8, !noalias !582
-  %.910.i17235 = mul i64 %.679.i15592.053727, %arg.solver.11.5.2
-  %.914.i17239 = getelementptr double, ptr %arg.solver.11.4, i64 %.910.i17235
-  %.915.i17240 = load double, ptr %.914.i17239, align 8, !noalias !582
-  %.916.i17241 = tail call double @llvm.fabs.f64(double %.915.i17240)
-  %.917.i17242 = fmul double %.839.i17170, %.916.i17241
-  %.918.i17243 = fadd double %.808.i17144, %.917.i17242
-  %.906.i1723153090 = add i64 %.679.i15592.053727, %arg.solver.11.5.1
-  %.1003.i17315 = mul i64 %.906.i1723153090, %arg.solver.11.5.2
-  %.1006.i17318 = getelementptr double, ptr %arg.solver.11.4, i64 %.1003.i17315
-  %.1007.i17319 = load double, ptr %.1006.i17318, align 8, !noalias !582
-  %.1008.i17320 = tail call double @llvm.fabs.f64(double %.1007.i17319)
-  %.1010.i17322 = fmul double %.646.i15828, %.1008.i17320
-  %.1012.i17324 = fcmp ogt double %.1010.i17322, %.918.i17243
+  %.808.i17143 = load double, ptr %.807.i17142, align 8, !noalias !582
+  %.839.i17169 = load double, ptr %arg.solver.2.4, align 8, !noalias !582
+  %.910.i17234 = mul i64 %.679.i15591.053727, %arg.solver.11.5.2
+  %.914.i17238 = getelementptr double, ptr %arg.solver.11.4, i64 %.910.i17234
+  %.915.i17239 = load double, ptr %.914.i17238, align 8, !noalias !582
+  %.916.i17240 = tail call double @llvm.fabs.f64(double %.915.i17239)
+  %.917.i17241 = fmul double %.839.i17169, %.916.i17240
+  %.918.i17242 = fadd double %.808.i17143, %.917.i17241
+  %.906.i1723053090 = add i64 %.679.i15591.053727, %arg.solver.11.5.1
+  %.1003.i17314 = mul i64 %.906.i1723053090, %arg.solver.11.5.2
+  %.1006.i17317 = getelementptr double, ptr %arg.solver.11.4, i64 %.1003.i17314
+  %.1007.i17318 = load double, ptr %.1006.i17317, align 8, !noalias !582
+  %.1008.i17319 = tail call double @llvm.fabs.f64(double %.1007.i17318)
+  %.1010.i17321 = fmul double %.646.i15827, %.1008.i17319
+  %.1012.i17323 = fcmp ogt double %.1010.i17321, %.918.i17242
   br label %B444.i
 
 B444.i:                                           ; preds = %B374.i, %B252.if.i
-  %"$phi444.1.2.i.1" = phi i1 [ true, %B252.if.i ], [ %.1012.i17324, %B374.i ]
-  %exitcond53816.not = icmp eq i64 %arg.solver.1.1, %.750.i17339
+  %"$phi444.1.2.i.1" = phi i1 [ true, %B252.if.i ], [ %.1012.i17323, %B374.i ]
+  %exitcond53816.not = icmp eq i64 %arg.solver.1.1, %.750.i17338
   br i1 %exitcond53816.not, label %B448.i.loopexit, label %B252.if.i
 
 B448.i.loopexit:                                  ; preds = %B444.i
   %231 = select i1 %"$phi444.1.2.i.1", double 0x3E7AD7F29ABCAF48, double 5.000000e-06
   br label %B448.i
 
-B448.i:                                           ; preds = %B448.i.loopexit, %B122.i15745
-  %moves.2.i.0.lcssa = phi double [ 5.000000e-06, %B122.i15745 ], [ %231, %B448.i.loopexit ]
-  %.1078.i15909 = load double, ptr %.1077.i15908, align 8, !noalias !582
-  %.1109.i15935 = load double, ptr %arg.solver.5.4, align 8, !noalias !582
-  %.1110.i15936 = fsub double %.1078.i15909, %.1109.i15935
-  %.1111.i15937 = fmul double %moves.2.i.0.lcssa, %.1110.i15936
-  %.1113.i15939 = fcmp olt double %.646.i15828, %.1111.i15937
-  br i1 %.1113.i15939, label %B552.i, label %B590.i
+B448.i:                                           ; preds = %B448.i.loopexit, %B122.i15744
+  %moves.2.i.0.lcssa = phi double [ 5.000000e-06, %B122.i15744 ], [ %231, %B448.i.loopexit ]
+  %.1078.i15908 = load double, ptr %.1077.i15907, align 8, !noalias !582
+  %.1109.i15934 = load double, ptr %arg.solver.5.4, align 8, !noalias !582
+  %.1110.i15935 = fsub double %.1078.i15908, %.1109.i15934
+  %.1111.i15936 = fmul double %moves.2.i.0.lcssa, %.1110.i15935
+  %.1113.i15938 = fcmp olt double %.646.i15827, %.1111.i15936
+  br i1 %.1113.i15938, label %B552.i, label %B590.i
 
 B552.i:                                           ; preds = %B448.i
-  %.1170.i17111 = load i64, ptr %.1169.i17110, align 8, !noalias !582
-  %.1171.i17112 = add nsw i64 %.1170.i17111, 1
+  %.1170.i17110 = load i64, ptr %.1169.i17109, align 8, !noalias !582
+  %.1171.i17111 = add nsw i64 %.1170.i17110, 1
   br label %B590.i
 
 B590.i:                                           ; preds = %B448.i, %B552.i
-  %"$phi590.0.2.i.0" = phi i64 [ %.1171.i17112, %B552.i ], [ 0, %B448.i ]
-  store i64 %"$phi590.0.2.i.0", ptr %.1232.i15981, align 8, !noalias !582
-  %.1289.i16022 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
-  store double %.1289.i16022, ptr %.644.i15826, align 8, !noalias !582
-  store double 1.000000e+00, ptr %.1396.i16100, align 8, !noalias !582
+  %"$phi590.0.2.i.0" = phi i64 [ %.1171.i17111, %B552.i ], [ 0, %B448.i ]
+  store i64 %"$phi590.0.2.i.0", ptr %.1232.i15980, align 8, !noalias !582
+  %.1289.i16021 = load double, ptr %arg.solver.7.4, align 8, !noalias !582
+  store double %.1289.i16021, ptr %.644.i15825, align 8, !noalias !582
+  store double 1.000000e+00, ptr %.1396.i16099, align 8, !noalias !582
   store i64 2, ptr %.454.i, align 8, !noalias !582
-  %.1482.i16165 = load i64, ptr %.1232.i15981, align 8, !noalias !582
-  %.1485.i16167 = icmp sgt i64 %.1482.i16165, 1000
-  br i1 %.1485.i16167, label %B774.i, label %B828.i
+  %.1482.i16164 = load i64, ptr %.1232.i15980, align 8, !noalias !582
+  %.1485.i16166 = icmp sgt i64 %.1482.i16164, 1000
+  br i1 %.1485.i16166, label %B774.i, label %B828.i
 
 B774.i:                                           ; preds = %B590.i
-  %.469.i.i17004 = load i64, ptr %arg.solver.8.4, align 8, !noalias !586
-  %.474.i.i17007 = icmp sgt i64 %.469.i.i17004, -1
-  br i1 %.474.i.i17007, label %B60.i.i17016, label %B828.i
+  %.469.i.i17003 = load i64, ptr %arg.solver.8.4, align 8, !noalias !586
+  %.474.i.i17006 = icmp sgt i64 %.469.i.i17003, -1
+  br i1 %.474.i.i17006, label %B60.i.i17015, label %B828.i
 
-B60.i.i17016:                                     ; preds = %B774.i
-  %.507.i.i17038 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i17004
-  %.508.i.i17039 = load i64, ptr %.507.i.i17038, align 8, !noalias !586
-  %.509.i.i17040 = icmp eq i64 %.508.i.i17039, 0
-  br i1 %.509.i.i17040, label %B124.i.i17045, label %B828.i
+B60.i.i17015:                                     ; preds = %B774.i
+  %.507.i.i17037 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.469.i.i17003
+  %.508.i.i17038 = load i64, ptr %.507.i.i17037, align 8, !noalias !586
+  %.509.i.i17039 = icmp eq i64 %.508.i.i17038, 0
+  br i1 %.509.i.i17039, label %B124.i.i17044, label %B828.i
 
-B124.i.i17045:                                    ; preds = %B60.i.i17016
-  store i64 6, ptr %.507.i.i17038, align 8, !noalias !586
+B124.i.i17044:                                    ; preds = %B60.i.i17015
+  store i64 6, ptr %.507.i.i17037, align 8, !noalias !586
   br label %B828.i
 
-B828.i:                                           ; preds = %B124.i.i17045, %B774.i, %B60.i.i17016, %B590.i, %B82.i, %B850
-  store double 0.000000e+00, ptr %.473.i15659, align 8, !noalias !582
+B828.i:                                           ; preds = %B124.i.i17044, %B774.i, %B60.i.i17015, %B590.i, %B82.i, %B850
+  store double 0.000000e+00, ptr %.473.i15658, align 8, !noalias !582
   br label %B880
 
-B252.if.i:                                        ; preds = %B122.i15745, %B444.i
-  %moves.2.i.053729 = phi i1 [ %"$phi444.1.2.i.1", %B444.i ], [ false, %B122.i15745 ]
-  %.679.i15592.053727 = phi i64 [ %.750.i17339, %B444.i ], [ 0, %B122.i15745 ]
-  %.750.i17339 = add nsw i64 %.679.i15592.053727, 1
+B252.if.i:                                        ; preds = %B122.i15744, %B444.i
+  %moves.2.i.053729 = phi i1 [ %"$phi444.1.2.i.1", %B444.i ], [ false, %B122.i15744 ]
+  %.679.i15591.053727 = phi i64 [ %.750.i17338, %B444.i ], [ 0, %B122.i15744 ]
+  %.750.i17338 = add nsw i64 %.679.i15591.053727, 1
   br i1 %moves.2.i.053729, label %B444.i, label %B374.i
 
 B880:                                             ; preds = %B824, %B828.i
@@ -5505,49 +5505,49 @@ B902:                                             ; preds = %B880
   br i1 %.2460, label %B940, label %B970
 
 B940:                                             ; preds = %B902
-  %.474.i17818 = load double, ptr %.473.i17817, align 8, !noalias !589
-  %.528.i17858 = load double, ptr %arg.solver.7.4, align 8, !noalias !589
-  %.529.i17859 = fsub double %.474.i17818, %.528.i17858
-  %.530.i17860 = fcmp ogt double %.529.i17859, 0.000000e+00
-  br i1 %.530.i17860, label %B110.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
+  %.474.i17817 = load double, ptr %.473.i17816, align 8, !noalias !589
+  %.528.i17857 = load double, ptr %arg.solver.7.4, align 8, !noalias !589
+  %.529.i17858 = fsub double %.474.i17817, %.528.i17857
+  %.530.i17859 = fcmp ogt double %.529.i17858, 0.000000e+00
+  br i1 %.530.i17859, label %B110.i, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 B110.i:                                           ; preds = %B940
-  %.588.i17947 = load double, ptr %.587.i17946, align 8, !noalias !589
-  %.589.i17948 = fmul double %.588.i17947, 1.000000e-08
-  %.644.i17989 = tail call double @llvm.fabs.f64(double %.528.i17858)
-  %.645.i17990 = fmul double %.644.i17989, 4.000000e-15
-  %.646.i17991 = fadd double %.645.i17990, %.589.i17948
-  %.648.i17993 = fcmp ugt double %.529.i17859, %.646.i17991
-  br i1 %.648.i17993, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B216.i17995
+  %.588.i17946 = load double, ptr %.587.i17945, align 8, !noalias !589
+  %.589.i17947 = fmul double %.588.i17946, 1.000000e-08
+  %.644.i17988 = tail call double @llvm.fabs.f64(double %.528.i17857)
+  %.645.i17989 = fmul double %.644.i17988, 4.000000e-15
+  %.646.i17990 = fadd double %.645.i17989, %.589.i17947
+  %.648.i17992 = fcmp ugt double %.529.i17858, %.646.i17990
+  br i1 %.648.i17992, label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, label %B216.i17994
 
-B216.i17995:                                      ; preds = %B110.i
-  %.767.i18075 = load double, ptr %.766.i18074, align 8, !noalias !589
-  %.768.i18076 = fsub double %.474.i17818, %.767.i18075
-  %.799.i18102 = load double, ptr %.798.i18101, align 8, !noalias !589
-  %.830.i18128 = load double, ptr %arg.solver.5.4, align 8, !noalias !589
-  %.831.i18129 = fsub double %.799.i18102, %.830.i18128
-  %.832.i18130 = fmul double %.831.i18129, 0x3E7AD7F29ABCAF48
-  %.833.i18131 = fcmp olt double %.768.i18076, %.832.i18130
-  br i1 %.833.i18131, label %B366.i, label %B404.i
+B216.i17994:                                      ; preds = %B110.i
+  %.767.i18074 = load double, ptr %.766.i18073, align 8, !noalias !589
+  %.768.i18075 = fsub double %.474.i17817, %.767.i18074
+  %.799.i18101 = load double, ptr %.798.i18100, align 8, !noalias !589
+  %.830.i18127 = load double, ptr %arg.solver.5.4, align 8, !noalias !589
+  %.831.i18128 = fsub double %.799.i18101, %.830.i18127
+  %.832.i18129 = fmul double %.831.i18128, 0x3E7AD7F29ABCAF48
+  %.833.i18130 = fcmp olt double %.768.i18075, %.832.i18129
+  br i1 %.833.i18130, label %B366.i, label %B404.i
 
-B366.i:                                           ; preds = %B216.i17995
-  %.888.i18438 = load i64, ptr %.887.i18437, align 8, !noalias !589
-  %.889.i18439 = add nsw i64 %.888.i18438, 1
+B366.i:                                           ; preds = %B216.i17994
+  %.888.i18437 = load i64, ptr %.887.i18436, align 8, !noalias !589
+  %.889.i18438 = add nsw i64 %.888.i18437, 1
   br label %B404.i
 
-B404.i:                                           ; preds = %B216.i17995, %B366.i
-  %"$phi404.0.2.i.0" = phi i64 [ %.889.i18439, %B366.i ], [ 0, %B216.i17995 ]
-  store i64 %"$phi404.0.2.i.0", ptr %.950.i18173, align 8, !noalias !589
-  %.1009.i18215 = load double, ptr %.473.i17817, align 8, !noalias !589
-  store double %.1009.i18215, ptr %.766.i18074, align 8, !noalias !589
-  %.1117.i18294 = load double, ptr %.473.i17817, align 8, !noalias !589
-  store double %.1117.i18294, ptr %arg.solver.7.4, align 8, !noalias !589
-  store double 1.000000e+00, ptr %.1224.i18372, align 8, !noalias !589
+B404.i:                                           ; preds = %B216.i17994, %B366.i
+  %"$phi404.0.2.i.0" = phi i64 [ %.889.i18438, %B366.i ], [ 0, %B216.i17994 ]
+  store i64 %"$phi404.0.2.i.0", ptr %.950.i18172, align 8, !noalias !589
+  %.1009.i18214 = load double, ptr %.473.i17816, align 8, !noalias !589
+  store double %.1009.i18214, ptr %.766.i18073, align 8, !noalias !589
+  %.1117.i18293 = load double, ptr %.473.i17816, align 8, !noalias !589
+  store double %.1117.i18293, ptr %arg.solver.7.4, align 8, !noalias !589
+  store double 1.000000e+00, ptr %.1224.i18371, align 8, !noalias !589
   store i64 2, ptr %.454.i, align 8, !noalias !589
   br label %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_
 
 _ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_: ; preds = %B940, %B404.i, %B110.i
-  store double 0xFFF0000000000000, ptr %.473.i17817, align 8, !noalias !589
+  store double 0xFFF0000000000000, ptr %.473.i17816, align 8, !noalias !589
   br label %B970
 
 B970:                                             ; preds = %_ZN5pages10rate_jumps9pass_jumpB4v111B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_, %B902, %B880
@@ -5768,133 +5768,133 @@ B1018:                                            ; preds = %B540.i53349, %B970,
   br i1 %brmerge53820, label %B1072, label %B156.if.i
 
 B204.i:                                           ; preds = %B156.if.i
-  %.704.i19113 = mul i64 %.631.i19064, %arg.solver.6.3.5.1
-  %.708.i19117 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.704.i19113
-  %.709.i19118 = load i64, ptr %.708.i19117, align 8, !noalias !624
-  %.765.i19170 = getelementptr i8, ptr %.708.i19117, i64 24
-  %.766.i19171 = load i64, ptr %.765.i19170, align 8, !noalias !624
-  %241 = add i64 %.709.i19118, %.766.i19171
-  %.767.i19172 = sub i64 %arg.most, %241
-  %.772.i19175 = icmp slt i64 %.767.i19172, 1
-  br i1 %.772.i19175, label %B60.i.i23756, label %B338.i
+  %.704.i19112 = mul i64 %.631.i19063, %arg.solver.6.3.5.1
+  %.708.i19116 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.704.i19112
+  %.709.i19117 = load i64, ptr %.708.i19116, align 8, !noalias !624
+  %.765.i19169 = getelementptr i8, ptr %.708.i19116, i64 24
+  %.766.i19170 = load i64, ptr %.765.i19169, align 8, !noalias !624
+  %241 = add i64 %.709.i19117, %.766.i19170
+  %.767.i19171 = sub i64 %arg.most, %241
+  %.772.i19174 = icmp slt i64 %.767.i19171, 1
+  br i1 %.772.i19174, label %B60.i.i23755, label %B338.i
 
-B60.i.i23756:                                     ; preds = %B204.i
-  %.507.i.i23778 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19064
-  %.508.i.i23779 = load i64, ptr %.507.i.i23778, align 8, !noalias !628
-  %.509.i.i23780 = icmp eq i64 %.508.i.i23779, 0
-  br i1 %.509.i.i23780, label %B124.i.i23785, label %B338.i
+B60.i.i23755:                                     ; preds = %B204.i
+  %.507.i.i23777 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19063
+  %.508.i.i23778 = load i64, ptr %.507.i.i23777, align 8, !noalias !628
+  %.509.i.i23779 = icmp eq i64 %.508.i.i23778, 0
+  br i1 %.509.i.i23779, label %B124.i.i23784, label %B338.i
 
-B124.i.i23785:                                    ; preds = %B60.i.i23756
-  store i64 5, ptr %.507.i.i23778, align 8, !noalias !628
+B124.i.i23784:                                    ; preds = %B60.i.i23755
+  store i64 5, ptr %.507.i.i23777, align 8, !noalias !628
   br label %B338.i
 
-B338.i:                                           ; preds = %B124.i.i23785, %B60.i.i23756, %B204.i
-  %.970.i19223 = getelementptr double, ptr %103, i64 %.477.i18902.053736
-  %.971.i19224 = load double, ptr %.970.i19223, align 8, !noalias !624
-  %.972.i19225 = fcmp ogt double %.971.i19224, 5.000000e-01
-  br i1 %.972.i19225, label %B376.i20672, label %B472.i
+B338.i:                                           ; preds = %B124.i.i23784, %B60.i.i23755, %B204.i
+  %.970.i19222 = getelementptr double, ptr %103, i64 %.477.i18901.053736
+  %.971.i19223 = load double, ptr %.970.i19222, align 8, !noalias !624
+  %.972.i19224 = fcmp ogt double %.971.i19223, 5.000000e-01
+  br i1 %.972.i19224, label %B376.i20671, label %B472.i
 
-B376.i20672:                                      ; preds = %B338.i
-  %.1027.i20720 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
-  %.1028.i20721 = load double, ptr %.1027.i20720, align 8, !noalias !624
-  %.1082.i20769 = getelementptr double, ptr %104, i64 %.477.i18902.053736
-  %.1083.i20770 = load double, ptr %.1082.i20769, align 8, !noalias !624
-  %.1084.i20771 = fcmp oeq double %.1028.i20721, %.1083.i20770
-  br i1 %.1084.i20771, label %B440.i, label %B472.i
+B376.i20671:                                      ; preds = %B338.i
+  %.1027.i20719 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18901.053736
+  %.1028.i20720 = load double, ptr %.1027.i20719, align 8, !noalias !624
+  %.1082.i20768 = getelementptr double, ptr %104, i64 %.477.i18901.053736
+  %.1083.i20769 = load double, ptr %.1082.i20768, align 8, !noalias !624
+  %.1084.i20770 = fcmp oeq double %.1028.i20720, %.1083.i20769
+  br i1 %.1084.i20770, label %B440.i, label %B472.i
 
-B440.i:                                           ; preds = %B376.i20672
-  %.487.i449.i = getelementptr i64, ptr %105, i64 %.477.i18902.053736
-  %.488.i.i21495 = load i64, ptr %.487.i449.i, align 8, !noalias !631
-  %.489.i450.i = add nsw i64 %.488.i.i21495, 1
+B440.i:                                           ; preds = %B376.i20671
+  %.487.i449.i = getelementptr i64, ptr %105, i64 %.477.i18901.053736
+  %.488.i.i21494 = load i64, ptr %.487.i449.i, align 8, !noalias !631
+  %.489.i450.i = add nsw i64 %.488.i.i21494, 1
   store i64 %.489.i450.i, ptr %.487.i449.i, align 8, !noalias !631
-  %.615.i.i21548 = icmp slt i64 %.488.i.i21495, -1
-  %.616.i.i21549 = select i1 %.615.i.i21548, i64 %arg.solver.4.2.5.0, i64 0
+  %.615.i.i21547 = icmp slt i64 %.488.i.i21494, -1
+  %.616.i.i21548 = select i1 %.615.i.i21547, i64 %arg.solver.4.2.5.0, i64 0
   %242 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.489.i450.i
-  %.630.i.i21559 = getelementptr double, ptr %242, i64 %.616.i.i21549
-  %.631.i.i21560 = load double, ptr %.630.i.i21559, align 8, !noalias !631
-  %.632.i.i21561 = fcmp oeq double %.631.i.i21560, 0x7FF0000000000000
-  br i1 %.632.i.i21561, label %B190.i.i, label %B338.i.i21562
+  %.630.i.i21558 = getelementptr double, ptr %242, i64 %.616.i.i21548
+  %.631.i.i21559 = load double, ptr %.630.i.i21558, align 8, !noalias !631
+  %.632.i.i21560 = fcmp oeq double %.631.i.i21559, 0x7FF0000000000000
+  br i1 %.632.i.i21560, label %B190.i.i, label %B338.i.i21561
 
 B190.i.i:                                         ; preds = %B440.i
-  %.698.i.i22840 = load i64, ptr %.630.i19063, align 8, !noalias !631
-  %.720.i.i22853 = icmp slt i64 %.698.i.i22840, 0
-  %.721.i.i22854 = select i1 %.720.i.i22853, i64 %arg.solver.6.1.5.0, i64 0
-  %243 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.698.i.i22840
-  %.735.i.i22864 = getelementptr i64, ptr %243, i64 %.721.i.i22854
-  %.736.i.i22865 = load i64, ptr %.735.i.i22864, align 8, !noalias !631
-  %.737.i.i22866 = icmp eq i64 %.736.i.i22865, 0
-  br i1 %.737.i.i22866, label %B284.i.i, label %B472.i
+  %.698.i.i22839 = load i64, ptr %.630.i19062, align 8, !noalias !631
+  %.720.i.i22852 = icmp slt i64 %.698.i.i22839, 0
+  %.721.i.i22853 = select i1 %.720.i.i22852, i64 %arg.solver.6.1.5.0, i64 0
+  %243 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.698.i.i22839
+  %.735.i.i22863 = getelementptr i64, ptr %243, i64 %.721.i.i22853
+  %.736.i.i22864 = load i64, ptr %.735.i.i22863, align 8, !noalias !631
+  %.737.i.i22865 = icmp eq i64 %.736.i.i22864, 0
+  br i1 %.737.i.i22865, label %B284.i.i, label %B472.i
 
 B284.i.i:                                         ; preds = %B190.i.i
-  store i64 1, ptr %.735.i.i22864, align 8, !noalias !631
+  store i64 1, ptr %.735.i.i22863, align 8, !noalias !631
   br label %B472.i
 
-B338.i.i21562:                                    ; preds = %B440.i
-  store double %.631.i.i21560, ptr %.1082.i20769, align 8, !noalias !631
-  %.890.i.i21634 = select i1 %.615.i.i21548, i64 %arg.solver.4.4.5.0, i64 0
+B338.i.i21561:                                    ; preds = %B440.i
+  store double %.631.i.i21559, ptr %.1082.i20768, align 8, !noalias !631
+  %.890.i.i21633 = select i1 %.615.i.i21547, i64 %arg.solver.4.4.5.0, i64 0
   %244 = getelementptr i64, ptr %arg.solver.4.4.4, i64 %.489.i450.i
-  %.904.i.i21644 = getelementptr i64, ptr %244, i64 %.890.i.i21634
-  %.905.i.i21645 = load i64, ptr %.904.i.i21644, align 8, !noalias !631
-  %.906.i.i21646 = icmp eq i64 %.905.i.i21645, 0
-  br i1 %.906.i.i21646, label %B418.i.i, label %B474.i.i
+  %.904.i.i21643 = getelementptr i64, ptr %244, i64 %.890.i.i21633
+  %.905.i.i21644 = load i64, ptr %.904.i.i21643, align 8, !noalias !631
+  %.906.i.i21645 = icmp eq i64 %.905.i.i21644, 0
+  br i1 %.906.i.i21645, label %B418.i.i, label %B474.i.i
 
-B418.i.i:                                         ; preds = %B338.i.i21562
-  %.961.i.i22778 = getelementptr double, ptr %107, i64 %.477.i18902.053736
-  store double 1.000000e+00, ptr %.961.i.i22778, align 8, !noalias !631
+B418.i.i:                                         ; preds = %B338.i.i21561
+  %.961.i.i22777 = getelementptr double, ptr %107, i64 %.477.i18901.053736
+  store double 1.000000e+00, ptr %.961.i.i22777, align 8, !noalias !631
   br label %B642.i.i
 
-B474.i.i:                                         ; preds = %B338.i.i21562
-  %.1051.i.i21683 = getelementptr double, ptr %106, i64 %.477.i18902.053736
-  %.1052.i.i21684 = load double, ptr %.1051.i.i21683, align 8, !noalias !631
-  %.10.i.i.i21689 = fcmp olt double %.1052.i.i21684, 2.500000e-01
-  %.11.i.i.i21690 = select i1 %.10.i.i.i21689, double 2.500000e-01, double %.1052.i.i21684
-  store double %.11.i.i.i21690, ptr %.1051.i.i21683, align 8, !noalias !631
-  %.1169.i.i21748 = load i64, ptr %.454.i, align 8, !noalias !631
-  %.11.i4.i.i21754 = tail call i64 @llvm.smax.i64(i64 %.1169.i.i21748, i64 1)
+B474.i.i:                                         ; preds = %B338.i.i21561
+  %.1051.i.i21682 = getelementptr double, ptr %106, i64 %.477.i18901.053736
+  %.1052.i.i21683 = load double, ptr %.1051.i.i21682, align 8, !noalias !631
+  %.10.i.i.i21688 = fcmp olt double %.1052.i.i21683, 2.500000e-01
+  %.11.i.i.i21689 = select i1 %.10.i.i.i21688, double 2.500000e-01, double %.1052.i.i21683
+  store double %.11.i.i.i21689, ptr %.1051.i.i21682, align 8, !noalias !631
+  %.1169.i.i21747 = load i64, ptr %.454.i, align 8, !noalias !631
+  %.11.i4.i.i21753 = tail call i64 @llvm.smax.i64(i64 %.1169.i.i21747, i64 1)
   br label %B642.i.i
 
 B642.i.i:                                         ; preds = %B474.i.i, %B418.i.i
-  %storemerge53080 = phi i64 [ %.11.i4.i.i21754, %B474.i.i ], [ 2, %B418.i.i ]
+  %storemerge53080 = phi i64 [ %.11.i4.i.i21753, %B474.i.i ], [ 2, %B418.i.i ]
   store i64 %storemerge53080, ptr %.454.i, align 8, !noalias !631
-  br i1 %.520.i.i.i2262853731.not, label %B472.i, label %B108.if.i.i.i.lr.ph
+  br i1 %.520.i.i.i2262753731.not, label %B472.i, label %B108.if.i.i.i.lr.ph
 
 B108.if.i.i.i.lr.ph:                              ; preds = %B642.i.i
-  %.583.i.i.i22671 = select i1 %.615.i.i21548, i64 %arg.solver.4.3.5.0, i64 0
-  %.584.i.i.i22672 = add i64 %.583.i.i.i22671, %.489.i450.i
-  %.604.i.i.i22685 = mul i64 %.584.i.i.i22672, %arg.solver.4.3.5.1
-  %245 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i.i22685
+  %.583.i.i.i22670 = select i1 %.615.i.i21547, i64 %arg.solver.4.3.5.0, i64 0
+  %.584.i.i.i22671 = add i64 %.583.i.i.i22670, %.489.i450.i
+  %.604.i.i.i22684 = mul i64 %.584.i.i.i22671, %arg.solver.4.3.5.1
+  %245 = getelementptr double, ptr %arg.solver.4.3.4, i64 %.604.i.i.i22684
   br label %B108.if.i.i.i
 
 B108.if.i.i.i:                                    ; preds = %B108.if.i.i.i.lr.ph, %B108.if.i.i.i
-  %.462.i.i.i18451.053733 = phi i64 [ 0, %B108.if.i.i.i.lr.ph ], [ %.533.i.i.i22735, %B108.if.i.i.i ]
-  %.533.i.i.i22735 = add nsw i64 %.462.i.i.i18451.053733, 1
-  %246 = getelementptr double, ptr %245, i64 %.462.i.i.i18451.053733
-  %.609.i.i.i22688 = load double, ptr %246, align 8, !noalias !635
-  %247 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.i.i18451.053733
-  %.643.i.i.i22710 = load i64, ptr %247, align 8, !noalias !635
-  %.645.i.i.i22712 = mul nsw i64 %.643.i.i.i22710, %arg.solver.1.0
-  %.647.i.i.i = add nsw i64 %.645.i.i.i22712, %.477.i18902.053736
-  %.660.i.i.i22719 = icmp slt i64 %.647.i.i.i, 0
-  %.661.i.i.i22720 = select i1 %.660.i.i.i22719, i64 %arg.solver.10.1.5.0, i64 0
+  %.462.i.i.i18450.053733 = phi i64 [ 0, %B108.if.i.i.i.lr.ph ], [ %.533.i.i.i22734, %B108.if.i.i.i ]
+  %.533.i.i.i22734 = add nsw i64 %.462.i.i.i18450.053733, 1
+  %246 = getelementptr double, ptr %245, i64 %.462.i.i.i18450.053733
+  %.609.i.i.i22687 = load double, ptr %246, align 8, !noalias !635
+  %247 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.i.i18450.053733
+  %.643.i.i.i22709 = load i64, ptr %247, align 8, !noalias !635
+  %.645.i.i.i22711 = mul nsw i64 %.643.i.i.i22709, %arg.solver.1.0
+  %.647.i.i.i = add nsw i64 %.645.i.i.i22711, %.477.i18901.053736
+  %.660.i.i.i22718 = icmp slt i64 %.647.i.i.i, 0
+  %.661.i.i.i22719 = select i1 %.660.i.i.i22718, i64 %arg.solver.10.1.5.0, i64 0
   %248 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i.i
-  %.675.i.i.i22730 = getelementptr double, ptr %248, i64 %.661.i.i.i22720
-  store double %.609.i.i.i22688, ptr %.675.i.i.i22730, align 8, !noalias !635
-  %exitcond53817.not = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i.i22735
+  %.675.i.i.i22729 = getelementptr double, ptr %248, i64 %.661.i.i.i22719
+  store double %.609.i.i.i22687, ptr %.675.i.i.i22729, align 8, !noalias !635
+  %exitcond53817.not = icmp eq i64 %arg.solver.4.1.5.0, %.533.i.i.i22734
   br i1 %exitcond53817.not, label %B472.i, label %B108.if.i.i.i
 
-B472.i:                                           ; preds = %B108.if.i.i.i, %B642.i.i, %B284.i.i, %B190.i.i, %B376.i20672, %B338.i
-  %.1258.i19251 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19064
-  %.1259.i19252 = load i64, ptr %.1258.i19251, align 8, !noalias !624
-  %.1260.i19253.not = icmp eq i64 %.1259.i19252, 0
-  br i1 %.1260.i19253.not, label %B630.i, label %B516.i
+B472.i:                                           ; preds = %B108.if.i.i.i, %B642.i.i, %B284.i.i, %B190.i.i, %B376.i20671, %B338.i
+  %.1258.i19250 = getelementptr i64, ptr %arg.solver.6.1.4, i64 %.631.i19063
+  %.1259.i19251 = load i64, ptr %.1258.i19250, align 8, !noalias !624
+  %.1260.i19252.not = icmp eq i64 %.1259.i19251, 0
+  br i1 %.1260.i19252.not, label %B630.i, label %B516.i
 
 B516.i:                                           ; preds = %B472.i
-  %.1321.i20170 = getelementptr i64, ptr %108, i64 %.477.i18902.053736
-  %.1322.i20171 = load i64, ptr %.1321.i20170, align 8, !noalias !624
-  %.1354.i20199 = getelementptr i64, ptr %arg.solver.6.2.4, i64 %.631.i19064
-  store i64 %.1322.i20171, ptr %.1354.i20199, align 8, !noalias !624
-  store i64 -1, ptr %.630.i19063, align 8, !noalias !624
-  %.487.i53389 = getelementptr double, ptr %109, i64 %.477.i18902.053736
+  %.1321.i20169 = getelementptr i64, ptr %108, i64 %.477.i18901.053736
+  %.1322.i20170 = load i64, ptr %.1321.i20169, align 8, !noalias !624
+  %.1354.i20198 = getelementptr i64, ptr %arg.solver.6.2.4, i64 %.631.i19063
+  store i64 %.1322.i20170, ptr %.1354.i20198, align 8, !noalias !624
+  store i64 -1, ptr %.630.i19062, align 8, !noalias !624
+  %.487.i53389 = getelementptr double, ptr %109, i64 %.477.i18901.053736
   store double 0.000000e+00, ptr %.487.i53389, align 8, !noalias !639
   %.518.i53390 = load i64, ptr %arg.solver.9.4, align 8, !noalias !639
   %.551.i53392 = load i64, ptr %.550.i53391, align 8, !noalias !639
@@ -5905,7 +5905,7 @@ B148.i53394:                                      ; preds = %B516.i
   %.572.i53395 = add nsw i64 %.518.i53390, 1
   store i64 %.572.i53395, ptr %arg.solver.9.4, align 8, !noalias !639
   store i64 2, ptr %.454.i, align 8, !noalias !639
-  store i64 %.518.i53390, ptr %.630.i19063, align 8, !noalias !639
+  store i64 %.518.i53390, ptr %.630.i19062, align 8, !noalias !639
   %.709.i53400 = icmp slt i64 %.518.i53390, 0
   %.710.i53401 = select i1 %.709.i53400, i64 %arg.solver.3.2.5.0, i64 0
   %249 = getelementptr i64, ptr %arg.solver.3.2.4, i64 %.518.i53390
@@ -5916,10 +5916,10 @@ B148.i53394:                                      ; preds = %B516.i
   %250 = getelementptr i64, ptr %arg.solver.4.0.4, i64 %.725.i53403
   %.753.i53406 = getelementptr i64, ptr %250, i64 %.739.i53405
   %.754.i53407 = load i64, ptr %.753.i53406, align 8, !noalias !639
-  %.808.i53408 = getelementptr i64, ptr %110, i64 %.477.i18902.053736
+  %.808.i53408 = getelementptr i64, ptr %110, i64 %.477.i18901.053736
   store i64 %.754.i53407, ptr %.808.i53408, align 8, !noalias !639
-  store i64 1, ptr %.1321.i20170, align 8, !noalias !639
-  %.918.i53412 = getelementptr i64, ptr %111, i64 %.477.i18902.053736
+  store i64 1, ptr %.1321.i20169, align 8, !noalias !639
+  %.918.i53412 = getelementptr i64, ptr %111, i64 %.477.i18901.053736
   store i64 0, ptr %.918.i53412, align 8, !noalias !639
   br i1 %.10275102.not.i53413, label %B518.i53428, label %B464.if.lr.ph.i53414
 
@@ -5928,7 +5928,7 @@ B464.if.lr.ph.i53414:                             ; preds = %B148.i53394
   %.1091.i53416 = add i64 %.1090.i53415, %.518.i53390
   %.1111.i53417 = mul i64 %.1091.i53416, %arg.solver.3.1.5.1
   %251 = getelementptr double, ptr %arg.solver.3.1.4, i64 %.1111.i53417
-  %invariant.gep53984 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.477.i18902.053736
+  %invariant.gep53984 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.477.i18901.053736
   br label %B464.if.i53418
 
 B518.i53428:                                      ; preds = %B464.if.i53418, %B148.i53394
@@ -5951,7 +5951,7 @@ B108.if.i.i53436:                                 ; preds = %B108.if.i.i53436, %
   %254 = getelementptr i64, ptr %arg.solver.4.1.4, i64 %.462.i.05106.i53437
   %.643.i.i53440 = load i64, ptr %254, align 8, !noalias !642
   %.645.i.i53441 = mul nsw i64 %.643.i.i53440, %arg.solver.1.0
-  %.647.i.i53442 = add nsw i64 %.645.i.i53441, %.477.i18902.053736
+  %.647.i.i53442 = add nsw i64 %.645.i.i53441, %.477.i18901.053736
   %.660.i.i53443 = icmp slt i64 %.647.i.i53442, 0
   %.661.i.i53444 = select i1 %.660.i.i53443, i64 %arg.solver.10.1.5.0, i64 0
   %255 = getelementptr double, ptr %arg.solver.10.1.4, i64 %.647.i.i53442
@@ -5961,12 +5961,12 @@ B108.if.i.i53436:                                 ; preds = %B108.if.i.i53436, %
   br i1 %exitcond5116.not.i53446, label %B518.endif.i53447, label %B108.if.i.i53436
 
 B696.i53463:                                      ; preds = %B628.if.i53456, %B518.endif.i53447
-  %invariant.gep5113.i53464 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
-  %.585.i496.i53466 = getelementptr double, ptr %112, i64 %.477.i18902.053736
+  %invariant.gep5113.i53464 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18901.053736
+  %.585.i496.i53466 = getelementptr double, ptr %112, i64 %.477.i18901.053736
   %.586.i497.i53467 = load double, ptr %.585.i496.i53466, align 8, !noalias !646
-  %.527.i.i53469 = getelementptr double, ptr %113, i64 %.477.i18902.053736
+  %.527.i.i53469 = getelementptr double, ptr %113, i64 %.477.i18901.053736
   %.528.i.i53470 = load double, ptr %.527.i.i53469, align 8, !noalias !646
-  %.469.i438.i53472 = getelementptr double, ptr %114, i64 %.477.i18902.053736
+  %.469.i438.i53472 = getelementptr double, ptr %114, i64 %.477.i18901.053736
   %.470.i.i53473 = load double, ptr %.469.i438.i53472, align 8, !noalias !646
   store double 0.000000e+00, ptr %invariant.gep5113.i53464, align 8, !noalias !646
   %gep.1.i53474 = getelementptr double, ptr %invariant.gep5113.i53464, i64 %arg.solver.7.5.1
@@ -6041,11 +6041,11 @@ B696.i53463:                                      ; preds = %B628.if.i53456, %B5
   store double %.528.i.i53470, ptr %.527.i.i53469, align 8, !noalias !646
   store double %.586.i497.i53467, ptr %.585.i496.i53466, align 8, !noalias !646
   store double 1.000000e+00, ptr %.487.i53389, align 8, !noalias !646
-  %.1064.i.i53542 = getelementptr double, ptr %115, i64 %.477.i18902.053736
+  %.1064.i.i53542 = getelementptr double, ptr %115, i64 %.477.i18901.053736
   store double 0xFFF0000000000000, ptr %.1064.i.i53542, align 8, !noalias !646
-  %.1119.i.i53544 = getelementptr double, ptr %116, i64 %.477.i18902.053736
+  %.1119.i.i53544 = getelementptr double, ptr %116, i64 %.477.i18901.053736
   store double 0x7FF0000000000000, ptr %.1119.i.i53544, align 8, !noalias !646
-  %.1177.i.i53546 = getelementptr double, ptr %117, i64 %.477.i18902.053736
+  %.1177.i.i53546 = getelementptr double, ptr %117, i64 %.477.i18901.053736
   store double 0xFFF0000000000000, ptr %.1177.i.i53546, align 8, !noalias !646
   %.1787.i53547 = load double, ptr %arg.solver.5.4, align 8, !noalias !639
   store double %.1787.i53547, ptr %invariant.gep5113.i53464, align 8, !noalias !639
@@ -6055,7 +6055,7 @@ B696.i53463:                                      ; preds = %B628.if.i53456, %B5
   %256 = getelementptr double, ptr %arg.solver.4.2.4, i64 %.1902.i53549
   %.1932.i53552 = getelementptr double, ptr %256, i64 %.1918.i53551
   %.1933.i53553 = load double, ptr %.1932.i53552, align 8, !noalias !639
-  %.1989.i53555 = getelementptr double, ptr %118, i64 %.477.i18902.053736
+  %.1989.i53555 = getelementptr double, ptr %118, i64 %.477.i18901.053736
   store double %.1933.i53553, ptr %.1989.i53555, align 8, !noalias !639
   br label %B806.i
 
@@ -6074,7 +6074,7 @@ B518.endif.i53447:                                ; preds = %B108.if.i.i53436, %
   br i1 %.14395108.not.i53448, label %B696.i53463, label %B628.if.lr.ph.i53449
 
 B628.if.lr.ph.i53449:                             ; preds = %B518.endif.i53447
-  %invariant.gep.i53450 = getelementptr double, ptr %arg.solver.11.4, i64 %.477.i18902.053736
+  %invariant.gep.i53450 = getelementptr double, ptr %arg.solver.11.4, i64 %.477.i18901.053736
   %.1502.i53451 = select i1 %.709.i53400, i64 %arg.solver.3.0.5.0, i64 0
   %.1503.i53452 = add i64 %.1502.i53451, %.518.i53390
   %.1523.i53453 = mul i64 %.1503.i53452, %arg.solver.3.0.5.1
@@ -6093,91 +6093,91 @@ B628.if.i53456:                                   ; preds = %B628.if.i53456, %B6
   br i1 %exitcond5117.not.i53462, label %B696.i53463, label %B628.if.i53456
 
 B630.i:                                           ; preds = %B472.i
-  %.1614.i19304 = getelementptr double, ptr %119, i64 %.477.i18902.053736
-  %.1615.i19305 = load double, ptr %.1614.i19304, align 8, !noalias !624
-  %.1617.i19306 = fcmp ult double %.1615.i19305, 1.500000e+01
-  br i1 %.1617.i19306, label %B806.i, label %B678.i
+  %.1614.i19303 = getelementptr double, ptr %119, i64 %.477.i18901.053736
+  %.1615.i19304 = load double, ptr %.1614.i19303, align 8, !noalias !624
+  %.1617.i19305 = fcmp ult double %.1615.i19304, 1.500000e+01
+  br i1 %.1617.i19305, label %B806.i, label %B678.i
 
 B678.i:                                           ; preds = %B630.i
-  %.1650.i19973 = load double, ptr %.1649.i19972, align 8, !noalias !624
-  %.1704.i20021 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18902.053736
-  %.1705.i20022 = load double, ptr %.1704.i20021, align 8, !noalias !624
-  %.1706.i20023 = fsub double %.1650.i19973, %.1705.i20022
-  %.1760.i20071 = getelementptr double, ptr %121, i64 %.477.i18902.053736
-  %.1761.i20072 = load double, ptr %.1760.i20071, align 8, !noalias !624
-  %.1763.i20073 = fmul double %.1761.i20072, 2.500000e+02
-  %.1764.i20074 = fcmp ogt double %.1706.i20023, %.1763.i20073
-  br i1 %.1764.i20074, label %B806.i, label %B782.i
+  %.1650.i19972 = load double, ptr %.1649.i19971, align 8, !noalias !624
+  %.1704.i20020 = getelementptr double, ptr %arg.solver.7.4, i64 %.477.i18901.053736
+  %.1705.i20021 = load double, ptr %.1704.i20020, align 8, !noalias !624
+  %.1706.i20022 = fsub double %.1650.i19972, %.1705.i20021
+  %.1760.i20070 = getelementptr double, ptr %121, i64 %.477.i18901.053736
+  %.1761.i20071 = load double, ptr %.1760.i20070, align 8, !noalias !624
+  %.1763.i20072 = fmul double %.1761.i20071, 2.500000e+02
+  %.1764.i20073 = fcmp ogt double %.1706.i20022, %.1763.i20072
+  br i1 %.1764.i20073, label %B806.i, label %B782.i
 
 B782.i:                                           ; preds = %B678.i
-  store double 0.000000e+00, ptr %.1614.i19304, align 8, !noalias !624
+  store double 0.000000e+00, ptr %.1614.i19303, align 8, !noalias !624
   br label %B806.i
 
 B806.i:                                           ; preds = %B696.i53463, %B516.i, %B678.i, %B782.i, %B630.i
   %stiff.4.i.2 = phi i1 [ %stiff.2.i.053738, %B630.i ], [ true, %B678.i ], [ %stiff.2.i.053738, %B782.i ], [ %stiff.2.i.053738, %B516.i ], [ %stiff.2.i.053738, %B696.i53463 ]
-  %.1892.i19358 = load i64, ptr %.630.i19063, align 8, !noalias !624
-  %.1893.i19359 = icmp sgt i64 %.1892.i19358, -1
-  br i1 %.1893.i19359, label %B844.i, label %B1073.i
+  %.1892.i19357 = load i64, ptr %.630.i19062, align 8, !noalias !624
+  %.1893.i19358 = icmp sgt i64 %.1892.i19357, -1
+  br i1 %.1893.i19358, label %B844.i, label %B1073.i
 
 B844.i:                                           ; preds = %B806.i
-  %.1898.i19362 = add nsw i64 %active.2.i.053737, 1
-  %.2110.i19506 = getelementptr double, ptr %122, i64 %.477.i18902.053736
-  %.2111.i19507 = load double, ptr %.2110.i19506, align 8, !noalias !624
-  %.2113.i19508 = fcmp ogt double %.2111.i19507, 0.000000e+00
-  br i1 %.2113.i19508, label %B1014.i, label %B984.i
+  %.1898.i19361 = add nsw i64 %active.2.i.053737, 1
+  %.2110.i19505 = getelementptr double, ptr %122, i64 %.477.i18901.053736
+  %.2111.i19506 = load double, ptr %.2110.i19505, align 8, !noalias !624
+  %.2113.i19507 = fcmp ogt double %.2111.i19506, 0.000000e+00
+  br i1 %.2113.i19507, label %B1014.i, label %B984.i
 
 B984.i:                                           ; preds = %B844.i
-  %.2007.i19456 = mul i64 %.1892.i19358, %arg.solver.6.3.5.1
-  %.2011.i19460 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.2007.i19456
-  %.2012.i19461 = load i64, ptr %.2011.i19460, align 8, !noalias !624
-  %.2023.i18938.0 = and i64 %.2012.i19461, 127
-  %.2053.i19468 = sub nsw i64 128, %.2023.i18938.0
-  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.2053.i19468, i64 %.767.i19172)
-  %.2157.i19520 = sitofp i64 %.11.i.i to double
+  %.2007.i19455 = mul i64 %.1892.i19357, %arg.solver.6.3.5.1
+  %.2011.i19459 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.2007.i19455
+  %.2012.i19460 = load i64, ptr %.2011.i19459, align 8, !noalias !624
+  %.2023.i18937.0 = and i64 %.2012.i19460, 127
+  %.2053.i19467 = sub nsw i64 128, %.2023.i18937.0
+  %.11.i.i = tail call i64 @llvm.smin.i64(i64 %.2053.i19467, i64 %.767.i19171)
+  %.2157.i19519 = sitofp i64 %.11.i.i to double
   br label %B1014.i
 
 B1014.i:                                          ; preds = %B844.i, %B984.i
-  %"$phi1014.1.2.i.3" = phi double [ %.2157.i19520, %B984.i ], [ 1.000000e+00, %B844.i ]
-  %.2220.i19573 = getelementptr double, ptr %123, i64 %.477.i18902.053736
-  store double %"$phi1014.1.2.i.3", ptr %.2220.i19573, align 8, !noalias !624
-  %.474.i957.i = getelementptr double, ptr %124, i64 %.477.i18902.053736
-  %.475.i.i19891 = load double, ptr %.474.i957.i, align 8, !noalias !650
-  %.529.i1001.i = getelementptr double, ptr %125, i64 %.477.i18902.053736
-  store double %.475.i.i19891, ptr %.529.i1001.i, align 8, !noalias !650
-  %.583.i.i19899 = getelementptr i64, ptr %126, i64 %.477.i18902.053736
-  %.584.i1040.i = load i64, ptr %.583.i.i19899, align 8, !noalias !650
+  %"$phi1014.1.2.i.3" = phi double [ %.2157.i19519, %B984.i ], [ 1.000000e+00, %B844.i ]
+  %.2220.i19572 = getelementptr double, ptr %123, i64 %.477.i18901.053736
+  store double %"$phi1014.1.2.i.3", ptr %.2220.i19572, align 8, !noalias !624
+  %.474.i957.i = getelementptr double, ptr %124, i64 %.477.i18901.053736
+  %.475.i.i19890 = load double, ptr %.474.i957.i, align 8, !noalias !650
+  %.529.i1001.i = getelementptr double, ptr %125, i64 %.477.i18901.053736
+  store double %.475.i.i19890, ptr %.529.i1001.i, align 8, !noalias !650
+  %.583.i.i19898 = getelementptr i64, ptr %126, i64 %.477.i18901.053736
+  %.584.i1040.i = load i64, ptr %.583.i.i19898, align 8, !noalias !650
   %.600.i1048.i = icmp slt i64 %.584.i1040.i, %arg.solver.5.5.0
   br i1 %.600.i1048.i, label %B160.i.i, label %B1073.i
 
 B160.i.i:                                         ; preds = %B1014.i
-  %.619.i.i19909 = icmp slt i64 %.584.i1040.i, 0
-  %.620.i1060.i = select i1 %.619.i.i19909, i64 %arg.solver.5.5.0, i64 0
+  %.619.i.i19908 = icmp slt i64 %.584.i1040.i, 0
+  %.620.i1060.i = select i1 %.619.i.i19908, i64 %arg.solver.5.5.0, i64 0
   %260 = getelementptr double, ptr %arg.solver.5.4, i64 %.584.i1040.i
   %.634.i1070.i = getelementptr double, ptr %260, i64 %.620.i1060.i
-  %.635.i.i19913 = load double, ptr %.634.i1070.i, align 8, !noalias !650
-  %.692.i.i19923 = load double, ptr %.474.i957.i, align 8, !noalias !650
-  %.10.i.i1111.i = fcmp olt double %.692.i.i19923, %.635.i.i19913
-  %.11.i.i1112.i = select i1 %.10.i.i1111.i, double %.692.i.i19923, double %.635.i.i19913
+  %.635.i.i19912 = load double, ptr %.634.i1070.i, align 8, !noalias !650
+  %.692.i.i19922 = load double, ptr %.474.i957.i, align 8, !noalias !650
+  %.10.i.i1111.i = fcmp olt double %.692.i.i19922, %.635.i.i19912
+  %.11.i.i1112.i = select i1 %.10.i.i1111.i, double %.692.i.i19922, double %.635.i.i19912
   store double %.11.i.i1112.i, ptr %.529.i1001.i, align 8, !noalias !650
   br label %B1073.i
 
 B1073.i:                                          ; preds = %B806.i, %B1014.i, %B160.i.i, %B156.if.i
-  %active.3.i.1 = phi i64 [ %active.2.i.053737, %B156.if.i ], [ %active.2.i.053737, %B806.i ], [ %.1898.i19362, %B1014.i ], [ %.1898.i19362, %B160.i.i ]
+  %active.3.i.1 = phi i64 [ %active.2.i.053737, %B156.if.i ], [ %active.2.i.053737, %B806.i ], [ %.1898.i19361, %B1014.i ], [ %.1898.i19361, %B160.i.i ]
   %stiff.3.i.1 = phi i1 [ %stiff.2.i.053738, %B156.if.i ], [ %stiff.4.i.2, %B806.i ], [ %stiff.4.i.2, %B1014.i ], [ %stiff.4.i.2, %B160.i.i ]
-  %.536.i19003 = icmp sgt i64 %.480.i18903.053735, 1
-  br i1 %.536.i19003, label %B156.if.i, label %B1022.endif.endif.loopexit
+  %.536.i19002 = icmp sgt i64 %.480.i18902.053735, 1
+  br i1 %.536.i19002, label %B156.if.i, label %B1022.endif.endif.loopexit
 
 B156.if.i:                                        ; preds = %B1018, %B1073.i
   %stiff.2.i.053738 = phi i1 [ %stiff.3.i.1, %B1073.i ], [ false, %B1018 ]
   %active.2.i.053737 = phi i64 [ %active.3.i.1, %B1073.i ], [ 0, %B1018 ]
-  %.477.i18902.053736 = phi i64 [ %.549.i23827, %B1073.i ], [ 0, %B1018 ]
-  %.480.i18903.053735 = phi i64 [ %.545.i23824, %B1073.i ], [ %storemerge, %B1018 ]
-  %.545.i23824 = add nsw i64 %.480.i18903.053735, -1
-  %.549.i23827 = add nsw i64 %.477.i18902.053736, 1
-  %.630.i19063 = getelementptr i64, ptr %arg.solver.8.4, i64 %.477.i18902.053736
-  %.631.i19064 = load i64, ptr %.630.i19063, align 8, !noalias !624
-  %.636.i19067 = icmp slt i64 %.631.i19064, 0
-  br i1 %.636.i19067, label %B1073.i, label %B204.i
+  %.477.i18901.053736 = phi i64 [ %.549.i23826, %B1073.i ], [ 0, %B1018 ]
+  %.480.i18902.053735 = phi i64 [ %.545.i23823, %B1073.i ], [ %storemerge, %B1018 ]
+  %.545.i23823 = add nsw i64 %.480.i18902.053735, -1
+  %.549.i23826 = add nsw i64 %.477.i18901.053736, 1
+  %.630.i19062 = getelementptr i64, ptr %arg.solver.8.4, i64 %.477.i18901.053736
+  %.631.i19063 = load i64, ptr %.630.i19062, align 8, !noalias !624
+  %.636.i19066 = icmp slt i64 %.631.i19063, 0
+  br i1 %.636.i19066, label %B1073.i, label %B204.i
 
 B1072:                                            ; preds = %B1018, %B1022.endif.endif.loopexit
   %budget.4.2 = phi i64 [ %.903, %B1018 ], [ %313, %B1022.endif.endif.loopexit ]
@@ -6196,59 +6196,59 @@ B130.if.i.lr.ph:                                  ; preds = %B1098
   %261 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53074
   %.idx53075 = mul i64 %arg.solver.7.5.1, 200
   %262 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53075
-  %.1044.i24752 = add nsw i64 %arg.solver.1.2, -1
+  %.1044.i24751 = add nsw i64 %arg.solver.1.2, -1
   %.idx53076 = mul i64 %arg.solver.7.5.1, 176
   %263 = getelementptr i8, ptr %arg.solver.7.4, i64 %.idx53076
   br label %B130.if.i
 
 B176.i:                                           ; preds = %B130.if.i
-  %.665.i24443 = getelementptr double, ptr %261, i64 %.452.i24250.053746
-  %.666.i24444 = load double, ptr %.665.i24443, align 8, !noalias !654
-  %.5.i.i24445 = fptosi double %.666.i24444 to i64
-  %.744.i24496 = getelementptr double, ptr %262, i64 %.452.i24250.053746
-  %.745.i24497 = load double, ptr %.744.i24496, align 8, !noalias !654
-  %.5.i1.i = fptosi double %.745.i24497 to i64
-  %.819.i24546 = mul i64 %.605.i24390, %arg.solver.6.3.5.1
-  %.823.i24550 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i24546
-  %.824.i24551 = load i64, ptr %.823.i24550, align 8, !noalias !654
-  %.825.i24552 = add nsw i64 %.824.i24551, %.5.i.i24445
-  store i64 %.825.i24552, ptr %.823.i24550, align 8, !noalias !654
-  %.931.i24649 = getelementptr i8, ptr %.823.i24550, i64 24
-  %.932.i24650 = load i64, ptr %.931.i24649, align 8, !noalias !654
-  %.933.i24651 = add nsw i64 %.932.i24650, %.5.i1.i
-  store i64 %.933.i24651, ptr %.931.i24649, align 8, !noalias !654
-  %.1041.i24749 = getelementptr i8, ptr %.823.i24550, i64 8
-  %.1042.i24750 = load i64, ptr %.1041.i24749, align 8, !noalias !654
-  %.1045.i24753 = add nsw i64 %.5.i1.i, %.5.i.i24445
-  %.1046.i24754 = mul nsw i64 %.1045.i24753, %.1044.i24752
-  %.1047.i24755 = add nsw i64 %.1046.i24754, %.5.i.i24445
-  %.1048.i24756 = add nsw i64 %.1047.i24755, %.1042.i24750
-  store i64 %.1048.i24756, ptr %.1041.i24749, align 8, !noalias !654
-  store double 0.000000e+00, ptr %.665.i24443, align 8, !noalias !654
-  store double 0.000000e+00, ptr %.744.i24496, align 8, !noalias !654
-  %.1266.i24948 = getelementptr double, ptr %263, i64 %.452.i24250.053746
-  %.1267.i24949 = load double, ptr %.1266.i24948, align 8, !noalias !654
-  %.1269.i24951 = sitofp i64 %.1045.i24753 to double
-  %.1270.i24952 = fsub double %.1267.i24949, %.1269.i24951
-  store double %.1270.i24952, ptr %.1266.i24948, align 8, !noalias !654
+  %.665.i24442 = getelementptr double, ptr %261, i64 %.452.i24249.053746
+  %.666.i24443 = load double, ptr %.665.i24442, align 8, !noalias !654
+  %.5.i.i24444 = fptosi double %.666.i24443 to i64
+  %.744.i24495 = getelementptr double, ptr %262, i64 %.452.i24249.053746
+  %.745.i24496 = load double, ptr %.744.i24495, align 8, !noalias !654
+  %.5.i1.i = fptosi double %.745.i24496 to i64
+  %.819.i24545 = mul i64 %.605.i24389, %arg.solver.6.3.5.1
+  %.823.i24549 = getelementptr i64, ptr %arg.solver.6.3.4, i64 %.819.i24545
+  %.824.i24550 = load i64, ptr %.823.i24549, align 8, !noalias !654
+  %.825.i24551 = add nsw i64 %.824.i24550, %.5.i.i24444
+  store i64 %.825.i24551, ptr %.823.i24549, align 8, !noalias !654
+  %.931.i24648 = getelementptr i8, ptr %.823.i24549, i64 24
+  %.932.i24649 = load i64, ptr %.931.i24648, align 8, !noalias !654
+  %.933.i24650 = add nsw i64 %.932.i24649, %.5.i1.i
+  store i64 %.933.i24650, ptr %.931.i24648, align 8, !noalias !654
+  %.1041.i24748 = getelementptr i8, ptr %.823.i24549, i64 8
+  %.1042.i24749 = load i64, ptr %.1041.i24748, align 8, !noalias !654
+  %.1045.i24752 = add nsw i64 %.5.i1.i, %.5.i.i24444
+  %.1046.i24753 = mul nsw i64 %.1045.i24752, %.1044.i24751
+  %.1047.i24754 = add nsw i64 %.1046.i24753, %.5.i.i24444
+  %.1048.i24755 = add nsw i64 %.1047.i24754, %.1042.i24749
+  store i64 %.1048.i24755, ptr %.1041.i24748, align 8, !noalias !654
+  store double 0.000000e+00, ptr %.665.i24442, align 8, !noalias !654
+  store double 0.000000e+00, ptr %.744.i24495, align 8, !noalias !654
+  %.1266.i24947 = getelementptr double, ptr %263, i64 %.452.i24249.053746
+  %.1267.i24948 = load double, ptr %.1266.i24947, align 8, !noalias !654
+  %.1269.i24950 = sitofp i64 %.1045.i24752 to double
+  %.1270.i24951 = fsub double %.1267.i24948, %.1269.i24950
+  store double %.1270.i24951, ptr %.1266.i24947, align 8, !noalias !654
   br label %B550.i
 
 B550.i:                                           ; preds = %B176.i, %B130.if.i
-  %.510.i24324 = icmp sgt i64 %.455.i24251.053745, 1
-  br i1 %.510.i24324, label %B130.if.i, label %B1098.endif
+  %.510.i24323 = icmp sgt i64 %.455.i24250.053745, 1
+  br i1 %.510.i24323, label %B130.if.i, label %B1098.endif
 
 B130.if.i:                                        ; preds = %B130.if.i.lr.ph, %B550.i
-  %.452.i24250.053746 = phi i64 [ 0, %B130.if.i.lr.ph ], [ %.523.i25006, %B550.i ]
-  %.455.i24251.053745 = phi i64 [ %storemerge, %B130.if.i.lr.ph ], [ %.519.i25003, %B550.i ]
-  %.519.i25003 = add nsw i64 %.455.i24251.053745, -1
-  %.523.i25006 = add nsw i64 %.452.i24250.053746, 1
-  %264 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i24250.053746
-  %.605.i24390 = load i64, ptr %264, align 8, !noalias !654
-  %.610.i24393 = icmp sgt i64 %.605.i24390, -1
-  br i1 %.610.i24393, label %B176.i, label %B550.i
+  %.452.i24249.053746 = phi i64 [ 0, %B130.if.i.lr.ph ], [ %.523.i25005, %B550.i ]
+  %.455.i24250.053745 = phi i64 [ %storemerge, %B130.if.i.lr.ph ], [ %.519.i25002, %B550.i ]
+  %.519.i25002 = add nsw i64 %.455.i24250.053745, -1
+  %.523.i25005 = add nsw i64 %.452.i24249.053746, 1
+  %264 = getelementptr i64, ptr %arg.solver.8.4, i64 %.452.i24249.053746
+  %.605.i24389 = load i64, ptr %264, align 8, !noalias !654
+  %.610.i24392 = icmp sgt i64 %.605.i24389, -1
+  br i1 %.610.i24392, label %B176.i, label %B550.i
 
 common.ret:                                       ; preds = %B644.endif.if, %B1098.endif
-  %common.ret.op = phi i32 [ 0, %B1098.endif ], [ %.185814711, %B644.endif.if ]
+  %common.ret.op = phi i32 [ 0, %B1098.endif ], [ %.185814710, %B644.endif.if ]
   ret i32 %common.ret.op
 
 B156.if:                                          ; preds = %B156.if.lr.ph, %B230
@@ -6263,18 +6263,18 @@ B156.if:                                          ; preds = %B156.if.lr.ph, %B23
   br i1 %.639, label %B198, label %B230
 
 B106.i:                                           ; preds = %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
-  %.460.i.i4483 = load i64, ptr %arg.solver.0.4, align 8, !noalias !658
-  %.501.i.i4494 = inttoptr i64 %.460.i.i4483 to ptr
-  tail call void %.501.i.i4494(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i4493), !noalias !658
+  %.460.i.i4482 = load i64, ptr %arg.solver.0.4, align 8, !noalias !658
+  %.501.i.i4493 = inttoptr i64 %.460.i.i4482 to ptr
+  tail call void %.501.i.i4493(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i.i4492), !noalias !658
   br label %B184.i
 
 B184.i:                                           ; preds = %B106.i, %_ZN5pages12time_stepper14start_segmentsB2v5B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28fl
-  br i1 %.781.i1282, label %B206.i, label %B236.i
+  br i1 %.781.i1281, label %B206.i, label %B236.i
 
 B206.i:                                           ; preds = %B184.i
-  %.490.i.i3333 = load double, ptr %.1111, align 8, !noalias !661
-  %.491.i.i3334 = fcmp olt double %.490.i.i3333, 5.000000e-01
-  br i1 %.491.i.i3334, label %B114.i.i, label %B144.i.i3335
+  %.490.i.i3332 = load double, ptr %.1111, align 8, !noalias !661
+  %.491.i.i3333 = fcmp olt double %.490.i.i3332, 5.000000e-01
+  br i1 %.491.i.i3333, label %B114.i.i, label %B144.i.i3334
 
 B114.i.i:                                         ; preds = %B206.i
   br i1 %.5095283.not.i, label %B172.i, label %B86.if.i
@@ -6284,7 +6284,7 @@ B172.i:                                           ; preds = %B86.if.i, %B114.i.i
 
 B328.loopexit.i:                                  ; preds = %B699.i, %B330.endif.endif.i
   %exitcond5309.not.i = icmp eq i64 %.992.05303.i, %38
-  br i1 %exitcond5309.not.i, label %B144.i.i3335, label %B328.if.i
+  br i1 %exitcond5309.not.i, label %B144.i.i3334, label %B328.if.i
 
 B332.i.i:                                         ; preds = %B150.if.i.i, %B328.if.i
   %.894.i.i = load i64, ptr %.893.i.i, align 8, !noalias !665
@@ -6361,7 +6361,7 @@ B172.endif.i:                                     ; preds = %B172.else.endif.end
   %.900.i = sub i64 %.812.sroa.13.0.i, %.812.sroa.0.3.i
   %.909.i = tail call i64 @llvm.smax.i64(i64 %.900.i, i64 0)
   %.925.i = getelementptr double, ptr %arg.solver.10.0.4, i64 %.812.sroa.0.3.i
-  br i1 %.10485302.i, label %B328.if.lr.ph.i, label %B144.i.i3335
+  br i1 %.10485302.i, label %B328.if.lr.ph.i, label %B144.i.i3334
 
 B328.if.lr.ph.i:                                  ; preds = %B172.endif.i
   %.984.i.i = select i1 %.822.i, i64 %.909.i, i64 0
@@ -6537,20 +6537,20 @@ B480.if.i:                                        ; preds = %B330.endif.endif.i,
   %.1766.i = icmp eq i64 %.1620.i, %arg.solver.1.1
   br i1 %.1766.i, label %B624.i53576, label %B652.i
 
-B144.i.i3335:                                     ; preds = %B328.loopexit.i, %B172.endif.i, %B206.i
+B144.i.i3334:                                     ; preds = %B328.loopexit.i, %B172.endif.i, %B206.i
   br i1 %.679.i.i, label %B174.if.i.i, label %B236.i
 
-B364.i.i3470:                                     ; preds = %B290.if.i.i, %B174.if.i.i
-  %.1027.i.i3479 = mul i64 %.665.i.i10.053699, %.711.i.i12.sroa.0.053103
-  %.1042.i.i3487 = icmp slt i64 %.1027.i.i3479, 0
-  %.1043.i.i3488 = select i1 %.1042.i.i3487, i64 %arg.solver.15.1.5.0, i64 0
-  %281 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1027.i.i3479
-  %.1057.i.i3498 = getelementptr double, ptr %281, i64 %.1043.i.i3488
-  %.1058.i.i3499 = load double, ptr %.1057.i.i3498, align 8, !noalias !661
-  %.1112.i.i3526 = load double, ptr %.1111.i.i3525, align 8, !noalias !661
-  %.1113.i.i3527 = fadd double %.1058.i.i3499, %.1112.i.i3526
-  store double %.1113.i.i3527, ptr %.1057.i.i3498, align 8, !noalias !661
-  %exitcond53813.not = icmp eq i64 %arg.solver.1.1, %.734.i.i3608
+B364.i.i3469:                                     ; preds = %B290.if.i.i, %B174.if.i.i
+  %.1027.i.i3478 = mul i64 %.665.i.i10.053699, %.711.i.i12.sroa.0.053103
+  %.1042.i.i3486 = icmp slt i64 %.1027.i.i3478, 0
+  %.1043.i.i3487 = select i1 %.1042.i.i3486, i64 %arg.solver.15.1.5.0, i64 0
+  %281 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.1027.i.i3478
+  %.1057.i.i3497 = getelementptr double, ptr %281, i64 %.1043.i.i3487
+  %.1058.i.i3498 = load double, ptr %.1057.i.i3497, align 8, !noalias !661
+  %.1112.i.i3525 = load double, ptr %.1111.i.i3524, align 8, !noalias !661
+  %.1113.i.i3526 = fadd double %.1058.i.i3498, %.1112.i.i3525
+  store double %.1113.i.i3526, ptr %.1057.i.i3497, align 8, !noalias !661
+  %exitcond53813.not = icmp eq i64 %arg.solver.1.1, %.734.i.i3607
   br i1 %exitcond53813.not, label %B36.if.i, label %B174.if.i.i
 
 B34.loopexit.i:                                   ; preds = %B790.i, %B528.i
@@ -6581,8 +6581,8 @@ B790.i:                                           ; preds = %B716.if.i, %B566.if
   %.985.i = icmp sgt i64 %.932.0506.i, 1
   br i1 %.985.i, label %B566.if.i, label %B34.loopexit.i
 
-B36.if.i:                                         ; preds = %B364.i.i3470, %B34.loopexit.i
-  %.59.0509.i = phi i64 [ %.131.i, %B34.loopexit.i ], [ 0, %B364.i.i3470 ]
+B36.if.i:                                         ; preds = %B364.i.i3469, %B34.loopexit.i
+  %.59.0509.i = phi i64 [ %.131.i, %B34.loopexit.i ], [ 0, %B364.i.i3469 ]
   %.131.i = add nsw i64 %.59.0509.i, 1
   %.161.i = mul nsw i64 %.59.0509.i, %arg.solver.1.1
   %.164.i = add nsw i64 %.59.0509.i, %arg.solver.15.3.0
@@ -6686,45 +6686,45 @@ B716.if.i:                                        ; preds = %B566.if.i, %B716.if
   %.1255.i = icmp sgt i64 %.1202.0503.i, 1
   br i1 %.1255.i, label %B716.if.i, label %B790.i
 
-B174.if.i.i:                                      ; preds = %B144.i.i3335, %B364.i.i3470
-  %.665.i.i10.053699 = phi i64 [ %.734.i.i3608, %B364.i.i3470 ], [ 0, %B144.i.i3335 ]
-  %.734.i.i3608 = add nsw i64 %.665.i.i10.053699, 1
-  %.766.i.i3419 = sub i64 %.665.i.i10.053699, %39
-  %.11.i.i.i = tail call i64 @llvm.smax.i64(i64 %.766.i.i3419, i64 0)
-  %.798.i.i3427 = add i64 %.797.i.i3426, %.665.i.i10.053699
-  %.11.i4.i.i = tail call i64 @llvm.smin.i64(i64 %.798.i.i3427, i64 %arg.solver.1.1)
-  %.864.i.i3444 = sub i64 %.11.i4.i.i, %.11.i.i.i
-  %.907.i.i346353695.not = icmp slt i64 %.864.i.i3444, 1
-  br i1 %.907.i.i346353695.not, label %B364.i.i3470, label %B290.if.i.i.lr.ph
+B174.if.i.i:                                      ; preds = %B144.i.i3334, %B364.i.i3469
+  %.665.i.i10.053699 = phi i64 [ %.734.i.i3607, %B364.i.i3469 ], [ 0, %B144.i.i3334 ]
+  %.734.i.i3607 = add nsw i64 %.665.i.i10.053699, 1
+  %.766.i.i3418 = sub i64 %.665.i.i10.053699, %39
+  %.11.i.i.i = tail call i64 @llvm.smax.i64(i64 %.766.i.i3418, i64 0)
+  %.798.i.i3426 = add i64 %.797.i.i3425, %.665.i.i10.053699
+  %.11.i4.i.i = tail call i64 @llvm.smin.i64(i64 %.798.i.i3426, i64 %arg.solver.1.1)
+  %.864.i.i3443 = sub i64 %.11.i4.i.i, %.11.i.i.i
+  %.907.i.i346253695.not = icmp slt i64 %.864.i.i3443, 1
+  br i1 %.907.i.i346253695.not, label %B364.i.i3469, label %B290.if.i.i.lr.ph
 
 B290.if.i.i.lr.ph:                                ; preds = %B174.if.i.i
-  %.949.i.i3548 = mul nsw i64 %.665.i.i10.053699, %arg.solver.1.1
+  %.949.i.i3547 = mul nsw i64 %.665.i.i10.053699, %arg.solver.1.1
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.i.i.lr.ph, %B290.if.i.i
-  %.854.i.i24.053697 = phi i64 [ %.864.i.i3444, %B290.if.i.i.lr.ph ], [ %.916.i.i3593, %B290.if.i.i ]
-  %.851.i.i23.053696 = phi i64 [ %.11.i.i.i, %B290.if.i.i.lr.ph ], [ %.920.i.i3596, %B290.if.i.i ]
-  %.916.i.i3593 = add nsw i64 %.854.i.i24.053697, -1
-  %.920.i.i3596 = add i64 %.851.i.i23.053696, 1
-  %.950.i.i3549 = add nsw i64 %.851.i.i23.053696, %.949.i.i3548
-  %.963.i.i3555 = icmp slt i64 %.950.i.i3549, 0
-  %.964.i.i3556 = select i1 %.963.i.i3555, i64 %arg.solver.15.0.5.0, i64 0
-  %293 = getelementptr double, ptr %arg.solver.15.0.4, i64 %.950.i.i3549
-  %.978.i.i3566 = getelementptr double, ptr %293, i64 %.964.i.i3556
-  %.979.i.i3567 = load double, ptr %.978.i.i3566, align 8, !noalias !661
-  %.980.i.i3568 = fneg double %.979.i.i3567
-  %.1000.i.i3580 = select i1 %.963.i.i3555, i64 %arg.solver.15.1.5.0, i64 0
-  %294 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.950.i.i3549
-  %.1014.i.i3590 = getelementptr double, ptr %294, i64 %.1000.i.i3580
-  store double %.980.i.i3568, ptr %.1014.i.i3590, align 8, !noalias !661
-  %.907.i.i3463 = icmp sgt i64 %.854.i.i24.053697, 1
-  br i1 %.907.i.i3463, label %B290.if.i.i, label %B364.i.i3470
+  %.854.i.i24.053697 = phi i64 [ %.864.i.i3443, %B290.if.i.i.lr.ph ], [ %.916.i.i3592, %B290.if.i.i ]
+  %.851.i.i23.053696 = phi i64 [ %.11.i.i.i, %B290.if.i.i.lr.ph ], [ %.920.i.i3595, %B290.if.i.i ]
+  %.916.i.i3592 = add nsw i64 %.854.i.i24.053697, -1
+  %.920.i.i3595 = add i64 %.851.i.i23.053696, 1
+  %.950.i.i3548 = add nsw i64 %.851.i.i23.053696, %.949.i.i3547
+  %.963.i.i3554 = icmp slt i64 %.950.i.i3548, 0
+  %.964.i.i3555 = select i1 %.963.i.i3554, i64 %arg.solver.15.0.5.0, i64 0
+  %293 = getelementptr double, ptr %arg.solver.15.0.4, i64 %.950.i.i3548
+  %.978.i.i3565 = getelementptr double, ptr %293, i64 %.964.i.i3555
+  %.979.i.i3566 = load double, ptr %.978.i.i3565, align 8, !noalias !661
+  %.980.i.i3567 = fneg double %.979.i.i3566
+  %.1000.i.i3579 = select i1 %.963.i.i3554, i64 %arg.solver.15.1.5.0, i64 0
+  %294 = getelementptr double, ptr %arg.solver.15.1.4, i64 %.950.i.i3548
+  %.1014.i.i3589 = getelementptr double, ptr %294, i64 %.1000.i.i3579
+  store double %.980.i.i3567, ptr %.1014.i.i3589, align 8, !noalias !661
+  %.907.i.i3462 = icmp sgt i64 %.854.i.i24.053697, 1
+  br i1 %.907.i.i3462, label %B290.if.i.i, label %B364.i.i3469
 
-B236.i:                                           ; preds = %B34.loopexit.i, %B144.i.i3335, %B184.i
-  br i1 %.1005.i131253701.not, label %B460.i, label %B268.if.i
+B236.i:                                           ; preds = %B34.loopexit.i, %B144.i.i3334, %B184.i
+  br i1 %.1005.i131153701.not, label %B460.i, label %B268.if.i
 
 B106.if.lr.ph.i:                                  ; preds = %B268.if.i
-  %.629.i = mul i64 %.1018.i2922, %.627.i53590
+  %.629.i = mul i64 %.1018.i2921, %.627.i53590
   %295 = getelementptr double, ptr %arg.solver.11.4, i64 %.629.i
   br label %B106.if.i
 
@@ -6737,7 +6737,7 @@ B314.i.loopexit.i:                                ; preds = %B474.if.i.i, %B314.
   br i1 %.683.i.i53607, label %B314.if.i.i, label %B360.if.lr.ph.i
 
 B360.if.lr.ph.i:                                  ; preds = %B314.i.loopexit.i
-  %.1168.i53612 = mul i64 %.1018.i2922, %.1089.i
+  %.1168.i53612 = mul i64 %.1018.i2921, %.1089.i
   %296 = getelementptr double, ptr %arg.solver.11.4, i64 %.1168.i53612
   br label %B360.if.i
 
@@ -6884,18 +6884,18 @@ B460.i:                                           ; preds = %B458.i, %B236.i
   br i1 %.499, label %B594, label %B504.if
 
 B268.if.i:                                        ; preds = %B236.i, %B458.i
-  %.949.i.053702 = phi i64 [ %.1018.i2922, %B458.i ], [ 1, %B236.i ]
-  %.1018.i2922 = add i64 %.949.i.053702, 1
+  %.949.i.053702 = phi i64 [ %.1018.i2921, %B458.i ], [ 1, %B236.i ]
+  %.1018.i2921 = add i64 %.949.i.053702, 1
   %307 = getelementptr i64, ptr %arg.solver.0.4, i64 %.949.i.053702
   %308 = getelementptr i8, ptr %307, i64 112
   %.445.i1318.i = load i64, ptr %308, align 8, !noalias !692
   %.486.i1334.i = inttoptr i64 %.445.i1318.i to ptr
   tail call void %.486.i1334.i(ptr %arg.solver.7.4, ptr %arg.solver.10.0.4, ptr %arg.solver.10.1.4, ptr %arg.solver.2.4, ptr %arg.solver.10.3.4, ptr %arg.solver.10.4.4), !noalias !692
   %.460.i1788.i = load i64, ptr %arg.solver.0.4, align 8, !noalias !695
-  %.462.i1790.i = mul nsw i64 %.1018.i2922, %.430.i1766.i
+  %.462.i1790.i = mul nsw i64 %.1018.i2921, %.430.i1766.i
   %.500.i1804.i = getelementptr double, ptr %arg.solver.10.0.4, i64 %.462.i1790.i
   %.501.i1805.i = inttoptr i64 %.460.i1788.i to ptr
-  tail call void %.501.i1805.i(ptr %.1229.i2091, ptr %.475.i1795.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i1804.i), !noalias !695
+  tail call void %.501.i1805.i(ptr %.1229.i2090, ptr %.475.i1795.i, ptr %arg.solver.10.1.4, ptr %arg.solver.10.2.4, ptr %arg.solver.10.3.4, ptr %.500.i1804.i), !noalias !695
   br i1 %or.cond53622.not, label %B106.if.lr.ph.i, label %B458.i
 
 B504.if:                                          ; preds = %B460.i, %B590
@@ -6910,7 +6910,7 @@ B504.if:                                          ; preds = %B460.i, %B590
 B608.endif.loopexit:                              ; preds = %B690.i
   %309 = xor i1 %between.4.i.1, true
   %310 = xor i1 %stiffness.3.i.1, true
-  %311 = select i1 %310, i1 true, i1 %.471.i7971
+  %311 = select i1 %310, i1 true, i1 %.471.i7970
   br label %B644
 
 B644.endif.if:                                    ; preds = %_ZN5pages12time_stepper13handle_eventsB4v123B68c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAQUQzVBF6jCIJo8Y_2fVAIplYFFNAE_3dE1352Solver_28array_28int64_2c_201d_2c_20C_29_2c_20Shape_28int64_20x_208_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Runs_28array_28float64_2c_202d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20Segments_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20Results_28array_28float64_2c_203d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_29_2c_20array_28float64_2c_202d_2c_20C_29_2c_20array_28int64_2c_202d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20Memory_28array_28float64_2c_201d_2c_20C_29_20x_205_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28float64_2c_203d_2c_20C_29_2c_20array_28f

@@ -35,7 +35,11 @@ class Status(IntEnum):
         "the step became too small; loosen rtol and atol, look for a singularity, count large "
         "times from the first, or give a switch that is met without number a boundary layer",
     )
-    NOT_FINITE = (3, "not_finite", "a number is not finite; check parameters and the initial state")
+    NOT_FINITE = (
+        3,
+        "not_finite",
+        "a number is not finite; check parameters and the initial state",
+    )
     GUARD_LEFT = 4, "left_the_field", "a guard was left"
     TOO_MANY_STEPS = (
         5,
@@ -75,7 +79,9 @@ EVENT_CROSSED = 12  # 1 if the step ends right behind an event
 LOW = 13  # bracket of an event: shares of the step before it
 HIGH = 14  # and behind it
 LAST_EVENT = 15  # time of the last event
-DISTANCE_LOW = 16  # distance of the nearest switching condition from its change at `low`
+DISTANCE_LOW = (
+    16  # distance of the nearest switching condition from its change at `low`
+)
 DISTANCE_HIGH = 17  # and at `high`, below 0
 EVENT_EFFECT = 18  # of new decisions on the step, in tolerances
 CALM_STEPS = 19  # checked steps since a stiff one
@@ -115,7 +121,9 @@ class Shape(NamedTuple):
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
     decisions: int
-    unannounced: int  # 1 if rates may jump where no decision says so, 2 if also at samples
+    unannounced: (
+        int  # 1 if rates may jump where no decision says so, 2 if also at samples
+    )
 
 
 class Runs(NamedTuple):
@@ -187,9 +195,13 @@ class Solver(NamedTuple):
     queue: Any  # by index NEXT_RUN, RUNS_END, BEGINNING
     memory: Memory
     states: Any  # Z as (rows, states, lanes)
-    points: Any  # D as (sample points, 3, decisions): decision, distance, rounding error
+    points: (
+        Any  # D as (sample points, 3, decisions): decision, distance, rounding error
+    )
     guard_points: Any  # the same of a guard
-    signs: Any  # (decisions,): -1 for a decision that changed before the bracket, else 1
+    signs: (
+        Any  # (decisions,): -1 for a decision that changed before the bracket, else 1
+    )
     linear: Linear
 
 
@@ -233,7 +245,9 @@ def derivative(solver, times, state_row, rate_row):
     """Write the rates at times, and at the states in a row, into another row."""
     Z, P, T, W, _ = solver.memory
     span = solver.shape.states * solver.shape.lanes
-    call(solver.code[DERIVATIVE], times, Z, state_row * span, P, T, W, Z, rate_row * span)
+    call(
+        solver.code[DERIVATIVE], times, Z, state_row * span, P, T, W, Z, rate_row * span
+    )
 
 
 def prepare(solver, times):
@@ -253,7 +267,9 @@ def decide(solver, times, state_row, point):
 def margin_at(solver, times, state_row):
     """Return the distance of a row of states of lane 0 from the edge of a guard."""
     Z, P, T, W, D = solver.memory
-    to = (3 * POINTS + 1) * solver.shape.decisions  # of guard_points, behind points and signs
+    to = (
+        3 * POINTS + 1
+    ) * solver.shape.decisions  # of guard_points, behind points and signs
     call(solver.code[MARGIN], times, Z, state_row * solver.shape.states, P, T, W, D, to)
     return solver.guard_points[0, DECISION, 0]
 

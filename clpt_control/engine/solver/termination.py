@@ -35,7 +35,12 @@ from .solver_layout import (
 
 # ends that a locked decision may cause
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
-NAMES = {DOP853: "DOP853", RODAS5P: "Rodas5P", RK4: "RK4", MAP: "none"}  # of the methods
+NAMES = {
+    DOP853: "DOP853",
+    RODAS5P: "Rodas5P",
+    RK4: "RK4",
+    MAP: "none",
+}  # of the methods
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 
@@ -74,7 +79,11 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     elif last is not batch:
         solution.method += f", from t = {last.times[0]:.9g} {NAMES[last.callee.method]}"
     steps, evaluations, restarts, _ = batch.counts[0].tolist()
-    solution.statistics = {"steps": steps, "evaluations": evaluations, "restarts": restarts}
+    solution.statistics = {
+        "steps": steps,
+        "evaluations": evaluations,
+        "restarts": restarts,
+    }
     solution.engine = batch.callee.engine
     if status == Status.FINISHED:
         return solution
@@ -106,7 +115,9 @@ def _points_ahead(batch: Batch) -> list[tuple[float, ndarray]]:
     return points
 
 
-def without_states(sweep: Sweep, times: ndarray, inputs: Inputs | None, engine: str) -> Solution:
+def without_states(
+    sweep: Sweep, times: ndarray, inputs: Inputs | None, engine: str
+) -> Solution:
     """Return the solution of a diagram without states, up to where it leaves a guard."""
     solution = Solution(times, np.zeros((len(times), 0)), engine=engine)
 
@@ -162,7 +173,9 @@ def in_discrete_time(
     return Solution(times, states, statistics=statistics, signals=signals)
 
 
-def _stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:
+def _stopped(
+    solution: Solution, policy: str, sentence: str, t: Any, x: Any
+) -> Solution:
     """Return a solution up to where a guard was left, or raise its error."""
     if policy == "raise":
         raise SimulationError(sentence)
@@ -238,7 +251,9 @@ def edge(batch: Batch, margin: Callable[[float], float]) -> float:
     return float(brentq(margin, low, high, xtol=1e-15, rtol=1e-14))
 
 
-def _crossing(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> tuple[float, ndarray, str, str]:
+def _crossing(
+    sweep: Sweep, batch: Batch, inputs: Inputs | None
+) -> tuple[float, ndarray, str, str]:
     """Return time, state, policy and sentence where that step crosses a guard's edge."""
     t = batch.now
     h = float(batch.lane[TRIAL_SIZE, 0])
@@ -271,7 +286,9 @@ def _until(
     return np.append(times, end), states
 
 
-def sampled_start(callee: Callee, start: Any, t: float, segments: Schedule, P: Any) -> ndarray:
+def sampled_start(
+    callee: Callee, start: Any, t: float, segments: Schedule, P: Any
+) -> ndarray:
     """Return the state with which a run begins; blocks that sample then have sampled inputs."""
     if not segments.begins:
         return start

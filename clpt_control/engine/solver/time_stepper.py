@@ -18,11 +18,22 @@ All numbers are computed by the diagram's functions and the formulas of the meth
 
 import math
 
-from .event_checks import check_conditions, check_guard, decisions_changed, hold_decisions
+from .event_checks import (
+    check_conditions,
+    check_guard,
+    decisions_changed,
+    hold_decisions,
+)
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
 from .rate_jumps import locate_jump, pass_jump
-from .segments import begin_segment, enter_segment, jump_states, note_next_stop, take_run
+from .segments import (
+    begin_segment,
+    enter_segment,
+    jump_states,
+    note_next_stop,
+    take_run,
+)
 from .solver_layout import (
     ACCEPT,
     ACCEPTED,
@@ -268,8 +279,12 @@ def end_segments(solver, most):
                 lane[STIFF_STEPS, k] = 0.0
         if integers[RUN_INDEX, k] >= 0:
             active += 1
-            until_check = CHECK_EVERY - counts[integers[RUN_INDEX, k], STEPS] % CHECK_EVERY
-            lane[TRIES_LEFT, k] = 1.0 if lane[STIFF_STEPS, k] > 0 else min(spare, until_check)
+            until_check = (
+                CHECK_EVERY - counts[integers[RUN_INDEX, k], STEPS] % CHECK_EVERY
+            )
+            lane[TRIES_LEFT, k] = (
+                1.0 if lane[STIFF_STEPS, k] > 0 else min(spare, until_check)
+            )
             note_next_stop(solver, k)
     return active, stiff
 
@@ -327,7 +342,9 @@ def check_interpolant(solver):
             solver.results.counts[m, EVALUATIONS] += 3
 
 
-def evaluate(code, role, states, first_decision, decisions, points, segments, arrays, out):
+def evaluate(
+    code, role, states, first_decision, decisions, points, segments, arrays, out
+):
     """Call a function at times and states; put its results, signals from W, into the rows of `out`.
 
     `points` are times, the segment of each, room for one time, and states, n each.  `segments` are

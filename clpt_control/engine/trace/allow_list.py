@@ -37,7 +37,13 @@ IMMUTABLE = frozenset(
         *(int, bool, str, bytes, complex, NoneType, EllipsisType, range, slice),
         type(NotImplemented),
         *(Fraction, Decimal, re.Pattern, np.dtype),
-        *(datetime.date, datetime.datetime, datetime.timedelta, datetime.time, datetime.timezone),
+        *(
+            datetime.date,
+            datetime.datetime,
+            datetime.timedelta,
+            datetime.time,
+            datetime.timezone,
+        ),
     )
 )
 
@@ -46,7 +52,10 @@ class _Named(NamedTuple):
     field: int
 
 
-FIELDS = MemberDescriptorType, type(vars(_Named)["field"])  # of slots and of named tuples
+FIELDS = (
+    MemberDescriptorType,
+    type(vars(_Named)["field"]),
+)  # of slots and of named tuples
 PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
 CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
@@ -59,46 +68,144 @@ PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
 CLOCK = "asks a clock; t is the run's time"
 UNSEEDED = "draws by chance; draw before the run, or take it as an input"
 OUTSIDE = (
-    "which may change or read what is outside of the function; call it before or after the run"
+    "which may change or read what is outside of the function; "
+    "call it before or after the run"
 )
 
 PURE_MODULES = frozenset(
     (
-        *("math", "cmath", "operator", "_operator", "itertools", "functools", "_functools"),
-        *("bisect", "_bisect", "heapq", "_heapq", "statistics", "_statistics", "fractions"),
-        *("numbers", "copy", "collections", "_collections", "collections.abc", "dataclasses"),
-        *("typing", "types", "enum", "abc", "_abc", "string", "re", "struct", "_struct"),
+        *(
+            "math",
+            "cmath",
+            "operator",
+            "_operator",
+            "itertools",
+            "functools",
+            "_functools",
+        ),
+        *(
+            "bisect",
+            "_bisect",
+            "heapq",
+            "_heapq",
+            "statistics",
+            "_statistics",
+            "fractions",
+        ),
+        *(
+            "numbers",
+            "copy",
+            "collections",
+            "_collections",
+            "collections.abc",
+            "dataclasses",
+        ),
+        *(
+            "typing",
+            "types",
+            "enum",
+            "abc",
+            "_abc",
+            "string",
+            "re",
+            "struct",
+            "_struct",
+        ),
         *("array", "datetime", "_datetime", "textwrap", "contextlib"),
     )
 )
-OF_PATHS = ("join", "basename", "dirname", "split", "splitext", "normpath", "commonprefix")
-OF_LOGGING = ("debug", "info", "warning", "warn", "error", "critical", "exception", "log")
+OF_PATHS = (
+    "join",
+    "basename",
+    "dirname",
+    "split",
+    "splitext",
+    "normpath",
+    "commonprefix",
+)
+OF_LOGGING = (
+    "debug",
+    "info",
+    "warning",
+    "warn",
+    "error",
+    "critical",
+    "exception",
+    "log",
+)
 PURE_NAMES = frozenset(  # of other modules
     (
-        *("warnings.warn", "_warnings.warn", "_py_warnings.warn", "sys.exit", "decimal.Decimal"),
+        *(
+            "warnings.warn",
+            "_warnings.warn",
+            "_py_warnings.warn",
+            "sys.exit",
+            "decimal.Decimal",
+        ),
         *("pathlib.PurePath", "pathlib.PurePosixPath", "pathlib.PureWindowsPath"),
-        *(f"{path}.{name}" for path in ("posixpath", "ntpath", "genericpath") for name in OF_PATHS),
+        *(
+            f"{path}.{name}"
+            for path in ("posixpath", "ntpath", "genericpath")
+            for name in OF_PATHS
+        ),
         *(f"logging.{name}" for name in ("getLogger", "Logger", *OF_LOGGING)),
     )
 )
-STREAMS = ("sys.stdout", "sys.stderr")  # silent while a function is traced, as loggers are
+STREAMS = (
+    "sys.stdout",
+    "sys.stderr",
+)  # silent while a function is traced, as loggers are
 PURE_SCIPY = tuple(
     f"scipy.{name}"
     for name in (
-        *("special", "interpolate", "linalg", "optimize", "integrate", "signal", "spatial"),
+        *(
+            "special",
+            "interpolate",
+            "linalg",
+            "optimize",
+            "integrate",
+            "signal",
+            "spatial",
+        ),
         *("ndimage", "sparse", "fft", "constants", "_lib"),
     )
 )
 IMPURE_BUILTINS = frozenset(
     (
-        *("open", "input", "eval", "exec", "compile", "globals", "locals", "vars", "breakpoint"),
+        *(
+            "open",
+            "input",
+            "eval",
+            "exec",
+            "compile",
+            "globals",
+            "locals",
+            "vars",
+            "breakpoint",
+        ),
         *("help", "__import__", "memoryview"),
     )
 )
 IMPURE_NUMPY = frozenset(
     (
-        *("load", "save", "savez", "savez_compressed", "savetxt", "loadtxt", "genfromtxt"),
-        *("fromfile", "fromregex", "memmap", "open_memmap", "DataSource", "seterr", "seterrcall"),
+        *(
+            "load",
+            "save",
+            "savez",
+            "savez_compressed",
+            "savetxt",
+            "loadtxt",
+            "genfromtxt",
+        ),
+        *(
+            "fromfile",
+            "fromregex",
+            "memmap",
+            "open_memmap",
+            "DataSource",
+            "seterr",
+            "seterrcall",
+        ),
         *("setbufsize", "set_printoptions", "rand", "randn", "random", "seed", "test"),
         *("datetime64", "vectorize"),
     )
@@ -107,7 +214,12 @@ SEEDED = ("numpy.random.default_rng", "numpy.random._generator.default_rng")
 CLOCKS = frozenset(("now", "utcnow", "today"))
 CALLABLE = (
     *(BuiltinFunctionType, FunctionType, type, np.ufunc, type(np.sum)),
-    *(MethodDescriptorType, WrapperDescriptorType, type(float.real), type(dict.fromkeys)),
+    *(
+        MethodDescriptorType,
+        WrapperDescriptorType,
+        type(float.real),
+        type(dict.fromkeys),
+    ),
 )
 
 
@@ -126,9 +238,13 @@ def module_of(value: Any) -> str:
     """Return the module that defines a function or class, or the name of a module."""
     if isinstance(value, ModuleType):
         return value.__name__
-    if isinstance(value, FunctionType):  # by its names, since anybody may set __module__
+    if isinstance(
+        value, FunctionType
+    ):  # by its names, since anybody may set __module__
         name = value.__globals__.get("__name__", "")
-        is_current = getattr(sys.modules.get(name), "__dict__", None) is value.__globals__
+        is_current = (
+            getattr(sys.modules.get(name), "__dict__", None) is value.__globals__
+        )
         return name if is_current else ""
     owner = None if isinstance(value, type) else getattr(value, "__objclass__", None)
     if isinstance(owner, type):  # of a method of a built-in type
@@ -152,7 +268,11 @@ def is_pure(value: Any) -> bool:
     """Return whether a function, type or object neither keeps nor changes anything when called."""
     if not isinstance(value, CALLABLE):
         is_listed = any(value is listed for listed in PURE_OBJECTS)
-        return is_listed or isinstance(value, FIELDS) or type(value).__module__ == "dataclasses"
+        return (
+            is_listed
+            or isinstance(value, FIELDS)
+            or type(value).__module__ == "dataclasses"
+        )
     module = module_of(value)
     name = getattr(value, "__name__", "")
     root = module.partition(".")[0]
@@ -163,7 +283,9 @@ def is_pure(value: Any) -> bool:
     if root == "builtins":
         return name not in IMPURE_BUILTINS
     if root == "numpy":
-        drawn = module.startswith("numpy.random") and f"numpy.random.{name}" not in SEEDED
+        drawn = (
+            module.startswith("numpy.random") and f"numpy.random.{name}" not in SEEDED
+        )
         return name not in IMPURE_NUMPY and not drawn
     if root == "scipy" or isinstance(value, np.ufunc):
         return isinstance(value, np.ufunc) or module.startswith(PURE_SCIPY)

@@ -63,11 +63,15 @@ class Tape:
         self.parameters: Mapping[str, Any] = {}  # as they were given
         self.runs = 0  # execution paths so far, of helpers too
         self.texts: Unread | None = None  # error of a text that was made of a signal
-        self.free: list[bool] = []  # of each: whether it depends on time, states or inputs
+        self.free: list[
+            bool
+        ] = []  # of each: whether it depends on time, states or inputs
         self.truth: list[bool] = []  # of each: whether it holds truth values
         self._known: dict[Any, int] = {}
 
-    def add(self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None) -> "Array":
+    def add(
+        self, kind: str, arguments: Sequence[Ref], shape: Shape, at: Any = None
+    ) -> "Array":
         """Return the value of an operation; record the operation if it is new."""
         key = (kind, tuple(map(key_of, arguments)), shape, at)
         if (ref := self._known.get(key)) is None:
@@ -86,7 +90,9 @@ class Tape:
         kind, arguments, _, at = operation
         self.operations.append(operation)
         values = [a for a in arguments if type(a) is int]
-        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")  # during a run
+        changes = kind == "leaf" and (
+            at[0] != "p" or at[1] == "interval"
+        )  # during a run
         self.free.append(changes or any(self.free[a] for a in values))
         self.truth.append(
             kind in CONDITIONS
@@ -97,13 +103,17 @@ class Tape:
             )
         )
 
-    def replayed(self, record: Record, leaf: Callable[[str, str, Shape], Any]) -> list[Any]:
+    def replayed(
+        self, record: Record, leaf: Callable[[str, str, Shape], Any]
+    ) -> list[Any]:
         """Record another record again with other leaves; return its outputs."""
         values: list[Any] = []
         for kind, arguments, shape, at in record.operations:
             refs = [operand(values[a]) if type(a) is int else a for a in arguments]
             values.append(
-                leaf(at[0], at[1], shape) if kind == "leaf" else self.add(kind, refs, shape, at)
+                leaf(at[0], at[1], shape)
+                if kind == "leaf"
+                else self.add(kind, refs, shape, at)
             )
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
@@ -118,12 +128,28 @@ class Array(NDArrayOperatorsMixin):
     """A value of a tape, with a shape and the interface of NumPy's arrays."""
 
     __slots__ = (
-        *("_boxed", "_fixed", "_node", "_of_python", "_parent", "_select", "_shape", "_store"),
+        *(
+            "_boxed",
+            "_fixed",
+            "_node",
+            "_of_python",
+            "_parent",
+            "_select",
+            "_shape",
+            "_store",
+        ),
         *("_below", "_tape", "_whole"),
     )
     __array_priority__ = 1000
 
-    def __init__(self, tape: Tape, node: int, shape: Shape, parent: Any = None, select: Any = None):
+    def __init__(
+        self,
+        tape: Tape,
+        node: int,
+        shape: Shape,
+        parent: Any = None,
+        select: Any = None,
+    ):
         self._tape = tape
         self._node = node
         self._shape = shape
@@ -134,7 +160,9 @@ class Array(NDArrayOperatorsMixin):
         self._of_python: bool | None = False
         self._below: int | None = None  # upper bound of a whole number from 0 on
         self._parent: Array | None = parent
-        self._select = select  # function of NumPy from the parent's elements to this view's
+        self._select = (
+            select  # function of NumPy from the parent's elements to this view's
+        )
         self._store: np.ndarray | None = None  # elements, after one was written
 
     # --- the value ----------------------------------------------------------------------
@@ -145,7 +173,9 @@ class Array(NDArrayOperatorsMixin):
     def _ref(self) -> Ref:
         """Reference of its present value on the tape."""
         store = self._written()
-        return self._node if store is None else operand(HOOKS["lifted"](self._tape, store))
+        return (
+            self._node if store is None else operand(HOOKS["lifted"](self._tape, store))
+        )
 
     @property
     def _root(self) -> "Array":
@@ -222,17 +252,23 @@ class Array(NDArrayOperatorsMixin):
             return numbers.astype(object)
         elements = np.empty(self.size, dtype=object)
         for k, index in enumerate(np.ndindex(self.shape)):
-            elements[k] = self[index] if self.shape else Array(self._tape, self._node, ())
+            elements[k] = (
+                self[index] if self.shape else Array(self._tape, self._node, ())
+            )
         return elements.reshape(self.shape)
 
     # --- NumPy's protocols ----------------------------------------------------------------
 
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+    def __array_ufunc__(
+        self, ufunc: Any, method: str, *inputs: Any, **options: Any
+    ) -> Any:
         if not self.shape and not options and ufunc in UFUNCS and method == "__call__":
             return HOOKS["elementwise"](UFUNCS[ufunc], *inputs)
         return HOOKS["ufunc"](self._tape, ufunc, method, inputs, options)
 
-    def __array_function__(self, function: Any, types: Any, inputs: Any, options: Any) -> Any:
+    def __array_function__(
+        self, function: Any, types: Any, inputs: Any, options: Any
+    ) -> Any:
         return HOOKS["function"](self._tape, function, inputs, options)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
@@ -246,10 +282,16 @@ class Array(NDArrayOperatorsMixin):
         raise AttributeError(f"an array of the record has no {name!r}")
 
     def __eq__(self, other: Any) -> Any:
-        return False if other is None or isinstance(other, str) else np.equal(self, other)
+        return (
+            False if other is None or isinstance(other, str) else np.equal(self, other)
+        )
 
     def __ne__(self, other: Any) -> Any:
-        return True if other is None or isinstance(other, str) else np.not_equal(self, other)
+        return (
+            True
+            if other is None or isinstance(other, str)
+            else np.not_equal(self, other)
+        )
 
     real = property(lambda self: self)
     flat = property(lambda self: iter(self._elements().ravel()))
@@ -262,8 +304,12 @@ class Array(NDArrayOperatorsMixin):
         if not isinstance(number, Array):
             return bool(number)
         if number.shape:
-            raise ValueError("the truth value of an array with more than one element is ambiguous")
-        return self._tape.question((number if number._is_condition else number != 0.0)._ref)
+            raise ValueError(
+                "the truth value of an array with more than one element is ambiguous"
+            )
+        return self._tape.question(
+            (number if number._is_condition else number != 0.0)._ref
+        )
 
     def __float__(self) -> float:
         return float(self._tape.numbers(self._ref).item())
@@ -279,7 +325,9 @@ class Array(NDArrayOperatorsMixin):
         value = ref if type(ref) is float else self._tape.parameter(ref)
         if value is not None:
             return format(value, spec)
-        self._tape.texts = Unread("makes a text of a signal", stops=False)  # of an error, it may
+        self._tape.texts = Unread(
+            "makes a text of a signal", stops=False
+        )  # of an error, it may
         return repr(self)
 
     def __str__(self) -> str:
@@ -289,7 +337,9 @@ class Array(NDArrayOperatorsMixin):
         if self.shape:
             raise TypeError("unhashable type: 'numpy.ndarray'")
         if moves(self):
-            raise Unread("looks a signal up in a dict or set; write `if`, or lookup of a row")
+            raise Unread(
+                "looks a signal up in a dict or set; write `if`, or lookup of a row"
+            )
         return hash(self._tape.numbers(self._ref).item())
 
     def __round__(self, digits: Any = None) -> Any:
@@ -345,7 +395,11 @@ def single(value: Any) -> Any:
 
 def objects(value: Any) -> np.ndarray:
     """Return an array of objects."""
-    return value._elements() if isinstance(value, Array) else np.asarray(value, dtype=object)
+    return (
+        value._elements()
+        if isinstance(value, Array)
+        else np.asarray(value, dtype=object)
+    )
 
 
 def operand(value: Any) -> Ref:

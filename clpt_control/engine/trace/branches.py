@@ -66,7 +66,9 @@ class AnsweringTape(Tape):
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
         self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
         self.merging = False  # whether statements and helpers are merged
-        self.persistent: set[int] = set()  # identities of values that outlive the function
+        self.persistent: set[int] = (
+            set()
+        )  # identities of values that outlive the function
         self.check: Callable[[], None] = lambda: None  # refuses a change of these
 
     def question(self, ref: Ref) -> bool:
@@ -95,7 +97,9 @@ class AnsweringTape(Tape):
     def known(self, ref: Ref) -> np.ndarray:
         """Return the value of an expression of parameters, which are then pinned."""
         used = reached(self.operations, [ref])
-        leaves = [self.operations[k].at for k in used if self.operations[k].kind == "leaf"]
+        leaves = [
+            self.operations[k].at for k in used if self.operations[k].kind == "leaf"
+        ]
         self.pinned |= {name for _, name in leaves}
         record = compact(self.operations, [ref])
         return record.values(lambda group, name: self.parameters[name], {})[0]
@@ -118,7 +122,9 @@ class AnsweringTape(Tape):
             return int(value)
         if number._below is not None:
             candidates = range(number._below)
-            return next((k for k in candidates[:-1] if number == float(k)), candidates[-1])
+            return next(
+                (k for k in candidates[:-1] if number == float(k)), candidates[-1]
+            )
         count = self.rows.get(ref, MOST_PLACES)
         for k in (*range(count + 1), *range(-1, -count - 1, -1)):
             if k == MOST_PLACES:
@@ -133,7 +139,11 @@ class AnsweringTape(Tape):
 
     def ended(self, error: BaseException) -> None:
         """Store the length of a row if the path raised at the end of the row."""
-        if isinstance(error, IndexError) and self.last_asked and self.last_asked[1] >= 0:
+        if (
+            isinstance(error, IndexError)
+            and self.last_asked
+            and self.last_asked[1] >= 0
+        ):
             self.rows.setdefault(*self.last_asked)
 
 
@@ -178,9 +188,12 @@ class Ports(Array):
 
     __slots__ = ("_ports",)
 
-    def __init__(self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True):
+    def __init__(
+        self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True
+    ):
         self._ports = {
-            port: tape.add("leaf", (), shape, (group, port)) for port, shape in shapes.items()
+            port: tape.add("leaf", (), shape, (group, port))
+            for port, shape in shapes.items()
         }
         is_known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
         size: Any = sum(map(prod, shapes.values())) if is_known else f"len({group})"
@@ -199,10 +212,16 @@ class Ports(Array):
         rows = [row._ref for leaf in self._ports.values() for row in _rows(leaf)]
         if len(rows) > 1:  # of the vector of all ports, one behind the other
             rows = [self._tape.add("join", rows, self.shape)._node]
-        self._node = rows[0] if rows else self._tape.add("constant", (), (0,), b"")._node
+        self._node = (
+            rows[0] if rows else self._tape.add("constant", (), (0,), b"")._node
+        )
         return self._node
 
 
 def _rows(array: Any) -> list[Array]:
     """Return the rows of an array of any number of axes."""
-    return [array] if array.ndim == 1 else [row for row_block in array for row in _rows(row_block)]
+    return (
+        [array]
+        if array.ndim == 1
+        else [row for row_block in array for row in _rows(row_block)]
+    )

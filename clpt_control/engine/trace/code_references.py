@@ -15,7 +15,9 @@ from typing import NamedTuple
 
 LOADS = {
     **dict.fromkeys(("LOAD_GLOBAL", "LOAD_NAME"), "global"),
-    **dict.fromkeys(("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF"), "cell"),
+    **dict.fromkeys(
+        ("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF"), "cell"
+    ),
     "LOAD_FROM_DICT_OR_GLOBALS": "global",
 }
 ATTRIBUTES = ("LOAD_ATTR", "LOAD_METHOD", "STORE_ATTR", "DELETE_ATTR")
@@ -46,7 +48,9 @@ def _references_of(code: CodeType) -> Iterator[Reference]:
     for k, line in enumerate(lines):
         number = (line.positions and line.positions.lineno) or 0
         if line.opname == "IMPORT_NAME":
-            yield Reference("import", "." * lines[k - 2].argval + line.argval, (), number)
+            yield Reference(
+                "import", "." * lines[k - 2].argval + line.argval, (), number
+            )
         elif line.opname in LOADS:
             following = takewhile(
                 lambda instruction: instruction.opname in ATTRIBUTES, lines[k + 1 :]
@@ -58,14 +62,20 @@ def _references_of(code: CodeType) -> Iterator[Reference]:
 @functools.lru_cache(maxsize=1024)
 def code_names(code: CodeType) -> tuple[str, ...]:
     """Return the names that code loads, with those of the functions in it."""
-    return tuple(dict.fromkeys(name for inner in all_code(code) for name in inner.co_names))
+    return tuple(
+        dict.fromkeys(name for inner in all_code(code) for name in inner.co_names)
+    )
 
 
 @functools.lru_cache(maxsize=1024)
 def code_texts(code: CodeType) -> frozenset[str]:
     """Return the texts among the constants of code, with those of the functions in it."""
     constants = [value for item in all_code(code) for value in item.co_consts]
-    items = [item for value in constants for item in (value if type(value) is tuple else [value])]
+    items = [
+        item
+        for value in constants
+        for item in (value if type(value) is tuple else [value])
+    ]
     return frozenset(item for item in items if isinstance(item, str))
 
 

@@ -25,7 +25,9 @@ UNBOUND = object()  # the value of a variable that has none
 class Content:
     """A value that code may change, with its content before."""
 
-    value: Any  # a list, dict, array, cell, class, object with slots, or table of pandas
+    value: (
+        Any  # a list, dict, array, cell, class, object with slots, or table of pandas
+    )
     words: str = ""  # what it is, for a sentence
     names: Iterable[str] | None = None  # attributes that the referenced code names
     ignored: frozenset[str] = frozenset()  # attributes that any call may change
@@ -39,7 +41,11 @@ class Content:
         now = copied(self.value)
         if self.ignored and not strictly:
             now, expected = (
-                {name: item for name, item in content.items() if name not in self.ignored}
+                {
+                    name: item
+                    for name, item in content.items()
+                    if name not in self.ignored
+                }
                 for content in (now, expected)
             )
         if isinstance(now, bytes):
@@ -50,7 +56,9 @@ class Content:
             return False
         items = items_of(now)
         expected_items = items_of(expected)
-        return len(items) == len(expected_items) and all(map(is_, items, expected_items))
+        return len(items) == len(expected_items) and all(
+            map(is_, items, expected_items)
+        )
 
     def put_back(self) -> None:
         """Replace the content by that before."""
@@ -76,7 +84,9 @@ def copied(value: Any) -> Any:
         return None if value._store is None else value._store.copy()
     if isinstance(value, type):
         return {
-            name: attribute for name, attribute in vars(value).items() if _is_own(name, attribute)
+            name: attribute
+            for name, attribute in vars(value).items()
+            if _is_own(name, attribute)
         }
     if root_of(type(value)) == "pandas":
         return pickle.dumps(value)
@@ -140,7 +150,11 @@ def slots_of(kind: type) -> dict[str, Any]:
     """Return the slots of a class, in which its objects hold attributes."""
     bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
     attributes = (item for base in bases for item in vars(base).items())
-    return {name: slot for name, slot in attributes if isinstance(slot, MemberDescriptorType)}
+    return {
+        name: slot
+        for name, slot in attributes
+        if isinstance(slot, MemberDescriptorType)
+    }
 
 
 def _is_own(name: str, value: Any) -> bool:

@@ -30,7 +30,9 @@ def broadcast(*shapes: Shape) -> Shape:
     for d in range(-max(map(len, shapes)), 0):
         longer = {shape[d] for shape in shapes if -d <= len(shape)} - {1}
         if len(longer) > 1:
-            raise ValueError(f"operands could not be broadcast together with shapes {shapes}")
+            raise ValueError(
+                f"operands could not be broadcast together with shapes {shapes}"
+            )
         lengths.append(longer.pop() if longer else 1)
     return tuple(lengths)
 
@@ -39,7 +41,9 @@ def put(array: Array, index: Any, value: Any) -> None:
     """Write into an array, element by element."""
     root = array._root
     if root._fixed or root._is_condition:
-        target = "truth values" if root._is_condition else "its states, inputs or parameters"
+        target = (
+            "truth values" if root._is_condition else "its states, inputs or parameters"
+        )
         raise Unread(f"writes into {target}; write into a copy")
     root._keep()
     store = array._written()
@@ -67,7 +71,9 @@ def lifted(tape: Tape, value: Any) -> Any:
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
     if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
-        raise Unread(f"calculating with a {type(value).__name__}; write np.asarray of it")
+        raise Unread(
+            f"calculating with a {type(value).__name__}; write np.asarray of it"
+        )
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:
             return constant(tape, value)
@@ -82,17 +88,25 @@ def lifted(tape: Tape, value: Any) -> Any:
         return constant(tape, np.asarray(value, dtype=float))
     new = stacked(tape, items)
     pairs = zip(items, value, strict=True)
-    new._whole = all_of(is_whole(a if isinstance(a, Array) else number) for a, number in pairs)
+    new._whole = all_of(
+        is_whole(a if isinstance(a, Array) else number) for a, number in pairs
+    )
     return new
 
 
 def constant(tape: Tape, value: np.ndarray) -> Any:
     """Return an array of numbers; a single one is a float."""
-    value = np.asarray(value, order="C")  # ascontiguousarray would make an axis of a number
+    value = np.asarray(
+        value, order="C"
+    )  # ascontiguousarray would make an axis of a number
     if value.dtype.kind not in "fiub":
         raise Unread(f"calculating with an array of {value.dtype}")
     value = value.astype(float)
-    return tape.add("constant", (), value.shape, value.tobytes()) if value.shape else float(value)
+    return (
+        tape.add("constant", (), value.shape, value.tobytes())
+        if value.shape
+        else float(value)
+    )
 
 
 def filled(tape: Tape, value: Any, shape: Shape) -> Any:
@@ -144,8 +158,14 @@ def elementwise(name: str, *arguments: Any) -> Any:
     refs = []
     shapes = set()
     for k, argument in enumerate(arguments):
-        convert = as_condition if name in LOGICAL or (name == "where" and not k) else as_number
-        argument = argument if type(argument) is float else convert(lifted(tape, argument))
+        convert = (
+            as_condition
+            if name in LOGICAL or (name == "where" and not k)
+            else as_number
+        )
+        argument = (
+            argument if type(argument) is float else convert(lifted(tape, argument))
+        )
         if isinstance(argument, Array):
             shapes.add(argument.shape)
         refs.append(operand(argument))
@@ -153,7 +173,9 @@ def elementwise(name: str, *arguments: Any) -> Any:
     new = tape.add(name, refs, shape)
     new._of_python = of_python
     if name in OF_WHOLE and not _is_inverse(name, arguments):
-        new._whole = all_of(map(is_whole, arguments[1:] if name == "where" else arguments))
+        new._whole = all_of(
+            map(is_whole, arguments[1:] if name == "where" else arguments)
+        )
     return new
 
 
@@ -216,7 +238,11 @@ def of_python(number: Any, is_int: Any = False) -> Any:
 def chosen(condition: Any, a: Any, b: Any) -> Any:
     """Return the number of a branch, a or b, with its kind of number."""
     new = where(condition, a, b)
-    if isinstance(condition, Array) and isinstance(new, Array) and not new._is_condition:
+    if (
+        isinstance(condition, Array)
+        and isinstance(new, Array)
+        and not new._is_condition
+    ):
         new._whole = either(is_whole(a), is_whole(b))
         new._of_python = either(is_of_python(a), is_of_python(b))
     return new
@@ -233,10 +259,16 @@ def _overflows(a: Any, new: Any) -> Any:
 
 # errors of Python's floats and `math`: the error, and its condition on the arguments
 ERRORS: dict[str, tuple[type[Exception], Any]] = {
-    **dict.fromkeys(("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))),
+    **dict.fromkeys(
+        ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))
+    ),
     **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
-    **dict.fromkeys(("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))),
-    **dict.fromkeys(("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))),
+    **dict.fromkeys(
+        ("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))
+    ),
+    **dict.fromkeys(
+        ("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))
+    ),
     "sqrt": (ValueError, lambda a: np.less(a, 0.0)),
     "log1p": (ValueError, lambda a: np.less_equal(a, -1.0)),
     "acosh": (ValueError, lambda a: np.less(a, 1.0)),
@@ -253,7 +285,9 @@ def raise_in_a_try(name: str, *arguments: Any) -> None:
 
     This is needed only if the function may catch the error.  Otherwise the path gives NaN.
     """
-    if not in_a_try() or not any(moves(argument) or not np.all(argument) for argument in arguments):
+    if not in_a_try() or not any(
+        moves(argument) or not np.all(argument) for argument in arguments
+    ):
         return
     kinds = all_of(map(is_of_python, arguments)) if name in RAISING else True
     if kinds is None or name not in ERRORS:
@@ -269,7 +303,10 @@ def refuse_in_a_try() -> None:
 
 
 TRACING = f"{__package__}.tracing"  # module that calls the traced function
-OWN = (__package__.rpartition(".")[0], "numpy")  # errors that they catch they raise again
+OWN = (
+    __package__.rpartition(".")[0],
+    "numpy",
+)  # errors that they catch they raise again
 
 
 def in_a_try() -> bool:
@@ -316,7 +353,12 @@ def boxed(tape: Tape, value: Any) -> Any:
     """Return a number as an array without axes: ``+=`` changes it by each name that it has."""
     if type(value) is float:
         value = tape.add("fill", (value,), ())
-    if not isinstance(value, Array) or value.shape or value._boxed or value._is_condition:
+    if (
+        not isinstance(value, Array)
+        or value.shape
+        or value._boxed
+        or value._is_condition
+    ):
         return value
     new = Array(tape, value._node, ())
     new._boxed = True

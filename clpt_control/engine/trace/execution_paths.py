@@ -37,7 +37,9 @@ def each_path(tape: Any) -> Iterator[None]:
         yield
         tape.runs += 1
         if tape.runs > MOST_RUNS:
-            raise Unread(f"has helpers in helpers, of more than {MOST_RUNS} execution paths")
+            raise Unread(
+                f"has helpers in helpers, of more than {MOST_RUNS} execution paths"
+            )
         outcomes = [*tape.answers.values()]
         while len(outcomes) > len(before) and not outcomes[-1]:
             outcomes.pop()
@@ -47,7 +49,10 @@ def each_path(tape: Any) -> Iterator[None]:
 
 
 def merged(
-    tape: Tape, paths: list[tuple[dict[int, bool], list[Any]]], choose: Callable, depth: int = 0
+    tape: Tape,
+    paths: list[tuple[dict[int, bool], list[Any]]],
+    choose: Callable,
+    depth: int = 0,
 ) -> list[Any]:
     """Join the results of paths by the conditions, from that at `depth` on, which differ."""
     if len(paths) == 1:
@@ -59,7 +64,9 @@ def merged(
         raise Unread("asks otherwise from call to call; make what it keeps a state")
     branches = (merged(tape, subset, choose, depth + 1) for subset in (yes, no))
     return [
-        a if key_of(operand(a)) == key_of(operand(b)) else choose(Array(tape, condition, ()), a, b)
+        a
+        if key_of(operand(a)) == key_of(operand(b))
+        else choose(Array(tape, condition, ()), a, b)
         for a, b in zip(*branches, strict=True)
     ]
 
@@ -171,12 +178,16 @@ def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
     """Return the merged content of a list, dict, array or variable, one for all paths."""
     first = contents[0]
     if isinstance(value, Array):  # None is what nothing was written into
-        contents = [elements_of(value) if content is None else content for content in contents]
+        contents = [
+            elements_of(value) if content is None else content for content in contents
+        ]
     if isinstance(value, np.ndarray) and not all(
         np.array_equal(content, first) for content in contents
     ):
         raise NotMergeable  # it holds no signals
-    if isinstance(value, dict) and any(content.keys() != first.keys() for content in contents):
+    if isinstance(value, dict) and any(
+        content.keys() != first.keys() for content in contents
+    ):
         raise NotMergeable
     rows = [items_of(content) for content in contents]
     if len({len(row) for row in rows}) > 1:
@@ -204,7 +215,9 @@ def _merged_values(
         type(value) is type(first) and value == first for value in values
     ):
         return first
-    rows = [(outcomes, [value]) for outcomes, value in zip(answers, values, strict=True)]
+    rows = [
+        (outcomes, [value]) for outcomes, value in zip(answers, values, strict=True)
+    ]
     if all(map(is_truth, values)) and not any(np.ndim(value) for value in values):
         return merged(tape, rows, where, depth)[0]
     if all(map(_is_number, values)) and not all(type(value) is int for value in values):
@@ -216,10 +229,15 @@ def _merged_values(
         new._fixed = any(value._fixed or id(value._root) in earlier for value in values)
         return new
     kinds = {type(value) for value in values}
-    if len(kinds) == 1 and kinds <= {tuple, list} and len({len(value) for value in values}) == 1:
+    if (
+        len(kinds) == 1
+        and kinds <= {tuple, list}
+        and len({len(value) for value in values}) == 1
+    ):
         columns = zip(*values, strict=True)
         return type(first)(
-            _merged_values(tape, answers, depth, earlier, outcomes) for outcomes in columns
+            _merged_values(tape, answers, depth, earlier, outcomes)
+            for outcomes in columns
         )
     raise NotMergeable
 

@@ -69,9 +69,19 @@ TABLE_FIELDS = (  # data of an interpolator of SciPy
 CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
 NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
 DYNAMIC = frozenset(  # attributes by text
-    ("getattr", "setattr", "delattr", "hasattr", "attrgetter", "methodcaller", "__dict__")
+    (
+        "getattr",
+        "setattr",
+        "delattr",
+        "hasattr",
+        "attrgetter",
+        "methodcaller",
+        "__dict__",
+    )
 )
-INTERNALS = frozenset(("__code__", "__defaults__", "__kwdefaults__", "__closure__", "__globals__"))
+INTERNALS = frozenset(
+    ("__code__", "__defaults__", "__kwdefaults__", "__closure__", "__globals__")
+)
 BOUND = (BuiltinFunctionType, MethodWrapperType)
 PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     MethodType: ("__func__", "__self__"),
@@ -83,7 +93,10 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     **dict.fromkeys((classmethod, abc.abstractclassmethod), ("__func__",)),
 }
 NUMBERS = frozenset((int, float, bool))
-OF_C = (WrapperDescriptorType, MethodDescriptorType)  # methods of a class that is written in C
+OF_C = (
+    WrapperDescriptorType,
+    MethodDescriptorType,
+)  # methods of a class that is written in C
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
 
 
@@ -93,7 +106,9 @@ class Fingerprint:
 
     key: tuple  # functions of equal keys are traced alike
     mutables: tuple[Content, ...]  # what the functions may change
-    referenced: tuple[Any, ...]  # objects whose identities are in the key; they must stay alive
+    referenced: tuple[
+        Any, ...
+    ]  # objects whose identities are in the key; they must stay alive
 
     @property
     def identity(self) -> tuple:
@@ -202,9 +217,13 @@ class _Walk:
         if isinstance(value, IOBase):
             self._refuse(f"calls {self.label}, {OUTSIDE}")
         if isinstance(value, Iterator):
-            self._refuse("reads an iterator, which goes on at the next call; make it a list")
+            self._refuse(
+                "reads an iterator, which goes on at the next call; make it a list"
+            )
         if is_table(value):
-            return id(value), *[self.key_of(getattr(value, name, None)) for name in TABLE_FIELDS]
+            return id(value), *[
+                self.key_of(getattr(value, name, None)) for name in TABLE_FIELDS
+            ]
         if isinstance(value, control.InputOutputSystem):
             return self._system(value)
         if isinstance(value, np.ndarray):
@@ -218,7 +237,9 @@ class _Walk:
 
     def _container(self, kind: type, value: Any) -> Any:
         """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
-        if isinstance(value, tuple) and is_library(root_of(kind)):  # also sys.float_info
+        if isinstance(value, tuple) and is_library(
+            root_of(kind)
+        ):  # also sys.float_info
             return kind, *self._items(value)
         if not _is_plain(kind):
             self._refuse_object(kind)
@@ -235,7 +256,10 @@ class _Walk:
             key += ["list", *self._items(value)]
         elif isinstance(value, dict):
             self._note(value)
-            key += ["dict", *[(self.key_of(k), self.key_of(v)) for k, v in value.items()]]
+            key += [
+                "dict",
+                *[(self.key_of(k), self.key_of(v)) for k, v in value.items()],
+            ]
             if isinstance(value, defaultdict):
                 key.append(self.key_of(value.default_factory))
         self._attributes(value)
@@ -256,7 +280,11 @@ class _Walk:
     def _note(self, value: Any, owner: type | None = None, *fields: Any) -> None:
         """Note a value that a function may change; what is trusted changes none."""
         if not self.trusted:
-            words = f"an attribute of {owner.__name__}" if owner else f"a {type(value).__name__}"
+            words = (
+                f"an attribute of {owner.__name__}"
+                if owner
+                else f"a {type(value).__name__}"
+            )
             self.mutables.append(Content(value, words, *fields))
 
     def _items(self, values: Any) -> Iterator[Any]:
@@ -279,11 +307,23 @@ class _Walk:
 
     def _system(self, system: Any) -> Any:
         """Return the key of a system of python-control, by its attributes."""
-        fields = {k: v for k, v in vars(system).items() if not k.endswith(("_labels", "_prefix"))}
+        fields = {
+            k: v
+            for k, v in vars(system).items()
+            if not k.endswith(("_labels", "_prefix"))
+        }
         if "_parameters" in fields:  # a block of this package
             functions = [function for function, _ in system._roles.values()]
-            return id(system), self.identity(system.parameters), *map(self.key_of, functions)
-        fields = {name: attribute for name, attribute in fields.items() if name not in OF_CALLS}
+            return (
+                id(system),
+                self.identity(system.parameters),
+                *map(self.key_of, functions),
+            )
+        fields = {
+            name: attribute
+            for name, attribute in fields.items()
+            if name not in OF_CALLS
+        }
         self._note(vars(system), type(system), fields, OF_CALLS)
         keys = [(name, self.key_of(attribute)) for name, attribute in fields.items()]
         return self._class(type(system)), *keys
@@ -308,12 +348,16 @@ class _Walk:
         for name in INTERNALS.intersection(names):
             self._refuse(f"uses {name}; call the function as it is")
         generated = code.co_filename == "<string>"  # of a dataclass
-        self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(names)
+        self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(
+            names
+        )
         spaces = {"global": function.__globals__, "cell": _cells_of(function)}
         for item in references(code):
             self.where = f"{code.co_name}, line {item.line}: "
             if own_package and item.space != "cell":
-                value = function.__globals__.get(item.name)  # of the package's own only functions
+                value = function.__globals__.get(
+                    item.name
+                )  # of the package's own only functions
                 key += [self.key_of(value)] if type(value) is FunctionType else []
             elif item.space in spaces:
                 key.append(self._referenced(item, spaces[item.space]))
@@ -332,7 +376,10 @@ class _Walk:
         label = reference.name
         if value is UNBOUND:
             if reference.space == "cell" or reference.name not in BUILTINS:
-                return "unbound", reference.name  # an error of the function, or not bound yet
+                return (
+                    "unbound",
+                    reference.name,
+                )  # an error of the function, or not bound yet
             value = BUILTINS[reference.name]
         attributes = list(reference.attributes)
         while isinstance(value, ModuleType) and attributes:
@@ -351,7 +398,9 @@ class _Walk:
         """Return the key of a module that a function imports by itself."""
         try:
             with isolated(), reading_on(Tape()):
-                module = importlib.import_module(reference.name, space.get("__package__"))
+                module = importlib.import_module(
+                    reference.name, space.get("__package__")
+                )
         except ImportError:
             return "unbound", reference.name
         except Unread as error:
@@ -375,8 +424,14 @@ class _Walk:
                 for name, value in owner.namespace().items():
                     if name not in owner.names and self._is_named(owner, name, value):
                         owner.names[name] = None
-                        self.where, self.label = f"{_name_of(owner.value)}.{name}: ", name
-                        trusted, self.trusted = self.trusted, self.trusted or owner.of_control
+                        self.where, self.label = (
+                            f"{_name_of(owner.value)}.{name}: ",
+                            name,
+                        )
+                        trusted, self.trusted = (
+                            self.trusted,
+                            self.trusted or owner.of_control,
+                        )
                         yield owner.number, name, self.key_of(value)
                         self.trusted = trusted
             if count == (len(self.names), len(self.owners), len(self._numbers)):
@@ -390,7 +445,9 @@ class _Walk:
                 return False
             called = owner.constructed or self.calls_classes
             reached = name in CONSTRUCTORS and called
-            return isinstance(value, FunctionType) and (reached or name not in NOT_CALLED)
+            return isinstance(value, FunctionType) and (
+                reached or name not in NOT_CALLED
+            )
         dynamic = name in self.texts and not DYNAMIC.isdisjoint(self.names)
         return name in self.names or dynamic
 
@@ -418,14 +475,17 @@ class _Walk:
     def _module(self, module: ModuleType) -> Any:
         """Return the key of a module that is passed on as a value, or imported."""
         self._owner(
-            module, lambda: {k: getattr(module, k) for k in self.names if hasattr(module, k)}
+            module,
+            lambda: {k: getattr(module, k) for k in self.names if hasattr(module, k)},
         )
         return "module", module.__name__
 
     # --- refusals ---------------------------------------------------------------------------
 
     def _refuse_object(self, kind: type) -> None:
-        name = f"{self.label}, a {kind.__name__}" if self.label else f"a {kind.__name__}"
+        name = (
+            f"{self.label}, a {kind.__name__}" if self.label else f"a {kind.__name__}"
+        )
         self._refuse(
             f"uses {name}, where calls may keep or change things unseen; pass its numbers as "
             "parameters or arrays"
@@ -441,7 +501,10 @@ def _is_plain(kind: type) -> bool:
     """Return whether the state of an object is in attributes, items or slots that Python has."""
     classes = [base for base in kind.__mro__ if base not in PLAIN_BASES]
     methods = (
-        method for base in classes for method in vars(base).values() if isinstance(method, OF_C)
+        method
+        for base in classes
+        for method in vars(base).values()
+        if isinstance(method, OF_C)
     )
     library = any(is_library(root_of(base)) for base in classes)
     return not library and not any(method.__objclass__ in classes for method in methods)
@@ -452,7 +515,9 @@ def _cached_properties(kind: Any) -> frozenset[str]:
     """Return the attributes that an object of a class computes once."""
     attributes = (item for base in kind.__mro__ for item in vars(base).items())
     return frozenset(
-        name for name, attribute in attributes if isinstance(attribute, functools.cached_property)
+        name
+        for name, attribute in attributes
+        if isinstance(attribute, functools.cached_property)
     )
 
 

@@ -49,7 +49,9 @@ def lookup(table: Any, index: Any) -> Any:
     tape = next((a._tape for a in (table, index) if isinstance(a, Array)), None)
     if tape is None:
         try:
-            return picked(np.asarray(table, dtype=float), np.asarray(index, dtype=float))[()]
+            return picked(
+                np.asarray(table, dtype=float), np.asarray(index, dtype=float)
+            )[()]
         except (TypeError, ValueError):
             raise ArgumentError(
                 f"lookup: table = {brief(table)}, index = {brief(index)}: must be a row of numbers "
@@ -111,7 +113,9 @@ def joints_of(points: np.ndarray, coefficients: Any) -> str:
     size = np.max(np.abs(coefficients[-1]), initial=0.0)
     before = [row[:-1] for row in coefficients]
     after = [row[1:] for row in coefficients]
-    if not np.allclose(_horner(before, steps[:-1]), coefficients[-1][1:], 1e-12, 1e-12 * size):
+    if not np.allclose(
+        _horner(before, steps[:-1]), coefficients[-1][1:], 1e-12, 1e-12 * size
+    ):
         return "jumps"
     distance = _horner(before, steps[:-1] + steps[1:]) - _horner(after, steps[1:])
     return "smooth" if np.all(np.abs(distance) <= 8.0 * SMOOTH * size) else "kinks"
@@ -146,7 +150,9 @@ def interpolated(
         values = np.concatenate([values[-1:], values, values[:1]])
     xp = _increasing(xp, "np.interp")
     slopes = _slopes(xp, values)
-    joints = "kinks" if isinstance(values, Array) else joints_of(xp, [slopes, values[:-1]])
+    joints = (
+        "kinks" if isinstance(values, Array) else joints_of(xp, [slopes, values[:-1]])
+    )
     index = place_in(xp, x, joints=joints if left is None else "jumps")
     flat = np.zeros(1)
     slope = lookup(np.concatenate([flat, slopes, flat]), index)
@@ -160,7 +166,11 @@ def interpolated(
 
 
 def _of_pieces(
-    points: np.ndarray, c: np.ndarray, ends: Any, side: str = "right", domain: Any = None
+    points: np.ndarray,
+    c: np.ndarray,
+    ends: Any,
+    side: str = "right",
+    domain: Any = None,
 ) -> Table:
     """Return a piecewise polynomial: coefficients c by power, piece and column."""
     columns = np.moveaxis(c.reshape(*c.shape[:2], -1), 2, 0)
@@ -170,7 +180,8 @@ def _of_pieces(
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
         values = [
-            _outside(_polynomial(points, column, x, side), x, limits, *ends) for column in columns
+            _outside(_polynomial(points, column, x, side), x, limits, *ends)
+            for column in columns
         ]
         if not shape:
             return values[0]
@@ -179,8 +190,12 @@ def _of_pieces(
     return table
 
 
-STEPS: dict[str, Callable] = {  # points at which interp1d of a kind steps to the next value
-    **dict.fromkeys(("nearest", "nearest-up"), lambda points: (points[1:] + points[:-1]) / 2.0),
+STEPS: dict[
+    str, Callable
+] = {  # points at which interp1d of a kind steps to the next value
+    **dict.fromkeys(
+        ("nearest", "nearest-up"), lambda points: (points[1:] + points[:-1]) / 2.0
+    ),
     "next": lambda points: points[:-1],
     **dict.fromkeys(("previous", "zero"), lambda points: points[1:]),
 }
@@ -197,9 +212,13 @@ def _of_interp1d(f: Any) -> Table:
         fill = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
         if any(np.size(value) > 1 for value in fill):
             raise Unread("scipy's interp1d with a fill_value for each column")
-        ends = [np.nan if f.bounds_error else float(np.ravel(value)[0]) for value in fill]
+        ends = [
+            np.nan if f.bounds_error else float(np.ravel(value)[0]) for value in fill
+        ]
     if f._kind == "linear":
-        return _of_pieces(points, np.stack([_slopes(points, values), values[:-1]]), ends, "left")
+        return _of_pieces(
+            points, np.stack([_slopes(points, values), values[:-1]]), ends, "left"
+        )
     if f._kind == "spline":
         t = f._spline.t
         k = f._spline.k
@@ -218,12 +237,18 @@ def _of_polynomials(f: Any) -> Table:
     if f.c.dtype.kind != "f" or f.axis:
         raise Unread(f"scipy's {name} of complex numbers, or along another axis")
     if f.extrapolate == "periodic":
-        raise Unread(f"scipy's {name} that is periodic; take the remainder of its argument")
-    table = _of_pieces(np.asarray(f.x, float), f.c, (None if f.extrapolate else np.nan,) * 2)
+        raise Unread(
+            f"scipy's {name} that is periodic; take the remainder of its argument"
+        )
+    table = _of_pieces(
+        np.asarray(f.x, float), f.c, (None if f.extrapolate else np.nan,) * 2
+    )
 
     def of_values(tape: Tape, x: Any, nu: int = 0) -> Any:
         if nu:
-            raise Unread(f"derivatives of scipy's {name}; call its `derivative` before the run")
+            raise Unread(
+                f"derivatives of scipy's {name}; call its `derivative` before the run"
+            )
         return table(tape, x)
 
     return of_values
@@ -233,8 +258,14 @@ def _of_grid(f: Any) -> Table:
     """Return scipy.interpolate.RegularGridInterpolator as a function of signals."""
     grid = [np.asarray(points, dtype=float) for points in f.grid]
     values = np.asarray(f.values)
-    if f.method != "linear" or values.ndim != len(grid) or values.dtype.kind not in "fiu":
-        raise Unread("scipy's RegularGridInterpolator that is not linear, or of several columns")
+    if (
+        f.method != "linear"
+        or values.ndim != len(grid)
+        or values.dtype.kind not in "fiu"
+    ):
+        raise Unread(
+            "scipy's RegularGridInterpolator that is not linear, or of several columns"
+        )
     end = np.nan if f.bounds_error else f.fill_value
 
     def table(tape: Tape, arguments: Any) -> Any:
@@ -246,15 +277,20 @@ def _of_grid(f: Any) -> Table:
             x = x.reshape(-1, len(grid))
         axes = [(points, x[..., k]) for k, points in enumerate(grid)]
         indices = [
-            place_in(points[1:-1], coordinate, joints="kinks") for points, coordinate in axes
+            place_in(points[1:-1], coordinate, joints="kinks")
+            for points, coordinate in axes
         ]
         # the value is a weighted mean of the corners of the cell
         total: Any = 0.0
         for corner in np.ndindex(*[2] * len(grid)):
             position: Any = 0.0
             weight: Any = 1.0
-            for (points, coordinate), index, upper in zip(axes, indices, corner, strict=True):
-                fraction = (coordinate - lookup(points, index)) / lookup(np.diff(points), index)
+            for (points, coordinate), index, upper in zip(
+                axes, indices, corner, strict=True
+            ):
+                fraction = (coordinate - lookup(points, index)) / lookup(
+                    np.diff(points), index
+                )
                 weight = weight * (fraction if upper else 1.0 - fraction)
                 position = position * len(points) + index + upper
             total = total + lookup(values.ravel(), position) * weight
@@ -276,12 +312,16 @@ def _of_simplices(f: Any) -> Table:
     shape = tuple(f.values_shape)
     ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *shape)
     if len(simplices) > MOST or f.scale is not None:
-        raise Unread(f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled")
+        raise Unread(
+            f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled"
+        )
 
     def table(tape: Tape, *coordinates: Any) -> Any:
         x = _vector(tape, *coordinates)
         values: Any = np.full(shape, f.fill_value) if shape else float(f.fill_value)
-        for corners, inverse in zip(simplices[::-1], f.tri.transform[::-1], strict=True):
+        for corners, inverse in zip(
+            simplices[::-1], f.tri.transform[::-1], strict=True
+        ):
             weights = [row @ (x - inverse[-1]) for row in inverse[:-1]]
             weights.append(1.0 - reduce(add, weights))
             inside = reduce(and_, [weight >= -1e-12 for weight in weights])
@@ -297,7 +337,9 @@ def _of_nearest(f: Any) -> Table:
     points = np.asarray(f.tree.data, dtype=float)
     ys = np.asarray(f.values, dtype=float)
     if len(points) > MOST or f.scale is not None:
-        raise Unread(f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled")
+        raise Unread(
+            f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled"
+        )
 
     def table(tape: Tape, *coordinates: Any) -> Any:
         x = _vector(tape, *coordinates)

@@ -25,12 +25,43 @@ from .allow_list import OUTSIDE
 from .arrays import Unread, active
 
 OF_OS = (
-    *("remove", "unlink", "rename", "replace", "mkdir", "rmdir", "link", "symlink", "chmod"),
-    *("chown", "truncate", "utime", "putenv", "unsetenv", "chdir", "umask", "kill", "system"),
-    *("write", "fork", "forkpty", "posix_spawn", "posix_spawnp", "execv", "execve", "abort"),
+    *(
+        "remove",
+        "unlink",
+        "rename",
+        "replace",
+        "mkdir",
+        "rmdir",
+        "link",
+        "symlink",
+        "chmod",
+    ),
+    *(
+        "chown",
+        "truncate",
+        "utime",
+        "putenv",
+        "unsetenv",
+        "chdir",
+        "umask",
+        "kill",
+        "system",
+    ),
+    *(
+        "write",
+        "fork",
+        "forkpty",
+        "posix_spawn",
+        "posix_spawnp",
+        "execv",
+        "execve",
+        "abort",
+    ),
     *("_exit", "pipe", "mkfifo", "mknod", "nice", "startfile"),
 )
-REFUSED: tuple[tuple[Any, str, str], ...] = (  # owner and name of a function, and its name in words
+REFUSED: tuple[
+    tuple[Any, str, str], ...
+] = (  # owner and name of a function, and its name in words
     *((os, name, f"os.{name}") for name in OF_OS),
     (builtins, "input", "input"),
     (subprocess.Popen, "__init__", "subprocess.Popen"),
@@ -43,7 +74,9 @@ OPENING = (builtins, "open"), (io, "open"), (os, "open")
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 DROPPED = (warnings, "warn"), (warnings, "showwarning"), (logging.Logger, "handle")
 LOCK = threading.RLock()
-_installed: list[tuple[Any, str, Any, Any]] = []  # owner, name, real one and replacement
+_installed: list[
+    tuple[Any, str, Any, Any]
+] = []  # owner, name, real one and replacement
 _depth = 0
 
 

@@ -44,7 +44,9 @@ def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> An
 def _rows(matrix: Any) -> list[Any]:
     count = len(matrix)
     if count > MOST_ROWS:
-        raise Unread(f"linear equations of more than {MOST_ROWS} rows with signals in their matrix")
+        raise Unread(
+            f"linear equations of more than {MOST_ROWS} rows with signals in their matrix"
+        )
     return [matrix[k] for k in range(count)]
 
 

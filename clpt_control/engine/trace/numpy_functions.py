@@ -10,10 +10,26 @@ import numpy as np
 
 from . import views
 from .arrays import HOOKS, Array, Tape, Unread, objects
-from .elementwise import as_number, boxed, filled, is_truth, is_whole, lifted, of_python, where
+from .elementwise import (
+    as_number,
+    boxed,
+    filled,
+    is_truth,
+    is_whole,
+    lifted,
+    of_python,
+    where,
+)
 from .interpolators import interpolated, searched
 from .linear_algebra import determinant, dot, norm, outer, solve
-from .ufuncs import LONG_ROW, accumulated, check_doubles, place_of_the_least, reduced, rounded
+from .ufuncs import (
+    LONG_ROW,
+    accumulated,
+    check_doubles,
+    place_of_the_least,
+    reduced,
+    rounded,
+)
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's function -> its record
@@ -46,7 +62,9 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
     def register(record: Callable) -> Callable:
         def function(*inputs: Any, **options: Any) -> Any:
             tape = tape_of((*inputs, *options.values()))
-            return record(*(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **options)
+            return record(
+                *(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **options
+            )
 
         IMPLEMENTED.update(dict.fromkeys(functions, function if arrays else record))
         return record
@@ -66,7 +84,9 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
 
 
 @implements(np.var)
-def variance(a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0) -> Any:
+def variance(
+    a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0
+) -> Any:
     """Return the mean square of the deviation from the mean."""
     check_doubles(dtype)
     deviation = a - mean(a, axis, keepdims=axis is not None)
@@ -94,7 +114,11 @@ def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
         return refuse("np.gradient along several axes, by places, or of another order")
     f = np.moveaxis(f, direction, 0)
     h = [*steps, 1.0][0]
-    slopes = [(f[1:2] - f[:1]) / h, (f[2:] - f[:-2]) / (2.0 * h), (f[-1:] - f[-2:-1]) / h]
+    slopes = [
+        (f[1:2] - f[:1]) / h,
+        (f[2:] - f[:-2]) / (2.0 * h),
+        (f[-1:] - f[-2:-1]) / h,
+    ]
     return np.moveaxis(np.concatenate(slopes), 0, direction)
 
 
@@ -111,7 +135,9 @@ def cross(a: Any, b: Any, **options: Any) -> Any:
 
 
 @implements(np.clip)
-def clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None) -> Any:
+def clip(
+    a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None
+) -> Any:
     """Return a within limits."""
     low = a_min if min is None else min
     high = a_max if max is None else max
@@ -127,7 +153,9 @@ def index_of_best(function: Any, better: Any) -> Callable:
         if axis or options:
             return on_objects(a._tape, function, (a, *axis), options)
         if a.size > LONG_ROW:
-            return place_of_the_least(as_number(np.ravel(a if better is np.less else -a)))
+            return place_of_the_least(
+                as_number(np.ravel(a if better is np.less else -a))
+            )
         best, *candidates = as_number(np.ravel(a))
         index: Any = 0
         for k, candidate in enumerate(candidates, 1):
@@ -186,7 +214,9 @@ def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
 
 
 @implements(np.isclose, arrays=2)
-def close(a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False) -> Any:
+def close(
+    a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False
+) -> Any:
     """Return whether numbers are about the same, as np.isclose does."""
     is_near = np.fabs(a - b) <= atol + rtol * np.fabs(b)
     is_close = is_near & (np.fabs(b) < np.inf) | (a == b)
@@ -252,10 +282,14 @@ implements(np.linalg.solve, arrays=2)(solve)
 implements(np.linalg.det)(determinant)
 implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
 implements(np.ptp)(
-    lambda a, *axis, **options: np.max(a, *axis, **options) - np.min(a, *axis, **options)
+    lambda a, *axis, **options: (
+        np.max(a, *axis, **options) - np.min(a, *axis, **options)
+    )
 )
 implements(np.std)(lambda a, *axis, **options: np.sqrt(np.var(a, *axis, **options)))
-implements(np.trace)(lambda a, *axes, **options: np.sum(np.diagonal(a, *axes, **options)))
+implements(np.trace)(
+    lambda a, *axes, **options: np.sum(np.diagonal(a, *axes, **options))
+)
 implements(np.allclose, arrays=2)(
     lambda a, b, *rtol, **options: np.all(close(a, b, *rtol, **options))
 )
@@ -290,7 +324,9 @@ def sharing(function: Any) -> Callable:
         orders = {v for v in (*arguments, *options.values()) if isinstance(v, str)}
         if orders & {"A", "K"}:
             return refuse("elements in the order of memory")
-        return views.part(a, lambda positions: function(positions, *arguments, **options))
+        return views.part(
+            a, lambda positions: function(positions, *arguments, **options)
+        )
 
     return record
 
@@ -308,7 +344,15 @@ def sharing_each(function: Any) -> Callable:
 
 VIEWS = (
     *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
-    *(np.expand_dims, np.flip, np.flipud, np.fliplr, np.diagonal, np.diag, np.broadcast_to),
+    *(
+        np.expand_dims,
+        np.flip,
+        np.flipud,
+        np.fliplr,
+        np.diagonal,
+        np.diag,
+        np.broadcast_to,
+    ),
     *(np.rot90, np.rollaxis, np.atleast_3d),
 )
 NUMPY_CODE: tuple[Any, ...] = (  # functions whose own code runs on tracer arrays
@@ -371,7 +415,9 @@ def method(name: str) -> Callable | None:
     if name in METHODS or name in DIFFERENT:
         return METHODS.get(name)
     function = vars(np).get(name)
-    if isinstance(function, np.ufunc) or (callable(function) and hasattr(np.ndarray, name)):
+    if isinstance(function, np.ufunc) or (
+        callable(function) and hasattr(np.ndarray, name)
+    ):
         return function
     return None
 

@@ -34,7 +34,9 @@ TRACER_MODULES = tuple(
     f"{ENGINE}.{name}"
     for name in ("trace.arrays", "trace.elementwise", "record.graph", "trace.views")
 )
-OF_WARNINGS = "__warningregistry__"  # which Python puts into the module that it warns of
+OF_WARNINGS = (
+    "__warningregistry__"  # which Python puts into the module that it warns of
+)
 
 
 class Rebinding:
@@ -45,11 +47,17 @@ class Rebinding:
         self.reached = reached
         self.merging = merging
         self.texts: set[str] = set()  # in the functions, which may be names of params
-        self._known: dict[int, tuple[Any, Any]] = {}  # a value, kept alive, and its tracer value
-        self._unmerged: dict[int, FunctionType] = {}  # copies, by those that merge their paths
+        self._known: dict[
+            int, tuple[Any, Any]
+        ] = {}  # a value, kept alive, and its tracer value
+        self._unmerged: dict[
+            int, FunctionType
+        ] = {}  # copies, by those that merge their paths
         self._spaces: dict[int, Content] = {}  # copied names of each module
         self._copies: list[Content] = []
-        self._during: list[tuple[Content, Any]] | None = None  # contents with tracer values
+        self._during: list[tuple[Content, Any]] | None = (
+            None  # contents with tracer values
+        )
 
     def of(self, value: Any) -> Any:
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
@@ -69,7 +77,9 @@ class Rebinding:
             return MethodType(self.of(value.__func__), self.of(value.__self__))
         if isinstance(value, functools.partial):
             keywords = {name: self.of(item) for name, item in value.keywords.items()}
-            return functools.partial(self.of(value.func), *map(self.of, value.args), **keywords)
+            return functools.partial(
+                self.of(value.func), *map(self.of, value.args), **keywords
+            )
         if root_of(type(value)) == "numba":
             return self.of(value.py_func)
         if type(value) is functools._lru_cache_wrapper:
@@ -87,7 +97,9 @@ class Rebinding:
         """Return numbers as a tracer array, which takes signals where NumPy's does not."""
         if value.size >= MOST_NUMBERS:
             return value
-        numbers = constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        numbers = (
+            constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
+        )
         numbers._fixed = True
         numbers._whole = value.dtype == int
         return numbers
@@ -117,20 +129,30 @@ class Rebinding:
         result = merge_calls(copy) if self.merging else copy
         self._unmerged[id(result)] = copy
         self._known[id(function)] = function, result
-        vars(result).update({name: self.of(value) for name, value in vars(function).items()})
-        copy.__defaults__ = function.__defaults__ and tuple(map(self.of, function.__defaults__))
+        vars(result).update(
+            {name: self.of(value) for name, value in vars(function).items()}
+        )
+        copy.__defaults__ = function.__defaults__ and tuple(
+            map(self.of, function.__defaults__)
+        )
         if function.__kwdefaults__:
-            copy.__kwdefaults__ = {k: self.of(v) for k, v in function.__kwdefaults__.items()}
+            copy.__kwdefaults__ = {
+                k: self.of(v) for k, v in function.__kwdefaults__.items()
+            }
         for cell, old, name in zip(
             cells, function.__closure__ or (), code.co_freevars, strict=True
         ):
             if old != CellType():  # else it is not bound yet
                 cell.cell_contents = self.of(old.cell_contents)
-                self._copies.append(Content(cell, f"{name!r} of the function around it"))
+                self._copies.append(
+                    Content(cell, f"{name!r} of the function around it")
+                )
         self._copies.append(Content(vars(result), "an attribute of a function"))
         for name in code_names(code):
             if name in function.__globals__:
-                space.value[name] = space.before[name] = self.of(function.__globals__[name])
+                space.value[name] = space.before[name] = self.of(
+                    function.__globals__[name]
+                )
         return result
 
     def _space(self, names: dict[str, Any]) -> Content:
@@ -151,7 +173,9 @@ class Rebinding:
     def _contents(self) -> list[tuple[Content, Any]]:
         """Return the content of every mutable value with tracer values in it."""
         if self._during is None:
-            self._during = [(content, self._content(content)) for content in self.reached.mutables]
+            self._during = [
+                (content, self._content(content)) for content in self.reached.mutables
+            ]
         return self._during
 
     def _content(self, content: Content) -> Any:
@@ -162,9 +186,13 @@ class Rebinding:
             return content.before if all(map(is_, items, content.before)) else items
         names = content.before if content.names is None else content.names
         attributes = {
-            name: self._attribute(content.before[name]) for name in names if name in content.before
+            name: self._attribute(content.before[name])
+            for name in names
+            if name in content.before
         }
-        is_same = all(value is content.before[name] for name, value in attributes.items())
+        is_same = all(
+            value is content.before[name] for name, value in attributes.items()
+        )
         return content.before if is_same else {**content.before, **attributes}
 
     def _attribute(self, value: Any) -> Any:
@@ -214,7 +242,9 @@ def _cached(function: FunctionType) -> Any:
         elif isinstance(value, tuple):
             deque(map(fixed, value), 0)
         elif type(value) not in IMMUTABLE and not isinstance(value, float | np.generic):
-            raise Unread(f"caches a {type(value).__name__}; cache numbers, arrays or tuples")
+            raise Unread(
+                f"caches a {type(value).__name__}; cache numbers, arrays or tuples"
+            )
         return value
 
     return functools.wraps(function)(

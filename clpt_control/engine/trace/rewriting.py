@@ -32,7 +32,15 @@ NAMES = {
     "__index_of__": index_of,
 }
 STATEMENT = "__statement__"
-LEAVING = (ast.Return, ast.Yield, ast.YieldFrom, ast.Await, ast.Global, ast.Nonlocal, ast.Delete)
+LEAVING = (
+    ast.Return,
+    ast.Yield,
+    ast.YieldFrom,
+    ast.Await,
+    ast.Global,
+    ast.Nonlocal,
+    ast.Delete,
+)
 FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
@@ -54,7 +62,9 @@ def rewritten(code: CodeType) -> CodeType:
 
 def _replacement(code: CodeType, number: int) -> CodeType:
     """Return the rewritten code of a function in a statement, or its own code."""
-    originals, rewritten_codes = _compiled(code.co_filename, number, code.co_flags & FUTURE)
+    originals, rewritten_codes = _compiled(
+        code.co_filename, number, code.co_flags & FUTURE
+    )
     if code not in originals:
         return code
     new = rewritten_codes.get(_position(code), code)
@@ -185,7 +195,9 @@ __merge_statement__({STATEMENT}, {read_later})
         if self.function.has_frames or not self.function.locals.issuperset(stored):
             return False
         for inner in _within(statement):
-            if isinstance(inner, LEAVING) or (isinstance(inner, ast.Name) and inner.id in FRAMES):
+            if isinstance(inner, LEAVING) or (
+                isinstance(inner, ast.Name) and inner.id in FRAMES
+            ):
                 return False
             if isinstance(inner, ast.Raise) and not isinstance(statement, ast.Try):
                 return False
@@ -205,7 +217,12 @@ __merge_statement__({STATEMENT}, {read_later})
 
     def _merged(self, node: ast.expr) -> ast.expr:
         walked = {type(inner) for inner in ast.walk(node)}
-        if self.function is None or walked & {ast.NamedExpr, ast.Await, ast.Yield, ast.YieldFrom}:
+        if self.function is None or walked & {
+            ast.NamedExpr,
+            ast.Await,
+            ast.Yield,
+            ast.YieldFrom,
+        }:
             return node
         function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
         function.body = node
@@ -214,7 +231,9 @@ __merge_statement__({STATEMENT}, {read_later})
     def visit_Subscript(self, node: ast.Subscript) -> Any:
         """Read items by a function, which takes signals as indices of lists."""
         self.generic_visit(node)
-        fixed = isinstance(node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp)
+        fixed = isinstance(
+            node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp
+        )
         if self.function is None or fixed or not isinstance(node.ctx, ast.Load):
             return node
         return self._call("__item_of__", node, [node.value, node.slice])
@@ -239,11 +258,15 @@ class _Function:
     def __init__(self, node: Any):
         arguments = node.args
         every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
-        every += [item for item in (arguments.vararg, arguments.kwarg) if item is not None]
+        every += [
+            item for item in (arguments.vararg, arguments.kwarg) if item is not None
+        ]
         body = node.body if isinstance(node.body, list) else [node.body]
         inner = [item for statement in body for item in _within(statement)]
         self.locals = {item.arg for item in every}.union(*map(_stored, body))
-        declared = [item for item in inner if isinstance(item, ast.Global | ast.Nonlocal)]
+        declared = [
+            item for item in inner if isinstance(item, ast.Global | ast.Nonlocal)
+        ]
         self.locals -= {name for item in declared for name in item.names}
         self.has_frames = any(
             isinstance(item, ast.Yield | ast.YieldFrom | ast.Await) for item in inner
@@ -253,7 +276,9 @@ class _Function:
     def read_outside(self, statement: ast.stmt) -> set[str]:
         """Return the variables that are read by other code than a statement, or when it repeats."""
         counts = {} if self.loops else _reads([statement])
-        return {name for name, count in self.reads.items() if count > counts.get(name, 0)}
+        return {
+            name for name, count in self.reads.items() if count > counts.get(name, 0)
+        }
 
 
 def _reads(body: Iterable[ast.AST]) -> dict[str, int]:
@@ -273,7 +298,9 @@ def _within(statement: ast.AST) -> Iterator[ast.AST]:
     yield statement
     if not isinstance(statement, SCOPES):
         for child in ast.iter_child_nodes(statement):
-            if not (isinstance(statement, ast.comprehension) and child is statement.target):
+            if not (
+                isinstance(statement, ast.comprehension) and child is statement.target
+            ):
                 yield from _within(child)
 
 

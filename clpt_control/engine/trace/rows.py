@@ -17,7 +17,12 @@ NUMBERS = (int, float, np.float64, np.int64)
 def item_of(values: Any, index: Any) -> Any:
     """Return values[index]."""
     is_signal = isinstance(index, Array) and not index.shape and index._whole is True
-    if not is_signal or type(values) not in (list, tuple) or not moves(index) or in_a_try():
+    if (
+        not is_signal
+        or type(values) not in (list, tuple)
+        or not moves(index)
+        or in_a_try()
+    ):
         return values[index]
     item = picked_from(values, index)
     return values[index] if item is None else item
@@ -27,11 +32,16 @@ def picked_from(values: Any, index: Array) -> Any:
     """Return the item of a list of numbers, or of rows of numbers; None of other lists."""
     if all(map(_is_number, values)):
         return _picked_number(values, index)
-    kinds = {(type(value), len(value) if hasattr(value, "__len__") else -1) for value in values}
+    kinds = {
+        (type(value), len(value) if hasattr(value, "__len__") else -1)
+        for value in values
+    }
     kind, length = next(iter(kinds), (None, 0))
     if len(kinds) != 1 or kind not in (list, tuple):
         return None
-    columns = [picked_from([value[j] for value in values], index) for j in range(length)]
+    columns = [
+        picked_from([value[j] for value in values], index) for j in range(length)
+    ]
     return None if any(column is None for column in columns) else kind(columns)
 
 
@@ -41,7 +51,9 @@ def _is_number(value: Any) -> bool:
 
 def _picked_number(values: Any, index: Array) -> Any:
     """Return one of several numbers as one operation; None of truth values."""
-    if not values or any(isinstance(value, Array) and value._is_condition for value in values):
+    if not values or any(
+        isinstance(value, Array) and value._is_condition for value in values
+    ):
         return None
     tape = index._tape
     row = lifted(tape, [*values])
@@ -59,7 +71,11 @@ def _common(kinds: Any) -> bool | None:
 
 def index_of(values: Any, value: Any) -> Any:
     """Return values.index(value): the first item that equals a value."""
-    if type(values) not in (list, tuple) or active() is None or tape_of([*values, value]) is None:
+    if (
+        type(values) not in (list, tuple)
+        or active() is None
+        or tape_of([*values, value]) is None
+    ):
         return values.index(value)
     if in_a_try():  # Python raises if no item is equal
         return values.index(value)

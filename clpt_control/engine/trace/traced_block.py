@@ -55,7 +55,9 @@ class ReadBlock(control.NonlinearIOSystem):
         sizes = dict(self._sizes)
         for field, shape in self.parameter_shapes.items():
             if field not in self._parameters._fields:
-                raise BlockError(f"{self.name}: `shapes` names {field!r}, which is no parameter")
+                raise BlockError(
+                    f"{self.name}: `shapes` names {field!r}, which is no parameter"
+                )
             actual = np.shape(getattr(self._parameters, field))
             fits = len(actual) == len(shape) and all(
                 sizes.setdefault(n, size) == size if isinstance(n, str) else n == size
@@ -63,14 +65,20 @@ class ReadBlock(control.NonlinearIOSystem):
             )
             if not fits:
                 expected = tuple(sizes.get(n, n) for n in shape)
-                raise BlockError(f"{self.name}.{field}: has shape {actual}; must be {expected}")
+                raise BlockError(
+                    f"{self.name}.{field}: has shape {actual}; must be {expected}"
+                )
         self.sizes = sizes
         kinds = ("states", "inputs", "outputs")
-        self._sized = {kind: sized(self.name, self.declared[kind], sizes) for kind in kinds}
+        self._sized = {
+            kind: sized(self.name, self.declared[kind], sizes) for kind in kinds
+        }
         self.state_shapes = self._sized["states"]
         self.input_shapes = self._sized["inputs"]
         self.output_shapes = self._sized["outputs"]
-        self._plan = {role: (f, places(where)) for role, (f, where) in self._roles.items()}
+        self._plan = {
+            role: (f, places(where)) for role, (f, where) in self._roles.items()
+        }
         self._x = places(self._inner_shapes("states", self.state_shapes))
         self._u = places(self._inner_shapes("inputs", self.input_shapes))
 
@@ -91,29 +99,47 @@ class ReadBlock(control.NonlinearIOSystem):
 
     def units_of(self, kind: str) -> list[str]:
         """Return the unit of each "input" or "output", "" for none."""
-        return [self.units.get(port_of(label), "") for label in getattr(self, f"{kind}_labels")]
+        return [
+            self.units.get(port_of(label), "")
+            for label in getattr(self, f"{kind}_labels")
+        ]
 
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
         for kind, new_names in names.items():
             old_names = self._inner.get(kind, {})
             ports = self.declared[kind]
-            self._inner[kind] = {new_names.get(p, p): old_names.get(p, p) for p in ports}
-            self.declared[kind] = {new_names.get(p, p): shape for p, shape in ports.items()}
+            self._inner[kind] = {
+                new_names.get(p, p): old_names.get(p, p) for p in ports
+            }
+            self.declared[kind] = {
+                new_names.get(p, p): shape for p, shape in ports.items()
+            }
             if len(self.declared[kind]) < len(ports):
                 called = ", ".join(new_names.get(p, p) for p in ports)
                 raise BlockError(
                     f"{self.name}: its {kind} would be {called}; each needs its own name"
                 )
-            own_units = {new_names[p]: unit for p, unit in self.units.items() if p in new_names}
+            own_units = {
+                new_names[p]: unit for p, unit in self.units.items() if p in new_names
+            }
             self.units = {**self.units, **own_units}
         ports_now = set().union(*self.declared.values())
-        self.units = {port: unit for port, unit in self.units.items() if port in ports_now}
+        self.units = {
+            port: unit for port, unit in self.units.items() if port in ports_now
+        }
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             new_names = names.get(f"{kind}s", {})
-            split_labels = [label.partition("[") for label in getattr(self, f"{kind}_labels")]
-            rename(["".join((new_names.get(port, port), *index)) for port, *index in split_labels])
+            split_labels = [
+                label.partition("[") for label in getattr(self, f"{kind}_labels")
+            ]
+            rename(
+                [
+                    "".join((new_names.get(port, port), *index))
+                    for port, *index in split_labels
+                ]
+            )
         self.set_states(labels(self.state_ports) or 0)
 
     # --- records ------------------------------------------------------------------------
@@ -137,11 +163,19 @@ class ReadBlock(control.NonlinearIOSystem):
         states = self._inner_shapes("states", self.state_shapes)
         roles: dict[str, tuple[Any, dict[str, Shape]]] = {
             "update": (self.update_function, states),
-            "output": (self.output_function, self._inner_shapes("outputs", self.output_shapes)),
-            "guard": (None if self.guard is None else self.guard.distance, {"distance": ()}),
+            "output": (
+                self.output_function,
+                self._inner_shapes("outputs", self.output_shapes),
+            ),
+            "guard": (
+                None if self.guard is None else self.guard.distance,
+                {"distance": ()},
+            ),
             "jump": (self.jump_function, states),
         }
-        return {role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None}
+        return {
+            role: (f, shapes) for role, (f, shapes) in roles.items() if f is not None
+        }
 
     def array_record(self, role: str) -> Record:
         """Return the record of "update", "output", "guard" or "jump".
@@ -177,7 +211,9 @@ class ReadBlock(control.NonlinearIOSystem):
             out = {"guard": bound_out, "output": y}.get(role, x)
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
-                result = read(function, name, x, u, values, p, out, trusted=self.of_package)
+                result = read(
+                    function, name, x, u, values, p, out, trusted=self.of_package
+                )
             except (Unread, BlockError) as error:
                 if not stay_open and isinstance(error, BlockError):
                     raise
@@ -191,7 +227,9 @@ class ReadBlock(control.NonlinearIOSystem):
     def of_package(self) -> bool:
         """True if the functions are the package's own."""
         modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
-        return all(name.startswith(f"{__package__.partition('.')[0]}.") for name in modules)
+        return all(
+            name.startswith(f"{__package__.partition('.')[0]}.") for name in modules
+        )
 
     def read_anew(self) -> None:
         """Trace the functions again, after a change of their values."""
@@ -222,7 +260,9 @@ class ReadBlock(control.NonlinearIOSystem):
     @property
     def records(self) -> dict[str, Record]:
         """Return the record of each of its functions, by role."""
-        return {role: self.array_record(role) for role in {**self._roles, "output": None}}
+        return {
+            role: self.array_record(role) for role in {**self._roles, "output": None}
+        }
 
     @property
     def _records(self) -> dict[str, Record | Unread]:

@@ -77,7 +77,8 @@ class TracerFunction:
         if not isinstance(self.real, np.ufunc) or not callable(attribute):
             return attribute
         return TracerFunction(
-            attribute, lambda tape, *a, **options: apply_ufunc(tape, self.real, name, a, options)
+            attribute,
+            lambda tape, *a, **options: apply_ufunc(tape, self.real, name, a, options),
         )
 
 
@@ -95,12 +96,18 @@ class TracerType(type):
         attribute = getattr(cls._real, name)
         if not callable(attribute):
             return attribute
-        return TracerFunction(attribute, lambda tape, value, *a: getattr(value, name)(*a))
+        return TracerFunction(
+            attribute, lambda tape, value, *a: getattr(value, name)(*a)
+        )
 
     def __call__(cls, *arguments: Any, **options: Any) -> Any:
         """Convert a signal, or make a number of the real type."""
         value = single(arguments[0]) if arguments else None
-        return cls._convert(value) if isinstance(value, Array) else cls._real(*arguments, **options)
+        return (
+            cls._convert(value)
+            if isinstance(value, Array)
+            else cls._real(*arguments, **options)
+        )
 
     def __instancecheck__(cls, value: Any) -> bool:
         return is_instance(value, cls._real)
@@ -118,7 +125,9 @@ class TracerType(type):
 def tracer_type(real: type, convert: Callable) -> TracerType:
     """Return the tracer type of a type of numbers."""
     names = {"_real": real, "_convert": staticmethod(convert), "dtype": np.dtype(real)}
-    return TracerType(real.__name__, (), {"__doc__": f"Tracer type of {real.__name__}.", **names})
+    return TracerType(
+        real.__name__, (), {"__doc__": f"Tracer type of {real.__name__}.", **names}
+    )
 
 
 def real_type(value: Any) -> Any:
@@ -128,7 +137,9 @@ def real_type(value: Any) -> Any:
 
 def is_instance(value: Any, kinds: Any) -> bool:
     """Return isinstance(value, kinds)."""
-    kind = tuple(map(real_type, kinds)) if isinstance(kinds, tuple) else real_type(kinds)
+    kind = (
+        tuple(map(real_type, kinds)) if isinstance(kinds, tuple) else real_type(kinds)
+    )
     if not isinstance(value, Array) or kind is Array:
         return isinstance(value, kind)
     return _of_example(value, lambda example: isinstance(example, kind))
@@ -213,16 +224,34 @@ def remainder(a: Any, b: Any) -> Any:
 
 
 MATH: dict[str, Callable] = {
-    **{name: f for name in vars(math) if isinstance(f := getattr(np, name, None), np.ufunc)},
+    **{
+        name: f
+        for name in vars(math)
+        if isinstance(f := getattr(np, name, None), np.ufunc)
+    },
     **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
-    "hypot": lambda *a: np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0),
+    "hypot": lambda *a: (
+        np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0)
+    ),
     "remainder": remainder,
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
 RAISING = frozenset(  # if a number is out of range
-    {"sqrt", "log", "log2", "log10", "log1p", "asin", "acos", "acosh", "atanh", "exp", "exp2"}
+    {
+        "sqrt",
+        "log",
+        "log2",
+        "log10",
+        "log1p",
+        "asin",
+        "acos",
+        "acosh",
+        "atanh",
+        "exp",
+        "exp2",
+    }
     | {"expm1", "sinh", "cosh", "pow", "fmod", "remainder"}
 )
 
@@ -238,7 +267,8 @@ def of_math(name: str, tape: Tape, *arguments: Any, **options: Any) -> Any:
 
 
 MATH_FUNCTIONS = [
-    TracerFunction(getattr(math, name), functools.partial(of_math, name)) for name in MATH
+    TracerFunction(getattr(math, name), functools.partial(of_math, name))
+    for name in MATH
 ]
 
 
@@ -303,8 +333,12 @@ BUILTIN_FUNCTIONS: dict[str, Any] = {
     "int": TYPES[int],
     "max": of_values(max, functools.partial(best, np.greater)),
     "min": of_values(min, functools.partial(best, np.less)),
-    "any": of_values(any, lambda values: functools.reduce(np.logical_or, values, False)),
-    "all": of_values(all, lambda values: functools.reduce(np.logical_and, values, True)),
+    "any": of_values(
+        any, lambda values: functools.reduce(np.logical_or, values, False)
+    ),
+    "all": of_values(
+        all, lambda values: functools.reduce(np.logical_and, values, True)
+    ),
     "isinstance": is_instance,
     "hasattr": has_attribute,
     "type": type_of,
@@ -323,12 +357,17 @@ def of_numpy(real: Any) -> TracerFunction:
         return TracerFunction(real, MAKERS[real])
     if isinstance(real, np.ufunc):
         return TracerFunction(
-            real, lambda tape, *a, **options: apply_ufunc(tape, real, "__call__", a, options)
+            real,
+            lambda tape, *a, **options: apply_ufunc(tape, real, "__call__", a, options),
         )
-    return TracerFunction(real, lambda tape, *a, **options: apply_function(tape, real, a, options))
+    return TracerFunction(
+        real, lambda tape, *a, **options: apply_function(tape, real, a, options)
+    )
 
 
-def array(tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **options: Any) -> Any:
+def array(
+    tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **options: Any
+) -> Any:
     """Return np.array of values that hold signals."""
     new = lifted(tape, value)
     if dtype is not None:
@@ -361,7 +400,10 @@ MAKERS: dict[Any, Callable] = {
     np.array: array,
     **dict.fromkeys((np.asarray, np.asanyarray), same_array),
     np.full: full,
-    **{real: of_counts(real) for real in (np.zeros, np.ones, np.empty, np.eye, np.identity)},
+    **{
+        real: of_counts(real)
+        for real in (np.zeros, np.ones, np.empty, np.eye, np.identity)
+    },
     np.isscalar: lambda tape, a: isinstance(a, Array) and not (a.shape or a._boxed),
 }
 
@@ -379,7 +421,9 @@ class Joiner:
             tape = active()
             result = self.real[index]
             return result if tape is None else fresh(tape, result)
-        arrays = [self.real[value] if isinstance(value, slice) else value for value in values]
+        arrays = [
+            self.real[value] if isinstance(value, slice) else value for value in values
+        ]
         return self.join([*map(np.atleast_1d, arrays)])
 
 
@@ -390,7 +434,9 @@ class TracerModule(ModuleType):
     """A module whose names have tracer values; nobody can change it."""
 
     def __init__(self, real: ModuleType, tracer_value: Callable):
-        vars(self).update(__name__=real.__name__, _real=real, _tracer_value=tracer_value)
+        vars(self).update(
+            __name__=real.__name__, _real=real, _tracer_value=tracer_value
+        )
 
     def __getattr__(self, name: str) -> Any:
         return self._tracer_value(getattr(self._real, name))
@@ -438,7 +484,10 @@ _known: dict[int, Any] = {  # by the identity of the real value
     id(np.c_): Joiner(np.c_, np.column_stack),
     **{id(real): traced for real, traced in TYPES.items()},
     **{id(traced.real): traced for traced in MATH_FUNCTIONS},
-    **{id(getattr(builtins, name)): traced for name, traced in BUILTIN_FUNCTIONS.items()},
+    **{
+        id(getattr(builtins, name)): traced
+        for name, traced in BUILTIN_FUNCTIONS.items()
+    },
 }
 
 

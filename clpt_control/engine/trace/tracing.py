@@ -54,9 +54,13 @@ class Request(NamedTuple):
     states: Mapping[str, Shape]
     inputs: Mapping[str, Shape]
     parameters: Mapping[str, Any]
-    shapes: Mapping[str, Shape]  # of the parameters that are leaves; others have their values
+    shapes: Mapping[
+        str, Shape
+    ]  # of the parameters that are leaves; others have their values
     out: Mapping[str, Shape]
-    of_control: bool = False  # p are python-control's params, else the Parameters of a block
+    of_control: bool = (
+        False  # p are python-control's params, else the Parameters of a block
+    )
     trusted: bool = False  # a function of this package, without hidden state
 
     @property
@@ -102,7 +106,9 @@ def read(*arguments: Any, **options: Any) -> Read:
     return result
 
 
-def _result(request: Request, reached: Fingerprint) -> tuple[Read | Exception, frozenset[str]]:
+def _result(
+    request: Request, reached: Fingerprint
+) -> tuple[Read | Exception, frozenset[str]]:
     """Trace a function; return the result or error, and the parameters that decide it."""
     try:
         result = _traced(request, reached)
@@ -113,7 +119,9 @@ def _result(request: Request, reached: Fingerprint) -> tuple[Read | Exception, f
 
 def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
     """Return the values of some parameters, to be compared."""
-    arrays = ((type(parameters[name]), np.asarray(parameters[name])) for name in sorted(names))
+    arrays = (
+        (type(parameters[name]), np.asarray(parameters[name])) for name in sorted(names)
+    )
     return [(kind, array.dtype.str, array.tobytes()) for kind, array in arrays]
 
 
@@ -165,10 +173,16 @@ class _Tracing:
                 with rebinding.installed(request.name):
                     outputs = self._path(lambda: function(t, x, u, p))  # noqa: B023
                 self.paths.append((tape.answers, outputs))
-                if not named and any(v is not fields.get(k, p) for k, v in dict.items(p)):
-                    raise Unread(f"{request.name} changes its params; make what it keeps a state")
+                if not named and any(
+                    v is not fields.get(k, p) for k, v in dict.items(p)
+                ):
+                    raise Unread(
+                        f"{request.name} changes its params; make what it keeps a state"
+                    )
                 if len(self.paths) > MOST_PATHS:
-                    raise Unread(f"{request.name} has more than {MOST_PATHS} execution paths")
+                    raise Unread(
+                        f"{request.name} has more than {MOST_PATHS} execution paths"
+                    )
         refs = [operand(value) for value in merged(tape, self.paths, where)]
         record = compact(tape.operations, refs, request.out.values())
         texts = frozenset(rebinding.texts)
@@ -204,12 +218,16 @@ class _Tracing:
             tape.ended(error)
             raised.append(error)
             of_path = tape.answers and isinstance(error, OF_PATHS)
-            if tape.stopped is None and (isinstance(error, RecursionError) or not of_path):
+            if tape.stopped is None and (
+                isinstance(error, RecursionError) or not of_path
+            ):
                 text = error if isinstance(error, Unread) else _in_words(error)
                 raise Unread(f"{located(request.function, error)}{text}") from None
             outputs = [filled(tape, nan, shape) for shape in request.out.values()]
         if tape.stopped is not None:  # a function may have gone on
-            raise Unread(f"{located(request.function, tape.stopped, *raised)}{tape.stopped}")
+            raise Unread(
+                f"{located(request.function, tape.stopped, *raised)}{tape.stopped}"
+            )
         return outputs
 
     def _spread(self, returned: Any) -> Any:
@@ -231,17 +249,25 @@ def _in_words(error: BaseException) -> str:
 def record_of_states(shapes: Mapping[str, Shape]) -> Record:
     """Return the record of y = x: the outputs are the states."""
     tape = Tape()
-    leaves = [tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()]
+    leaves = [
+        tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()
+    ]
     return compact(tape.operations, [operand(leaf) for leaf in leaves], shapes.values())
 
 
-def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> list[Any]:
+def _by_port(
+    tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]
+) -> list[Any]:
     """Return the value of each port from the returned value of a function."""
     if isinstance(returned, Mapping):
         check_ports(role, returned, out)
-        values = {port: as_number(lifted(tape, number)) for port, number in returned.items()}
+        values = {
+            port: as_number(lifted(tape, number)) for port, number in returned.items()
+        }
         fill = partial(filled, tape)
-        return [shaped(role, port, values[port], shape, fill) for port, shape in out.items()]
+        return [
+            shaped(role, port, values[port], shape, fill) for port, shape in out.items()
+        ]
     if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
         return [as_number(lifted(tape, returned))]
     sequence = returned if isinstance(returned, list | tuple) else [returned]
@@ -252,4 +278,6 @@ def _by_port(tape: Tape, role: str, returned: Any, out: Mapping[str, Shape]) -> 
     flat = np.empty(size, dtype=object)
     for k, number in enumerate(numbers):
         flat[k] = as_number(lifted(tape, number))
-    return [lifted(tape, flat[item].reshape(shape)) for item, shape in places(out).values()]
+    return [
+        lifted(tape, flat[item].reshape(shape)) for item, shape in places(out).values()
+    ]

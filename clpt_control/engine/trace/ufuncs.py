@@ -65,7 +65,9 @@ def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> A
     if method != "at" and not depends(inputs):
         function = getattr(ufunc, method)
         numbers = on_numbers(tape, function, inputs, options)
-        return on_objects(tape, function, inputs, options) if numbers is None else numbers
+        return (
+            on_objects(tape, function, inputs, options) if numbers is None else numbers
+        )
     if method == "reduce" and "where" not in options:
         return reduced(ufunc, *inputs, **options)
     if method == "accumulate":
@@ -91,7 +93,9 @@ def _apply_call(tape: Tape, ufunc: Any, inputs: Any, options: dict) -> Any:
     return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
-def reduced(ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None) -> Any:
+def reduced(
+    ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None
+) -> Any:
     """Reduce the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
     a = a if np.ndim(a) else copied(a)
@@ -131,7 +135,11 @@ def least_of(row: Array) -> Any:
 def _folded(ufunc: Any, slices: list[Any]) -> Any:
     if not slices and ufunc.identity is None:
         raise ValueError("zero-size array to reduction operation")
-    return reduce(ufunc, slices[1:], copied(slices[0])) if slices else float(ufunc.identity)
+    return (
+        reduce(ufunc, slices[1:], copied(slices[0]))
+        if slices
+        else float(ufunc.identity)
+    )
 
 
 def _slices(a: Array, axis: int) -> list[Any]:
@@ -168,7 +176,9 @@ def rounded(a: Array, decimals: Any = None) -> Any:
     """Return numbers rounded to even."""
     if decimals:
         scale = 10.0 ** abs(int(decimals))
-        return rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
+        return (
+            rounded(a * scale) / scale if decimals > 0 else rounded(a / scale) * scale
+        )
     low = np.floor(a)
     fraction = a - low
     odd = np.remainder(low, 2.0)
@@ -184,7 +194,11 @@ def signbit(a: Array) -> Any:
 def copysign(a: Any, b: Any) -> Any:
     """Return |a| with the sign of b."""
     size = np.fabs(a)
-    return where(signbit(b), -size, size) if isinstance(b, Array) else np.copysign(1.0, b) * size
+    return (
+        where(signbit(b), -size, size)
+        if isinstance(b, Array)
+        else np.copysign(1.0, b) * size
+    )
 
 
 def fmod(a: Any, b: Any) -> Any:
@@ -197,7 +211,9 @@ BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
     np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: elementwise("not", a) if is_of_python(a) is False else refuse("~"),
+    np.invert: lambda a: (
+        elementwise("not", a) if is_of_python(a) is False else refuse("~")
+    ),
 }
 TAKING_TRUTHS = frozenset(
     {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
@@ -208,8 +224,12 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "square": lambda a: elementwise("mul", a, a),
     "reciprocal": lambda a: elementwise("div", 1.0, a),
     **dict.fromkeys(("positive", "conjugate"), copied),
-    **dict.fromkeys(("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)),
-    **dict.fromkeys(("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)),
+    **dict.fromkeys(
+        ("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)
+    ),
+    **dict.fromkeys(
+        ("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)
+    ),
     "fabs": lambda a: converted(elementwise("fabs", a)),
     "exp2": lambda a: elementwise("pow", 2.0, a),
     "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),

@@ -16,7 +16,17 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS, Ref, Shape, viewed
-from .arrays import HOOKS, Array, Tape, Unread, moves, numbers_of, objects, operand, whole
+from .arrays import (
+    HOOKS,
+    Array,
+    Tape,
+    Unread,
+    moves,
+    numbers_of,
+    objects,
+    operand,
+    whole,
+)
 from .elementwise import (
     TRUTH,
     as_number,
@@ -93,7 +103,11 @@ def on_numbers(tape: Tape, function: Callable, inputs: Any, options: dict) -> An
 
 def share(a: Any, b: Any) -> bool:
     """Return whether values are arrays that may share memory."""
-    return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and np.may_share_memory(a, b)
+    return (
+        isinstance(a, np.ndarray)
+        and isinstance(b, np.ndarray)
+        and np.may_share_memory(a, b)
+    )
 
 
 def fresh(tape: Tape, value: Any) -> Any:
@@ -118,7 +132,9 @@ def repacked(tape: Tape, value: Any) -> Any:
     return fresh(tape, value)
 
 
-def on_parameters(tape: Tape, function: Callable, inputs: Any, options: dict, why: Unread) -> Any:
+def on_parameters(
+    tape: Tape, function: Callable, inputs: Any, options: dict, why: Unread
+) -> Any:
     """Run NumPy's own function if it depends on parameters alone; otherwise raise an error."""
     result = on_numbers(tape, function, inputs, options)
     if result is None:
@@ -130,7 +146,9 @@ def on_parameters(tape: Tape, function: Callable, inputs: Any, options: dict, wh
 def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
     arguments = arrays_as(inputs, objects)
-    real = getattr(function, "_implementation", function)  # np.roots would ask each element
+    real = getattr(
+        function, "_implementation", function
+    )  # np.roots would ask each element
     try:
         result = real(*arguments, **arrays_as(options, objects))
     except (Unread, IndexError, ValueError):
@@ -156,7 +174,9 @@ def into(out: Any, value: Any) -> Any:
     if out is None or is_number:
         return value
     if not isinstance(out, Array):
-        raise Unread("writes signals into an array made elsewhere; make it where it is filled")
+        raise Unread(
+            "writes signals into an array made elsewhere; make it where it is filled"
+        )
     out[...] = value
     return out
 
@@ -205,14 +225,18 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         new = _in_another_shape(a, function)
         new = lifted(a._tape, function(a._elements())) if new is None else new
     # ravel of an array whose elements are not adjacent in memory is a copy
-    may_copy = mapping is None or (a._parent is not None and not isinstance(function, itemgetter))
+    may_copy = mapping is None or (
+        a._parent is not None and not isinstance(function, itemgetter)
+    )
     if may_copy and all(isinstance(n, int) for n in a._root.shape):
         blank = a._blank()
         if not share(blank, function(blank)):
             return new
     if not getattr(new, "shape", ()):
         has_array = a.shape or a._boxed
-        if not has_array or not isinstance(function(_positions(a.shape)[0]), np.ndarray):
+        if not has_array or not isinstance(
+            function(_positions(a.shape)[0]), np.ndarray
+        ):
             return of_numpy(new)
         new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
@@ -258,7 +282,10 @@ def _mapped(shape: Shape, function: Callable) -> tuple[tuple, Shape] | None:
     strides are start and step.
     """
     try:
-        samples = [(positions, np.asarray(function(positions))) for positions in _positions(shape)]
+        samples = [
+            (positions, np.asarray(function(positions)))
+            for positions in _positions(shape)
+        ]
     except IndexError:
         for n in shape:
             _refuse_part_of(n)
@@ -325,10 +352,14 @@ def _is_row_index(array: Array, index: tuple, axis: int) -> bool:
     if signal.shape or signal._whole is not True or not moves(signal):
         return False
     kinds = (int, slice, list) if array.ndim == 2 else (int, slice)
-    if not all(isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index):
+    if not all(
+        isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index
+    ):
         return False
     has_sizes = all(isinstance(n, int) for n in array.shape)
-    return has_sizes and axis < array.ndim and array._written() is None and not in_a_try()
+    return (
+        has_sizes and axis < array.ndim and array._written() is None and not in_a_try()
+    )
 
 
 def _row(array: Array, index: Array) -> Any:
@@ -350,7 +381,9 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     if is_identity and shape == old_shape:
         return Array(tape, node, old_shape)
     if kind == "constant":
-        return constant(tape, viewed(np.frombuffer(at).reshape(old_shape), mapped, shape))
+        return constant(
+            tape, viewed(np.frombuffer(at).reshape(old_shape), mapped, shape)
+        )
     if kind == "view":
         return tape_viewed(tape, arguments[0], _composed(at, mapped), shape)
     if kind == "fill":
@@ -361,7 +394,9 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     if kind == "stack" and isinstance(mapped[0], int):
         element = arguments[mapped[0]]
         if type(element) is float:
-            return constant(tape, np.full(shape, element))  # a number, or one with new axes
+            return constant(
+                tape, np.full(shape, element)
+            )  # a number, or one with new axes
         return tape_viewed(tape, element, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
 
@@ -424,7 +459,11 @@ def _end_of_run(tape: Tape, refs: Sequence[Ref], start: int) -> int:
     """Return the end of the run from `start` on: numbers, or elements of one array in one step."""
     end = start + 1
     step = _step(tape, refs[start], refs[end]) if end < len(refs) else None
-    while step is not None and end < len(refs) and _step(tape, refs[end - 1], refs[end]) == step:
+    while (
+        step is not None
+        and end < len(refs)
+        and _step(tape, refs[end - 1], refs[end]) == step
+    ):
         end += 1
     return end
 
@@ -435,7 +474,11 @@ def _step(tape: Tape, a: Ref, b: Ref) -> tuple[int, ...] | None:
         return () if type(a) is type(b) else None
     before = tape.operations[a]
     after = tape.operations[b]
-    if before.kind != "view" or after.kind != "view" or before.arguments != after.arguments:
+    if (
+        before.kind != "view"
+        or after.kind != "view"
+        or before.arguments != after.arguments
+    ):
         return None
     step = []
     for index, next_index in zip(before.at, after.at, strict=True):
@@ -475,11 +518,17 @@ def stack(arrays: Any, axis: int = 0, **options: Any) -> Any:
 def join(inputs: Any, axis: Any = 0, **options: Any) -> Any:
     """Return np.concatenate(parts); long arrays are one operation."""
     tape = tape_of(inputs)
-    arrays = [array for array in (lifted(tape, value) for value in inputs) if array.shape != (0,)]
+    arrays = [
+        array
+        for array in (lifted(tape, value) for value in inputs)
+        if array.shape != (0,)
+    ]
     is_known = all(isinstance(n, int) for array in arrays for n in array.shape)
     is_long = is_known and any(prod(array.shape) > LONG for array in arrays)
     if axis is None or not is_long:
-        return lifted(tape, np.concatenate([objects(array) for array in arrays], axis=axis))
+        return lifted(
+            tape, np.concatenate([objects(array) for array in arrays], axis=axis)
+        )
     rows = [np.moveaxis(array, axis, 0) for array in arrays]
     shape = (sum(array.shape[0] for array in rows), *rows[0].shape[1:])
     joined = tape.add("join", [operand(array) for array in rows], shape)

@@ -31,7 +31,13 @@ LEGEND = "∫ thick: has states; grey: source of time or tables; dashed: feedbac
 MOST = 60  # blocks that a notebook is shown drawn
 STYLE: dict[Any, Any] = {
     "font.family": "sans-serif",
-    "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana", "Arial", "Helvetica"],
+    "font.sans-serif": [
+        "DejaVu Sans",
+        "Bitstream Vera Sans",
+        "Verdana",
+        "Arial",
+        "Helvetica",
+    ],
     "path.simplify": False,
     "text.usetex": False,
     "text.parse_math": False,
@@ -127,7 +133,9 @@ def diagram_html(diagram: control.InterconnectedSystem) -> str:
         drawn = "" if large else drawing(diagram).svg
     except ClptError as error:  # of what cannot be wired
         return fragment("Diagram", name, paragraphs([str(error)]))
-    advice = [f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."]
+    advice = [
+        f"It has more than {MOST} blocks; clpt.draw(diagram, 'loop.svg') draws it."
+    ]
     return fragment("Diagram", name, paragraphs(advice) if large else drawn)
 
 
@@ -174,7 +182,9 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
         in2 -->|"z"| b1
     """
     wiring = wiring_of(diagram)
-    keys = {f"in:{port}": f"in{k}" for k, port in enumerate(ports(diagram.input_labels))}
+    keys = {
+        f"in:{port}": f"in{k}" for k, port in enumerate(ports(diagram.input_labels))
+    }
     lines = ["flowchart LR"]
     lines += [f'    {key}(["{_quoted(name[3:])}"])' for name, key in keys.items()]
     keys |= {node.name: f"b{k}" for k, node in enumerate(wiring.nodes)}
@@ -183,7 +193,9 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
         lines.append(f'    {keys[node.name]}["{_quoted(node.name)}<br/>{signals}"]')
     for net in gather(diagram, wiring):
         for target, text in net.targets.items():
-            lines.append(f'    {keys[net.source]} -->|"{_quoted(text)}"| {keys[target]}')
+            lines.append(
+                f'    {keys[net.source]} -->|"{_quoted(text)}"| {keys[target]}'
+            )
     return "\n".join(lines) + "\n"
 
 
@@ -214,7 +226,9 @@ def block_figure(diagram: Part) -> Any:
                 axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **style)
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
-        axes.text(0, height - MARGIN - 4, LEGEND, size=NOTE, va="baseline", color="0.25")
+        axes.text(
+            0, height - MARGIN - 4, LEGEND, size=NOTE, va="baseline", color="0.25"
+        )
     return figure
 
 
@@ -233,7 +247,9 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Net]) -> None:
         head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
         text = net.targets.get(target, net.text)
-        axes.text(x1 - 8, y1 - 3.5, text, size=PORT, ha="right", va="baseline", style="italic")
+        axes.text(
+            x1 - 8, y1 - 3.5, text, size=PORT, ha="right", va="baseline", style="italic"
+        )
     for x, y in routed.dots:
         axes.add_patch(Circle((x, y), 1.7, fc="black", ec="none", zorder=3))
 
@@ -266,7 +282,11 @@ def layout(diagram: Part) -> tuple[Routed, list[Net], dict[str, Node]]:
     wiring = wiring_of(diagram)
     nets = gather(diagram, wiring)
     layered = arrange(nets, wiring)
-    sizes = {name: (width(name[3:], PORT) + 4, PORT) for name in layered.rank if name[:3] == "in:"}
+    sizes = {
+        name: (width(name[3:], PORT) + 4, PORT)
+        for name in layered.rank
+        if name[:3] == "in:"
+    }
     for node in wiring.nodes:
         widths = [width(line, NAME, "bold") for line in lines_of(node.name)]
         widths.append(width(caption(node.system), NOTE))
@@ -307,4 +327,8 @@ def width(text: str, size: float, weight: str = "normal") -> float:
 
     font = FontProperties(family="DejaVu Sans", weight=weight)
     plain = literal(text)
-    return float(TextPath((0, 0), plain, size=size, prop=font).get_extents().width) if text else 0.0
+    return (
+        float(TextPath((0, 0), plain, size=size, prop=font).get_extents().width)
+        if text
+        else 0.0
+    )

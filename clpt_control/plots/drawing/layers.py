@@ -24,7 +24,9 @@ class Net:
 
     source: str  # block name, or ``"in:port"`` for an input of the diagram
     text: str  # the ports carried, such as ``"K, Gamma"``
-    targets: dict[str, str]  # block that is fed -> the text at its arrow, gains included
+    targets: dict[
+        str, str
+    ]  # block that is fed -> the text at its arrow, gains included
     back: set[str] = field(default_factory=set)  # targets reached by feedback
 
     @property
@@ -62,8 +64,12 @@ class Layered:
 
     nets: list[Net]
     rank: dict[str, int]  # block, input or passage -> number of its layer
-    layers: list[list[str]]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
-    channels: dict[int, list[Turn]]  # layer, or -1 before all -> turns of nets behind it
+    layers: list[
+        list[str]
+    ]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
+    channels: dict[
+        int, list[Turn]
+    ]  # layer, or -1 before all -> turns of nets behind it
 
     def lead(
         self, k: int, targets: Iterable[str], channels: Sequence[int], step: int
@@ -74,7 +80,9 @@ class Layered:
         """
         start = self.nets[k].source
         for c in channels:
-            turn = Turn(k, not step, start, [t for t in targets if self.rank[t] == c + 1])
+            turn = Turn(
+                k, not step, start, [t for t in targets if self.rank[t] == c + 1]
+            )
             self.channels[c].append(turn)
             if c != channels[-1]:
                 start = f"pass:{k}:{c + step}"
@@ -93,15 +101,23 @@ def gather(diagram: Part, wiring: Wiring) -> list[Net]:
 
     If a net has only some signals of a port, its text has their names.
     """
-    outputs = [(node.name, label) for node in wiring.nodes for label in node.system.output_labels]
+    outputs = [
+        (node.name, label)
+        for node in wiring.nodes
+        for label in node.system.output_labels
+    ]
     inputs = [(f"in:{port_of(label)}", label) for label in diagram.input_labels]
     units: dict[tuple[str, str], str] = {}
     port_labels: dict[tuple[str, str], list[str]] = {}
-    for (source, label), unit in zip(outputs + inputs, chain(*units_of(wiring)), strict=True):
+    for (source, label), unit in zip(
+        outputs + inputs, chain(*units_of(wiring)), strict=True
+    ):
         units.setdefault((source, port_of(label)), f" ({unit})" if unit else "")
         port_labels.setdefault((source, port_of(label)), []).append(label)
 
-    fed: dict[tuple[str, str, str], dict[str, str]] = {}  # source, port, name -> target -> gains
+    fed: dict[
+        tuple[str, str, str], dict[str, str]
+    ] = {}  # source, port, name -> target -> gains
     for node in wiring.nodes:
         used: dict[tuple[str, str, float], list[str]] = {}
         for external, signals in ((False, outputs), (True, inputs)):
@@ -124,7 +140,11 @@ def gather(diagram: Part, wiring: Wiring) -> list[Net]:
         key = source, tuple(targets.items())
         nets.setdefault(key, []).append(name + units[source, port])
     return [
-        Net(source, ", ".join(names), {t: ", ".join(gain + n for n in names) for t, gain in ends})
+        Net(
+            source,
+            ", ".join(names),
+            {t: ", ".join(gain + n for n in names) for t, gain in ends},
+        )
         for (source, ends), names in nets.items()
     ]
 
@@ -133,9 +153,14 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
     """Return blocks in ordered layers, sources at the left; feedback is marked in the nets."""
     names = [net.source for net in nets if net.source.startswith("in:")]
     names = list(dict.fromkeys(names)) + [node.name for node in wiring.nodes]
-    _mark_feedback(nets, {node.name for node in wiring.nodes if node.system.nstates}, names)
+    _mark_feedback(
+        nets, {node.name for node in wiring.nodes if node.system.nstates}, names
+    )
     rank = _ranks(nets, names)
-    layers = [[name for name in names if rank[name] == k] for k in range(max(rank.values()) + 1)]
+    layers = [
+        [name for name in names if rank[name] == k]
+        for k in range(max(rank.values()) + 1)
+    ]
     layered = Layered(nets, rank, layers, {c: [] for c in range(-1, len(layers))})
 
     # passages of nets onward, and the order of each layer
@@ -156,7 +181,9 @@ def arrange(nets: list[Net], wiring: Wiring) -> Layered:
         for k, net in enumerate(nets)
         if net.back
     }
-    heights = {name: (k + 0.5) / len(layer) for layer in layers for k, name in enumerate(layer)}
+    heights = {
+        name: (k + 0.5) / len(layer) for layer in layers for k, name in enumerate(layer)
+    }
     for k in sorted(lengths, key=lengths.__getitem__):
         net, begin = nets[k], rank[nets[k].source]
         is_above = mean([heights[name] for name in (net.source, *net.back)]) < 0.5
@@ -171,7 +198,9 @@ def _mark_feedback(nets: list[Net], with_states: set[str], names: list[str]) -> 
     """Mark arrows that close a loop, arrows from blocks with states last."""
     reached = {name: {name} for name in names}  # from each
     walk = _depth_first(nets, names)
-    for net in sorted(nets, key=lambda net: (net.source in with_states, walk.index(net.source))):
+    for net in sorted(
+        nets, key=lambda net: (net.source in with_states, walk.index(net.source))
+    ):
         for target in net.targets:
             if net.source in reached[target]:
                 net.back.add(target)
@@ -190,7 +219,9 @@ def _depth_first(nets: list[Net], names: list[str]) -> list[str]:
         name = waiting.pop()
         if name not in walk:
             walk[name] = None
-            ends = dict.fromkeys(t for net in nets if net.source == name for t in net.targets)
+            ends = dict.fromkeys(
+                t for net in nets if net.source == name for t in net.targets
+            )
             waiting += list(ends)[::-1]
     return list(walk)
 
@@ -205,7 +236,9 @@ def _ranks(nets: list[Net], names: list[str]) -> dict[str, int]:
     return rank
 
 
-def _order_layers(layers: list[list[str]], links: dict[int, list[tuple[str, str]]]) -> None:
+def _order_layers(
+    layers: list[list[str]], links: dict[int, list[tuple[str, str]]]
+) -> None:
     """Sweep over the layers in both directions: each name near the mean of its neighbours."""
     for sweep in range(SWEEPS):
         down = sweep % 2 == 0
@@ -217,6 +250,7 @@ def _order_layers(layers: list[list[str]], links: dict[int, list[tuple[str, str]
                 name, neighbour = (end, start) if down else (start, end)
                 neighbours[name].append(position[neighbour])
             means = {
-                name: mean(indices or [position[name]]) for name, indices in neighbours.items()
+                name: mean(indices or [position[name]])
+                for name, indices in neighbours.items()
             }
             layers[k].sort(key=means.__getitem__)

@@ -25,7 +25,9 @@ TRACK, ARROW = 7.0, 9.0  # points between tracks, and of an arrow's head
 APART = 7.0  # points between turns of one track
 Point = tuple[float, float]
 Width = Callable[[str], float]  # of a text
-Paths = dict[tuple[int, str], list[Point]]  # net and target, or "" without one -> corners
+Paths = dict[
+    tuple[int, str], list[Point]
+]  # net and target, or "" without one -> corners
 Sizes = dict[str, tuple[float, float]]  # of boxes by name, points
 
 
@@ -37,7 +39,9 @@ class Box:
     height: float
     x: float = 0.0  # left edge
     y: float = 0.0  # centre
-    ins: list[int] = field(default_factory=list)  # nets at its left side, from top to bottom
+    ins: list[int] = field(
+        default_factory=list
+    )  # nets at its left side, from top to bottom
     outs: list[int] = field(default_factory=list)  # nets at its right side
 
     def port(self, net: int, out: bool) -> float:
@@ -79,7 +83,9 @@ class _Router:
 
     def turns(self) -> list[tuple[int, Turn]]:
         """Return the channels and turns of all nets."""
-        return [(c, turn) for c, turns in self.layered.channels.items() for turn in turns]
+        return [
+            (c, turn) for c, turns in self.layered.channels.items() for turn in turns
+        ]
 
     # --- how high ---------------------------------------------------------------------------------
 
@@ -92,12 +98,16 @@ class _Router:
         boxes = self.boxes
         number = {name: k for k, name in enumerate(boxes)}
         middle = len(number)
-        climbs = [(k, middle, 0.0, NEAR) for k in number.values()]  # from, to, offset, weight
+        climbs = [
+            (k, middle, 0.0, NEAR) for k in number.values()
+        ]  # from, to, offset, weight
         for c, turn in self.turns():
             start = self.meets(c, turn.net, turn.start) - boxes[turn.start].y
             for end in turn.ends:
                 offset = self.meets(c, turn.net, end) - boxes[end].y - start
-                weight = WEIGHTS[turn.start.startswith("pass:") + end.startswith("pass:")]
+                weight = WEIGHTS[
+                    turn.start.startswith("pass:") + end.startswith("pass:")
+                ]
                 weight *= FEEDBACK if turn.back else 1.0
                 climbs.append((number[turn.start], number[end], offset / GRID, weight))
 
@@ -106,7 +116,9 @@ class _Router:
         for names in self.layered.layers:
             for upper, lower in pairwise(names):
                 distance = (boxes[upper].height + boxes[lower].height) / 2 + GAP
-                rows.append(({number[upper]: 1, number[lower]: -1}, -math.ceil(distance / GRID)))
+                rows.append(
+                    ({number[upper]: 1, number[lower]: -1}, -math.ceil(distance / GRID))
+                )
         for climb, (a, b, offset, _) in enumerate(climbs, middle + 1):
             rows.append(({b: 1, a: -1, climb: -1}, -offset))
             rows.append(({b: -1, a: 1, climb: -1}, offset))
@@ -129,7 +141,9 @@ class _Router:
         for c, turn in self.turns():
             k = turn.net
             starts |= {(end, k): self.meets(c, k, turn.start) for end in turn.ends}
-            if turn.start == self.layered.nets[k].source:  # onward has priority over feedback
+            if (
+                turn.start == self.layered.nets[k].source
+            ):  # onward has priority over feedback
                 ends.setdefault(k, mean([self.meets(c, k, end) for end in turn.ends]))
         for name, box in self.boxes.items():
             box.ins.sort(key=lambda k: (starts[name, k], k))
@@ -147,9 +161,15 @@ class _Router:
                 for box in boxes:
                     box.x, box.width = x, width
                 x += width
-            idle = [net.text for net in nets if rank[net.source] == c and not net.targets]
-            texts = [text for n in nets for t, text in n.targets.items() if rank[t] == c + 1]
-            x += GRID + max((self.text_width(text) + ARROW for text in idle), default=0.0)
+            idle = [
+                net.text for net in nets if rank[net.source] == c and not net.targets
+            ]
+            texts = [
+                text for n in nets for t, text in n.targets.items() if rank[t] == c + 1
+            ]
+            x += GRID + max(
+                (self.text_width(text) + ARROW for text in idle), default=0.0
+            )
             turning = [turn for turn in turns if turn.high - turn.low > 1]
             for k, turn in enumerate(turning):
                 tracks = [
@@ -159,7 +179,9 @@ class _Router:
                 ]
                 turn.x = max(tracks, default=x)
             x = max((turn.x + TRACK for turn in turning), default=x)
-            x += max(map(self.text_width, texts), default=0.0) + (ARROW if texts else 0.0)
+            x += max(map(self.text_width, texts), default=0.0) + (
+                ARROW if texts else 0.0
+            )
 
     def paths(self) -> Paths:
         """Return the corners of each arrow."""
@@ -169,9 +191,14 @@ class _Router:
             box = self.boxes[net.source]
             start = box.x + box.width, box.port(k, True)
             if not net.targets:
-                paths[k, ""] = [start, (start[0] + self.text_width(net.text) + ARROW, start[1])]
+                paths[k, ""] = [
+                    start,
+                    (start[0] + self.text_width(net.text) + ARROW, start[1]),
+                ]
             for target in net.targets:
-                path = [(self.boxes[target].x, self.boxes[target].port(k, False))]  # from its end
+                path = [
+                    (self.boxes[target].x, self.boxes[target].port(k, False))
+                ]  # from its end
                 at = ""
                 while at != net.source:
                     c, turn = leading[k, at or target]
@@ -195,7 +222,8 @@ def sort_tracks(turns: list[Turn]) -> None:
     for turn in turns * 3:
         fixed = [a for a in turns if a is not turn]
         costs = [
-            sum(cost(a, turn) for a in fixed[:k]) + sum(cost(turn, b) for b in fixed[k:])
+            sum(cost(a, turn) for a in fixed[:k])
+            + sum(cost(turn, b) for b in fixed[k:])
             for k in range(len(turns))
         ]
         best = costs.index(min(costs))

@@ -99,10 +99,14 @@ class Design:
 
     scenario: Scenario  # with the new waypoints
     report: dict[str, Any]  # ready for JSON
-    tracks: tuple[Learned, Learned]  # runs with the scenario's own law, before and after
+    tracks: tuple[
+        Learned, Learned
+    ]  # runs with the scenario's own law, before and after
 
     def __repr__(self) -> str:
-        before, after = (self.report[k]["smallest_eigenvalue"] for k in ("before", "after"))
+        before, after = (
+            self.report[k]["smallest_eigenvalue"] for k in ("before", "after")
+        )
         return f"<Design of {len(self.scenario.waypoints)} waypoints: {before:.3g} to {after:.3g}>"
 
 
@@ -240,12 +244,17 @@ def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extreme
 
 
 def _reported(
-    scenario: Scenario, looked: tuple[float, Extremes], span: tuple[float, float], ran: Learned
+    scenario: Scenario,
+    looked: tuple[float, Extremes],
+    span: tuple[float, float],
+    ran: Learned,
 ) -> dict[str, Any]:
     found, (least, extremes), ceiling = gramian(scenario, *span), looked, None
     if scenario.vehicle.max_speed is None:
         alone = gramian(started_true(vehicle_alone(scenario)), *span)
-        ceiling = min(alone.ceilings.values(), default=None)  # where the vehicle moves so
+        ceiling = min(
+            alone.ceilings.values(), default=None
+        )  # where the vehicle moves so
     return {
         "smallest_eigenvalue": least,
         "of_the_run": found.smallest,
@@ -319,9 +328,15 @@ def _track(ax: "Axes", design: Design, k: int) -> None:
     inside = (t >= report["start"]) & (t <= report["start"] + report["window"])
     path = one.run.position.values[inside]
     ax.plot(*path.T, color=BLUE, linewidth=1.0, label="vehicle, in the window")
-    ranks: dict[str, Any] = {"c": np.arange(len(points)), "cmap": "viridis", "zorder": 3}
+    ranks: dict[str, Any] = {
+        "c": np.arange(len(points)),
+        "cmap": "viridis",
+        "zorder": 3,
+    }
     ax.scatter(points[:, 0], points[:, 1], label="waypoints, the first dark", **ranks)
-    ax.plot(*one.run.position.values[0], "s", color="black", markersize=5, label="start")
+    ax.plot(
+        *one.run.position.values[0], "s", color="black", markersize=5, label="start"
+    )
     name = "old" if k == 0 else "new"
     ax.set_title(
         rf"{name}: $\kappa_1$ = {found['smallest_eigenvalue']:.3g}, "
@@ -334,12 +349,25 @@ def _track(ax: "Axes", design: Design, k: int) -> None:
 def _error(ax: "Axes", design: Design) -> None:
     units = design.report["units"]
     for one, colour, style, name in zip(
-        design.tracks, (ORANGE, BLUE), ("--", "-"), ("old track", "new track"), strict=True
+        design.tracks,
+        (ORANGE, BLUE),
+        ("--", "-"),
+        ("old track", "new track"),
+        strict=True,
     ):
         error = np.maximum(one.error, LOWEST)
         ax.semilogy(one.run.time, error, style, color=colour, linewidth=1.6, label=name)
     speed, level = f"{units['length']}/{units['time']}", design.report["after"]["level"]
-    ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=f"level {level:.3g} {speed}")
-    ax.set(xlabel=f"time ({units['time']})", ylabel=f"largest flow-parameter error ({speed})")
+    ax.axhline(
+        level,
+        color=GREY,
+        linewidth=1.0,
+        linestyle=":",
+        label=f"level {level:.3g} {speed}",
+    )
+    ax.set(
+        xlabel=f"time ({units['time']})",
+        ylabel=f"largest flow-parameter error ({speed})",
+    )
     ax.set_title(f"what {design.report['law']} learns", **TITLE)
     ax.legend(fontsize=8, frameon=False)

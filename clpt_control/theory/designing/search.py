@@ -55,7 +55,9 @@ class TrackSearch:
     def drawn(self, first: np.ndarray, seed: int) -> np.ndarray:
         """Return the best unknowns (STARTS, 2 n) of a first track and others drawn at random."""
         rng = np.random.default_rng(seed)
-        near = np.clip(first + NEAR * rng.standard_normal((DRAWN // 2, len(first))), 0.0, 1.0)
+        near = np.clip(
+            first + NEAR * rng.standard_normal((DRAWN // 2, len(first))), 0.0, 1.0
+        )
         u = np.vstack([first, near, rng.random((DRAWN // 2, len(first)))])
         return u[np.argsort(self.cost(u), kind="stable")[:STARTS]]
 
@@ -75,7 +77,9 @@ class TrackSearch:
             check()
             y, steps = np.frombuffer(of), STEP * np.eye(len(u))
             least, extremes = self.tracks(self.points(np.vstack([y, y + steps])))
-            rows = np.vstack([np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)])
+            rows = np.vstack(
+                [np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)]
+            )
             return rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
 
         def above(y: np.ndarray) -> np.ndarray:
@@ -86,7 +90,9 @@ class TrackSearch:
 
         def slopes(y: np.ndarray) -> np.ndarray:
             found = values(y[:-1].tobytes())[1]
-            return np.column_stack([found, np.where(np.arange(len(found)) < 2, -1.0, 0.0)])
+            return np.column_stack(
+                [found, np.where(np.arange(len(found)) < 2, -1.0, 0.0)]
+            )
 
         start = values(u.tobytes())[0]
         if not np.isfinite(start).all():
@@ -101,7 +107,9 @@ class TrackSearch:
             constraints={"type": "ineq", "fun": above, "jac": slopes},
             options={"maxiter": CLIMBS},
         )
-        way = u + np.linspace(0.0, 1.0, WAY)[:, None] * (np.clip(ended.x[:-1], 0.0, 1.0) - u)
+        way = u + np.linspace(0.0, 1.0, WAY)[:, None] * (
+            np.clip(ended.x[:-1], 0.0, 1.0) - u
+        )
         return np.asarray(way[np.argmin(self.cost(way))])
 
 
@@ -127,7 +135,9 @@ def best_waypoints(
     points, runs, free = shortened(scenario.waypoints, limits.length), 0, MARGIN
     candidates = [_looked_at(close, limits, points)]  # the track to begin with competes
     for iteration in range(ROUNDS):
-        tracks = Tracks(scenario, span, whole if iteration else end, *COARSE, speeds, gains)
+        tracks = Tracks(
+            scenario, span, whole if iteration else end, *COARSE, speeds, gains
+        )
         search = TrackSearch(tracks, limits.tighter(free))
         starts = search.unknowns(points)[None]
         if iteration == 0:
@@ -135,11 +145,15 @@ def best_waypoints(
         ends = np.array([search.climb(u) for u in starts])
         order = np.argsort(search.cost(ends), kind="stable")
         points = search.points(ends)[order[0]]
-        candidates += [_looked_at(close, limits, one) for one in search.points(ends)[order[::-1]]]
+        candidates += [
+            _looked_at(close, limits, one) for one in search.points(ends)[order[::-1]]
+        ]
         last = candidates[-1]
         runs += tracks.runs
         report(0.9 * (iteration + 1) / ROUNDS)
-        if last.least >= 0 and (iteration or end == whole or last.least >= candidates[0].least):
+        if last.least >= 0 and (
+            iteration or end == whole or last.least >= candidates[0].least
+        ):
             break
         if iteration:
             free = min(0.3, free + max(MARGIN, 1.1 * last.beyond))

@@ -43,7 +43,9 @@ BYTES = 20_000_000  # of one array of tracks that are taken together
 class Extremes(NamedTuple):
     """The farthest that each of m tracks goes in each piece; NaN where a run failed."""
 
-    speed: np.ndarray  # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
+    speed: (
+        np.ndarray
+    )  # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
     low: np.ndarray  # (m, pieces, 2), of the vehicle's positions, length
     high: np.ndarray  # (m, pieces, 2)
 
@@ -68,15 +70,21 @@ class Tracks:
     ):
         self.scenario = vehicle_alone(scenario)
         self.end, self.rtol, self.speeds, self.runs = end, rtol, speeds, 0
-        self.blocks: list[Any] = remaining_parts(*LoopOf(self.scenario, external=LEARNER))[0]
+        self.blocks: list[Any] = remaining_parts(
+            *LoopOf(self.scenario, external=LEARNER)
+        )[0]
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.schedule = self.native.schedule((0.0, end))
         self.start = state_of(self.scenario, self.blocks)
         self.gains = gains
-        cuts, self.nodes, self.weights = quadrature(self.scenario, window[1], sum(window))
+        cuts, self.nodes, self.weights = quadrature(
+            self.scenario, window[1], sum(window)
+        )
         edges, _, _ = quadrature(self.scenario, 0.0, end)
-        self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, looks)
+        self.looks = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(
+            0.0, 1.0, looks
+        )
         times = np.concatenate([[0.0], self.nodes.ravel(), self.looks.ravel(), [end]])
         self.times, self.place = np.unique(times, return_inverse=True)
         self.waypoint_of_node = waypoint_in(self.scenario, cuts)
@@ -86,7 +94,10 @@ class Tracks:
         """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""
         size = 16 * self.nodes.size * (self.scenario.basis.N + 2) + 16 * len(self.times)
         together = max(8, BYTES // size)
-        parts = [self._together(points[k : k + together]) for k in range(0, len(points), together)]
+        parts = [
+            self._together(points[k : k + together])
+            for k in range(0, len(points), together)
+        ]
         sizes, extremes = zip(*parts, strict=True)
         fields = map(np.concatenate, zip(*extremes, strict=True))
         return np.concatenate(sizes, axis=1), Extremes(*fields)
@@ -112,7 +123,9 @@ class Tracks:
     def _parameters(self, points: np.ndarray) -> np.ndarray:
         P = np.tile(self.native.parameters(), (len(points), 1))
         names = [block.name for block in self.blocks]
-        for i, field in enumerate(("x1", "x2")):  # a table, of more waypoints than are designed
+        for i, field in enumerate(
+            ("x1", "x2")
+        ):  # a table, of more waypoints than are designed
             array, place = self.native.layout.slots[names.index("reference"), field]
             if array == "P":
                 P[:, place : place + points.shape[1]] = points[:, :, i]
@@ -148,7 +161,11 @@ class Tracks:
 def with_waypoints(scenario: Scenario, points: np.ndarray) -> Scenario:
     """Return the scenario with other waypoints, each held as long as its own."""
     dwell = scenario.reference.dwell
-    reference = {"kind": "waypoints", "points": np.asarray(points).tolist(), "dwell": dwell}
+    reference = {
+        "kind": "waypoints",
+        "points": np.asarray(points).tolist(),
+        "dwell": dwell,
+    }
     return scenario.with_values({"reference": reference})
 
 

@@ -54,9 +54,13 @@ class Certificate:
     start: float  # of the window, units.time
     window: float  # its length
     trajectory: str  # that w was taken from: w holds z, which depends on the learner
-    drops: dict[str, float]  # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
+    drops: dict[
+        str, float
+    ]  # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
     rhos: dict[str, float]  # axis -> the guaranteed drop
-    disturbed: bool = False  # whether Delta, or a flow beside theta phi, adds to V' as well
+    disturbed: bool = (
+        False  # whether Delta, or a flow beside theta phi, adds to V' as well
+    )
 
     def __repr__(self) -> str:
         worst = f"V falls to {self.contraction:.6g} of itself at worst"
@@ -117,7 +121,9 @@ def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     basis = np.polynomial.legendre.legvander
     fine = (2 * np.arange(parts)[:, None] + 1 + node) / parts - 1
     between = basis(fine, nodes - 1) @ np.linalg.inv(basis(node, nodes - 1))
-    w = (between @ w[..., None, :, :]).reshape(*w.shape[:-3], pieces * parts, nodes, w.shape[-1])
+    w = (between @ w[..., None, :, :]).reshape(
+        *w.shape[:-3], pieces * parts, nodes, w.shape[-1]
+    )
     return w, np.repeat(weights / parts, parts, axis=0)
 
 
@@ -126,7 +132,9 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
-    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))  # of P_j to each node
+    integrals = legendre.legval(
+        c, legendre.legint(np.eye(nodes), lbnd=-1)
+    )  # of P_j to each node
     a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
     return a / 2, weight / 2
 
@@ -157,7 +165,9 @@ def propagate(
     return rows, end
 
 
-def worst_drop(w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray) -> np.ndarray:
+def worst_drop(
+    w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray
+) -> np.ndarray:
     """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
 
     With w_j times the root of gamma_j, and the error of parameter j over it, one gain of 1 remains;
@@ -182,7 +192,9 @@ def window_drops(
     lengths = weights.sum(axis=1)
     filtered, _ = propagate(w, k, 0.0, lengths)
     q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
-    return drop, k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (1 + q**2)
+    return drop, k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (
+        1 + q**2
+    )
 
 
 def refuse_unproved(scenario: Scenario) -> None:
@@ -196,7 +208,9 @@ def refuse_unproved(scenario: Scenario) -> None:
         "learning.hedging = false": limited and not scenario.hedged,
     }
     if why := next((why for why, holds in refused.items() if holds), ""):
-        raise ScenarioError(f"no certificate: {why} changes V' of the theorems; leave it out")
+        raise ScenarioError(
+            f"no certificate: {why} changes V' of the theorems; leave it out"
+        )
 
 
 @public
@@ -237,16 +251,23 @@ def certificate(
     >>> 0 < found.rho < found.drop < 1
     True
     """
-    along = source if isinstance(source, Regressor) else joint_regressor(source, window, start)
+    along = (
+        source
+        if isinstance(source, Regressor)
+        else joint_regressor(source, window, start)
+    )
     scenario, gains = along.scenario, along.scenario.learning.used_gains
     law = scenario.learning.law
     if along.python_parts or law not in ("learned-flow", "known-flow") or not gains.one:
         raise ScenarioError(
             "no certificate: it is of the paper's two laws with one gain for all, the run has "
-            f"{along.python_parts or f'the law {law}'}" + ("" if gains.one else " with a gain each")
+            f"{along.python_parts or f'the law {law}'}"
+            + ("" if gains.one else " with a gain each")
         )
     refuse_unproved(scenario)
-    adapted = slice(scenario.basis.N if scenario.learning.row.given_estimate else 0, None)
+    adapted = slice(
+        scenario.basis.N if scenario.learning.row.given_estimate else 0, None
+    )
     w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
     found = window_drops(w, along.weights, KD, gains.parameters)
     drops, rhos = (dict(zip(("x1", "x2"), one.tolist(), strict=True)) for one in found)

@@ -60,18 +60,26 @@ class Bounds:
     drops: np.ndarray  # delta of each window of the run, the smaller of both axes
     time: np.ndarray  # 0, T, 2 T, ... as far as the run
     V: np.ndarray  # at most, then and until the next
-    clpe: np.ndarray  # |e| at most from then on, length; with a disturbance, within the run
+    clpe: (
+        np.ndarray
+    )  # |e| at most from then on, length; with a disturbance, within the run
     flow_error: np.ndarray  # |theta_k + alpha_k| likewise, length per time
-    ultimate: float | None  # limsup |e| at most, length, in windows like the weakest; None: nothing
+    ultimate: (
+        float | None
+    )  # limsup |e| at most, length, in windows like the weakest; None: nothing
     disturbance: float  # largest |Delta| of the scenario, length per time
     error: float  # the CLPE that is to be reached, length
-    time_to_error: float | None  # from then on CLPE is likewise at most `error`; None: never
+    time_to_error: (
+        float | None
+    )  # from then on CLPE is likewise at most `error`; None: never
     units: dict[str, str]
 
     @property
     def within_run(self) -> bool:
         """Whether the time to the error lies in the run, where every window was looked at."""
-        return self.time_to_error is not None and self.time_to_error <= float(self.time[-1])
+        return self.time_to_error is not None and self.time_to_error <= float(
+            self.time[-1]
+        )
 
     def __repr__(self) -> str:
         return f"<Bounds: for V(0) <= {self.radius:g}, {self.said}>"
@@ -93,7 +101,10 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return it ready for JSON."""
-        fields = {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in vars(self).items()}
+        fields = {
+            k: v.tolist() if isinstance(v, np.ndarray) else v
+            for k, v in vars(self).items()
+        }
         return {**fields, "within_run": self.within_run, "said": self.said}
 
 
@@ -175,7 +186,9 @@ def certify(
     window, _ = checked_window(scenario, window, 0.0)
     gains, car = scenario.learning.used_gains, scenario.vehicle
     for name in ("feedback", "feedforward"):
-        if getattr(gains, name) == 0 and getattr(scenario.learning, name) != getattr(car, name):
+        if getattr(gains, name) == 0 and getattr(scenario.learning, name) != getattr(
+            car, name
+        ):
             raise ScenarioError(
                 f"no certificate: learning.{name} is held and is not vehicle.{name}, so CLPE does "
                 "not end; hold the vehicle's own"
@@ -221,7 +234,9 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     refuse_turns(window * np.sqrt(gains.max() * largest))
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
-    along = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], predicted="position")
+    along = joint_regressor(
+        scenario, float(ends[-1]), 0.0, ends[1:-1], predicted="position"
+    )
     cuts = np.searchsorted(along.cuts, ends - 1e-9 * window)
     return np.array(
         [

@@ -52,7 +52,9 @@ def excitation_report(
     along = joint_regressor(source, window, start)
     found = gramian(along)
     report: dict[str, Any] = found.report
-    report |= dict.fromkeys(("rho", "contraction", "drop", "disturbed", "time_to_tenth"))
+    report |= dict.fromkeys(
+        ("rho", "contraction", "drop", "disturbed", "time_to_tenth")
+    )
     try:
         certified = certificate(along)
         time = time_to_tenth(found.window, min(certified.drop, 1.0))
@@ -64,9 +66,15 @@ def excitation_report(
     if not isinstance(source, Scenario):
         thin = thinned(source)
         rough = gramian(thin, found.window, found.start)
-        floor = {a: NOT_LEARNABLE * values[-1] for a, values in found.eigenvalues.items()}
+        floor = {
+            a: NOT_LEARNABLE * values[-1] for a, values in found.eigenvalues.items()
+        }
         change = max(
-            float(np.max(np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])))
+            float(
+                np.max(
+                    np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])
+                )
+            )
             for a, values in found.eigenvalues.items()
         )
         known = thin.sizes["time"] < source.sizes["time"] and change <= ROUGHEST
@@ -87,7 +95,11 @@ def _of_a_team(found: Excitation) -> dict[str, Any]:
 
 @public
 def excitation_plot(
-    source: Source, window: float | None = None, start: float | None = None, *, ax: Any = None
+    source: Source,
+    window: float | None = None,
+    start: float | None = None,
+    *,
+    ax: Any = None,
 ) -> np.ndarray:
     """Draw what can be learned along time, and what least.
 
@@ -129,7 +141,9 @@ def excitation_plot(
         _direction(axes[1, column], at, axis)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
-    axes[0, 0].legend(fontsize=8, frameon=False, ncols=3, loc="lower left", bbox_to_anchor=(0, 1.1))
+    axes[0, 0].legend(
+        fontsize=8, frameon=False, ncols=3, loc="lower left", bbox_to_anchor=(0, 1.1)
+    )
     axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
     for one in axes[1]:
         one.set_ylim(-1.6, 1.15)
@@ -146,7 +160,9 @@ def _eigenvalues(
     rows = ((-1, RED, r"$\kappa_2$, largest"), (0, BLUE, r"$\kappa_1$, smallest"))
     for k, color, label in rows:
         ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
-    ax.axvline(at.start, color="black", linestyle=":", linewidth=1.0, label="window below")
+    ax.axvline(
+        at.start, color="black", linestyle=":", linewidth=1.0, label="window below"
+    )
     ax.set_xlabel(f"start of the window ({at.time_unit})")
     ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", **TITLE)
 
@@ -154,7 +170,13 @@ def _eigenvalues(
 def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
     least = at.least_excited[axis]
     shares = np.linalg.norm(at.identifiable[axis], axis=1)
-    ax.bar([*least], [*least.values()], width=0.55, color=BLUE, label="least excited direction")
+    ax.bar(
+        [*least],
+        [*least.values()],
+        width=0.55,
+        color=BLUE,
+        label="least excited direction",
+    )
     ax.plot([*least], shares, "D", color=RED, markersize=5, label="learnable share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)

@@ -51,7 +51,9 @@ from .regressor import (
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
 LETTERS = 250  # of one sentence
 MOST = 100  # functions of a basis whose track is judged beside other work
-INVOLVED = 0.05  # a parameter belongs to a subspace if its unit vector has this length in it
+INVOLVED = (
+    0.05  # a parameter belongs to a subspace if its unit vector has this length in it
+)
 
 
 @dataclass(frozen=True)
@@ -64,18 +66,28 @@ class Excitation:
     time_unit: str
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c; none with a field
-    vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team, each alone
+    truth: dict[str, np.ndarray] = field(
+        default_factory=dict
+    )  # axis -> c; none with a field
+    vehicles: dict[str, "Excitation"] = field(
+        default_factory=dict
+    )  # of a team, each alone
 
     def __repr__(self) -> str:
         learnable = ", ".join(
-            f"{axis} {n} of {len(self.names[axis])}" for axis, n in self.dimension.items()
+            f"{axis} {n} of {len(self.names[axis])}"
+            for axis, n in self.dimension.items()
         )
         return f"<Excitation {self._when()}: can be learned {learnable}>"
 
     def _repr_html_(self) -> str:
         rows = [
-            (f"{name} {axis}", f"{values[0]:.4g}", f"{values[-1]:.4g}", one.dimension[axis])
+            (
+                f"{name} {axis}",
+                f"{values[0]:.4g}",
+                f"{values[-1]:.4g}",
+                one.dimension[axis],
+            )
             for name, one in {**self.vehicles, "": self}.items()
             for axis, values in one.eigenvalues.items()
         ]
@@ -86,9 +98,20 @@ class Excitation:
     @property
     def report(self) -> dict[str, Any]:
         """What JSON says of it."""
-        names = ("window", "start", "time_unit", "trajectory", "ceilings", "least_excited")
-        found = {name: getattr(self, name) for name in (*names, "dimension", "not_learnable")}
-        eigenvalues = {axis: values.tolist() for axis, values in self.eigenvalues.items()}
+        names = (
+            "window",
+            "start",
+            "time_unit",
+            "trajectory",
+            "ceilings",
+            "least_excited",
+        )
+        found = {
+            name: getattr(self, name) for name in (*names, "dimension", "not_learnable")
+        }
+        eigenvalues = {
+            axis: values.tolist() for axis, values in self.eigenvalues.items()
+        }
         return found | {"eigenvalues": eigenvalues}
 
     def _when(self) -> str:
@@ -119,14 +142,18 @@ class Excitation:
         """Unit eigenvector of the smallest eigenvalue, by parameter name."""
         found = {}
         for axis, vectors in self.directions.items():
-            vector = vectors[:, 0] * np.sign(vectors[np.argmax(np.abs(vectors[:, 0])), 0])
+            vector = vectors[:, 0] * np.sign(
+                vectors[np.argmax(np.abs(vectors[:, 0])), 0]
+            )
             found[axis] = dict(zip(self.names[axis], map(float, vector), strict=True))
         return found
 
     @property
     def identifiable(self) -> dict[str, np.ndarray]:
         """Orthonormal basis of what can be learned, (N + 2, dimension)."""
-        return {axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()}
+        return {
+            axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()
+        }
 
     @property
     def dimension(self) -> dict[str, int]:
@@ -152,9 +179,15 @@ class Excitation:
         for axis, idle in self._idle().items():
             lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
             alone, names = lean > np.sqrt(1 - INVOLVED**2), np.array(self.names[axis])
-            sentences += [f"{name} is not learnable on this track" for name in names[alone]]
+            sentences += [
+                f"{name} is not learnable on this track" for name in names[alone]
+            ]
             if mixed := names[(lean > INVOLVED) & ~alone].tolist():
-                listed = ", ".join(mixed[:-1]) + f" and {mixed[-1]}" if mixed[1:] else mixed[0]
+                listed = (
+                    ", ".join(mixed[:-1]) + f" and {mixed[-1]}"
+                    if mixed[1:]
+                    else mixed[0]
+                )
                 sentences.append(f"{listed} are not learnable one by one on this track")
         return sentences
 
@@ -164,7 +197,8 @@ class Excitation:
         if not self.not_learnable:
             return ""
         counts = [
-            f"{n} of {len(self.names[axis])} along {axis}" for axis, n in self.dimension.items()
+            f"{n} of {len(self.names[axis])} along {axis}"
+            for axis, n in self.dimension.items()
         ]
         whole = (
             f"of the combinations of parameters this track teaches {', '.join(counts)}: "
@@ -177,7 +211,10 @@ class Excitation:
         return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
     def _idle(self) -> dict[str, np.ndarray]:
-        return {a: values <= NOT_LEARNABLE * values[-1] for a, values in self.eigenvalues.items()}
+        return {
+            a: values <= NOT_LEARNABLE * values[-1]
+            for a, values in self.eigenvalues.items()
+        }
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
@@ -196,7 +233,9 @@ def weighted(along: Regressor) -> np.ndarray:
 def factor(rows: np.ndarray) -> np.ndarray:
     """Return R (n, n), R^T R the Gramian of rows (..., n)."""
     n = rows.shape[-1]
-    return np.asarray(np.linalg.qr(np.vstack([np.zeros((n, n)), rows.reshape(-1, n)]), mode="r"))
+    return np.asarray(
+        np.linalg.qr(np.vstack([np.zeros((n, n)), rows.reshape(-1, n)]), mode="r")
+    )
 
 
 @public
@@ -225,7 +264,9 @@ def started_true(scenario: Scenario) -> Scenario:
     (-1.0, -0.4, -0.8)
     """
     if scenario.flow.parameters is None:
-        raise ScenarioError("flow.field: a gridded field has no true parameters to start from")
+        raise ScenarioError(
+            "flow.field: a gridded field has no true parameters to start from"
+        )
     return scenario.with_values(
         {
             "learning.parameters": (-np.array(scenario.flow.parameters)),
@@ -238,7 +279,9 @@ def started_true(scenario: Scenario) -> Scenario:
 
 @public
 def gramian(
-    source: AnySource | Regressor, window: float | None = None, start: float | None = None
+    source: AnySource | Regressor,
+    window: float | None = None,
+    start: float | None = None,
 ) -> Excitation:
     """Measure the joint regressor's Gramian over one window.
 
@@ -275,7 +318,9 @@ def gramian(
     [4.333, 4.669]
     """
     along = (
-        {"": source} if isinstance(source, Regressor) else joint_regressors(source, window, start)
+        {"": source}
+        if isinstance(source, Regressor)
+        else joint_regressors(source, window, start)
     )
     one = next(iter(along.values()))
     N, names = one.scenario.basis.N, parameter_names(one.scenario.basis.N)
@@ -285,9 +330,13 @@ def gramian(
     adapted = slice(None if one.scenario.learning.adapt_gains else N)
     names = {axis: own[adapted] for axis, own in names.items()}
     rows = {name: weighted(own)[..., adapted] for name, own in along.items()}
-    vehicles = {name: _excitation(along[name], names, own) for name, own in rows.items()}
+    vehicles = {
+        name: _excitation(along[name], names, own) for name, own in rows.items()
+    }
     gains, wide = len(names["x1"]) - N, list[np.ndarray]()
-    for k, own in enumerate(rows.values()):  # its gains in their columns among all vehicles'
+    for k, own in enumerate(
+        rows.values()
+    ):  # its gains in their columns among all vehicles'
         wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
         wide[k][..., :N] = own[..., :N]
         wide[k][..., N + gains * k : N + gains * (k + 1)] = own[..., N:]
@@ -344,7 +393,9 @@ def sliding_excitation(
     """
     first, last = span_of(source)
     starts = np.unique(np.linspace(first, max(first, last - window), count))
-    along = joint_regressor(source, last - first, first, np.concatenate([starts, starts + window]))
+    along = joint_regressor(
+        source, last - first, first, np.concatenate([starts, starts + window])
+    )
     left = np.searchsorted(along.cuts, starts - 1e-9 * window)
     right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
     found = {}

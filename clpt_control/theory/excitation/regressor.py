@@ -79,7 +79,9 @@ def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
     return thin
 
 
-def positions_between(t: np.ndarray, x: np.ndarray, dwell: float, times: np.ndarray) -> np.ndarray:
+def positions_between(
+    t: np.ndarray, x: np.ndarray, dwell: float, times: np.ndarray
+) -> np.ndarray:
     """Return positions x (nt, 2) between their samples t, (pieces, nodes, 2).
 
     Each row of the times lies within one dwell, whose samples a spline joins.
@@ -103,7 +105,10 @@ def positions_between(t: np.ndarray, x: np.ndarray, dwell: float, times: np.ndar
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
 MOST_PIECES = 1e6  # of a window
 SHORTEST = 1e-9  # window, of a run: times that rounding tells apart
-ROUGH, ROUNDS = 1e-6, 5  # of the largest w: its last coefficients; how often pieces are cut
+ROUGH, ROUNDS = (
+    1e-6,
+    5,
+)  # of the largest w: its last coefficients; how often pieces are cut
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 
@@ -113,7 +118,9 @@ class Regressor:
 
     scenario: Scenario  # for names, gains and the law
     trajectory: str  # how it was made; w holds z, which depends on the learner
-    cuts: np.ndarray  # (pieces + 1,), edges of the pieces, units.time; every switch is one
+    cuts: (
+        np.ndarray
+    )  # (pieces + 1,), edges of the pieces, units.time; every switch is one
     weights: np.ndarray  # (pieces, NODES)
     w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
     python_parts: str = ""  # what a recorded run has that its scenario does not hold
@@ -140,9 +147,13 @@ def quadrature(
             f"{scenario.units.time}, the shortest of reference.dwell, half a tide and "
             f"{TRANSIENT:g}/vehicle.feedback; at most {MOST_PIECES:.0e} are allowed"
         )
-    inner = np.concatenate([multiples(dwell, start, end), [] if edges is None else edges])
+    inner = np.concatenate(
+        [multiples(dwell, start, end), [] if edges is None else edges]
+    )
     spans = {} if scenario.localization is None else scenario.localization.spans
-    inner = np.concatenate([inner, *(multiples(span, start, end) for span in spans.values())])
+    inner = np.concatenate(
+        [inner, *(multiples(span, start, end) for span in spans.values())]
+    )
     near = 1e-9 * min(longest, end - start)
     inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
     ends = start, *inner[np.diff(inner, prepend=start) > near], end
@@ -174,7 +185,11 @@ def checked_window(
         start = max(first, min(first + cycle, last - window))
     start = float(start)
     least = SHORTEST * (last - first)
-    if not (least < window < np.inf and start >= first and start + window <= last * (1 + 1e-12)):
+    if not (
+        least < window < np.inf
+        and start >= first
+        and start + window <= last * (1 + 1e-12)
+    ):
         raise ScenarioError(
             f"window {window:g} from {start:g}: must be positive and lie within the run, "
             f"{first:g} to {last:g} {time}; at least {least:.0e} long"
@@ -207,7 +222,9 @@ def joint_regressors(
     system = system_of(source)
     window, start = checked_window(source, window, start)
     node, weight = np.polynomial.legendre.leggauss(NODES)
-    last = (np.polynomial.legendre.legvander(node, NODES - 1) * weight[:, None])[:, -2:] * NODES
+    last = (np.polynomial.legendre.legvander(node, NODES - 1) * weight[:, None])[
+        :, -2:
+    ] * NODES
     for _ in range(ROUNDS):
         nodes = {
             name: quadrature(one, start, start + window, edges)
@@ -217,8 +234,12 @@ def joint_regressors(
         ends = []
         for one in found.values():
             tails = np.abs(np.swapaxes(one.w, -1, -2) @ last).max(axis=-1)
-            rough = np.any(tails > ROUGH * np.abs(one.w).max(axis=(1, 2))[:, None], axis=(0, 2))
-            ends.append(np.linspace(one.cuts[:-1][rough], one.cuts[1:][rough], 5)[1:-1].ravel())
+            rough = np.any(
+                tails > ROUGH * np.abs(one.w).max(axis=(1, 2))[:, None], axis=(0, 2)
+            )
+            ends.append(
+                np.linspace(one.cuts[:-1][rough], one.cuts[1:][rough], 5)[1:-1].ravel()
+            )
         if not any(map(len, ends)):
             break
         edges = np.concatenate([*ends, *(one.cuts for one in found.values())])
@@ -226,7 +247,10 @@ def joint_regressors(
 
 
 def _along(
-    source: AnySource, system: Scenario | Team, nodes: dict[str, Nodes], places: tuple[str, ...]
+    source: AnySource,
+    system: Scenario | Team,
+    nodes: dict[str, Nodes],
+    places: tuple[str, ...],
 ) -> dict[str, Regressor]:
     """Return w of each vehicle at its nodes, to which a scenario is run."""
     found, parts = dict[str, Regressor](), ""
@@ -240,8 +264,14 @@ def _along(
             )
     else:
         run, step = source, np.median(np.diff(source.time.values))
-        kinds = {OWN_LAW: "the law", OWN_PARTS: "parts given in Python,", CHANGED: "parameters"}
-        parts = " and ".join(f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs)
+        kinds = {
+            OWN_LAW: "the law",
+            OWN_PARTS: "parts given in Python,",
+            CHANGED: "parameters",
+        }
+        parts = " and ".join(
+            f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs
+        )
     for name, scenario in members_of(system).items():
         (cuts, at, weights), dwell = nodes[name], scenario.reference.dwell
         of_vehicle = run.sel(vehicle=name) if name else run
@@ -255,7 +285,9 @@ def _along(
                     "localization.interval: z of a recorded run jumps at fixes, and is not known "
                     "between samples; give the scenario in place of the run"
                 )
-            x, z = (positions_between(run.time.values, one, dwell, at) for one in (x, z))
+            x, z = (
+                positions_between(run.time.values, one, dwell, at) for one in (x, z)
+            )
         zc = scenario.waypoints[waypoint_in(scenario, cuts)]
         w = w_along(scenario, at, x, z, np.broadcast_to(zc[:, None], z.shape))
         found[name] = Regressor(scenario, trajectory, cuts, weights, w, parts)
@@ -312,7 +344,9 @@ def error_matrices(
 
 def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
     """Return w of Eq. (31), axis first, (2, ..., N + 2)."""
-    return np.stack([np.concatenate([phi, z[..., [i]], zc[..., [i]]], axis=-1) for i in (0, 1)])
+    return np.stack(
+        [np.concatenate([phi, z[..., [i]], zc[..., [i]]], axis=-1) for i in (0, 1)]
+    )
 
 
 def w_along(

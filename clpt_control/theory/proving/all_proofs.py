@@ -49,7 +49,15 @@ from .invariant_loop import InvariantLoop
 from .invariants import fix_steps, invariant_steps
 from .misprints import misprints
 from .own_law import prove
-from .proof import Proof, Step, checked, counterexample, proof_or_failure, theorem, where_all_hold
+from .proof import (
+    Proof,
+    Step,
+    checked,
+    counterexample,
+    proof_or_failure,
+    theorem,
+    where_all_hold,
+)
 from .running_rate import running_step
 from .signs import left_over, vanishes
 from .symbolic_loop import ArrayLoop, symbolic_loop
@@ -82,7 +90,9 @@ def differs(law: Law) -> str:
         for speed in ("no limit", "hedged")
     )
     flown = dict(zip(hedged.inputs["v_x"], free.signals["v_x"], strict=True))
-    if difference := left_over(rate_of_V(free) - rate_of_V(hedged)):  # whatever v is flown
+    if difference := left_over(
+        rate_of_V(free) - rate_of_V(hedged)
+    ):  # whatever v is flown
         return difference
     own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
     jumps = zip(free.jumps.values(), hedged.jumps.values(), strict=True)
@@ -98,8 +108,12 @@ def same_rate_of_every_law() -> tuple[bool, str]:
 
     Its own states move as without a limit too, with the flown velocity for the commanded one.
     """
-    laws = [law for law in LAWS.values() if not law.at_fixes]  # those predict with v as flown
-    different = next((f"{law.name}: {how}" for law in laws if (how := differs(law))), "")
+    laws = [
+        law for law in LAWS.values() if not law.at_fixes
+    ]  # those predict with v as flown
+    different = next(
+        (f"{law.name}: {how}" for law in laws if (how := differs(law))), ""
+    )
     return not different, different or ", ".join(law.name for law in laws)
 
 
@@ -135,7 +149,9 @@ def with_hedging() -> Proof:
         zero_step(
             "e' is that without a limit, for every N",
             partial(lemmas.learned_loop, "hedged"),
-            lambda loop: [loop.derivative(loop.signals["e"]) - lemmas.wanted_rates(loop)["e"]],
+            lambda loop: [
+                loop.derivative(loop.signals["e"]) - lemmas.wanted_rates(loop)["e"]
+            ],
         ),
         lemmas.definite_step("learned-flow"),
         lemmas.dissipation_step(),
@@ -154,7 +170,10 @@ def with_hedging() -> Proof:
     ]
     return theorem(
         OPEN,
-        ("Assumptions of Theorem 3.2", "for CLPE -> 0 also: |F_R| stays below some F < v_max"),
+        (
+            "Assumptions of Theorem 3.2",
+            "for CLPE -> 0 also: |F_R| stays below some F < v_max",
+        ),
         steps,
         "V falls as without a limit; where the flow is slower than the vehicle x is "
         "bounded, and Theorem 3.2 goes on as it stands, since e' is the same.",
@@ -204,7 +223,9 @@ LIMITED_SPEED: dict[str, Callable[[], Proof]] = {
 }
 
 
-MEAN = f"{KNOWN_ERROR}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+MEAN = (
+    f"{KNOWN_ERROR}: in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+)
 
 
 def proof_of_law(law: Law) -> Proof:
@@ -221,7 +242,9 @@ def proof_of_law(law: Law) -> Proof:
     if law.given_estimate:
         steps = identity_steps(KNOWN_ERROR, law.name, decay_and_known_error, POINTS)
         return where_all_hold("bounded", MEAN, steps)
-    verdict = prove(law_and_V(law, N)[0], lambda truth, p: law.V(p, truth), points=POINTS)
+    verdict = prove(
+        law_and_V(law, N)[0], lambda truth, p: law.V(p, truth), points=POINTS
+    )
     return Proof(verdict.status, verdict.claim, verdict.for_every_N, verdict.steps)
 
 
@@ -248,7 +271,10 @@ def proof_of_team() -> Proof:
 def team_steps() -> Iterator[Step]:
     """Yield the steps of the proof one by one."""
     for name, edges in GRAPHS.items():
-        diagram, rest = partial(team_diagram, edges, N), partial(beside_claim, edges=edges)
+        diagram, rest = (
+            partial(team_diagram, edges, N),
+            partial(beside_claim, edges=edges),
+        )
         yield zero_step(f"{CLAIM}, {name}, every N", diagram, rest)
     row = team_diagram(GRAPHS["three in a row"], N)
     yield running_step(lambda: symbolic_loop(row), POINTS, ", three in a row")
@@ -292,7 +318,9 @@ def beside_claim(loop: Loop, edges: tuple[tuple[str, str], ...]) -> list[Any]:
 
 
 Outcome = Proof | list[dict[str, Any]]  # of misprints the rows of a table
-PROOFS: dict[str, tuple[str, dict[str, Callable[[], Proof]]]] = {  # room -> status where unread
+PROOFS: dict[
+    str, tuple[str, dict[str, Callable[[], Proof]]]
+] = {  # room -> status where unread
     "theorems": ("failed", THEOREMS),
     "team": ("open", {"": proof_of_team}),
     "limited_speed": ("failed", LIMITED_SPEED),
@@ -320,6 +348,8 @@ Outcomes = dict[Statement, Outcome]
 
 def statements(theorem: str | None = None) -> list[Statement]:
     """Return what is proved: one theorem and the misprints, or everything."""
-    every = {room: list(proofs) for room, (_, proofs) in PROOFS.items() if theorem is None}
+    every = {
+        room: list(proofs) for room, (_, proofs) in PROOFS.items() if theorem is None
+    }
     wanted = {**every, "theorems": numbers_of(theorem), "misprints": [""]}
     return [Statement(room, name) for room, names in wanted.items() for name in names]

@@ -55,9 +55,15 @@ def reindexed(expression: sympy.Expr, names: dict[str, str]) -> sympy.Expr:
     changed = {}
     for symbol in expression.free_symbols:
         parts = str(symbol).split("[")
-        own = [f"{names.get(one[:-1], one[:-1])}]" for one in parts[1:] if one.endswith("]")]
+        own = [
+            f"{names.get(one[:-1], one[:-1])}]"
+            for one in parts[1:]
+            if one.endswith("]")
+        ]
         if own and len(own) == len(parts) - 1 and own != parts[1:]:
-            changed[symbol] = sympy.Symbol("[".join([parts[0], *own]), **symbol.assumptions0)
+            changed[symbol] = sympy.Symbol(
+                "[".join([parts[0], *own]), **symbol.assumptions0
+            )
         elif str(symbol) in names and symbol == index_symbol(str(symbol)):
             changed[symbol] = index_symbol(names[str(symbol)])
     return expression.xreplace(changed)
@@ -85,8 +91,14 @@ def summed(body: sympy.Expr, index: str, size: str) -> sympy.Expr:
                 outside *= factor
             elif base.func == SUM and power.is_Integer and power > 0:
                 for _ in range(int(power)):
-                    inner = [(f"within{len(indices) + k}", s) for k, s in enumerate(_sizes(base))]
-                    fresh = {old: new for old, (new, _) in zip(_bound(base), inner, strict=True)}
+                    inner = [
+                        (f"within{len(indices) + k}", s)
+                        for k, s in enumerate(_sizes(base))
+                    ]
+                    fresh = {
+                        old: new
+                        for old, (new, _) in zip(_bound(base), inner, strict=True)
+                    }
                     inside *= reindexed(base.args[0], fresh)
                     indices += inner
             else:
@@ -109,7 +121,9 @@ def _atom(inside: sympy.Expr, indices: list[tuple[str, str]]) -> sympy.Expr:
     if len(indices) > MOST_INDICES:
         raise Unread(f"a sum over more than {MOST_INDICES} indices at once")
     taken = {name for atom in inside.atoms(SUM) for name in _bound(atom)}
-    names = [n for n in (f"k{j}" for j in range(1, 20)) if n not in taken][: len(indices)]
+    names = [n for n in (f"k{j}" for j in range(1, 20)) if n not in taken][
+        : len(indices)
+    ]
     found = []
     for order in permutations(indices):
         moved = {old: new for (old, _), new in zip(order, names, strict=True)}
@@ -117,11 +131,15 @@ def _atom(inside: sympy.Expr, indices: list[tuple[str, str]]) -> sympy.Expr:
             (index_symbol(new), sympy.Symbol(size))
             for (_, size), new in zip(order, names, strict=False)
         ]
-        found.append(SUM(reindexed(inside, moved), *(one for pair in pairs for one in pair)))
+        found.append(
+            SUM(reindexed(inside, moved), *(one for pair in pairs for one in pair))
+        )
     return min(found, key=str) if len(found) > 1 else found[0]
 
 
-def base_and_term(expression: sympy.Expr, index: str = "k") -> tuple[sympy.Expr, sympy.Expr]:
+def base_and_term(
+    expression: sympy.Expr, index: str = "k"
+) -> tuple[sympy.Expr, sympy.Expr]:
     """Return base and term of base + sum_k term(k); what is no such sum is refused."""
     base, term = sympy.Integer(0), sympy.Integer(0)
     for part in sympy.Add.make_args(sympy.expand(expression)):
@@ -152,7 +170,9 @@ class EveryN(Symbols):
         names = iter(FREE)
         free = [None if isinstance(n, int) else next(names) for n in shape]
         for place in np.ndindex(counted):
-            index = tuple(k if name is None else name for k, name in zip(place, free, strict=True))
+            index = tuple(
+                k if name is None else name for k, name in zip(place, free, strict=True)
+            )
             elements[place] = self.at(operand(value), index)
         return elements
 

@@ -25,7 +25,15 @@ from ..squares import holds_all, squares, states_beside
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
 from .symbolic_loop import TIME, SymbolicLoop, equated, flat, symbolic_loop
-from .theorem_loop import Hedging, law_and_V, law_loop, rate_of_V, theorem_scenario, tied, truth_in
+from .theorem_loop import (
+    Hedging,
+    law_and_V,
+    law_loop,
+    rate_of_V,
+    theorem_scenario,
+    tied,
+    truth_in,
+)
 
 SIZES = (1, 2, 3)  # numbers of functions
 START = (0.4, -0.7)  # of vehicle and learner
@@ -34,12 +42,18 @@ START = (0.4, -0.7)  # of vehicle and learner
 class InvariantLoop:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
-    def __init__(self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None):
+    def __init__(
+        self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None
+    ):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
         true = truth_of(theorem_scenario(N, "learned-flow"))
-        block, V = law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
-        self.loop: SymbolicLoop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
+        block, V = (
+            law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
+        )
+        self.loop: SymbolicLoop = symbolic_loop(
+            law_loop(law, block, V, speed), jumps=True
+        )
         self.words: dict[Any, sympy.Symbol] = {}
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
@@ -47,14 +61,18 @@ class InvariantLoop:
         )
         p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
-        self.relations = _solved(equated(self.states, law.invariants(self.states, p, truth)))
+        self.relations = _solved(
+            equated(self.states, law.invariants(self.states, p, truth))
+        )
         rates = {f"{port}'": rate for port, rate in self.rates.items()}
         every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
         if blocks is None:
             self.tied = tied(self.loop, V, law.V, (block.parameters, p), (true, truth))
         else:
-            own = {s for one in (block, V) for s in flat(self.loop.parameters[one.name])}
+            own = {
+                s for one in (block, V) for s in flat(self.loop.parameters[one.name])
+            }
             values = {s: number for s, number in self.loop.values.items() if s in own}
             self.tied = values | tied(self.loop, V, blocks[1], (true, truth))
         self.losses = [
@@ -66,28 +84,46 @@ class InvariantLoop:
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
         pushed = sympy.sympify(perturbation).xreplace(self.tied)
-        self.beside = pushed - sum(map(math.prod, self.losses))  # what V' has beyond -e^T KD e
+        self.beside = pushed - sum(
+            map(math.prod, self.losses)
+        )  # what V' has beyond -e^T KD e
         self.matrices = {port: self.states[port] for port in law.semidefinite}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         self.truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
-        error = law.weighted_error(self.states, p, truth) if law.weighted_error else None
-        self.weighted_error, self.free = error, {} if error is None else _free_symbols_for(error)
+        error = (
+            law.weighted_error(self.states, p, truth) if law.weighted_error else None
+        )
+        self.weighted_error, self.free = (
+            error,
+            {} if error is None else _free_symbols_for(error),
+        )
         fresh = (value.free_symbols for value in self.free.values())
         self.apart = {*self.loop.motion, *self.truths}.union(*fresh)
 
     def off_at_the_start(self) -> str:
         """Name the states whose relation does not hold where a run begins, whatever alpha is."""
         alpha, theta = np.random.default_rng(0).normal(size=(2, 2, self.N)).tolist()
-        drawn = {"flow.parameters": theta, "vehicle.position": START, "learning.position": START}
+        drawn = {
+            "flow.parameters": theta,
+            "vehicle.position": START,
+            "learning.position": START,
+        }
         drawn |= {} if self.law.alpha_is_constant else {"learning.parameters": alpha}
         scenario = theorem_scenario(self.N, self.law.name).with_values(drawn)
         blocks = paper_blocks(scenario)
         start, columns = state_of(scenario, blocks), state_columns(blocks)
-        states = {port: start[columns[port]].reshape(s.shape) for port, s in self.states.items()}
+        states = {
+            port: start[columns[port]].reshape(s.shape)
+            for port, s in self.states.items()
+        }
         assert self.law.invariants is not None
         p = self.law.parameters_of(scenario.known_to_law)
         values = self.law.invariants(states, p, truth_of(scenario))
-        off = (name for name, value in values.items() if not np.allclose(value, states[name]))
+        off = (
+            name
+            for name, value in values.items()
+            if not np.allclose(value, states[name])
+        )
         return ", ".join(f"{name} at the start" for name in off)
 
     def off_at_zero(self) -> str:
@@ -96,13 +132,16 @@ class InvariantLoop:
         No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
         """
         any_start = {
-            s for port in ("x", "z", *LEARNED) for s in self.states.get(port, np.array([])).flat
+            s
+            for port in ("x", "z", *LEARNED)
+            for s in self.states.get(port, np.array([])).flat
         }
         zero = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
         off = (
             f"{symbol} at the start"
             for symbol, value in self.relations.items()
-            if value.free_symbols & self.truths and not vanishes((symbol - value).xreplace(zero))
+            if value.free_symbols & self.truths
+            and not vanishes((symbol - value).xreplace(zero))
         )
         return next(off, "")
 
@@ -116,7 +155,9 @@ class InvariantLoop:
         for word in sorted(words, key=_outer_first):
             if expression.has(word):
                 sign = {"positive": True} if positive_maximum(word) else {"real": True}
-                symbol = self.words.setdefault(word, sympy.Dummy(str(word.func), **sign))
+                symbol = self.words.setdefault(
+                    word, sympy.Dummy(str(word.func), **sign)
+                )
                 expression = expression.xreplace({word: symbol})
         return expression
 
@@ -147,8 +188,12 @@ class InvariantLoop:
         for after in self.loop.jumps_at_once():
             for M in self.matrices.values():
                 c = _any(len(M))
-                new = np.array([[after.get(m, m) for m in row] for row in M], dtype=object)
-                if not self.not_negative(self.masked(sympy.expand(c @ new @ c)), set(c)):
+                new = np.array(
+                    [[after.get(m, m) for m in row] for row in M], dtype=object
+                )
+                if not self.not_negative(
+                    self.masked(sympy.expand(c @ new @ c)), set(c)
+                ):
                     return False
         return True
 
@@ -173,10 +218,14 @@ class InvariantLoop:
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
         at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
-        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum((c @ self.rates[port]) * c)
+        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum(
+            (c @ self.rates[port]) * c
+        )
         if not self.error_growth.is_nonpositive:
             return "what it gains may be positive"
-        return left_over(self.reduced(sympy.sympify(rate - self.error_growth).xreplace(at)))
+        return left_over(
+            self.reduced(sympy.sympify(rate - self.error_growth).xreplace(at))
+        )
 
     def stays_semidefinite(self, port: str) -> bool:
         """Return whether c^T M' c is not negative where M c = 0, for every c.
@@ -196,12 +245,18 @@ class InvariantLoop:
     def forks(self, rate: sympy.Expr) -> bool:
         """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
         roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
-        return any(one.free_symbols & {*self.loop.motion} for one in roots if not one.is_positive)
+        return any(
+            one.free_symbols & {*self.loop.motion}
+            for one in roots
+            if not one.is_positive
+        )
 
     @cached_property
     def symmetric(self) -> dict[str, np.ndarray]:
         """Each semidefinite matrix with its relations, shape (n, n)."""
-        expanded = np.vectorize(lambda s: sympy.expand(self.reduced(s)), otypes=[object])
+        expanded = np.vectorize(
+            lambda s: sympy.expand(self.reduced(s)), otypes=[object]
+        )
         return {port: expanded(symbols) for port, symbols in self.matrices.items()}
 
     def not_negative(self, expression: Any, others: Set[Any] = frozenset()) -> bool:
@@ -220,11 +275,17 @@ class InvariantLoop:
         shares = sympy.Poly(expanded, *symbols).as_dict() if symbols else {(): expanded}
         if any(sum(powers) > 1 for powers in shares):
             return False
-        of = {s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols}
+        of = {
+            s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols
+        }
         for M in matrices.values():
             c = _any(len(M), "d")
-            pairs = combinations_with_replacement(range(len(M)), 2)  # M_jk stands for M_kj too
-            parts.append(sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs)))
+            pairs = combinations_with_replacement(
+                range(len(M)), 2
+            )  # M_jk stands for M_kj too
+            parts.append(
+                sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs))
+            )
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
         return all(nonpositive(-part, self.apart | others) for part in parts)
 
@@ -238,19 +299,34 @@ class InvariantLoop:
         loop, V, grown = self.loop, self.V, list[str]()
         for port, M in self.matrices.items():
             c = _any(len(M))
-            grows = not loop.jumps and self.not_negative(c @ self.rates[port] @ c, set(c))
+            grows = not loop.jumps and self.not_negative(
+                c @ self.rates[port] @ c, set(c)
+            )
             grown += [port] * grows
             like = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
             V = V.xreplace(dict(zip(M.flat, like, strict=True)))
         e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
         V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
-        states = [*e, *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat)]
+        states = [
+            *e,
+            *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat),
+        ]
         total = squares(V, V.free_symbols - set(states), words_are_free=False)
-        free = loop.motion.keys() - {s for port in grown for s in self.matrices[port].flat}
+        free = loop.motion.keys() - {
+            s for port in grown for s in self.matrices[port].flat
+        }
         over = {s: value.free_symbols & free for s, value in self.relations.items()}
-        made = {s for s, own in over.items() if not own or self.relations[s].is_polynomial(*own)}
-        held = {*x, *z, *states, *made} if total and holds_all(total, states) else set[Any]()
+        made = {
+            s
+            for s, own in over.items()
+            if not own or self.relations[s].is_polynomial(*own)
+        }
+        held = (
+            {*x, *z, *states, *made}
+            if total and holds_all(total, states)
+            else set[Any]()
+        )
         apart, step = states_beside([*held], loop, self.relations)
         begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
         return apart, replace(step, claim=f"{step.claim}{begun}")
@@ -266,7 +342,9 @@ class InvariantLoop:
 @cache
 def _any(n: int, name: str = "c") -> np.ndarray:
     """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
-    return np.array(sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object)
+    return np.array(
+        sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object
+    )
 
 
 @cache

@@ -77,11 +77,16 @@ def invariant_steps(
     law: Law, points: int, single: InvariantLoop | None = None, seed: int = 0
 ) -> list[Step]:
     """Check a law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
-    cases = [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
+    cases = (
+        [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
+    )
     claims = claims_of(law, cases[0], bool(single)).items()
     steps = [exact_step(cases, claim, check) for claim, check in claims]
     steps += [young_step()] if law.perturbation else []
-    return [*steps, running_step(lambda: cases[len(cases) // 2].loop, points, seed=seed)]
+    return [
+        *steps,
+        running_step(lambda: cases[len(cases) // 2].loop, points, seed=seed),
+    ]
 
 
 def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
@@ -100,20 +105,26 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
         claims[left] = InvariantLoop.semidefinite_after_a_jump
         claims["V does not rise where they jump"] = InvariantLoop.V_rises_by
     if names:
-        claims[f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"] = (
-            lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
-        )
+        claims[
+            f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
+        ] = lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
     claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
     if law.weighted_error:
-        first = int(law.perturbation is None)  # where CLPE drives alpha BOUNDS[0] does not hold
-        claims |= {BOUNDS[k]: partial(_moves, which=k) for k in range(first, len(BOUNDS))}
+        first = int(
+            law.perturbation is None
+        )  # where CLPE drives alpha BOUNDS[0] does not hold
+        claims |= {
+            BOUNDS[k]: partial(_moves, which=k) for k in range(first, len(BOUNDS))
+        }
         claims[BOUNDED_BY_V] = _cauchy
     if law.makes_estimate:
         claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
             InvariantLoop.estimate_grows
         )
     if law.readout:
-        claims[f"{law.readout} is theta where its condition holds, and -alpha elsewhere"] = _reads
+        claims[
+            f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
+        ] = _reads
     given = f"with {', '.join(names)} >= 0 " * bool(names)
     claims[f"{given}V and what V' loses are not negative"] = lambda case: all(
         map(case.not_negative, {case.V, *chain.from_iterable(case.losses)})
@@ -124,15 +135,22 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
 def _reads(case: InvariantLoop) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[case.law.error_left]
-    read, truth = case.loop.signals[case.law.readout], case.loop.parameters["true_flow"].theta
-    for one, alpha, theta in zip(read.flat, case.states["alpha"].flat, truth.flat, strict=True):
+    read, truth = (
+        case.loop.signals[case.law.readout],
+        case.loop.parameters["true_flow"].theta,
+    )
+    for one, alpha, theta in zip(
+        read.flat, case.states["alpha"].flat, truth.flat, strict=True
+    ):
         if not isinstance(one, WHERE) or str(one.args[0].func) != "ge":
             return False
         condition, then, before = one.args
         gone, margin = condition.args
         known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
         right = vanishes(case.reduced(then.subs(known)) - theta)
-        if not (right and gone == 1 - w and margin.is_positive and vanishes(before + alpha)):
+        if not (
+            right and gone == 1 - w and margin.is_positive and vanishes(before + alpha)
+        ):
             return False
     return True
 
@@ -143,7 +161,9 @@ BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
     "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
     "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
 )
-BOUNDED_BY_V = "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
+BOUNDED_BY_V = (
+    "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
+)
 
 
 def _moves(case: InvariantLoop, which: int) -> bool:
@@ -155,7 +175,12 @@ def _moves(case: InvariantLoop, which: int) -> bool:
 
 def covariance_rates(case: InvariantLoop) -> tuple[tuple[Any, Any], ...]:
     """Return quantities of P and eta, each with its rate; lambda is 0 where tr P = k_0."""
-    P, p, rho, error = case.states["P"], case.parameters, case.states["rho"], case.weighted_error
+    P, p, rho, error = (
+        case.states["P"],
+        case.parameters,
+        case.states["rho"],
+        case.weighted_error,
+    )
     forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
     gain, size = P @ case.states["phi_f"] / p.noise, np.sum((error @ P) * error)
     return (
@@ -173,14 +198,21 @@ def _cauchy(case: InvariantLoop) -> bool:
     v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
     P = v.T @ v
     squares = sum(
-        sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2) for a, b in combinations(range(n), 2)
+        sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2)
+        for a, b in combinations(range(n), 2)
     )
     return vanishes(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares)
 
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
-OUTSIDE = "phi_x", "phi_z", "v_x", "fix", "taken"  # what comes from blocks that are left out
+OUTSIDE = (
+    "phi_x",
+    "phi_z",
+    "v_x",
+    "fix",
+    "taken",
+)  # what comes from blocks that are left out
 MOVING = ("x", "z", "m")  # states that change between fixes
 READ = ("alpha", "z", "information")  # and those that others read as they are
 States = dict[str, np.ndarray]
@@ -188,7 +220,9 @@ States = dict[str, np.ndarray]
 
 def wrong(rows: dict[str, Any]) -> str:
     """Return the names of the rows that are not zero for all symbols."""
-    names = [name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))]
+    names = [
+        name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))
+    ]
     return f"{', '.join(names)} differs" if names else ""
 
 
@@ -199,9 +233,13 @@ class AtFixes:
         self.N, self.late = N, late
         block, V = law_and_V(law, N)
         block.parameters = block.parameters._replace(latency=float(late))
-        parts, _ = remaining_parts(*LoopOf(theorem_scenario(N, law.name), external=OUTSIDE))
+        parts, _ = remaining_parts(
+            *LoopOf(theorem_scenario(N, law.name), external=OUTSIDE)
+        )
         parts = [one for one in parts if one.name != block.name]
-        self.loop = symbolic_loop(connect([*parts, block, V], OUTSIDE, name="between"), jumps=True)
+        self.loop = symbolic_loop(
+            connect([*parts, block, V], OUTSIDE, name="between"), jumps=True
+        )
         p = self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
         P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])
@@ -228,7 +266,8 @@ class AtFixes:
         return wrong(
             {
                 "x - z - eta m": [
-                    loop.derivative(e).subs(same) for e in s["x"] - s["z"] - self.missed(s)
+                    loop.derivative(e).subs(same)
+                    for e in s["x"] - s["z"] - self.missed(s)
                 ],
                 "V": rate_of_V(loop),
                 **{f"{port} read": loop.signals[port] - s[port] for port in READ},
@@ -254,7 +293,9 @@ class AtFixes:
         known |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
         def states(new: dict[Any, sympy.Expr]) -> States:
-            put = np.vectorize(lambda a: decided(a.xreplace(new).xreplace(known)), otypes=[object])
+            put = np.vectorize(
+                lambda a: decided(a.xreplace(new).xreplace(known)), otypes=[object]
+            )
             return {port: put(symbols) for port, symbols in s.items()}
 
         before = states({})
@@ -271,7 +312,10 @@ class AtFixes:
                 "P^-1": gained - got * np.outer(m, m) / r**2,
                 "x - z - eta m": x - after["z"] - self.missed(after),
                 "what is missing": (1 - got) * (after["alpha"] - before["alpha"]),
-                "the fix under way": [*after["waiting"] * sent, *after["waiting"] - taken + got],
+                "the fix under way": [
+                    *after["waiting"] * sent,
+                    *after["waiting"] - taken + got,
+                ],
             }
         )
 

@@ -32,7 +32,9 @@ class Case:
     loop: SymbolicLoop
     V: Block
     law: Block
-    tied: dict[Any, sympy.Expr]  # V's symbols -> what they are of the truth's, or of the law's
+    tied: dict[
+        Any, sympy.Expr
+    ]  # V's symbols -> what they are of the truth's, or of the law's
     refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
@@ -44,16 +46,22 @@ class Case:
         self.N = len(loop.inputs["phi_x"])
         self.tied = {s: truth for s, truth in self.tied.items() if s != truth}
         own = self.law.name, self.V.name
-        hidden = {s for name, p in loop.parameters.items() if name not in own for s in flat(p)}
+        hidden = {
+            s for name, p in loop.parameters.items() if name not in own for s in flat(p)
+        }
         self.values = {s: v for s, v in loop.values.items() if s not in hidden}
-        self.known = self.values | {s: e.xreplace(self.values) for s, e in self.tied.items()}
+        self.known = self.values | {
+            s: e.xreplace(self.values) for s, e in self.tied.items()
+        }
         of_V = self.values.keys() & {*flat(loop.parameters[self.V.name])}
         self.of_V = {s: self.values[s] for s in of_V} | self.tied
         self.moving = {TIME, *loop.motion}
         self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
         x, z = loop.states["x"], loop.states["z"]
-        self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}  # x = e + z
+        self.apart = {
+            a: e + b for a, e, b in zip(x, self.e, z, strict=True)
+        }  # x = e + z
         self.together = {e: a - b for a, e, b in zip(x, self.e, z, strict=True)}
         self.zones, self.V_of_D = [], self.Vs.xreplace(self.apart)
         for e in self.e:
@@ -61,20 +69,33 @@ class Case:
             self.zones.append(zone)
         self.rate = tidied(rate_of_V(loop).xreplace(self.known))
         sums = tidied(self.rate - self.fall)
-        signed = sums.xreplace({a: a.args[0] * SIGN(*a.args) for a in sums.atoms(sympy.Abs)})
-        self.residual = sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(signed) else sums
+        signed = sums.xreplace(
+            {a: a.args[0] * SIGN(*a.args) for a in sums.atoms(sympy.Abs)}
+        )
+        self.residual = (
+            sympy.S.Zero if sums.atoms(sympy.Pow) and vanishes(signed) else sums
+        )
 
     @cached_property
     def fall(self) -> sympy.Expr:
         """-sum KD_i e_i dV/de_i, which is -e^T KD e where V holds |e|^2/2."""
-        KD, V = self.loop.parameters["vehicle_controller"].KD, self.Vs.xreplace(self.apart)
-        falls = (k * e * along(V, {e: sympy.S.One}) for k, e in zip(KD, self.e, strict=True))
+        KD, V = (
+            self.loop.parameters["vehicle_controller"].KD,
+            self.Vs.xreplace(self.apart),
+        )
+        falls = (
+            k * e * along(V, {e: sympy.S.One}) for k, e in zip(KD, self.e, strict=True)
+        )
         return -tidied(sympy.Add(*falls)).xreplace(self.together)
 
     @cached_property
     def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
         """The states that make each learned parameter, and its error, where e = 0."""
-        ports, states, truth = self.loop.signals, set(self.loop.motion), truth_in(self.loop)
+        ports, states, truth = (
+            self.loop.signals,
+            set(self.loop.motion),
+            truth_in(self.loop),
+        )
         x, z = self.loop.states["x"], self.loop.states["z"]
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
         known = self.values | dict(zip(x, z, strict=True))
@@ -83,14 +104,20 @@ class Case:
             for port in true
             for k, output in enumerate(ports[port].flat)
         ]
-        return [(sorted(error.free_symbols & states, key=str), error) for error in errors]
+        return [
+            (sorted(error.free_symbols & states, key=str), error) for error in errors
+        ]
 
     @cached_property
     def truth(self) -> dict[Any, sympy.Expr]:
         """Where each error is zero, of states that make a learned parameter linearly."""
         true = dict(zip(self.loop.states["x"], self.loop.states["z"], strict=True))
         for of, error in self.errors:
-            if len(of) == 1 and sympy.diff(error, *of).is_nonzero and not error.diff(of[0], 2):
+            if (
+                len(of) == 1
+                and sympy.diff(error, *of).is_nonzero
+                and not error.diff(of[0], 2)
+            ):
                 true[of[0]] = sympy.expand(of[0] - error / sympy.diff(error, *of))
         return true
 
@@ -102,7 +129,9 @@ class Case:
     def definite(self) -> Step:
         """Return the step that V is positive definite, or so beyond dead zones."""
         mapped = {
-            of[0]: error for of, error in self.errors if len(of) == 1 and of[0] not in self.truth
+            of[0]: error
+            for of, error in self.errors
+            if len(of) == 1 and of[0] not in self.truth
         }
         named = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
 
@@ -110,8 +139,13 @@ class Case:
             V, states = self.V_of_D, [*self.e, *self.learned]
             if any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False  # V itself may jump
-            V = tidied(V.xreplace({s: s + true for s, true in list(self.truth.items())[2:]}))
-            for s, error in mapped.items():  # alpha = s + s^3: V is least where its error is zero
+            V = tidied(
+                V.xreplace({s: s + true for s, true in list(self.truth.items())[2:]})
+            )
+            for (
+                s,
+                error,
+            ) in mapped.items():  # alpha = s + s^3: V is least where its error is zero
                 rest, own = V.as_independent(s, as_Add=True)
                 share = sympy.cancel(sympy.diff(own, s) / error)
                 rises = interval(sympy.diff(error, s))[0]
@@ -126,7 +160,11 @@ class Case:
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
         mine = f"{self.V.name}."  # a V that leaves the range of numbers is a V
-        none = (s for s in self.loop.undefined if not (s.startswith(mine) and s.endswith("large")))
+        none = (
+            s
+            for s in self.loop.undefined
+            if not (s.startswith(mine) and s.endswith("large"))
+        )
         undefined = next(none, "")
         return exact("the equations have a value everywhere", not undefined, undefined)
 
@@ -137,7 +175,9 @@ class Case:
         """
         zones = [f"{float(zone):.4g}" for zone in self.zones]
         half = "/2" * fall.endswith("/2")
-        below = " and ".join(f"|Delta_{i}| <= {d} KD_{i}{half}" for i, d in enumerate(zones, 1))
+        below = " and ".join(
+            f"|Delta_{i}| <= {d} KD_{i}{half}" for i, d in enumerate(zones, 1)
+        )
         most = f"-D^T KD D{half}" if fall.startswith("-D^T") else "0"
         where = f"V' <= {most} where {below}" if self.takes_delta() else f"V' <= {fall}"
         ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(zones, 1))
@@ -150,7 +190,9 @@ class Case:
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
         residual, x = self.residual, self.loop.states["x"]
-        if any(word.has(*x) for word in residual.atoms(AppliedUndef)):  # how it bends is not known
+        if any(
+            word.has(*x) for word in residual.atoms(AppliedUndef)
+        ):  # how it bends is not known
             return False
         return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
 
@@ -163,7 +205,9 @@ class Case:
     def falls(self, residual: sympy.Expr) -> bool:
         """Return whether what V' has beyond its fall is known not to be positive."""
         residual, e = residual.xreplace(self.apart), {*self.e}
-        others = residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
+        others = (
+            residual.free_symbols - {TIME, *self.values, *self.loop.states["z"]} - e
+        )
         return never_positive(residual, {*self.values}, (others, e, None))
 
     def across_jumps(self) -> Step:
@@ -171,7 +215,9 @@ class Case:
 
         def no_rise() -> tuple[bool, str]:
             V = self.Vs
-            if V.atoms(AppliedUndef) or any(s.name.endswith(".interval") for s in V.free_symbols):
+            if V.atoms(AppliedUndef) or any(
+                s.name.endswith(".interval") for s in V.free_symbols
+            ):
                 return False, "V itself depends on time"
             for after in self.loop.jumps_at_once():
                 rise = tidied((V.xreplace(after) - V).xreplace(self.values))
@@ -198,7 +244,10 @@ class Case:
 
         Half of the fall may do.
         """
-        KD, D = self.loop.parameters["vehicle_controller"].KD, zip(self.e, self.zones, strict=True)
+        KD, D = (
+            self.loop.parameters["vehicle_controller"].KD,
+            zip(self.e, self.zones, strict=True),
+        )
         beyond = [e * (e - CLIP(e, -zone, zone) if zone else e) for e, zone in D]
         squares = sympy.Add(*(k * one for k, one in zip(KD, beyond, strict=True)))
         fall = "-D^T KD e" if any(self.zones) else "-e^T KD e"
@@ -221,9 +270,13 @@ class Case:
             residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
             if loop.undefined:
                 return False, loop.undefined[0]
-            read, asked = loop.elements.of, [one for one in self.others if one in loop.states]
+            read, asked = (
+                loop.elements.of,
+                [one for one in self.others if one in loop.states],
+            )
             moves, states = (  # what no equation reads exists as long as what drives it
-                {port: read(one[port]) for port in asked} for one in (loop.rates, loop.states)
+                {port: read(one[port]) for port in asked}
+                for one in (loop.rates, loop.states)
             )
             if faster := faster_than_linear(moves, states):
                 return False, faster
@@ -242,15 +295,24 @@ class Case:
         if weight != symbol or len(generic) != 1:
             return weight
         names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-        theirs = [self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)]
-        ways = theirs[0], reindexed(theirs[0], {"1": generic[0]})  # one for all, or one each
-        fit = (gain for gain in ways if [reindexed(gain, name) for name in names] == theirs)
+        theirs = [
+            self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)
+        ]
+        ways = (
+            theirs[0],
+            reindexed(theirs[0], {"1": generic[0]}),
+        )  # one for all, or one each
+        fit = (
+            gain for gain in ways if [reindexed(gain, name) for name in names] == theirs
+        )
         return next(fit, symbol)
 
 
 def faster_than_linear(moves: Mapping[str, Any], states: Mapping[str, Any]) -> str:
     """Return which state may grow faster than linearly in the states, and its rate; or ""."""
-    names = {str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)}
+    names = {
+        str(s).split("[")[0] for symbols in states.values() for s in np.ravel(symbols)
+    }
 
     def is_state(symbol: sympy.Symbol) -> bool:
         return str(symbol).split("[")[0] in names  # m[k] is one of m[j]

@@ -44,7 +44,9 @@ class Bound(NamedTuple):
     """What V comes to, in a sentence and as a level."""
 
     sentence: str
-    level: sympy.Expr | None = None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
+    level: sympy.Expr | None = (
+        None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
+    )
 
 
 class Leak(NamedTuple):
@@ -73,7 +75,9 @@ def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
     """Return the leaks that V' has beyond -e^T KD e; none where it has anything else."""
     parts: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
     for term in sympy.Add.make_args(sympy.expand(residual)):
-        factor = sympy.Mul(*(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving)))
+        factor = sympy.Mul(
+            *(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving))
+        )
         parts[factor] = parts.get(factor, sympy.Integer(0)) + term / factor
     leaks = []
     for factor, part in parts.items():
@@ -82,7 +86,11 @@ def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
             return []
         weight = -part.coeff(states[0], 2)
         wanted = sympy.Add(*(-weight * s * (s - truth[s]) for s in states))
-        if not weight.is_positive or weight.free_symbols or sympy.expand(part - wanted) != 0:
+        if (
+            not weight.is_positive
+            or weight.free_symbols
+            or sympy.expand(part - wanted) != 0
+        ):
             return []
         leaks.append(Leak(factor, states, weight))
     return leaks
@@ -107,11 +115,20 @@ def _radial(leak: Leak) -> Radial | None:
             continue
         u, low, top = word.args
         along = u.subs(dict.fromkeys(leak.states[1:], 0)).subs(leak.states[0], r)
-        if along.free_symbols != {r} or along.has(AppliedUndef) or low != 0 or not top.is_positive:
+        if (
+            along.free_symbols != {r}
+            or along.has(AppliedUndef)
+            or low != 0
+            or not top.is_positive
+        ):
             continue
         same = sympy.expand(u - along.subs(r, sympy.sqrt(leak.square))) == 0
         ends = [sympy.solve(along - at, r) for at in (0, top)]
-        if same and sympy.diff(along, r).is_positive and all(len(end) == 1 for end in ends):
+        if (
+            same
+            and sympy.diff(along, r).is_positive
+            and all(len(end) == 1 for end in ends)
+        ):
             return Radial(word, ends[0][0], ends[1][0], top)
     return None
 
@@ -121,7 +138,12 @@ def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
     a, b = -part.coeff(s, 2), part.coeff(s, 1)
     if sympy.expand(part + a * s**2 - b * s) != 0:
         return None
-    if not a.is_nonnegative or _moves(a, moves) or _moves(b, moves) or (a == 0 and b != 0):
+    if (
+        not a.is_nonnegative
+        or _moves(a, moves)
+        or _moves(b, moves)
+        or (a == 0 and b != 0)
+    ):
         return None
     return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
 
@@ -163,11 +185,16 @@ class Bounding:
         self.leaks = leaks_of(case.residual, self.truth, case.moving)
         H, self.k = sympy.hessian(case.Vs, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
-        self.errors, learned = list(self.truth)[:2], list(self.truth)[2:]  # x, whose truth is z
+        self.errors, learned = (
+            list(self.truth)[:2],
+            list(self.truth)[2:],
+        )  # x, whose truth is z
         self.diagonal = H.is_diagonal()
         self.square = self.diagonal and all(self.weights[s] == 1 for s in self.errors)
         one_each = [s for leak in self.leaks for s in leak.states]
-        self.all_leak = self.square and sorted(one_each, key=str) == sorted(learned, key=str)
+        self.all_leak = self.square and sorted(one_each, key=str) == sorted(
+            learned, key=str
+        )
         deltas = sympy.symbols("Delta_1:3", positive=True)  # the bounds of |Delta_i|
         self.delta = deltas if case.takes_delta() else (sympy.S.Zero, sympy.S.Zero)
         self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
@@ -177,7 +204,11 @@ class Bounding:
         pull = self.pulled(self.case.rate) if self.case.has_decay() else None
         if pull is not None and (pull.rate != 0 or self.square):
             return self.pulled_to(pull)
-        return self.rising() or self.by_error() or self.within_balls() if self.leaks else None
+        return (
+            self.rising() or self.by_error() or self.within_balls()
+            if self.leaks
+            else None
+        )
 
     def pulled(self, rate: sympy.Expr) -> Pull | None:
         """Bound V' by what pulls back and a constant, state by state.
@@ -186,8 +217,13 @@ class Bounding:
         on a state or time is no constant.
         """
         moves = {*self.truth, *self.case.moving}
-        rate = sympy.expand(rate.xreplace({s: s + true for s, true in self.truth.items()}))
-        groups = {tuple(g.free_symbols & {*self.truth}): g for g in groups_of(rate, {*self.truth})}
+        rate = sympy.expand(
+            rate.xreplace({s: s + true for s, true in self.truth.items()})
+        )
+        groups = {
+            tuple(g.free_symbols & {*self.truth}): g
+            for g in groups_of(rate, {*self.truth})
+        }
         if not self.diagonal or any(len(symbols) != 1 for symbols in groups):
             return None
         if any(_moves(weight, moves) for weight in self.weights.values()):
@@ -225,7 +261,9 @@ class Bounding:
             if radial is None or leak.factor != radial.word:
                 return None
             full = full.subs(radial.word, radial.top)
-            more += radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
+            more += (
+                radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
+            )
             within.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
         pull = self.pulled(sympy.expand(full))
         if pull is None:
@@ -240,7 +278,10 @@ class Bounding:
             return None
         (leak,) = self.leaks
         square = sympy.Add(*((s - self.truth[s]) ** 2 for s in self.errors))
-        if leak.factor.func is not sympy.Pow or sympy.expand(leak.factor.base - square) != 0:
+        if (
+            leak.factor.func is not sympy.Pow
+            or sympy.expand(leak.factor.base - square) != 0
+        ):
             return None
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
@@ -260,11 +301,16 @@ class Bounding:
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
             port = leak.states[0].name.partition("_")[0]
-            radius, largest = f"|{port}| <= {float(radial.R):.4g}", f"{float(radial.M):.4g}"
+            radius, largest = (
+                f"|{port}| <= {float(radial.R):.4g}",
+                f"{float(radial.M):.4g}",
+            )
             within.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*within, strict=True))
         falls = f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}"
-        return Bound(f"{radii} for good where it starts so; where {truths}, {falls}", level)
+        return Bound(
+            f"{radii} for good where it starts so; where {truths}, {falls}", level
+        )
 
     def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
@@ -275,14 +321,22 @@ class Bounding:
         (taken,), (least,) = outward, divisor
         if leak.factor != radial.word * taken / least or str(taken.func) != "maximum":
             return False
-        if sympy.expand(least.args[0] - leak.square) != 0 or least.args[1] > radial.R**2:
+        if (
+            sympy.expand(least.args[0] - leak.square) != 0
+            or least.args[1] > radial.R**2
+        ):
             return False
         n, part, o = sympy.Dummy(nonnegative=True), sympy.Dummy(), taken.args[0]
         beyond = {radial.word: radial.top, taken: o + n, least: 1 / part}
         power = sympy.Add(*(s * self.case.loop.motion[s] for s in leak.states))
-        power = sympy.expand(sympy.expand(power.xreplace(self.case.values)).xreplace(beyond))
+        power = sympy.expand(
+            sympy.expand(power.xreplace(self.case.values)).xreplace(beyond)
+        )
         rest = power.subs(part, 0) * leak.square + sympy.diff(power, part)
-        return sympy.diff(power, part, 2) == 0 and sympy.expand(rest + n * leak.square) == 0
+        return (
+            sympy.diff(power, part, 2) == 0
+            and sympy.expand(rest + n * leak.square) == 0
+        )
 
 
 def listed(parts: Sequence[str]) -> str:

@@ -75,8 +75,14 @@ def known_positive(loop: ArrayLoop, name: str, value: Any) -> None:
 def errors(loop: Loop) -> Errors:
     """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
     p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
-    first = {"e": s["x"] - s["z"], "eta_3": s["K"] - car.KD, "eta_4": car.GammaD - s["Gamma"]}
-    return {**first, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else first
+    first = {
+        "e": s["x"] - s["z"],
+        "eta_3": s["K"] - car.KD,
+        "eta_4": car.GammaD - s["Gamma"],
+    }
+    return (
+        {**first, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else first
+    )
 
 
 def definite_step(law: str) -> Step:
@@ -106,7 +112,9 @@ def dissipation_step() -> Step:
         known_positive(loop, "KD", loop.parameters["vehicle_controller"].KD)
         return [rate_of_V(loop) - decay(loop)]
 
-    return zero_step("V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned_loop, rest)
+    return zero_step(
+        "V' <= 0: -e^T KD e is negative definite in e for KD > 0", learned_loop, rest
+    )
 
 
 def algebra_step(claim: str, *residuals: str) -> Step:
@@ -123,7 +131,9 @@ def young_step() -> Step:
     )
 
 
-def error_rates(error: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any) -> Errors:
+def error_rates(
+    error: Errors, KD: Any, gamma: Any, phi: Any, z: Any, zc: Any
+) -> Errors:
     """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3, and eta' = -gamma W e, Eq. (28)."""
     e = error["e"]
     return {
@@ -138,16 +148,23 @@ def wanted_rates(loop: Loop, before_eta_3: str = "z") -> Errors:
     """Return the rates of the closed loop's errors as the paper has them, z eta_3 in e'."""
     p, inputs = loop.parameters, loop.inputs
     signals = inputs["phi_x"], loop.states[before_eta_3], inputs["zc"]
-    return error_rates(errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *signals)
+    return error_rates(
+        errors(loop), p["vehicle_controller"].KD, p["adaptation"].gain, *signals
+    )
 
 
 def convergence_steps() -> list[Step]:
     """Check the chain of Theorem 3.2 after V' = -e^T KD e."""
 
     def vehicle_stable(loop: ArrayLoop) -> list[Any]:
-        car, theta = loop.parameters["vehicle_controller"], loop.parameters["true_flow"].theta
+        car, theta = (
+            loop.parameters["vehicle_controller"],
+            loop.parameters["true_flow"].theta,
+        )
         known_positive(loop, "KD", car.KD)
-        driven = (theta - car.alpha_M) @ loop.inputs["phi_x"] + car.GammaD * loop.inputs["zc"]
+        driven = (theta - car.alpha_M) @ loop.inputs[
+            "phi_x"
+        ] + car.GammaD * loop.inputs["zc"]
         return [loop.rates["x"] - (driven - car.KD * loop.states["x"])]
 
     def second(loop: ArrayLoop) -> list[Any]:
@@ -185,8 +202,13 @@ def same_dynamics() -> tuple[bool, str]:
     loop, parts = ArrayLoop(learned_loop()), ArrayLoop(error_diagram())
     p, signals = parts.parameters, (parts.inputs[port] for port in ("phi_x", "z", "zc"))
     constants = p["error_system"].KD, p["parameter_system"].gain
-    wanted, printed = wanted_rates(loop), error_rates(parts.states, *constants, *signals)
-    pairs = (loop.derivative(error) - wanted[name] for name, error in errors(loop).items())
+    wanted, printed = (
+        wanted_rates(loop),
+        error_rates(parts.states, *constants, *signals),
+    )
+    pairs = (
+        loop.derivative(error) - wanted[name] for name, error in errors(loop).items()
+    )
     holds, left = vanish(loop, pairs)
     if not holds or printed.keys() != parts.rates.keys():
         return False, left
@@ -197,7 +219,10 @@ def observability_steps() -> list[Step]:
     """Check the algebra of Theorem 3.3."""
 
     def decays(parts: ArrayLoop) -> list[Any]:
-        KD, gamma = parts.parameters["error_system"].KD, parts.parameters["parameter_system"].gain
+        KD, gamma = (
+            parts.parameters["error_system"].KD,
+            parts.parameters["parameter_system"].gain,
+        )
         squares = {name: np.sum(state**2) for name, state in parts.states.items()}
         e = squares.pop("e")
         V = (e + sum(squares.values()) / gamma) / 2
@@ -209,13 +234,22 @@ def observability_steps() -> list[Step]:
         along = {name: parts.direction(name) for name in parts.states if name != "e"}
         directions = {operand(parts.states[name]): d for name, d in along.items()}
         We = e @ Direction(parts.tape, directions).of(parts.rates["e"])
-        return [sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We]
+        return [
+            sum(np.sum(parts.rates[name] * d) for name, d in along.items()) + gamma * We
+        ]
 
     return [
-        checked("Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'", same_dynamics),
-        zero_step("(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", error_diagram, decays),
+        checked(
+            "Eqs. (27)-(28) with z eta_3 are the closed loop's e' and eta'",
+            same_dynamics,
+        ),
         zero_step(
-            "L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]", error_diagram, injection
+            "(X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2", error_diagram, decays
+        ),
+        zero_step(
+            "L = [0; gamma W] gives A + L C = [[-KD, W^T], [0, 0]]",
+            error_diagram,
+            injection,
         ),
         algebra_step(
             "the injected output is [exp(-k(s-t)) I, filtered W^T] X: the observability "

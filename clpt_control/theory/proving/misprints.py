@@ -20,7 +20,13 @@ from .lemmas import errors, wanted_rates
 from .proof import checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import decay, decay_and_known_error, rate_of_V, theorem_loop, theorem_scenario
+from .theorem_loop import (
+    decay,
+    decay_and_known_error,
+    rate_of_V,
+    theorem_loop,
+    theorem_scenario,
+)
 
 
 @dataclass(frozen=True)
@@ -31,11 +37,15 @@ class Misprint:
     printed: str
     corrected: str
     check: str  # what tells them apart
-    residual: Callable[[bool], Any]  # of the printed form or the corrected one; zero where it fits
+    residual: Callable[
+        [bool], Any
+    ]  # of the printed form or the corrected one; zero where it fits
 
     def holds(self, printed: bool) -> bool:
         """Return whether the check passes on the printed form, or the corrected one."""
-        return all(map(vanishes, np.ravel(np.array(self.residual(printed), dtype=object))))
+        return all(
+            map(vanishes, np.ravel(np.array(self.residual(printed), dtype=object)))
+        )
 
     @property
     def confirmed(self) -> bool:
@@ -72,7 +82,9 @@ def any_gains(law: str, disturbed: bool = False) -> SymbolicLoop:
     """Return a loop with any injection, before a law is chosen: what adapts has any rate."""
     loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
     free = {
-        port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(loop.states[port])
+        port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(
+            loop.states[port]
+        )
         for port in LEARNED
         if port in loop.states
     }
@@ -107,11 +119,15 @@ def brackets(loop: SymbolicLoop, flow: Any, K: bool, alpha: bool = False) -> sym
     error, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
     e, gamma, zc = error["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
     before_K, before_alpha = (1 if printed else 1 / gamma for printed in (K, alpha))
-    form = e @ (flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"])
+    form = e @ (
+        flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"]
+    )
     form += error["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
     form += error["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
     if "eta" in error:
-        form += np.sum(error["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi)))
+        form += np.sum(
+            error["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi))
+        )
     return rate_of_V(loop) - form
 
 
@@ -119,7 +135,11 @@ def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
     """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or as (25) has it."""
     alpha_M, alpha = loop.parameters["vehicle_controller"].alpha_M, loop.states["alpha"]
     phi, phi_z = loop.inputs["phi_x"], loop.inputs["phi_z"]
-    return -2 * alpha_M @ phi if printed else -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
+    return (
+        -2 * alpha_M @ phi
+        if printed
+        else -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
+    )
 
 
 # --- one by one --------------------------------------------------------------------------------
@@ -129,11 +149,15 @@ def equation_18(printed: bool) -> Any:
     """V' of Eq. (18)."""
     loop = any_gains("known-flow")
     p = loop.parameters
-    flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs["phi_x"]
+    flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs[
+        "phi_x"
+    ]
     return brackets(loop, flow, printed)
 
 
-def equation_25(K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False):
+def equation_25(
+    K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False
+):
     """V' of the learned-flow law by Eq. (25) or, with Delta, (34), parts of it as printed."""
     loop = any_gains("learned-flow", delta)
     left = left_of_injection(loop, flow) + loop.inputs.get("delta", 0)
@@ -157,13 +181,17 @@ def equation_28_rows(printed: bool) -> Any:
     """The lower rows of A, Eq. (28)."""
     A, W, _, gamma = error_dynamics()
     blocks = [W[j : j + 2, :] for j in range(0, 8, 2)]
-    return A[2:, :2] + gamma * sympy.Matrix.vstack(*(b.T if printed else b for b in blocks))
+    return A[2:, :2] + gamma * sympy.Matrix.vstack(
+        *(b.T if printed else b for b in blocks)
+    )
 
 
 def equation_28_P(printed: bool) -> Any:
     """All blocks of A^T P + P A but e e, P of Eq. (28)."""
     A, _, KD, gamma = error_dynamics()
-    first, others = (KD.inv(), [KD.inv()] * 4) if printed else (sympy.eye(2), [sympy.eye(8)])
+    first, others = (
+        (KD.inv(), [KD.inv()] * 4) if printed else (sympy.eye(2), [sympy.eye(8)])
+    )
     P = sympy.diag(first, *(one / gamma for one in others)) / 2
     Q = A.T * P + P * A
     return [*Q[:2, 2:], *Q[2:, 2:]]
@@ -185,7 +213,10 @@ def hats(printed: bool) -> Any:
 def gaussian(printed: bool) -> Any:
     """Return how log phi of Eq. (5) bends with distance."""
     d, width = sympy.symbols("d sigma", positive=True)
-    kernel, one = "exponential" if printed else "gaussian", (np.zeros((1, 2)), np.ones(1))
+    kernel, one = (
+        "exponential" if printed else "gaussian",
+        (np.zeros((1, 2)), np.ones(1)),
+    )
     block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
     known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
     record = block.array_record("output")
@@ -197,7 +228,9 @@ def gaussian(printed: bool) -> Any:
 def converges_to(printed: bool) -> Any:
     """The slopes of V of Eq. (24) where it shall have its minimum."""
     loop = paper_loop("learned-flow")
-    alpha, theta = (np.ravel(a) for a in (loop.states["alpha"], loop.parameters["true_flow"].theta))
+    alpha, theta = (
+        np.ravel(a) for a in (loop.states["alpha"], loop.parameters["true_flow"].theta)
+    )
     place = dict(zip(alpha, theta if printed else -theta, strict=True))
     return [sympy.diff(loop.signals["V"][0], a).xreplace(place) for a in place]
 
@@ -208,12 +241,19 @@ def bounded_z(printed: bool) -> Any:
     s, rates = loop.states, zip(loop.rates["z"], loop.states["z"], strict=True)
     if not printed:
         return s["z"] - (s["x"] - loop.signals["e"])
-    return [rate.diff(z, a) for rate, z in rates for port in LEARNED for a in s[port].flat]
+    return [
+        rate.diff(z, a) for rate, z in rates for port in LEARNED for a in s[port].flat
+    ]
 
 
 BEFORE_K = "(K - KD)^T (K' + z e)", "(K - KD)^T (K'/gamma + z e)"
 MISPRINTS = (
-    Misprint("(18)", *BEFORE_K, "V' of (17) along the loop, K' and Gamma' left free", equation_18),
+    Misprint(
+        "(18)",
+        *BEFORE_K,
+        "V' of (17) along the loop, K' and Gamma' left free",
+        equation_18,
+    ),
     Misprint(
         "(25)",
         "K' + z e, and (theta + alpha) alpha'",
@@ -241,7 +281,9 @@ MISPRINTS = (
         "V' of (24) along the loop with Delta, the law left free",
         lambda printed: equation_25(K=printed, delta=True),
     ),
-    Misprint("(27)", "x eta_3", "z eta_3, as in (28) and (31)", "e' of the loop", equation_27),
+    Misprint(
+        "(27)", "x eta_3", "z eta_3, as in (28) and (31)", "e' of the loop", equation_27
+    ),
     Misprint(
         "(28), lower rows of A",
         "-gamma phi_1, -gamma phi_2, -gamma z, -gamma zc",

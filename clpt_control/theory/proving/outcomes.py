@@ -57,7 +57,11 @@ class CachedOutcomes:
         self.times |= dict.fromkeys(new, now)
         if self.path is None:
             return
-        good = [(one, self.times[one], own) for one, own in self.outcomes.items() if holds(own)]
+        good = [
+            (one, self.times[one], own)
+            for one, own in self.outcomes.items()
+            if holds(own)
+        ]
         write_cached(self.path, rows().dump_json(good), MOST_FILES)
 
 
@@ -81,7 +85,9 @@ def holds(outcome: "Outcome") -> bool:
 def digest() -> str:
     """Return a name for all that an outcome depends on."""
     paths = sorted(path for path in PACKAGE.rglob("*") if path.suffix in READ)
-    files = (f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths)
+    files = (
+        f"{path.relative_to(PACKAGE)}\n{path.read_text('utf-8')}" for path in paths
+    )
     versions = platform.python_version(), *map(version, REQUIRED)
     return code_name(*files, *versions, os.environ.get(ENGINE, ""))
 
@@ -121,7 +127,9 @@ def prove_all(
             while one := left.pop():
                 try:
                     found[one] = pool.submit(one.prove).result()
-                except Exception:  # the pool is broken, or this process says what is wrong
+                except (
+                    Exception
+                ):  # the pool is broken, or this process says what is wrong
                     left.append(one)
                     break
 

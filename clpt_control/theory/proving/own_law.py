@@ -37,7 +37,14 @@ from .proof import first_failure, worked_out
 from .signs import tidied
 from .symbolic_loop import TIME, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
-from .theorem_loop import mixed_candidate, rate_of_V, theorem_loop, theorem_scenario, tied, truth_in
+from .theorem_loop import (
+    mixed_candidate,
+    rate_of_V,
+    theorem_loop,
+    theorem_scenario,
+    tied,
+    truth_in,
+)
 from .verdict import Verdict, verdict_of
 
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
@@ -60,8 +67,14 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
     if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
         apart = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
-    with_phi, with_z, with_zc = (loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc"))
-    products = [*np.ravel(np.outer(e, with_phi[:N])), *(e * with_z[:2]), *(-e * with_zc[:2])]
+    with_phi, with_z, with_zc = (
+        loop.inputs.get(u, nothing) for u in ("phi_x", "z", "zc")
+    )
+    products = [
+        *np.ravel(np.outer(e, with_phi[:N])),
+        *(e * with_z[:2]),
+        *(-e * with_zc[:2]),
+    ]
     learned = [m for port in LEARNED for m in np.ravel(loop.signals.get(port, nothing))]
     rates = [tidied(loop.derivative(sympy.sympify(m)).xreplace(apart)) for m in learned]
     gains, rests, refutes = list[sympy.Expr](), {}, True
@@ -69,7 +82,9 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
         factor = -_factor(rate, product, {*loop.values})
         number = factor.xreplace(loop.values)
         refutes &= number != 0 or rate == 0
-        gains.append(factor if number.is_positive else -factor if number else sympy.S.One)
+        gains.append(
+            factor if number.is_positive else -factor if number else sympy.S.One
+        )
         rests[state] = sympy.expand(rate + factor * product) / gains[-1]
     inverse = None
     if any(rest.has(*e) for rest in rests.values()):
@@ -77,12 +92,17 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
         M = sympy.Matrix(M).xreplace(loop.values)
         if M.is_symmetric() and not M.is_diagonal() and M.is_positive_definite:
             inverse = M.inv()
-    inputs = [s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat]
+    inputs = [
+        s for port, symbols in loop.inputs.items() if port != "e" for s in symbols.flat
+    ]
     still = {s: sympy.Dummy(real=True) for s in inputs}
     rests = {s: rest.xreplace(still) for s, rest in rests.items() if s.is_Symbol}
     refutes = refutes and len(rests) == len(learned) and inverse is None
     refutes = refutes and _weighed_by_squares(rests, {*loop.values, *still.values()})
-    own, weights = flat(loop.parameters[law.name]), gains if inverse is None else [*inverse]
+    own, weights = (
+        flat(loop.parameters[law.name]),
+        gains if inverse is None else [*inverse],
+    )
 
     def of(parameters: list) -> list[sympy.Expr]:
         names = dict(zip(own, parameters, strict=True))
@@ -91,11 +111,16 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
     if inverse is not None:
         return partial(mixed_candidate, np.array(inverse, dtype=float)), of, refutes
     numbers = [float(gain.subs(loop.values)) for gain in gains]
-    alpha, (K, Gamma) = np.reshape(numbers[:-4], (2, N)), np.reshape(numbers[-4:], (2, 2))
+    alpha, (K, Gamma) = (
+        np.reshape(numbers[:-4], (2, N)),
+        np.reshape(numbers[-4:], (2, 2)),
+    )
     each = {"gain": alpha, "gain_K": K, "gain_Gamma": Gamma}
 
     def fitted(truth: Truth) -> Block:
-        return lyapunov_candidate("learned-flow", weighted([1.0] * 3, *truth)._replace(**each))
+        return lyapunov_candidate(
+            "learned-flow", weighted([1.0] * 3, *truth)._replace(**each)
+        )
 
     return fitted, of, refutes
 
@@ -109,13 +134,17 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
     if any(rest.free_symbols - set(rests) - known for rest in rests.values()):
         return False
     slopes = {(a, b): sympy.diff(rest, b) for a, rest in rests.items() for b in rests}
-    return all(sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items())
+    return all(
+        sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items()
+    )
 
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     """Return the factor of a product in a rate, made of parameters alone."""
     terms = [term / product for term in sympy.Add.make_args(rate)]
-    known = (q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters)
+    known = (
+        q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters
+    )
     return sympy.Add(*known)
 
 
@@ -203,15 +232,28 @@ def prove(
     theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
     with worked_out(law_block.name):
         if invariants is None:  # one V that does not fall refutes no law
-            of_V = fitted_V(law_block, N) if V is None else (_maker(V, law_block), None, False)
+            of_V = (
+                fitted_V(law_block, N)
+                if V is None
+                else (_maker(V, law_block), None, False)
+            )
             return verdict_of(_case(law_block, N, *of_V, points, seed))
         if V is None:
-            raise DiagramError(f"{law_block.name}: a law whose states keep relations needs its V")
+            raise DiagramError(
+                f"{law_block.name}: a law whose states keep relations needs its V"
+            )
         make = _maker(V, law_block)
-        part = {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
+        part = {
+            "invariants": invariants,
+            "semidefinite": semidefinite,
+            "losses": losses,
+        }
         row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
         case = InvariantLoop(row := row.with_parts(part), N, blocks=(law_block, make))
-        steps, (apart, existing) = invariant_steps(row, points, case, seed), case.existing()
+        steps, (apart, existing) = (
+            invariant_steps(row, points, case, seed),
+            case.existing(),
+        )
         failed = first_failure(steps)
         known = "proved" if existing.holds else f"proved {apart}"
         return Verdict(
@@ -227,12 +269,17 @@ def prove(
 
 def _beside(scenario: Scenario) -> str:
     """Return what of a scenario adds to V' of its law, or takes from it, or nothing."""
-    flow, fixes, limit = scenario.flow, scenario.localization, scenario.vehicle.max_speed
+    flow, fixes, limit = (
+        scenario.flow,
+        scenario.localization,
+        scenario.vehicle.max_speed,
+    )
     adds = {
         "a disturbance": flow.disturbance is not None,
         "a measured flow": flow.field is not None,
         "noise in its positions": fixes is not None and fixes.noise > 0,
-        "a limit of its speed without hedging": limit is not None and not scenario.hedged,
+        "a limit of its speed without hedging": limit is not None
+        and not scenario.hedged,
         "K and Gamma that are held": not scenario.learning.adapt_gains,
     }
     return next((what for what, has in adds.items() if has), "")
@@ -246,7 +293,9 @@ def _case(law: Block, N: int, make: Candidate, gains: Gains | None, *more: Any) 
     known = tied(loop, candidate, make, (true, truth_in(loop)))
     if gains is not None:
         p = loop.parameters[candidate.name]
-        fields = ("inverse",) if "inverse" in p._fields else ("gain", "gain_K", "gain_Gamma")
+        fields = (
+            ("inverse",) if "inverse" in p._fields else ("gain", "gain_K", "gain_Gamma")
+        )
         theirs = [s for field in fields for s in np.ravel(getattr(p, field))]
         known |= zip(theirs, gains(flat(loop.parameters[law.name])), strict=True)
     return Case(loop, candidate, law, known, *more)

@@ -51,7 +51,9 @@ class Proof:
     cited: str = ""  # the part of the statement that rests on cited steps
     printed: str = ""  # a theorem as printed
     assumptions: tuple[str, ...] = ()
-    corrected: str = ""  # what holds where the print does not: proved, but for what is cited
+    corrected: str = (
+        ""  # what holds where the print does not: proved, but for what is cited
+    )
     not_proved: tuple[str, ...] = ()  # what is not shown here
 
     @property
@@ -90,7 +92,9 @@ def theorem(
     return Proof(status, conclusion, exact_for_every_N(steps), steps, *more)
 
 
-def where_all_hold(status: str, claim: str, steps: Iterable[Step], cited: str = "") -> Proof:
+def where_all_hold(
+    status: str, claim: str, steps: Iterable[Step], cited: str = ""
+) -> Proof:
     """Return a proof with this status and claim where every step holds; else an open one."""
     steps = tuple(steps)
     failed = first_failure(steps)
@@ -108,7 +112,10 @@ def proof_or_failure(status: str, proof: Callable[[], Proof]) -> Proof:
     """Return a proof, or one with this status and a failed step where equations cannot be read."""
     try:
         return proof()
-    except (ClptError, Unread) as error:  # an equation so changed that it cannot be traced
+    except (
+        ClptError,
+        Unread,
+    ) as error:  # an equation so changed that it cannot be traced
         step = Step("the equations can be read", False, "exact", f"{error}")
         return Proof(status, f"{error}", False, (step,))
 
@@ -123,12 +130,16 @@ def worked_out(name: str) -> Iterator[None]:
     except Unread as error:
         raise DiagramError(f"{error}") from None
     except Exception as error:
-        text = "".join(format_exception_only(error)).rpartition(f"{type(error).__module__}.")[2]
+        text = "".join(format_exception_only(error)).rpartition(
+            f"{type(error).__module__}."
+        )[2]
         cause = " ".join(text.split())  # in one line
         raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
 
 
-def checked(claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True) -> Step:
+def checked(
+    claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True
+) -> Step:
     """Return a step from a check that returns a truth, or (truth, detail).
 
     Equations that are refused in it are a step that does not hold, and says why; any other error is
@@ -154,7 +165,9 @@ def counterexample(
     return checked(claim, check, "counterexample")
 
 
-def exact_step(cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]) -> Step:
+def exact_step(
+    cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]
+) -> Step:
     """Check a claim for each number of functions.
 
     A check returns whether it holds; or what is wrong, and nothing where it holds.

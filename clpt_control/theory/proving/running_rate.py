@@ -32,7 +32,9 @@ from .proof import Step, checked
 from .symbolic_loop import Numbers, Point, SymbolicLoop
 from .words import along
 
-Found = tuple[np.ndarray, np.ndarray]  # rates (n, nx) and V (n,); NaN where there are none
+Found = tuple[
+    np.ndarray, np.ndarray
+]  # rates (n, nx) and V (n,); NaN where there are none
 
 
 class Running:
@@ -44,7 +46,9 @@ class Running:
     def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
         self.system, self.wiring = system, wiring_of(system)
         self.V = [system.output_labels.index(V)] if V else []
-        self.sweep = Sweep(self.wiring, [node.system.parameters for node in self.wiring.nodes])
+        self.sweep = Sweep(
+            self.wiring, [node.system.parameters for node in self.wiring.nodes]
+        )
 
     def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Found:
         """Evaluate it as python-control does."""
@@ -55,7 +59,9 @@ class Running:
             if self.sweep.jumping:  # its states may jump between one point and the next
                 system._update_params({})
             try:
-                return system._rhs(*point), *(system._out(*point)[self.V] if self.V else [0.0])
+                return system._rhs(*point), *(
+                    system._out(*point)[self.V] if self.V else [0.0]
+                )
             except RuntimeError:  # python-control's word for a NaN on its way
                 return np.full(system.nstates, np.nan), np.nan
 
@@ -83,7 +89,9 @@ class Running:
             signals[nodes[k].outputs] = self._made(k, "output", signals, t, x, u)
         return signals
 
-    def _made(self, k: int, role: str, signals: np.ndarray, t: Any, x: Any, u: Any) -> np.ndarray:
+    def _made(
+        self, k: int, role: str, signals: np.ndarray, t: Any, x: Any, u: Any
+    ) -> np.ndarray:
         """Return what block k makes in a role of signals that are known."""
         node, p = self.wiring.nodes[k], self.sweep.parameters[k]
         block = node.system
@@ -91,14 +99,18 @@ class Running:
             p = p._replace(interval=np.array([block.interval_at(one, p) for one in t]))
         fed = np.zeros((block.ninputs, len(t)))
         for wire in node.wires:
-            source = (u.T if wire.external else signals)[wire.source : wire.source + wire.size]
+            source = (u.T if wire.external else signals)[
+                wire.source : wire.source + wire.size
+            ]
             fed[wire.to : wire.to + wire.size] += wire.gain * source
         return on_arrays(block, role, t, x.T[node.states], fed, p)
 
 
 THROUGH_CONTROL = 40  # points at which python-control calls the blocks
 CLOSE = 1e-9
-ROUNDING = 16 * 2.0**-52 / CLOSE  # of states, below which a sum may be what is left of its terms
+ROUNDING = (
+    16 * 2.0**-52 / CLOSE
+)  # of states, below which a sum may be what is left of its terms
 LOST = sympy.Dummy("lost", positive=True)  # that share of the largest state
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
@@ -158,7 +170,10 @@ class PointSearch:
         """Return symbol -> its numbers at points."""
         known = dict(zip([TIME, *self.states, *self.inputs], [t, *x, *u], strict=True))
         for symbol, k in self.jumping.items():
-            block, p = self.blocks.wiring.nodes[k].system, self.blocks.sweep.parameters[k]
+            block, p = (
+                self.blocks.wiring.nodes[k].system,
+                self.blocks.sweep.parameters[k],
+            )
             known[symbol] = np.array([block.interval_at(one, p) for one in t])
         if self.sources:
             signals = self.blocks.signals(t, x.T, u.T)
@@ -169,7 +184,11 @@ class PointSearch:
         """Return times, states and inputs of wide ranges, some of them zero."""
         n, m, random = len(self.states), len(self.inputs), self.random
         wide = 10.0 ** random.uniform(-2.5, widest, (2, count))
-        x = random.standard_normal((n, count)) * wide[0] * (random.random((n, count)) > 0.15)
+        x = (
+            random.standard_normal((n, count))
+            * wide[0]
+            * (random.random((n, count)) > 0.15)
+        )
         u = random.standard_normal((m, count)) * wide[1] * (not still)
         late = 10.0 ** (3 * random.random(count) * (random.random(count) < 0.3))
         times = random.uniform(0, 20, count) * late * (random.random(count) > 0.1)
@@ -219,11 +238,15 @@ class PointSearch:
 
     def beside(self, values: np.ndarray, near: float) -> np.ndarray:
         """Return numbers beside these, the first as they are."""
-        size = near * (np.abs(values) + 0.1 * np.max(np.abs(values), axis=0, initial=0.0) + 1e-3)
+        size = near * (
+            np.abs(values) + 0.1 * np.max(np.abs(values), axis=0, initial=0.0) + 1e-3
+        )
         step = size * self.random.standard_normal(values.shape)
         return values + step * (np.arange(values.shape[-1]) >= BEST)
 
-    def rates_at(self, point: Point, x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def rates_at(
+        self, point: Point, x: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return V' along the rates that python-control gives, the size of its terms, and V.
 
         They are at a point with states (n, states) in the place of its own.
@@ -251,13 +274,20 @@ class PointSearch:
         known[LOST] = ROUNDING * (1 + np.abs(points[1]).max(axis=0, initial=0.0))
         count, worst = len(points[0]), 0.0
         right, size = np.split(numbers.at(known, count), 2)
-        for evaluate, most in ((self.blocks.by_control, some), (self.blocks.by_records, count)):
+        for evaluate, most in (
+            (self.blocks.by_control, some),
+            (self.blocks.by_records, count),
+        ):
             check()
             t, x, u = here = [one.T[:most] for one in points]
             rates, level = evaluate(*here)
-            found = np.vstack([level if self.blocks.V else right[0, :most], rates.T[held]])
+            found = np.vstack(
+                [level if self.blocks.V else right[0, :most], rates.T[held]]
+            )
             off = _apart(right[:, :most], found, size[:, :most])
-            for row, k in np.argwhere(np.isnan(off)):  # large of inf - inf, not of inf/inf
+            for row, k in np.argwhere(
+                np.isnan(off)
+            ):  # large of inf - inf, not of inf/inf
                 at = {s: np.broadcast_to(v, count)[k] for s, v in known.items()}
                 exact = wanted[row].evalf(subs=at)
                 if exact.is_number and abs(exact) > HUGE:
@@ -289,13 +319,19 @@ def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarra
     return np.where(large & ~np.isnan(found) | large[0], 0.0, off)
 
 
-def search_of(loop: SymbolicLoop, rest: Mapping[Any, sympy.Expr], seed: int) -> PointSearch:
+def search_of(
+    loop: SymbolicLoop, rest: Mapping[Any, sympy.Expr], seed: int
+) -> PointSearch:
     """Return the search along a closed loop with its V, about where its states rest."""
     return PointSearch(loop.diagram, loop, loop.signals["V"][0], "V[0]", rest, seed)
 
 
 def running_step(
-    read: Callable[[], SymbolicLoop], points: int, which: str = "", of: str = "", seed: int = 0
+    read: Callable[[], SymbolicLoop],
+    points: int,
+    which: str = "",
+    of: str = "",
+    seed: int = 0,
 ) -> Step:
     """Check that the running blocks of a loop that is read have the same V and rates.
 
@@ -307,4 +343,6 @@ def running_step(
         holds, detail = search.compare(search.wide(points), THROUGH_CONTROL)
         return holds, of + detail
 
-    return checked(f"the running blocks give the same V'{which}", same, "sampled", False)
+    return checked(
+        f"the running blocks give the same V'{which}", same, "sampled", False
+    )

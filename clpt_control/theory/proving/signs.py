@@ -28,7 +28,11 @@ def vanishes(expression: Any) -> bool:
     expression = sympy.sympify(expression)
     p, q = _fraction(expression)
     parts = p.ring.symbols
-    if p == 0 or q == 0 or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts):
+    if (
+        p == 0
+        or q == 0
+        or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts)
+    ):
         return p == 0 and q != 0
     p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
     return p == 0 and q != 0
@@ -70,7 +74,9 @@ def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
 def _fraction(expression: sympy.Expr) -> tuple[PolyElement, PolyElement]:
     """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
     ring = PolyRing([*_parts(expression)], sympy.ZZ)
-    known = {part: (own, ring.one) for part, own in zip(ring.symbols, ring.gens, strict=True)}
+    known = {
+        part: (own, ring.one) for part, own in zip(ring.symbols, ring.gens, strict=True)
+    }
 
     def fraction(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
         if e not in known:
@@ -105,7 +111,10 @@ MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
 WHOLE = 100  # higher powers stay as they are
 MOST_WORDS = 8  # that are examined together
 
-EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}  # 1 - sin^2, 1 + sinh^2
+EVEN = {
+    sympy.cos: (sympy.sin, -1),
+    sympy.cosh: (sympy.sinh, 1),
+}  # 1 - sin^2, 1 + sinh^2
 
 
 @lru_cache(maxsize=1000)
@@ -116,12 +125,24 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     alone more is known than of 3 sin(t) - 4 sin(t)^3.
     """
     if terms_of(expression) > MOST_TERMS:
-        raise DiagramError(f"V' has more than {MOST_TERMS} terms; make the law or its N smaller")
-    masked = {e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)}
-    if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):  # else in its denominators
-        plain = tidied(expression.xreplace(masked)).xreplace({d: e for e, d in masked.items()})
+        raise DiagramError(
+            f"V' has more than {MOST_TERMS} terms; make the law or its N smaller"
+        )
+    masked = {
+        e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)
+    }
+    if masked and not any(
+        e.args[0].atoms(sympy.exp) for e in masked
+    ):  # else in its denominators
+        plain = tidied(expression.xreplace(masked)).xreplace(
+            {d: e for e, d in masked.items()}
+        )
         return sympy.expand(plain, deep=False, power_exp=False)
-    angles = {p.base.args[0] for p in expression.atoms(sympy.Pow) if isinstance(p.base, sympy.cosh)}
+    angles = {
+        p.base.args[0]
+        for p in expression.atoms(sympy.Pow)
+        if isinstance(p.base, sympy.cosh)
+    }
     if angles:  # sinh/cosh, as of log(cosh)
         tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
         expression = sympy.expand(expression.xreplace(tanh))
@@ -130,14 +151,21 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     for even, (odd, _) in EVEN.items():
         turns = expression.atoms(even, odd) - high
         angles = {one.args[0] for one in turns}
-        known |= {one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)}
+        known |= {
+            one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)
+        }
     expression = sympy.expand(expression.xreplace(known))
     for within in expression.atoms(INSIDE):  # where clip(s, a, b) is s
         ends = {at: expression.xreplace({within: sympy.Integer(at)}) for at in (0, 1)}
         inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
         expression = sympy.expand(ends[0] + within * inside)
     for p in expression.atoms(sympy.Pow):
-        if p.base.func in EVEN and p.exp.is_Integer and p.exp != -1 and p.base not in high:
+        if (
+            p.base.func in EVEN
+            and p.exp.is_Integer
+            and p.exp != -1
+            and p.base not in high
+        ):
             odd, sign = EVEN[p.base.func]
             square = 1 + sign * odd(*p.base.args) ** 2
             known[p] = square ** (p.exp // 2) * p.base ** (p.exp % 2)
@@ -146,7 +174,11 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
 
 def high_powers(expression: sympy.Expr) -> set[sympy.Expr]:
     """Return the powers that stay as they are, and exp(1000 x): SymPy has it as exp(x)**1000."""
-    powers = {p for p in expression.atoms(sympy.Pow) if p.exp.is_Integer and abs(p.exp) > WHOLE}
+    powers = {
+        p
+        for p in expression.atoms(sympy.Pow)
+        if p.exp.is_Integer and abs(p.exp) > WHOLE
+    }
     for e in expression.atoms(sympy.exp):
         if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational)):
             powers.add(e)
@@ -165,10 +197,14 @@ def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
     if len(sympy.Add.make_args(expression)) > most or expression.count_ops() > 5 * most:
         return expression
     whole = {
-        e: sympy.Dummy(str(e), positive=e.is_positive or None, nonnegative=e.is_nonnegative or None)
+        e: sympy.Dummy(
+            str(e), positive=e.is_positive or None, nonnegative=e.is_nonnegative or None
+        )
         for e in high_powers(expression)
     }
-    return _product(expression.xreplace(whole)).xreplace({dummy: e for e, dummy in whole.items()})
+    return _product(expression.xreplace(whole)).xreplace(
+        {dummy: e for e, dummy in whole.items()}
+    )
 
 
 def terms_of(expression: sympy.Expr) -> int:
@@ -188,7 +224,9 @@ def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     clips = [w for w in words_of(V) if w.func == CLIP and w.args[0] == e]
     if len(clips) == 1 and clips[0].args[1] == -clips[0].args[2]:
         clip, D = clips[0], sympy.Dummy(real=True)
-        inner = V.xreplace({e: D + clip}).xreplace({CLIP(D + clip, *clip.args[1:]): clip})
+        inner = V.xreplace({e: D + clip}).xreplace(
+            {CLIP(D + clip, *clip.args[1:]): clip}
+        )
         inner = sympy.expand(inner)
         if not inner.has(clip) and clip.args[2].is_positive:
             return clip.args[2], inner.xreplace({D: e})
@@ -218,7 +256,9 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
         if not low.is_extended_nonnegative or n % 2:
             return False
         sure = low.is_positive
-        if rest.free_symbols == {s} and rest.is_positive and not words_of(rest):  # 1/(1 + s^2)
+        if (
+            rest.free_symbols == {s} and rest.is_positive and not words_of(rest)
+        ):  # 1/(1 + s^2)
             far = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
             sure = sure or all(limit.is_extended_positive for limit in far)
         rises |= bool(n and strict and sure)
@@ -295,7 +335,9 @@ def _in_one_symbol(group: sympy.Expr) -> bool:
         return False
     whole = sympy.Poly(group, *group.free_symbols)
     falls = (whole.domain.is_ZZ or whole.domain.is_QQ) and whole.LC() < 0
-    return bool(falls) and not any(f.count_roots() for f, n in whole.sqf_list()[1] if n % 2)
+    return bool(falls) and not any(
+        f.count_roots() for f, n in whole.sqf_list()[1] if n % 2
+    )
 
 
 def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
@@ -322,7 +364,9 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
     bends = ((sympy.diff(plain, one, 2), at.high) for one, at in sectors.items())
     if any(b != 0 and not (b.is_nonnegative and high < sympy.oo) for b, high in bends):
         return False
-    q_times = plain.xreplace({one: at.factor * one + at.more for one, at in sectors.items()})
+    q_times = plain.xreplace(
+        {one: at.factor * one + at.more for one, at in sectors.items()}
+    )
     if terms_of(q_times) > MOST_TERMS:
         return False
     ends = [sympy.expand(q_times)]
@@ -338,7 +382,9 @@ def _in_pieces(group: sympy.Expr, words: set, apart: set) -> bool:
     for word in sorted(words, key=str) if len(words) <= MOST_WORDS else ():
         pieces = [] if any(map(words_of, word.args)) else pieces_of(word)
         if pieces:
-            return all(nonpositive(decided(group.xreplace(at)), apart) for _, at in pieces)
+            return all(
+                nonpositive(decided(group.xreplace(at)), apart) for _, at in pieces
+            )
     return False
 
 

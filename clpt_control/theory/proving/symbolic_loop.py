@@ -73,10 +73,16 @@ class Point(NamedTuple):
 
 def flat(parameters: Any) -> list[Any]:
     """Return the symbols of a block's parameters, one after the other."""
-    return [symbol for field in parameters for symbol in np.ravel(np.asarray(field, dtype=object))]
+    return [
+        symbol
+        for field in parameters
+        for symbol in np.ravel(np.asarray(field, dtype=object))
+    ]
 
 
-def equated(ports: Mapping[str, np.ndarray], values: Mapping[str, Any]) -> dict[Any, sympy.Expr]:
+def equated(
+    ports: Mapping[str, np.ndarray], values: Mapping[str, Any]
+) -> dict[Any, sympy.Expr]:
     """Return the symbols of some ports -> what they are, element by element."""
     return {
         symbol: sympy.sympify(value)
@@ -106,7 +112,9 @@ class Numbers:
         if whole.has(sympy.Derivative) or words:
             unknown = ", ".join(sorted(words)) or "a derivative of an input"
             raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
-        self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(inputs, key=str)
+        self.symbols = sorted(whole.free_symbols - {TIME}, key=str) + sorted(
+            inputs, key=str
+        )
         self.symbols += [TIME] if whole.has(TIME) else []
 
     def at(self, known: Mapping[Any, Any], count: int) -> np.ndarray:
@@ -119,7 +127,9 @@ class Numbers:
             return numbers[e]
 
         with np.errstate(all="ignore"):
-            found = np.array([np.broadcast_to(number(e), count) for e in self.expressions])
+            found = np.array(
+                [np.broadcast_to(number(e), count) for e in self.expressions]
+            )
         return found.astype(float)
 
 
@@ -127,7 +137,11 @@ def _of_parts(e: sympy.Expr, of: list[Any]) -> Any:
     """Return the number of an expression of those of its arguments."""
     if e.is_Add or e.is_Mul:
         return sum(of) if e.is_Add else prod(of)
-    return of[0] ** of[1] if e.is_Pow else _function(e if e.is_Atom else e.func, len(of))(*of)
+    return (
+        of[0] ** of[1]
+        if e.is_Pow
+        else _function(e if e.is_Atom else e.func, len(of))(*of)
+    )
 
 
 @cache
@@ -154,7 +168,9 @@ class ArrayLoop:
     """
 
     def __init__(
-        self, diagram: control.NonlinearIOSystem, known: Known = lambda symbol, index: symbol
+        self,
+        diagram: control.NonlinearIOSystem,
+        known: Known = lambda symbol, index: symbol,
     ):
         wiring = wiring_of(diagram)
         refuse_unproved(wiring, jumps=False)
@@ -168,7 +184,8 @@ class ArrayLoop:
         self.signals = {port: value for (_, port), value in found.signals.items()}
         of = {node.name: node.system.name for node in wiring.nodes}
         self.rates = {
-            self.names.states[of[node], port]: value for (node, port), value in found.rates.items()
+            self.names.states[of[node], port]: value
+            for (node, port), value in found.rates.items()
         }
         self.parameters: dict[str, Parameters] = {}  # block -> arrays
         for one in wiring.nodes:
@@ -210,10 +227,14 @@ class ArrayLoop:
 
     @cached_property
     def _direction(self) -> Direction:
-        along: dict[Any, Any] = {operand(s): self.rates[name] for name, s in self.states.items()}
+        along: dict[Any, Any] = {
+            operand(s): self.rates[name] for name, s in self.states.items()
+        }
         for k, operation in enumerate(self.tape.operations):
             if operation.kind == "leaf" and operation.at[0] == "u":
-                along[k] = self.tape.add("leaf", (), operation.shape, ("u'", operation.at[1]))
+                along[k] = self.tape.add(
+                    "leaf", (), operation.shape, ("u'", operation.at[1])
+                )
             elif operation.kind == "leaf" and operation.at[0] == "t":
                 along[k] = 1.0
         return Direction(self.tape, along, smooth=True)
@@ -229,7 +250,9 @@ class ArrayLoop:
             return self.tape.add("leaf", (), shape, ("p", known))
         state = self.names.states[block.name, name]
         self.declared[state] = block.declared["states"][name]
-        return self.states.setdefault(state, self.tape.add("leaf", (), shape, ("x", state)))
+        return self.states.setdefault(
+            state, self.tape.add("leaf", (), shape, ("x", state))
+        )
 
     def _input(self, port: str, shape: Shape, declared: Shape) -> Any:
         self.declared[port] = declared
@@ -242,7 +265,9 @@ class ArrayLoop:
             return TIME
         if group == "p":
             return self.known(parameter_symbol(name, self.values[name], index), index)
-        port = ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
+        port = (
+            ("d " if group == "d" else "") + name + ("'" if group.endswith("'") else "")
+        )
         element = self.names.element(port, shape, self.declared[name], index)
         return sympy.Symbol(element, real=True)
 
@@ -270,7 +295,10 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
 def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     """Refuse discrete time, blocks that sample, and jumps unless `jumps`: no proof is of them."""
     blocks = [node.system for node in wiring.nodes]
-    name = next((block.name for block in blocks if block.first_held is not None or wiring.dt), None)
+    name = next(
+        (block.name for block in blocks if block.first_held is not None or wiring.dt),
+        None,
+    )
     if name is not None:
         raise DiagramError(
             f"{name}: is of discrete time, and proofs speak of continuous time alone; prove the "

@@ -47,7 +47,9 @@ def paper_name(block: str, field: str) -> str | None:
     """Return what the paper calls a field, with the vehicle's name where it is its own."""
     vehicle, kind = split(block)
     name = _NAMES.get(f"{kind}.{field}")
-    return name if name is None or not vehicle or name in SHARED else named(vehicle, name)
+    return (
+        name if name is None or not vehicle or name in SHARED else named(vehicle, name)
+    )
 
 
 def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
@@ -64,7 +66,9 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     for block in blocks:
         for field in block.parameters._fields:
             name = paper_name(block.name, field)
-            names[block.name, field] = name if name in shared else f"{block.name}.{field}"
+            names[block.name, field] = (
+                name if name in shared else f"{block.name}.{field}"
+            )
     return names
 
 
@@ -79,7 +83,11 @@ def parameter_symbol(name: str, value: Any, index: Index) -> sympy.Expr:
 def signed(name: str, value: Any) -> sympy.Expr:
     """Return a symbol with the sign that all values have, or zero."""
     # an interval's own value, -1, says only that it is counted
-    signs = set() if name.endswith(".interval") else {*np.sign(np.asarray(value, float)).flat}
+    signs = (
+        set()
+        if name.endswith(".interval")
+        else {*np.sign(np.asarray(value, float)).flat}
+    )
     if signs == {0}:
         return sympy.Integer(0)
     sign = "positive" if signs == {1} else "negative" if signs == {-1} else "real"
@@ -88,7 +96,9 @@ def signed(name: str, value: Any) -> sympy.Expr:
 
 def _same(name: str, values: list) -> bool:
     if name in SCALARS:  # in whatever shape
-        return all(np.all(np.asarray(value) == np.ravel(values[0])[0]) for value in values)
+        return all(
+            np.all(np.asarray(value) == np.ravel(values[0])[0]) for value in values
+        )
     return all(np.array_equal(value, values[0]) for value in values)
 
 
@@ -121,7 +131,9 @@ class PaperNames(Names):
         """
         return _indexed(port, index, bool(declared) and isinstance(declared[0], int))
 
-    def parameter(self, node: Node, name: str, value: np.ndarray, index: tuple) -> sympy.Expr:
+    def parameter(
+        self, node: Node, name: str, value: np.ndarray, index: tuple
+    ) -> sympy.Expr:
         """Return a symbol of the sign that all values have."""
         return parameter_symbol(self.port(node, name, "parameter"), value, index)
 
@@ -137,7 +149,11 @@ def _nonzero(b: sympy.Expr) -> bool:
         low, high = interval(f)
         return bool(f.is_nonzero or low.is_positive or high.is_negative)
 
-    return positive_maximum(b) or apart(sympy.expand(b)) or all(map(apart, sympy.Mul.make_args(b)))
+    return (
+        positive_maximum(b)
+        or apart(sympy.expand(b))
+        or all(map(apart, sympy.Mul.make_args(b)))
+    )
 
 
 def _not_huge(*exponents: sympy.Expr) -> bool:
@@ -159,7 +175,9 @@ def _in_table(place: sympy.Expr, *row: sympy.Expr) -> bool:
     """Return whether a place is known to be one of a row; places below zero count from its end."""
     low, high = interval(place)
     counted = place.func.__name__ == "mod" and place.args[1] == len(row)
-    return bool(counted or ((low + len(row) + 1).is_positive and (len(row) - high).is_positive))
+    return bool(
+        counted or ((low + len(row) + 1).is_positive and (len(row) - high).is_positive)
+    )
 
 
 DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
@@ -171,13 +189,38 @@ DEMANDS: dict[str, tuple[str, Callable[..., bool | None]]] = {
         ("sqrt", "takes the root of {0}", "be negative", lambda a: a.is_nonnegative),
         ("log1p", "takes log(1 + {0})", "have no value", lambda a: (1 + a).is_positive),
         ("tan", "takes the tangent of {0}", "have no value", lambda a: False),
-        ("atanh", "takes atanh of {0}", "have no value", lambda a: (1 - a**2).is_positive),
-        ("acosh", "takes acosh of {0}", "have no value", lambda a: (a - 1).is_nonnegative),
+        (
+            "atanh",
+            "takes atanh of {0}",
+            "have no value",
+            lambda a: (1 - a**2).is_positive,
+        ),
+        (
+            "acosh",
+            "takes acosh of {0}",
+            "have no value",
+            lambda a: (a - 1).is_nonnegative,
+        ),
         ("exp expm1", "takes exp of {0}", "be too large", lambda a: _not_huge(a)),
-        ("sinh cosh", "takes sinh or cosh of {0}", "be too large", lambda a: _not_huge(a, -a)),
-        ("log log2 log10", "takes the logarithm of {0}", "have no value", lambda a: a.is_positive),
+        (
+            "sinh cosh",
+            "takes sinh or cosh of {0}",
+            "be too large",
+            lambda a: _not_huge(a, -a),
+        ),
+        (
+            "log log2 log10",
+            "takes the logarithm of {0}",
+            "have no value",
+            lambda a: a.is_positive,
+        ),
         ("pick", "reads a table at {0}", "be outside of it", _in_table),
-        ("asin acos", "takes an angle of {0}", "have none", lambda a: (1 - a**2).is_nonnegative),
+        (
+            "asin acos",
+            "takes an angle of {0}",
+            "have none",
+            lambda a: (1 - a**2).is_nonnegative,
+        ),
     )
     for name in names.split()
 }

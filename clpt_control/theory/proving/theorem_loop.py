@@ -73,7 +73,9 @@ def theorem_scenario(
             "vehicle.max_speed": None if speed == "no limit" else 1.5,
             "learning.hedging": None if speed == "no limit" else speed == "hedged",
             "learning.law": law,
-            "learning.parameters": None if LAWS[law].alpha_is_constant else (0.2 * signs).tolist(),
+            "learning.parameters": None
+            if LAWS[law].alpha_is_constant
+            else (0.2 * signs).tolist(),
             "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
             **(AT_FIXES if LAWS[law].at_fixes else {}),
         }
@@ -87,7 +89,9 @@ def law_and_V(law: Law, N: int, speed: Hedging = "no limit") -> tuple[Block, Blo
     """
     scenario = theorem_scenario(N, law.name, speed=speed)
     known = scenario.known_to_law
-    settings = {key: 0.1 if value == 0 else value for key, value in known.settings.items()}
+    settings = {
+        key: 0.1 if value == 0 else value for key, value in known.settings.items()
+    }
     block = law.block(known._replace(settings=settings))
     return block, law.V(block.parameters, truth_of(scenario))
 
@@ -109,7 +113,9 @@ def theorem_loop(
     blocks = {block.name: block for block in paper_blocks(scenario)}
     if law_block is not None:
         blocks["adaptation"] = law_block
-    external = [port for name, port in SOURCES.items() if blocks.pop(name, None) is not None]
+    external = [
+        port for name, port in SOURCES.items() if blocks.pop(name, None) is not None
+    ]
     candidate = theorem_candidate(scenario) if candidate is None else candidate
     return connect([*blocks.values(), candidate], external, name="theorem")
 
@@ -117,7 +123,9 @@ def theorem_loop(
 def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
     """Wire a law of the table with its V."""
     known = law.name if law.alpha_is_constant else "learned-flow"
-    return theorem_loop(block.sizes["N"], known, law_block=block, candidate=V, speed=speed)
+    return theorem_loop(
+        block.sizes["N"], known, law_block=block, candidate=V, speed=speed
+    )
 
 
 def theorem_candidate(scenario: Scenario) -> Block:
@@ -138,7 +146,9 @@ def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
     return paper_block("lyapunov", PORTS, given, output=mixed_level)
 
 
-def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple) -> dict:
+def tied(
+    loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple
+) -> dict:
     """Return V's symbols -> the symbols of its sources that they stand for.
 
     A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
@@ -152,17 +162,27 @@ def tied(loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tup
             if not isinstance(value, int) and field != "interval":
                 mark = np.asarray(value, dtype=float)
                 changed[field] = mark = mark * random.uniform(1.01, 1.1, mark.shape)
-                theirs = np.broadcast_to(np.asarray(getattr(symbols, field), object), mark.shape)
+                theirs = np.broadcast_to(
+                    np.asarray(getattr(symbols, field), object), mark.shape
+                )
                 for n in (1, 2):
-                    marks |= zip(np.ravel(mark**n).tolist(), np.ravel(theirs**n), strict=True)
+                    marks |= zip(
+                        np.ravel(mark**n).tolist(), np.ravel(theirs**n), strict=True
+                    )
         altered.append(numbers._replace(**changed))
     values, mine = make(*altered).parameters, loop.parameters[V.name]
     tied_to: dict[Any, Any] = {}
     for field in values._fields:
         own = np.asarray(getattr(mine, field), dtype=object)
-        theirs = np.broadcast_to(np.asarray(getattr(values, field), dtype=float), own.shape)
+        theirs = np.broadcast_to(
+            np.asarray(getattr(values, field), dtype=float), own.shape
+        )
         pairs = zip(own.ravel(), theirs.ravel().tolist(), strict=True)
-        tied_to |= {s: marks[a] for s, a in pairs if a in marks and getattr(s, "is_Symbol", False)}
+        tied_to |= {
+            s: marks[a]
+            for s, a in pairs
+            if a in marks and getattr(s, "is_Symbol", False)
+        }
     return tied_to
 
 
@@ -188,7 +208,9 @@ KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 def decay_and_known_error(loop: Loop) -> Any:
     """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1; theta_hat a state or given."""
     p, state = loop.parameters, loop.states.get("theta_hat")
-    error = p["true_flow"].theta - (p["injection"].theta_hat if state is None else state)
+    error = p["true_flow"].theta - (
+        p["injection"].theta_hat if state is None else state
+    )
     return decay(loop) + loop.signals["e"] @ (error @ loop.inputs["phi_x"])
 
 
@@ -207,7 +229,9 @@ def vanish(loop: ArrayLoop, residuals: Iterable[Any]) -> tuple[bool, str]:
 
 
 def zero_step(
-    claim: str, diagram: Callable[[], Diagram], residuals: Callable[[ArrayLoop], Iterable[Any]]
+    claim: str,
+    diagram: Callable[[], Diagram],
+    residuals: Callable[[ArrayLoop], Iterable[Any]],
 ) -> Step:
     """Check that residuals of a diagram's loop are zero for every N."""
 
@@ -218,7 +242,9 @@ def zero_step(
     return checked(claim, holds)
 
 
-def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) -> list[Step]:
+def identity_steps(
+    text: str, law: str, claim: Claim, points: int, **more: Any
+) -> list[Step]:
     """Check V' exactly for every N, and at points of the running blocks.
 
     `text` is the claim in words, `more` what `theorem_loop` takes.  A failed exact step says what
@@ -226,6 +252,12 @@ def identity_steps(text: str, law: str, claim: Claim, points: int, **more: Any) 
     """
     diagram = cache(partial(theorem_loop, WIRED, law, **more))
     return [
-        zero_step(f"{text}, for every N", diagram, lambda loop: [rate_of_V(loop) - claim(loop)]),
-        running_step(lambda: symbolic_loop(diagram()), points, f" ({text})", f"N = {WIRED}, "),
+        zero_step(
+            f"{text}, for every N",
+            diagram,
+            lambda loop: [rate_of_V(loop) - claim(loop)],
+        ),
+        running_step(
+            lambda: symbolic_loop(diagram()), points, f" ({text})", f"N = {WIRED}, "
+        ),
     ]

@@ -23,12 +23,20 @@ from ..counterexamples import (
 )
 from . import lemmas
 from .proof import Proof, Step, cited, counterexample, proof_or_failure, theorem
-from .theorem_loop import KNOWN_ERROR, Loop, decay, decay_and_known_error, identity_steps
+from .theorem_loop import (
+    KNOWN_ERROR,
+    Loop,
+    decay,
+    decay_and_known_error,
+    identity_steps,
+)
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
 POSITIVE_KD = "Assumption 3.2: KD is positive definite, here diagonal"
-PIECEWISE = "zc is bounded and piecewise constant, with finitely many jumps in finite time"
+PIECEWISE = (
+    "zc is bounded and piecewise constant, with finitely many jumps in finite time"
+)
 SMOOTH = "phi(x, t) is bounded and lets solutions exist, as that of Eq. (5) does"
 NO_DELTA = "the true flow is theta phi, without Delta"
 
@@ -37,7 +45,12 @@ def theorem_3_1() -> Proof:
     """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
     return theorem(
         "CLPE is ultimately bounded by |e| <= |(theta - theta_hat) phi|/mu, mu < lambda_min(KD)",
-        (POSITIVE_KD, PIECEWISE, SMOOTH, "|(theta - theta_hat) phi| is bounded, Assumption 3.3"),
+        (
+            POSITIVE_KD,
+            PIECEWISE,
+            SMOOTH,
+            "|(theta - theta_hat) phi| is bounded, Assumption 3.3",
+        ),
         [
             *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
             lemmas.definite_step("known-flow"),
@@ -53,7 +66,9 @@ def theorem_3_1() -> Proof:
         "the gains can store the drive and give it back.",
         corrected="int |e|^2 dt <= 2 V(0)/k + int |(theta - theta_hat) phi|^2 dt/k^2 with "
         "k = lambda_min(KD): in the mean square |e| is at most the drive over k",
-        not_proved=("a pointwise ultimate bound; it needs excitation, see Theorem 3.4",),
+        not_proved=(
+            "a pointwise ultimate bound; it needs excitation, see Theorem 3.4",
+        ),
     )
 
 
@@ -70,7 +85,10 @@ def theorem_3_2() -> Proof:
         ],
         "V falls and is bounded below, V'' is bounded, so V' -> 0 (Barbalat's lemma, "
         "whose argument is the last step) and e -> 0.",
-        not_proved=("any rate of convergence", "that alpha, K or Gamma converge (Theorem 3.3)"),
+        not_proved=(
+            "any rate of convergence",
+            "that alpha, K or Gamma converge (Theorem 3.3)",
+        ),
     )
 
 
@@ -82,7 +100,9 @@ def theorem_3_3() -> Proof:
         counterexample(
             "zc exciting is not enough: with the gaussian-sigma kernel a parameter stands still",
             partial(unlearned_counterexample, end=220.0),
-            lambda found: found.kappa > 1.0 and found.moved < 1e-9 and found.error > 0.1,
+            lambda found: (
+                found.kappa > 1.0 and found.moved < 1e-9 and found.error > 0.1
+            ),
             "zc excites (smallest eigenvalue {0.kappa:.0f}), yet theta[{0.function}] moves by "
             "{0.moved:.1e} and stays {0.error:.2f} off",
         ),
@@ -133,7 +153,9 @@ def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance."""
     text = "V' = -e^T KD e + e^T Delta"
     steps = [
-        *identity_steps(text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True),
+        *identity_steps(
+            text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True
+        ),
         lemmas.definite_step("learned-flow"),
         lemmas.young_step(),
         *ultimate_steps(),
@@ -168,7 +190,9 @@ def theorem_3_4() -> Proof:
         "the learner, limsup|e| <= T Delta_max (1 + 1/(1 - sqrt(1 - rho)))",
         cited="that an exciting regressor gives rho > 0; the mean-square bound is proved, and the "
         "ultimate bound from rho on",
-        not_proved=("the ultimate bound where z feeds the regressor back from the learner",),
+        not_proved=(
+            "the ultimate bound where z feeds the regressor back from the learner",
+        ),
     )
 
 

@@ -25,7 +25,10 @@ from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
 HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
-TRIED, UNTIL = 300, 1000.0  # points for each jump of a law, and until when jumps are looked for
+TRIED, UNTIL = (
+    300,
+    1000.0,
+)  # points for each jump of a law, and until when jumps are looked for
 
 
 def refuting_point(case: Case) -> tuple[Point, float] | None:
@@ -134,7 +137,10 @@ class Verdict:
         return f"<Verdict {self.status}: {self.claim}>"
 
     def _repr_html_(self) -> str:
-        rows = [(s.claim, "holds" if s.holds else "not shown", s.how, s.detail) for s in self.steps]
+        rows = [
+            (s.claim, "holds" if s.holds else "not shown", s.how, s.detail)
+            for s in self.steps
+        ]
         table = facts(rows, ("claim", "", "how", "detail"))
         return fragment("Verdict", f"{self.status}: {self.claim}", table)
 
@@ -154,7 +160,9 @@ def verdict_of(case: Case) -> Verdict:
     elif falls and zones:
         bound = case.comes_to_zones(fall)
     if definite.holds and total.holds and (falls or bound is not None):
-        steps.append(running := running_step(lambda: case.loop, case.points, seed=case.seed))
+        steps.append(
+            running := running_step(lambda: case.loop, case.points, seed=case.seed)
+        )
         if running.holds and bound is not None:
             steps.append(exact(bound.sentence, True))
             return _complete(case, "bounded", bound.sentence, steps, level=bound.level)
@@ -165,7 +173,9 @@ def verdict_of(case: Case) -> Verdict:
     failed = first_failure(steps)
     if definite.holds and case.refutes:
         found = refuting_point(case)
-        claim = "the running blocks give V' > 0, ten and a hundred times as far off as well"
+        claim = (
+            "the running blocks give V' > 0, ten and a hundred times as far off as well"
+        )
         detail = "no such point was found" if found is None else f"V' = {found[1]:.3g}"
         steps.append(Step(claim, found is not None, "counterexample", detail, False))
         if found is not None:
@@ -174,11 +184,15 @@ def verdict_of(case: Case) -> Verdict:
     return _complete(case, "open", failed, steps)
 
 
-def _complete(case: Case, status: str, claim: str, steps: list[Step], **more: Any) -> Verdict:
+def _complete(
+    case: Case, status: str, claim: str, steps: list[Step], **more: Any
+) -> Verdict:
     """Return a verdict with the steps about its inputs, other states and jumps."""
     known = status in ("proved", "bounded")
     for port in (one for one in HIDDEN if one in case.law.input_ports):
-        hidden = f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
+        hidden = (
+            f"the law reads {port}, {HIDDEN[port]}, which no vehicle measures by itself"
+        )
         steps = [*steps, exact(hidden, True)]
     if known and case.others:
         apart, existing = case.existing()
@@ -192,6 +206,12 @@ def _complete(case: Case, status: str, claim: str, steps: list[Step], **more: An
             if jump is not None:
                 status, more = "refuted at a jump", {"point": jump[0], "after": jump[1]}
                 claim = "the running blocks' V rises at a jump, ten and a hundred times as far off"
-                steps += [Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)]
-    law: dict[str, Any] = {"residual": case.residual, "diagram": case.loop.diagram, **more}
+                steps += [
+                    Step(claim, True, "counterexample", f"by {jump[2]:.3g}", False)
+                ]
+    law: dict[str, Any] = {
+        "residual": case.residual,
+        "diagram": case.loop.diagram,
+        **more,
+    }
     return Verdict(status, claim, case.Vs, case.rate, steps=tuple(steps), **law)

@@ -36,7 +36,9 @@ SIGN = sympy.Function("sign", real=True)
 WHERE = sympy.Function("where", real=True)
 MAXIMUM = sympy.Function("maximum", real=True)
 COMPARED: dict[str, Callable[..., Any]] = {"gt": gt, "ge": ge, "lt": lt, "le": le}
-DECIDED: dict[str, Callable[..., Any]] = {  # carried out where their arguments are numbers
+DECIDED: dict[
+    str, Callable[..., Any]
+] = {  # carried out where their arguments are numbers
     "mod": lambda a, b: a % b,
     "clip": lambda a, low, high: sympy.Min(sympy.Max(a, low), high),
     "inside": lambda a, low, high: sympy.Integer(bool(low < a) and bool(a < high)),
@@ -54,7 +56,16 @@ ODD: dict[Any, tuple[Any, Any]] = {  # odd and rising: h -> the range of h(s)/s
 }
 
 SMOOTH = (  # where they have a value
-    *(sympy.sin, sympy.cos, sympy.tan, sympy.asin, sympy.acos, sympy.exp, sympy.log, sympy.erfc),
+    *(
+        sympy.sin,
+        sympy.cos,
+        sympy.tan,
+        sympy.asin,
+        sympy.acos,
+        sympy.exp,
+        sympy.log,
+        sympy.erfc,
+    ),
     *(sympy.cosh, sympy.acosh, sympy.atanh, *ODD),
 )
 CONTINUOUS = ("Abs", "clip", "minimum", "maximum")
@@ -74,7 +85,11 @@ def decided(expression: sympy.Expr) -> sympy.Expr:
             return sympy.Integer(bool(COMPARED[name](*e.args)))
         if name in DECIDED and all(a.is_number for a in e.args):
             return DECIDED[name](*e.args)
-        if name in YES_OR_NO and any(a.is_number for a in e.args) and all(map(_is_0_or_1, e.args)):
+        if (
+            name in YES_OR_NO
+            and any(a.is_number for a in e.args)
+            and all(map(_is_0_or_1, e.args))
+        ):
             return YES_OR_NO[name](*e.args)
         return e
 
@@ -119,7 +134,9 @@ def sector_of(word: Any, slope: bool = False) -> Sector | None:
     if name in ("sign", "floor", "trunc", "ceil"):
         return Sector(s, 0, sympy.oo, name == "sign")
     if name == "clip" and word.args[1].is_nonpositive and word.args[2].is_nonnegative:
-        return Sector(s, 0, 1, bool(word.args[1].is_negative and word.args[2].is_positive))
+        return Sector(
+            s, 0, 1, bool(word.args[1].is_negative and word.args[2].is_positive)
+        )
     if name in ("maximum", "minimum") and 0 in word.args:
         return Sector(sympy.Add(*word.args), 0, 1)
     low, high = interval(word)
@@ -140,7 +157,9 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     if name in ("inside", *COMPARED, *YES_OR_NO):
         return sympy.S.Zero, sympy.S.One
     of = [interval(a) for a in (e.args[1:] if name in ("where", "pick") else e.args)]
-    low: Any = sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo  # runs begin at 0
+    low: Any = (
+        sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo
+    )  # runs begin at 0
     high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
     if isinstance(e, sympy.sin | sympy.cos | sympy.tanh) or name == "sign":
         low, high = sympy.S.NegativeOne, sympy.S.One
@@ -167,7 +186,9 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     return low, high
 
 
-Piece = tuple[list[sympy.Expr], dict[Any, Any]]  # what is not negative there -> what words are
+Piece = tuple[
+    list[sympy.Expr], dict[Any, Any]
+]  # what is not negative there -> what words are
 
 
 def pieces_of(word: Any) -> list[Piece]:
@@ -194,7 +215,11 @@ def pieces_of(word: Any) -> list[Piece]:
         signs = SIGN(u), sympy.sign(u)
         return [
             (facts, {sympy.Abs(u): side * u} | dict.fromkeys(signs, side))
-            for facts, side in (([u], sympy.S.One), ([-u], -sympy.S.One), ([u, -u], sympy.S.Zero))
+            for facts, side in (
+                ([u], sympy.S.One),
+                ([-u], -sympy.S.One),
+                ([u, -u], sympy.S.Zero),
+            )
         ]
     return []
 
@@ -231,14 +256,22 @@ def along(expression: sympy.Expr, known: dict[Any, sympy.Expr]) -> sympy.Expr:
         if e.is_Mul:
             moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
             rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in moving)
-            return sympy.Add(*(rate(e.args[k]) * b for k, b in zip(moving, rest, strict=True)))
+            return sympy.Add(
+                *(rate(e.args[k]) * b for k, b in zip(moving, rest, strict=True))
+            )
         if e.is_Pow and e.exp.is_Number:
             return e.exp * e.base ** (e.exp - 1) * rate(e.base)
         if (derivative := slope_of(e, rate)) is not None:
             return derivative
-        if isinstance(e, sympy.Function) and not isinstance(e, AppliedUndef) and len(e.args) == 1:
+        if (
+            isinstance(e, sympy.Function)
+            and not isinstance(e, AppliedUndef)
+            and len(e.args) == 1
+        ):
             return e.fdiff() * rate(e.args[0])
-        return sympy.Add(*(sympy.diff(e, s) * rate(s) for s in e.free_symbols if rate(s) != 0))
+        return sympy.Add(
+            *(sympy.diff(e, s) * rate(s) for s in e.free_symbols if rate(s) != 0)
+        )
 
     return rate(expression)
 
@@ -269,7 +302,10 @@ def is_smooth(expression: sympy.Expr) -> bool:
 
 def is_continuous(expression: sympy.Expr) -> bool:
     """Return whether an expression is known to jump nowhere where it has a value."""
-    return all(isinstance(w, SMOOTH) or w.func.__name__ in CONTINUOUS for w in words_of(expression))
+    return all(
+        isinstance(w, SMOOTH) or w.func.__name__ in CONTINUOUS
+        for w in words_of(expression)
+    )
 
 
 def _smooth(apart: sympy.Expr, u: sympy.Expr) -> bool:
@@ -294,7 +330,12 @@ def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> 
     if expression.is_Symbol:
         return 1.0
     of, name = [degree(one, is_state) for one in expression.args], str(expression.func)
-    if isinstance(expression, BOUNDED) or name in ("sign", "inside", *COMPARED, *YES_OR_NO):
+    if isinstance(expression, BOUNDED) or name in (
+        "sign",
+        "inside",
+        *COMPARED,
+        *YES_OR_NO,
+    ):
         return 0.0
     if expression.is_Mul:
         return sum(of)
@@ -309,5 +350,7 @@ def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> 
     if expression.is_Pow and expression.exp.is_number:
         if expression.exp.is_positive:
             return float(expression.exp) * of[0]
-        return 0.0 if interval(expression.base)[0].is_positive else inf  # it stays away from zero
+        return (
+            0.0 if interval(expression.base)[0].is_positive else inf
+        )  # it stays away from zero
     return inf
