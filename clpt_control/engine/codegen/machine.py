@@ -200,32 +200,27 @@ def numbers_of(*arguments: Any) -> np.ndarray:
     return np.array(flattened(arguments, []), dtype=np.int64)
 
 
+def _address(array: np.ndarray) -> int:
+    """Return where the elements of a contiguous array are."""
+    flags = array.flags
+    if not flags.c_contiguous or array.dtype.char not in "dl":
+        raise TypeError(f"the solver takes no array of {array.dtype}, {array.strides}")
+    if flags.writeable:  # six times as quick as `__array_interface__`
+        return addressof(c_char.from_buffer(array.data))
+    return int(array.__array_interface__["data"][0])
+
+
 def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
     """Return numbers, and behind them those that stand for arguments, one after the other."""
     for value in arguments:
-        if isinstance(value, tuple):
+        if type(value) is np.ndarray:
+            address = _address(value) if value.size else 0
+            size, item = value.size, value.itemsize
+            numbers += (0, 0, size, item, address, *value.shape, *value.strides)
+        elif isinstance(value, tuple):
             flattened(value, numbers)
-        elif type(value) is np.ndarray:
-            flags = value.flags
-            if not flags.c_contiguous or value.dtype.char not in "dl":
-                raise TypeError(
-                    f"the solver takes no array of {value.dtype}, {value.strides}"
-                )
-            if not value.size:
-                address = 0
-            elif flags.writeable:  # six times as quick as `__array_interface__`
-                address = addressof(c_char.from_buffer(value.data))
-            else:
-                address = value.__array_interface__["data"][0]
-            numbers += (
-                0,
-                0,
-                value.size,
-                value.itemsize,
-                address,
-                *value.shape,
-                *value.strides,
-            )
+        elif type(value) is list:  # of numbers
+            numbers += value
         else:
             numbers.append(value)
     return numbers

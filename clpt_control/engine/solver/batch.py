@@ -17,8 +17,8 @@ import numpy as np
 
 from ...errors import SimulationError
 from ...progress.interrupt import check
-from ..codegen.machine import LANES, compiled_solver, numbers_of
-from .jacobian import Jacobian
+from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
+from .jacobian import NO_LINEAR, Jacobian
 from .schedule import Schedule
 from .solver_layout import (
     FIRST_STEP,
@@ -52,6 +52,7 @@ LATER = (
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
 EMPTY = np.zeros((0, 3, 0))
+NO_LINEAR_NUMBERS = flattened(NO_LINEAR, [])
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
@@ -235,7 +236,9 @@ class Batch:
             linear=self.linear,
         )
         self.results = self.solver.results
-        self._call = numbers_of(self.solver, 0, 0)
+        is_explicit = self.linear is NO_LINEAR
+        linear = NO_LINEAR_NUMBERS if is_explicit else self.linear
+        self._call = numbers_of(self.solver[:-1], linear, 0, 0)
 
     @property
     def now(self) -> float:

@@ -63,10 +63,15 @@ class Jacobian(NamedTuple):
     def for_solver(self) -> Linear:
         """The solver's argument, with room for matrices and pivots."""
         n = len(self.positions)
+        if not n:
+            return NO_LINEAR
         matrix = np.zeros(n * n)
         factors = np.zeros(n * n)
         pivots = np.zeros(n, np.int64)
         return Linear(matrix, factors, pivots, *self)
+
+
+NO_LINEAR = Linear(np.zeros(0), np.zeros(0), NONE, *Jacobian())  # of explicit methods
 
 
 def jacobian(reach: np.ndarray) -> Jacobian:
