@@ -30,9 +30,8 @@ from .mean_square import mean_square_bound
 from .study import BLUE, COLOURS, GREEN, ORANGE, RED, leave, new_figure, progress_bar
 from .worst_disturbance import worst_disturbance
 
-RESONANT = (
-    3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
-)
+# rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+RESONANT = 3.5
 AMPLITUDES = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2)  # m/s
 FREQUENCIES = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0, RESONANT, 4.0, 4.5, 5.0, 6.0, 8.0)  # rad/s
 AMPLITUDE = 0.05  # m/s, of the sweep over the frequency

@@ -64,9 +64,8 @@ def main(
             f"{len(dives)} dives can be used; the study needs 5 at least"
         )
     replay = clpt.replay.replay_dives(dives)
-    dives = [
-        step.dive for step in replay.steps
-    ]  # a wild fix is settled by the next dive's start
+    # a wild fix is settled by the next dive's start
+    dives = [step.dive for step in replay.steps]
     missed = {
         name: np.array([step.clpe[key] for step in replay.steps[1:]])
         for name, key in BEFORE.items()

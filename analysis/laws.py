@@ -22,12 +22,8 @@ from clpt_control.simulation import explained_variance
 
 from .study import BLUE, GREY, ORANGE, leave, make_folder, new_figure, progress_bar
 
-BOX = (
-    40.9,
-    41.55,
-    -69.9,
-    -69.0,
-)  # Nantucket Shoals: 27 functions span 0.80 of its variance
+# Nantucket Shoals: 27 functions span 0.80 of its variance
+BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h
 FIXES = {"localization": {"interval": 5.0}}
 PAPER: dict[str, dict[str, Any]] = {  # condition -> keys of the paper's scenario

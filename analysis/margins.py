@@ -102,9 +102,8 @@ def main(
             for kind in KINDS:
                 try:
                     found[law.name].append(margin(scenario, kind))
-                except (
-                    clpt.DiagramError
-                ):  # a law with jumps of its own cannot be sampled
+                except clpt.DiagramError:
+                    # a law with jumps of its own cannot be sampled
                     found[law.name].append(np.nan)
                 report(sum(map(len, found.values())))
     words = {"inf": "-", "nan": "not sampled"}

@@ -94,9 +94,8 @@ def members(
     chunk has its own random stream.
     """
     draw, N = np.random.default_rng([7, chunk]), scenario.basis.N
-    numbers = draw.uniform(
-        -1, 1, (count, 2 * N + 5)
-    )  # a member's do not depend on count
+    # a member's do not depend on count
+    numbers = draw.uniform(-1, 1, (count, 2 * N + 5))
     parameters = np.tile(flat_parameters(scenario), (count, 1))
     parameters[:, 5 * N : 7 * N] *= 1 + 0.1 * numbers[:, : 2 * N]
     parameters[:, -1] = 0.8 + 0.4 * numbers[:, 2 * N]

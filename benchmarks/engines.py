@@ -34,9 +34,8 @@ class Engine:
     prepare: Callable[[Case], Callable[[], tuple[np.ndarray, float]]]
     members: Callable[[Any], Callable] | None = None
     needs: str = ""  # module without which it is left out; "cc": a C compiler
-    waypoints: int | None = (
-        None  # too slow for a whole run: so many waypoints are timed
-    )
+    # too slow for a whole run: so many waypoints are timed
+    waypoints: int | None = None
     largest: int = 500  # most basis functions that it is asked to run
     note: str = ""  # what a reader of its figures must know
 

@@ -168,9 +168,8 @@ def figure(results: dict, path: Path) -> None:
     bars, basis, members = drawing.subplots(1, 3)
     rows = sorted(results.get("paper", []), key=lambda row: -row["median"])
     shades = [OURS if row["title"].startswith("clpt") else "0.5" for row in rows]
-    times = [
-        1e3 * row["median"] for row in rows
-    ]  # as points: a bar has no length on this axis
+    # as points: a bar has no length on this axis
+    times = [1e3 * row["median"] for row in rows]
     bars.scatter(times, [row["title"] for row in rows], color=shades, zorder=3)
     bars.set(xscale="log", xlabel="time of a run (ms)", title="The paper's run")
     bars.grid(alpha=0.3)

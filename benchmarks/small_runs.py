@@ -156,9 +156,8 @@ def main() -> None:
     )
     parser.add_argument("--quick", action="store_true", help="without python-control")
     quick = parser.parse_args().quick
-    clpt.simulate(
-        control.nlsys(swing, states=2, inputs=0), [0.0, 1.0]
-    )  # the solver is compiled
+    # the solver is compiled
+    clpt.simulate(control.nlsys(swing, states=2, inputs=0), [0.0, 1.0])
     for title, cases in (("models", models()), ("tables", tables())):
         later = []
         print(f"{title:28}{'first ms':>10}{'later ms':>10}{'python-control':>16}")

@@ -50,9 +50,8 @@ NOUNS = {
     "Path": "a path",
     "PathLike": "a path",
 }
-NO_WORDS = re.compile(
-    r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]"
-)  # of annotations
+# of annotations
+NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
 EXAMPLES = {  # of arguments whose kind alone does not show how they are written
     "inputs": "{'e': 2}",
     "params": "{'adaptation.gain': 2.0}",
@@ -195,9 +194,8 @@ def _is(value: Any, kind: Any) -> bool:
         )
     if own is np.ndarray:  # of numbers
         return isinstance(value, own) and value.ndim > 0 and value.dtype.kind in "iuf"
-    if isinstance(
-        own, str
-    ):  # such as "xarray.Dataset", of a module that may not be imported
+    if isinstance(own, str):
+        # such as "xarray.Dataset", of a module that may not be imported
         *module, name = own.split(".")
         same = [
             one.__module__.split(".")

@@ -10,11 +10,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 
-EXTRA = {
-    "dask": "ensemble",
-    "distributed": "ensemble",
-    "zarr": "ensemble",
-}  # all others: sea
+# all others: sea
+EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}
 
 
 class ClptError(Exception):

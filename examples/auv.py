@@ -21,9 +21,8 @@ LAGS = (0.1, 0.5, 1.0, 2.0)  # s
 TIMES = np.linspace(0, 60, 601)  # s
 ARM = 0.2  # m, of each thruster
 TURN = np.radians(90)
-MASS = np.array(
-    [[50.0, 0, 0], [0, 90, 2], [0, 2, 12]]
-)  # kg, kg m, kg m^2, with added mass
+# kg, kg m, kg m^2, with added mass
+MASS = np.array([[50.0, 0, 0], [0, 90, 2], [0, 2, 12]])
 LINEAR, SQUARE = np.diag([10.0, 60, 8]), np.diag([20.0, 100, 20])
 CURRENT = (0.2, 0.0)  # m/s, along x and y
 

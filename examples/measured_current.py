@@ -23,11 +23,8 @@ from clpt_control.simulation import explained_variance, flow_velocity
 
 BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h
-BLUE, ORANGE, GREY = (
-    "#0072B2",
-    "#D55E00",
-    "#555555",
-)  # Okabe and Ito, safe for the colour-blind
+# Okabe and Ito, safe for the colour-blind
+BLUE, ORANGE, GREY = ("#0072B2", "#D55E00", "#555555")
 
 
 def late_rms(run):

@@ -11,12 +11,10 @@ import pytest
 
 HERE = Path(__file__).parent
 for name in ("COLUMNS", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE"):
-    os.environ.pop(
-        name, None
-    )  # what is printed is as wide and plain as in a pipe, everywhere
-os.environ.setdefault(
-    "SYMPY_CACHE_SIZE", "100000"
-)  # as `clpt prove` has it, before its import
+    # what is printed is as wide and plain as in a pipe, everywhere
+    os.environ.pop(name, None)
+# as `clpt prove` has it, before its import
+os.environ.setdefault("SYMPY_CACHE_SIZE", "100000")
 gc.disable()  # a seventh of the time is taken by looking for garbage, of which imports make none
 
 

@@ -58,10 +58,8 @@ USES = (
     f"{WATCH} | in/replay/state/dives.csv.json",
     f"{WATCH} | in/dives.csv",
 )
-BESIDE = {
-    "f.toml": "field.nc",
-    "fit.toml": "fit_field.nc",
-}  # what a file names is copied, too
+# what a file names is copied, too
+BESIDE = {"f.toml": "field.nc", "fit.toml": "fit_field.nc"}
 OPTIONS = (  # words, options whose values are damaged
     ("run s.toml --out out.nc", "--format --figures"),
     ("excitation s.toml", "--window --start"),

@@ -91,9 +91,8 @@ def as_no_file(rng, path):
     elif kind == "folder":
         path.mkdir()
     elif kind != "gone":
-        path.symlink_to(
-            one_of(rng, [kind, path.name])
-        )  # a device or nothing, or a loop
+        # a device or nothing, or a loop
+        path.symlink_to(one_of(rng, [kind, path.name]))
     return kind
 
 
@@ -147,9 +146,8 @@ def text_changed(rng, path):
         lines = [text[: one.start()], value, text[one.end() :]]
         said = f"{one[0]} at {one.start()} is {value[:20]!r}"
     elif kind == "line":
-        lines[k] = one_of(
-            rng, ["", lines[j] + lines[k], lines[j]]
-        )  # gone, twice, exchanged
+        # gone, twice, exchanged
+        lines[k] = one_of(rng, ["", lines[j] + lines[k], lines[j]])
     elif kind == "long":
         at = int(rng.integers(len(lines[k]) + 1))
         lines[k] = lines[k][:at] + one_of(rng, LONG) + lines[k][at:]

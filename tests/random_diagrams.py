@@ -112,9 +112,8 @@ def random_diagram(random, blocks=None, nested=True, dt=0):
             }[kind]
             parts.append(make(random, f"{kind}{k}", dt))
     if all(isinstance(part, control.StateSpace) for part in parts):
-        parts.append(
-            random_block(random, "more", dt)
-        )  # python-control refuses some of linear ones
+        # python-control refuses some of linear ones
+        parts.append(random_block(random, "more", dt))
     return wired(random, parts)
 
 

@@ -93,9 +93,8 @@ def ddmm(place):
 
 
 STEP, LASTS, AFLOAT = 40.0, 7200.0, 600.0  # s
-SEAS = np.array(
-    [[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)]
-)  # m/s, by dive
+# m/s, by dive
+SEAS = np.array([[0.12 * np.cos(k), 0.12 * np.sin(1.3 * k)] for k in range(9)])
 
 
 class Mission:

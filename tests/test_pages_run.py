@@ -110,9 +110,8 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
     monkeypatch.setenv("MPLBACKEND", "agg")
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     page, printed = ModuleType("page"), ""
-    monkeypatch.setitem(
-        sys.modules, "page", page
-    )  # its functions are found there, as in a script
+    # its functions are found there, as in a script
+    monkeypatch.setitem(sys.modules, "page", page)
     for block in blocks(path):
         where = f"{path.name}:{block.line}"
         assert block.language in LANGUAGES, (

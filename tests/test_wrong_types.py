@@ -94,10 +94,8 @@ OF_PARTS = {  # what they must be given
 LINEAR = {"system": control.ss(-1, 1, 1, 0)}
 TO = {"end": (9e3, 40.01, -70.0), "through_water": (1000.0, 0.0)}
 
-CALLED = (
-    "progress",
-    "inputs",
-)  # what a function of the user's own raises is its own error
+# what a function of the user's own raises is its own error
+CALLED = ("progress", "inputs")
 LONG = """animate audit design_track disturbance_counterexample excitation_plot export_fmu
 fit_parameters prove refute report run_ensemble sensitivity tune_law"""
 LISTS = ("conformance",)  # a sentence for each failure
@@ -109,12 +107,8 @@ OF_THE_ENGINE = {  # called at each step, and checked by no one
     "Diagram": ("linearize",),  # it is python-control's
     "Replay": ("surfacing", "start", "imagine", "feed"),
 }
-RESULTS = (
-    "Verdict",
-    "ConformanceReport",
-    "FlowEstimate",
-    "Diagram",
-)  # which nobody makes by hand
+# which nobody makes by hand
+RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")
 
 
 def public_callables():
@@ -284,9 +278,8 @@ def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch
     given = {name: named.get(name, OF_PARTS.get(name)) for name in needed}
     given |= own.get(function.__qualname__, {})
     if function.__name__ not in LONG.split() and [*parameters] != ["self"]:
-        function(
-            **given
-        )  # else a right argument that is refused asks nothing of the others
+        # else a right argument that is refused asks nothing of the others
+        function(**given)
     for argument in [one for one in parameters if one not in ("self", "optional")]:
         for label, value in wrong_values().items():
             if callable(value) and argument in CALLED:
@@ -371,9 +364,8 @@ def test_a_public_function_stays_itself():
     )
     assert pickle.loads(pickle.dumps(clpt.simulate)) is clpt.simulate
     assert inspect.getsource(clpt.simulate).count("def simulate") == 1
-    assert (
-        clpt.simulate.__globals__ is clpt.simulate.__wrapped__.__globals__
-    )  # doctest asks
+    # doctest asks
+    assert clpt.simulate.__globals__ is clpt.simulate.__wrapped__.__globals__
 
 
 def test_what_a_function_raises_itself_is_left_alone():

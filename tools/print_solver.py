@@ -95,9 +95,8 @@ def call_address(typingctx, address, t, X, first, P, T, W, D, to):
 
 def for_numba() -> ModuleType:
     """Return the solver's page with its functions for Numba to compile, and those of the others."""
-    package = ModuleType(
-        "pages"
-    )  # the room without its `__init__`, which asks for more
+    # the room without its `__init__`, which asks for more
+    package = ModuleType("pages")
     package.__path__ = [str(SOLVER)]
     sys.modules["pages"] = package
     pages = [import_module(f"pages.{name}") for name in PAGES]
@@ -158,9 +157,8 @@ def printed(function: Any, given: tuple, name: str) -> Any:
     entry = parsed.get_function(function.overloads[kinds].fndesc.mangled_name)
     entry.linkage, entry.name = "external", f"{name}_of_many"
     machine = llvm.Target.from_default_triple().create_target_machine()
-    options = llvm.create_pipeline_tuning_options(
-        speed_level=1
-    )  # to drop what is not called
+    # to drop what is not called
+    options = llvm.create_pipeline_tuning_options(speed_level=1)
     options.loop_vectorization = options.slp_vectorization = (
         False  # each machine has its own
     )

@@ -20,9 +20,8 @@ from ..engine.model.declaration import Guard
 from ..engine.trace.interpolators import lookup
 from .ports import paper_block
 
-ADVICE = (
-    'flow.outside = "clip" or "stop" goes on or ends there'  # what a scenario may say
-)
+# what a scenario may say
+ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'
 FOUR = np.arange(4.0)  # the coefficients of a spline at a place
 
 

@@ -42,9 +42,8 @@ def main(before: Any = signal.default_int_handler) -> None:
     gc.set_threshold(200_000, 50, 50)  # imports make many objects that stay
     warnings.showwarning = lambda *_: None  # commands print sentences, no warnings
     if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(
-            errors="backslashreplace"
-        )  # names of files hold any bytes
+        # names of files hold any bytes
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         status = _run()
         sys.stdout.flush()
@@ -115,21 +114,18 @@ def application() -> "typer.Typer":
 
 def _answer(error: BaseException) -> int:
     """Print in one line what went wrong; return the status."""
-    if interrupt.pending() or _interrupted(
-        error
-    ):  # an interrupted import raises anything
+    if interrupt.pending() or _interrupted(error):
+        # an interrupted import raises anything
         return 130
     if isinstance(error, SimulationError):
         return _complain(str(error), 1)
     if isinstance(error, ClptError):
         return _complain(str(error), 2)
-    if (
-        isinstance(error, SystemExit) and COMPLETES in os.environ
-    ):  # fish reads the status
+    if isinstance(error, SystemExit) and COMPLETES in os.environ:
+        # fish reads the status
         return error.code if isinstance(error.code, int) else 0
-    if isinstance(
-        error, BrokenPipeError | SystemExit
-    ):  # the reader of a page of help went away
+    if isinstance(error, BrokenPipeError | SystemExit):
+        # the reader of a page of help went away
         discard(sys.stdout)
         return 0
     if isinstance(error, MemoryError):

@@ -238,9 +238,8 @@ def print_table(
     for k, column in enumerate(columns):
         cells = [column, *(row[k] for row in rows)]
         words = k == 0 and any(" " in cell for cell in cells)
-        whole = not words and all(
-            len(cell) <= LONG for cell in cells
-        )  # numbers are never cut
+        # numbers are never cut
+        whole = not words and all(len(cell) <= LONG for cell in cells)
         table.add_column(Text(column), no_wrap=whole, overflow="fold")
         parts = cells if whole else [word for cell in cells for word in cell.split()]
         least += 3 + max(min(len(part), LONG) for part in parts)

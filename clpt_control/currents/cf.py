@@ -137,9 +137,8 @@ def distances_of(axis: xarray.DataArray) -> np.ndarray:
 
 def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     """Return a variable's values as floats; characters and ragged rows are refused."""
-    values = (
-        variable.values
-    )  # where rows are ragged, the variable says numbers and these do not
+    # where rows are ragged, the variable says numbers and these do not
+    values = variable.values
     if values.dtype.kind not in "iuf":
         raise DataError(f"{variable.name} holds {values.dtype}; must hold numbers")
     return values.astype(float)

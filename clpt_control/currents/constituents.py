@@ -22,10 +22,8 @@ from ..errors import DataError, ScenarioError, needed
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
-YEARS = (
-    1700,
-    2200,
-)  # the series of the moon's and the sun's longitudes hold well there
+# the series of the moon's and the sun's longitudes hold well there
+YEARS = (1700, 2200)
 
 
 def utide_names(constituents: Sequence[str]) -> list[str]:

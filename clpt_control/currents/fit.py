@@ -165,9 +165,8 @@ def fit_scenario(
         )
     places, apart = _middles(plane, currents.box, rows, columns)
     width_km = float(f"{WIDTH * apart:.2g}") if width_km is None else width_km
-    away = np.abs(
-        np.hypot(*np.transpose(places)) - radius_km
-    )  # of places from the track
+    # of places from the track
+    away = np.abs(np.hypot(*np.transpose(places)) - radius_km)
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
     scenario = _scenario(currents, places, width_km, constituents, radius_km)
     t, s1, s2 = (

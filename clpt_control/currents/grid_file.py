@@ -31,9 +31,8 @@ from . import cf
 
 NAME = "maracoos_hfr_2019-01-01.nc"
 DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
-AROUND = (
-    1.5  # times the median step: no longer step is missing in a grid around the Earth
-)
+# times the median step: no longer step is missing in a grid around the Earth
+AROUND = 1.5
 GAP = 2.5  # times the intervals around one: beyond, steps are missing
 SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
@@ -66,14 +65,12 @@ class Currents:
 
     lat: np.ndarray  # degrees north, increasing, shape (ny,)
     lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
-    depth: (
-        np.ndarray
-    )  # levels, m, increasing from the surface; 0 where the file has none, NaN of
+    # levels, m, increasing from the surface; 0 where the file has none, NaN of
+    depth: np.ndarray
     # one whose depth it does not say
     dates: np.ndarray  # datetime64[ms], UTC, increasing, shape (nt,)
-    u: (
-        np.ndarray
-    )  # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
+    # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
+    u: np.ndarray
     v: np.ndarray  # to the north
     box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
     source: str  # name of the file or folder

@@ -139,10 +139,8 @@ def fill_gaps(
     from scipy.sparse.linalg import cg
 
     gap = ~(np.isfinite(u) & np.isfinite(v))
-    alone, volume = (
-        [],
-        np.ones(1),
-    )  # weights of the neighbours along each axis; of the cells
+    # weights of the neighbours along each axis; of the cells
+    alone, volume = ([], np.ones(1))
     for axis in (SPEED * time, x2, x1):
         d = np.diff(axis)
         size = np.concatenate([d[:1], (d[1:] + d[:-1]) / 2, d[-1:]])

@@ -31,9 +31,8 @@ from ..units import at_most
 TURN = 360.0 * (1 - 1e-9)  # degrees; times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off
 WORST = 30.0  # largest condition number
-NEAR = np.array(
-    [*range(-10, 0), *range(1, 11)]
-)  # neighbours of a tide, in 1 / record length
+# neighbours of a tide, in 1 / record length
+NEAR = np.array([*range(-10, 0), *range(1, 11)])
 
 
 @public

@@ -50,9 +50,8 @@ POLAR = {
 }
 SUFFIXES = (".csv", ".txt", ".dat")
 UTC = re.compile(r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?", re.IGNORECASE)
-HEADER = re.compile(
-    r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?"
-)  # without spaces: they would be tried
+# without spaces: they would be tried
+HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
 
 
 def table_of(
@@ -80,9 +79,8 @@ def table_of(
                 row = next(
                     reader([line], delimiter=mark, skipinitialspace=True, strict=True)
                 )
-            except (
-                Error
-            ):  # a quotation mark that is not closed: one cell, of this line alone
+            except Error:
+                # a quotation mark that is not closed: one cell, of this line alone
                 row = [line]
             rows[k] = [cell.strip() for cell in row]
     if not rows:

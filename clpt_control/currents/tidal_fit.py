@@ -41,9 +41,8 @@ class Constituent:
     north: float = field(metadata={"of": (2, "A")})
     north_phase: float = field(metadata={"of": (2, "g")})
     major: float = field(metadata={"of": (0, "Lsmaj")})
-    minor: float = field(
-        metadata={"of": (0, "Lsmin")}
-    )  # negative where it turns clockwise
+    # negative where it turns clockwise
+    minor: float = field(metadata={"of": (0, "Lsmin")})
     inclination: float = field(metadata={"of": (0, "theta")})
     phase: float = field(metadata={"of": (0, "g")})
     errors: dict[str, float]  # standard error of each number; NaN where it has none
@@ -261,9 +260,8 @@ def _names(
                 f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h"
             )
         return names
-    names = tuple(
-        name for name in constituents if name != "steady"
-    )  # the mean, always there
+    # the mean, always there
+    names = tuple(name for name in constituents if name != "steady")
     if not names or len(set(tidal.utide_names(names))) != len(names):
         raise ScenarioError(
             f"constituents = {','.join(constituents)}: must be tides, each once"

@@ -62,9 +62,8 @@ def read_vary(text: str) -> Vary:
     )
     key, sign, rest = match.groups() if match else ("", "", "")
     written = key + sign + rest
-    with suppress(
-        ValueError, RecursionError
-    ):  # no number or list, or too many brackets or digits
+    with suppress(ValueError, RecursionError):
+        # no number or list, or too many brackets or digits
         if rest.startswith("["):
             if levels := json.loads(rest):
                 return Vary(key, "levels", tuple(levels), written)

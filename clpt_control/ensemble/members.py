@@ -39,12 +39,10 @@ from ..errors import DiagramError, SimulationError
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch
 TRIED = 5  # members whose records are compared with Python, before any runs
-Values = dict[
-    str, np.ndarray
-]  # what varies, or summaries, each with a row for each member
-Member = tuple[
-    Sequence[Any], np.ndarray, Any
-]  # parameters of all blocks, start, inputs
+# what varies, or summaries, each with a row for each member
+Values = dict[str, np.ndarray]
+# parameters of all blocks, start, inputs
+Member = tuple[Sequence[Any], np.ndarray, Any]
 Varied = Any  # a `VariedScenario` or a `VariedDiagram`
 
 

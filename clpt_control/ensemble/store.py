@@ -44,9 +44,8 @@ class Store:
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
         with warnings.catch_warnings():
-            warnings.simplefilter(
-                "ignore"
-            )  # of what is no array: the digest has its name
+            # of what is no array: the digest has its name
+            warnings.simplefilter("ignore")
             self.names = {name for name, _ in group.members()}
             self.arrays = {
                 name.replace(SLASH, "/"): one for name, one in group.arrays()

@@ -37,18 +37,16 @@ TRAJECTORIES = (
     "feedback_gain",
     "feedforward_gain",
 )
-STATUS = tuple(
-    status.label for status in Status if status != Status.STIFF
-)  # a member goes on by itself where it is stiff
+# a member goes on by itself where it is stiff
+STATUS = tuple(status.label for status in Status if status != Status.STIFF)
 
 
 class SampleTimes(NamedTuple):
     """Times of the states, and the numbers of those for each purpose."""
 
     all: np.ndarray  # increasing, from 0 to the end
-    starts: (
-        np.ndarray
-    )  # where in `fine` each full cycle starts, and where the last one ends
+    # where in `fine` each full cycle starts, and where the last one ends
+    starts: np.ndarray
     fine: np.ndarray  # evenly spaced, for mean squares
     marks: np.ndarray  # of errors
     own: np.ndarray  # the scenario's own, for trajectories; empty without them

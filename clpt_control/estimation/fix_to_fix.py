@@ -103,9 +103,8 @@ def kalman(segments, basis, theta, sd, r, w):
         P[:N, :N] += np.diag(w**2 * max(segments.time[k, -1] - before, 0.0))
         before = segments.time[k, -1]
         variance = alone[k] + fix[k] * expected_blur(x[:, :N], P[:N, :N], B[k])
-        P[N + 1, N + 1] = fix[
-            k
-        ]  # the states: theta, and of r the fixes' noise at start and end
+        # the states: theta, and of r the fixes' noise at start and end
+        P[N + 1, N + 1] = fix[k]
         row = np.append(h[k] / r[k], [-1.0, 1.0] if new else [0.0, 0.0])
         gain = P @ row / (variance + row @ P @ row)
         x = x + np.outer(segments.miss[k] / r[k] - x @ row, gain)

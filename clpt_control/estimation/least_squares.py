@@ -17,9 +17,8 @@ from scipy.linalg import lstsq, svd
 
 from ..errors import DataError
 
-STEADY = (
-    0.01  # of its rms: a flow whose changes are less hardly has a variance to explain
-)
+# of its rms: a flow whose changes are less hardly has a variance to explain
+STEADY = 0.01
 WORST = 1e6  # largest condition number; beyond, measurement errors of 1 % decide theta alone
 
 

@@ -37,9 +37,8 @@ from ..scenario.experiment import Scenario
 from ..scenario.recorded_run import check_run
 from .dive import Dive, reckoned
 
-SHARES = np.linspace(
-    0.0, 1.0, 257
-)  # of a segment; every second is of its track, for Simpson
+# of a segment; every second is of its track, for Simpson
+SHARES = np.linspace(0.0, 1.0, 257)
 
 
 class Segments(NamedTuple):
@@ -49,15 +48,12 @@ class Segments(NamedTuple):
     water: np.ndarray  # (n, 2 m - 1, 2), d there and at the times between, length
     start: np.ndarray  # (n, 2), x(t1), length
     end: np.ndarray  # (n, 2), x(t2), length
-    track: np.ndarray | None = (
-        None  # (n, m, 2), x(t), length; None where it is not known
-    )
-    alone: float = (
-        np.inf
-    )  # most error that a miss has alone, length; its fixes have what is beyond
-    noise_period: float = (
-        0.0  # how long one noise of the track's reading lasts; 0: without noise
-    )
+    # (n, m, 2), x(t), length; None where it is not known
+    track: np.ndarray | None = None
+    # most error that a miss has alone, length; its fixes have what is beyond
+    alone: float = np.inf
+    # how long one noise of the track's reading lasts; 0: without noise
+    noise_period: float = 0.0
 
     @property
     def miss(self) -> np.ndarray:
@@ -178,9 +174,8 @@ def dive_segments(dives: Sequence[Dive], origin: tuple[float, float]) -> Segment
 
 LEAST = 5  # samples between two changes of the waypoint, or of the noise
 MOST_FIXES = 100_000  # of a run
-COARSE = (
-    0.05  # of the way through the water between fixes, in the mean; more is refused
-)
+# of the way through the water between fixes, in the mean; more is refused
+COARSE = 0.05
 
 
 class RunTrack:
@@ -217,9 +212,8 @@ class RunTrack:
                 f"step that divides that into {LEAST} samples at least"
             )
         every = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(at)])
-        began = np.repeat(
-            at[:-1], np.diff(at) + 1
-        )  # a piece ends with the noise it began with
+        # a piece ends with the noise it began with
+        began = np.repeat(at[:-1], np.diff(at) + 1)
         x = places[every] + (read - places)[began]
         t, car = self.time[every], scenario.vehicle
         gains = scenario.model_parameters, car.feedback, car.feedforward

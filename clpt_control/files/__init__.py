@@ -32,9 +32,8 @@ NETCDF_NAME = re.compile(
     r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )"
 ).fullmatch
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
-PART = re.compile(
-    rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part"
-)  # of a process here
+# of a process here
+PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")
 
 
 @contextmanager
@@ -150,10 +149,8 @@ def _put(result: Any, part: Path, path: Path) -> None:
                 True  # a checksum that the library asks when it reads
             )
     try:
-        with (
-            _no_cluster(),
-            part.open("rb") as held,
-        ):  # its library takes a \\ for a folder
+        with _no_cluster(), part.open("rb") as held:
+            # its library takes a \\ for a folder
             place = opened_name(held.fileno(), part)
             result.to_netcdf(place, engine=engine, encoding=encoding)
     except (

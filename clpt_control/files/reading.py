@@ -30,9 +30,8 @@ if TYPE_CHECKING:
 AnyPath = str | Path
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
 LARGEST = 2 * 10**8  # bytes of a file that is read whole
-OPENED = (
-    "/proc/self/fd"  # the folder in which a system names the descriptors of a process
-)
+# the folder in which a system names the descriptors of a process
+OPENED = "/proc/self/fd"
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 DECODED_BY = {"scale_factor", "add_offset", "_Encoding"}  # attributes of a variable
 # in a file, for a / of a name, which NetCDF and Zarr take for a folder

@@ -98,9 +98,8 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if raw in NETCDF:
         return _told_apart(*_of_netcdf(path))
     name = name_of_file(path.name)
-    if (
-        raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]
-    ):  # the first letters of a compressed block
+    if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:
+        # the first letters of a compressed block
         return _told_apart(slocum.dives_of(path), name, "Slocum")
     no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
     text = seaexplorer.text_in(raw, path, no_text)

@@ -45,9 +45,8 @@ from ..units import known
 
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
-Three = tuple[
-    Fix | None, Fix, Fix
-]  # of a dive: first of the stay before it, before, after it
+# of a dive: first of the stay before it, before, after it
+Three = tuple[Fix | None, Fix, Fix]
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 BACK = 6  # files before one that are merged with it at most

@@ -42,11 +42,8 @@ PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
-ENDS = {
-    "after": "_GPS_END",
-    "before": "_GPS",
-    "middle": "_UV",
-}  # of a dive: how names end
+# of a dive: how names end
+ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -133,9 +130,8 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
     beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
     whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
-    whole = whole.where(abs(whole) < 1e300).reset_index(
-        drop=True
-    )  # sums of larger are infinite
+    # sums of larger are infinite
+    whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)
     whole.attrs = {"north": _frame(data, known), "steps": steps, "notes": tuple(notes)}
     return whole
 
@@ -245,9 +241,8 @@ def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
         )
     columns = pandas.concat(parts, axis=1)
     found = []
-    for row in (
-        columns.groupby("time_after", as_index=False).first().to_numpy()
-    ):  # what is there, of each end
+    for row in columns.groupby("time_after", as_index=False).first().to_numpy():
+        # what is there, of each end
         end, start, middle = row[:3], row[3:6], row[6:9]
         notes = []
         if np.isnan(start).any() and not np.isnan(middle).any():

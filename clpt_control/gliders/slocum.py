@@ -117,9 +117,8 @@ def _places(
         return np.array([time[good], *np.transpose(moved)])
     if times.size < 2:
         return np.empty((3, 0))
-    later = max(
-        times[0] - max(wet[0], start[0]), 0.0
-    )  # it was reset to the fix until the dive
+    # it was reset to the fix until the dive
+    later = max(times[0] - max(wet[0], start[0]), 0.0)
     origin = [
         np.interp(start[0], times, c) - np.diff(c)[0] / np.diff(times)[0] * later
         for c in (x, y)

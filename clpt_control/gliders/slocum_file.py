@@ -37,10 +37,8 @@ BLOCK = 2**16  # bytes of a block at most
 MOST_PACKED = 2 * 10**7  # bytes of a compressed file
 FOLDERS = ("cac", "cache")
 KNOWN = 16  # bytes: b"sa", 4660 in 2, 123.456 in 4, 123456789.12345 in 8
-ORDERS = {
-    b"sa\x34\x12": "<",
-    b"sa\x12\x34": ">",
-}  # as `KNOWN` has it: how bytes are ordered
+# as `KNOWN` has it: how bytes are ordered
+ORDERS = {b"sa\x34\x12": "<", b"sa\x12\x34": ">"}
 KINDS = {1: "b", 2: "h", 4: "f", 8: "d"}  # of a value, by its bytes
 TIME = "m_present_time"
 FIX = ("m_gps_lat", "m_gps_lon", "m_gps_status")

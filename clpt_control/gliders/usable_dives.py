@@ -29,11 +29,8 @@ FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is w
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 DAY = 86400.0  # s
 FILLS = (999.0, 9999.0, 99999.0)
-SMALLER = {
-    "milliseconds": 1e3,
-    "microseconds": 1e6,
-    "nanoseconds": 1e9,
-}  # in one second
+# in one second
+SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings

@@ -47,9 +47,8 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
         AttributeError,
         RecursionError,
     ):
-        own = json.loads(
-            str(run.attrs.get(SUMMARY)), parse_constant=int
-        )  # NaN is no number
+        # NaN is no number
+        own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)
         numbers = {
             **ending,
             "of_samples": False,

@@ -168,9 +168,8 @@ def kalman_filter(
                 f"{name}: {key}: must be symmetric, of shape {(size, size)}"
             )
         least = np.linalg.eigvalsh(M)[0]
-        if least < -1e-12 * np.abs(M).max() or (
-            key == "R" and least <= 0
-        ):  # but for rounding
+        if least < -1e-12 * np.abs(M).max() or (key == "R" and least <= 0):
+            # but for rounding
             raise BlockError(
                 f"{name}: {key}: must be positive semidefinite, and R definite"
             )

@@ -17,9 +17,8 @@ from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the first line
 LOG_EVERY = 10.0  # seconds between lines where there is no terminal
-CLEARED = (
-    "\x1b[K\r"  # the rest of a terminal's line goes, and the next is written over it
-)
+# the rest of a terminal's line goes, and the next is written over it
+CLEARED = "\x1b[K\r"
 CONTROLS = (
     re.compile(  # all but tab and newline, and marks that reverse the direction of text
         r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"

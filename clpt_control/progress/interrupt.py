@@ -23,9 +23,8 @@ from typing import Any, NoReturn
 
 from . import CLEARED, escaped, tell
 
-NOTHING = (
-    "nothing half-written was left"  # ends the sentence where there is no `resume_hint`
-)
+# ends the sentence where there is no `resume_hint`
+NOTHING = "nothing half-written was left"
 PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
 SLICE = 0.5  # seconds of a wait between two looks at the flag
 SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
@@ -35,9 +34,8 @@ unfinished: set[Path] = set()  # files being written, removed where the process 
 folders: list[
     Path
 ] = []  # made for results, the outermost first; removed where they stay empty
-resume_hint = (
-    ""  # ends the sentence: what is stored by now, and how to go on; work sets it
-)
+# ends the sentence: what is stored by now, and how to go on; work sets it
+resume_hint = ""
 
 _pending = False  # whether an interrupt waits for its answer
 _ended = False  # whether the command has ended: an interrupt changes nothing any more

@@ -29,9 +29,8 @@ class Pool(ProcessPoolExecutor):
     def submit(self, *work: Any, **named: Any) -> Future:
         """Submit a function of the package; a process that is started inherits what is blocked."""
         main = sys.modules["__main__"]
-        sys.modules["__main__"] = ModuleType(
-            "__main__"
-        )  # else it would run the user's script
+        # else it would run the user's script
+        sys.modules["__main__"] = ModuleType("__main__")
         try:
             return self._submit(*work, **named)
         finally:
@@ -60,9 +59,8 @@ def processes(count: int) -> Iterator[Pool]:
     finally:
         for one in set(active_children()) - set(before):
             one.kill()
-        pool.shutdown(
-            cancel_futures=True
-        )  # its thread must not outlive the pipes that it reads
+        # its thread must not outlive the pipes that it reads
+        pool.shutdown(cancel_futures=True)
 
 
 def _begin() -> None:

@@ -135,18 +135,14 @@ def triangle(
 
 def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
     """Return the least tau > 0 of |g - tau c| = tau s; None where there is none."""
-    a, b, k = (
-        float(c @ c) - s * s,
-        float(g @ c),
-        float(g @ g),
-    )  # a tau^2 - 2 b tau + k = 0
+    # a tau^2 - 2 b tau + k = 0
+    a, b, k = (float(c @ c) - s * s, float(g @ c), float(g @ g))
     under = b * b - a * k
     if under < 0 or (a >= 0 and b <= 0):
         return None
     root = sqrt(under)
-    return (
-        k / (b + root) if b > 0 else (b - root) / a
-    )  # without a difference of like numbers
+    # without a difference of like numbers
+    return k / (b + root) if b > 0 else (b - root) / a
 
 
 def checked_target(lat: float, lon: float) -> Place:

@@ -10,9 +10,8 @@ from typing import Any
 from .places import compass, date
 
 Row = dict[str, Any]
-Columns = dict[
-    str, tuple[int, Callable[[Row], str | None]]
-]  # title: rank, and cell of a row
+# title: rank, and cell of a row
+Columns = dict[str, tuple[int, Callable[[Row], str | None]]]
 
 
 def metres(size: float | None) -> str:

@@ -54,10 +54,8 @@ MARGIN = 300.0  # m: two fixes, a poor one among them, and how long a stay is ro
 SAME_STAY = 3600.0  # s: longer, other dives may lie between
 SURE = 10.0  # l of 3.2 standard deviations
 NESTED = 2.0  # what a second number explains by chance (H. Akaike, 1974)
-MATTERS, PLAUSIBLE = (
-    0.08,
-    0.4,
-)  # least change of the factor that is flagged; largest doubtful loss
+# least change of the factor that is flagged; largest doubtful loss
+MATTERS, PLAUSIBLE = (0.08, 0.4)
 DIVES = 3  # the last dive, and the two that are tried as the first of a slower speed
 SETTLED = 10  # dives before the watch speaks
 SCATTER = 3.0  # most the rest may weigh, in expected values

@@ -217,9 +217,8 @@ class Alerts:
         self.command, self.path = list(command), out / "state" / TOLD
         self.told: list[str] = []
         self.failed: set[str] = set()
-        with suppress(
-            DataError, ValueError
-        ):  # none yet, or none that can be read: told again
+        with suppress(DataError, ValueError):
+            # none yet, or none that can be read: told again
             keys = json.loads(read_text(self.path, "is no text"))
             self.told = [str(one) for one in keys] if isinstance(keys, list) else []
 

@@ -162,9 +162,8 @@ class Fitted(FlowModel):
             when = (dive.t_gps2 + t - self.start) / second
             phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
             u1, u2 = self.theta @ phi * (long / second)
-            c, s = self.plane.rotate(
-                lat, lon, 1.0, 0.0
-            )  # where east points in the fit's plane
+            # where east points in the fit's plane
+            c, s = self.plane.rotate(lat, lon, 1.0, 0.0)
             u1, u2 = here.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
             return float(u1), float(u2)
 

@@ -46,10 +46,8 @@ from .places import direction
 
 PLANNED, REPEATED, GIVEN = "planned", "repeated", "given"
 CENTRE = np.array([1.0, 0.0, 0.0])  # c
-SPREAD = {
-    PLANNED: (0.25, 0.25, 0.2),
-    REPEATED: (0.25, 0.3, 0.2),
-}  # standard deviations of S0
+# standard deviations of S0
+SPREAD = {PLANNED: (0.25, 0.25, 0.2), REPEATED: (0.25, 0.3, 0.2)}
 MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
 FADING = 0.95  # of what a dive counts, at the next one
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
@@ -167,9 +165,8 @@ class Habits:
 
     def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
         """Return a dive of a given way (m) and duration (s), with what both scatter by."""
-        late = (
-            self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
-        )  # of one dive, not of two
+        # of one dive, not of two
+        late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
         B = _frame(*way)
         S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late

@@ -19,11 +19,8 @@ from .cells import half_axes
 from .places import Place, compass, velocity
 from .wording import within
 
-DIVE, NEXT, AIMED = (
-    ("start_", "forecast_"),
-    ("from_", ""),
-    ("from_", "end_"),
-)  # start, centre
+# start, centre
+DIVE, NEXT, AIMED = (("start_", "forecast_"), ("from_", ""), ("from_", "end_"))
 CORNERS = 48
 LAST = 12  # dives whose ellipses are drawn
 

@@ -55,9 +55,8 @@ def learned_words(replay: Replay) -> str:
     step, known = replay.steps[-1], replay.known()
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
     for part in replay.model.flow[1:]:
-        p = step.parts.get(
-            part if part in OTHERS else "tides"
-        )  # all tides come or go together
+        # all tides come or go together
+        p = step.parts.get(part if part in OTHERS else "tides")
         words.append(
             f"{part}{strength(part, known)}"
             + ("" if p is None else f" (odds {odds(p)})")

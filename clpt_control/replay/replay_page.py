@@ -26,18 +26,12 @@ KEYS = "".join(  # of the map
         ("made", "aimed: way made good, 90 %"),
     )
 )
-LOUD = (
-    "OUT",
-    "SPEED",
-    "overdue",
-    "cannot be read",
-)  # beginnings of cells that are alarms
+# beginnings of cells that are alarms
+LOUD = ("OUT", "SPEED", "overdue", "cannot be read")
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 5.8  # inches of a chart, whose letters a telephone shows
-PHONE, PAPER = (
-    2,
-    6,
-)  # greatest rank of a column that a telephone shows, and a printed page
+# greatest rank of a column that a telephone shows, and a printed page
+PHONE, PAPER = (2, 6)
 
 
 def replay_page(

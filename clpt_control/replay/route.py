@@ -40,9 +40,8 @@ MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
 MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
-Shape = tuple[
-    str | None, list[Place]
-]  # places of an area, by its name, or of waypoints
+# places of an area, by its name, or of waypoints
+Shape = tuple[str | None, list[Place]]
 Area = tuple[str, list[Place]]  # a name and a ring
 
 

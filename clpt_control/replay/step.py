@@ -28,9 +28,8 @@ from .surfacing import ELLIPSE, NextDive, ellipse
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
-LEARNED = (
-    0.87  # share of a prior's standard error; a parameter with more is not learned
-)
+# share of a prior's standard error; a parameter with more is not learned
+LEARNED = 0.87
 
 
 @dataclass

@@ -30,11 +30,8 @@ NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many stand
 SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
-ELLIPSE = (
-    "ellipse_90_long",
-    "ellipse_90_short",
-    "ellipse_90_bearing",
-)  # as `ellipse` has them
+# as `ellipse` has them
+ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")
 
 
 def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:

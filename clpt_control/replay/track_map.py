@@ -41,25 +41,8 @@ LARGER = 1.6  # times, that a waypoint may make the chart
 SHORTEST = 500.0  # m, of the longer side
 NARROWEST, MARGIN = 0.6, 0.06  # of the longer side: the other one, and on each side
 MOST = 89.5  # degrees of the middle; at a pole there is no east
-STEPS = (
-    0.01,
-    0.02,
-    0.05,
-    0.1,
-    0.2,
-    0.5,
-    1,
-    2,
-    5,
-    10,
-    15,
-    30,
-    60,
-    120,
-    300,
-    600,
-    1800,
-)  # minutes
+# minutes
+STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 POINTS = 72  # units of SVG in an inch
 FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
@@ -223,9 +206,8 @@ def _mark(ax: Axes, degree: np.ndarray) -> None:
         (ax.xaxis, "EW", east - west),
         (ax.yaxis, "NS", north - south),
     ):
-        step = next(
-            (step for step in STEPS if step >= 12 * span), STEPS[-1]
-        )  # five lines
+        # five lines
+        step = next((step for step in STEPS if step >= 12 * span), STEPS[-1])
         axis.set_major_locator(MultipleLocator(step / 60))
         axis.set_major_formatter(
             FuncFormatter(partial(grid_label, names=names, step=step))

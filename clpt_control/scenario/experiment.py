@@ -35,10 +35,8 @@ SPANS = (  # keys of times from one jump to the next
     *("reference.dwell", "flow.disturbance.period", "learning.sample"),
     *("localization.interval", "localization.noise_period"),
 )
-NUMBERS = (
-    110,
-    24,
-)  # of a sample, and of a sample for each function: measured, twice at most
+# of a sample, and of a sample for each function: measured, twice at most
+NUMBERS = (110, 24)
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
 
@@ -282,9 +280,8 @@ class Scenario(tables.Table):
         2.0
         """
         nested, reference = scenario_tables(self), self.reference
-        if (
-            values.get("reference.kind", reference.kind) != reference.kind
-        ):  # its keys are others
+        if values.get("reference.kind", reference.kind) != reference.kind:
+            # its keys are others
             nested["reference"] = {"dwell": reference.dwell}
         for key, value in values.items():
             *path, last = str(key).split(".")

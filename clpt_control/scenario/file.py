@@ -21,13 +21,11 @@ from ..files.reading import open_netcdf, read_bytes
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 
 CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
-TEAM = (
-    "team"  # attribute of a team's run, in place of its scenario: the team as TOML text
-)
+# attribute of a team's run, in place of its scenario: the team as TOML text
+TEAM = "team"
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
-OWN_PARTS = (
-    "own_parts"  # attribute of a run: what else of its diagram was given in Python
-)
+# attribute of a run: what else of its diagram was given in Python
+OWN_PARTS = "own_parts"
 REFERENCE = "reference"  # name of the part that makes the waypoints
 EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
 NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equations

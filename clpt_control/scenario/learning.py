@@ -17,9 +17,8 @@ def _square_is_a_number(value: float) -> float:
     return value
 
 
-_Squared = AfterValidator(
-    _square_is_a_number
-)  # laws square and divide by settings, V by gains
+# laws square and divide by settings, V by gains
+_Squared = AfterValidator(_square_is_a_number)
 _Gain = Annotated[Positive, _Squared] | None
 KINDS: dict[str, Any] = {  # what a law's setting may be
     "positive": Annotated[Positive, _Squared],

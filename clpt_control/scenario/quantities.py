@@ -98,9 +98,8 @@ QUANTITIES = {
 CALL_TIME_NAMES = {
     key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters
 }
-STARTS = {
-    key: one.state for key, one in QUANTITIES.items() if one.state
-}  # as states are ordered
+# as states are ordered
+STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}
 
 
 # --- which parameters have a key's value ---------------------------------------------------------

@@ -36,15 +36,8 @@ DIMS = {  # variable of a run -> its dimensions, after those of a team
     "lyapunov": ("time",),
 }
 SHARED = ("time", "flow_parameters", "lyapunov")  # by the vehicles of a team
-TEXTS = (
-    "title",
-    "source",
-    "software",
-    "status",
-    "message",
-    "engine",
-    "method",
-)  # attributes
+# attributes
+TEXTS = ("title", "source", "software", "status", "message", "engine", "method")
 LARGEST = 1e75  # number whose fourth power is finite
 KINDS = {  # of datasets -> the attribute that says so; the first counts
     "team": TEAM,

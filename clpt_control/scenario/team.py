@@ -32,18 +32,10 @@ from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
-OWN = (
-    "vehicle",
-    "reference",
-    "localization",
-    "learning",
-)  # tables that a member may have
-OWN_STARTS = (
-    "position",
-    "feedback",
-    "feedforward",
-    "parameters",
-)  # its keys of [learning]
+# tables that a member may have
+OWN = ("vehicle", "reference", "localization", "learning")
+# its keys of [learning]
+OWN_STARTS = ("position", "feedback", "feedforward", "parameters")
 FEWEST, MOST = 2, 100  # vehicles
 APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 1e-3
 

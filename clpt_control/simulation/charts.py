@@ -176,9 +176,8 @@ def told_apart(axes: Any, label: str | None, color: str | None) -> Iterator[None
         raise ClptError(
             f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'"
         )
-    marks = dict(
-        zip(COLOURS, ("", *"osD^v"), strict=True)
-    )  # tell runs apart in black and white
+    # tell runs apart in black and white
+    marks = dict(zip(COLOURS, ("", *"osD^v"), strict=True))
     several = np.ravel(np.asarray(axes, dtype=object))
     before = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in several]
     yield

@@ -200,9 +200,8 @@ def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
             value = port[dim].values[i]
             if dim.rstrip("_") == index:
                 words.append(f"[{value}]")
-            elif isinstance(
-                value, tuple
-            ):  # of a member, of which each varied name has one
+            elif isinstance(value, tuple):
+                # of a member, of which each varied name has one
                 names = port.indexes[dim].names
                 words += [
                     f" {name} {one}" for name, one in zip(names, value, strict=True)

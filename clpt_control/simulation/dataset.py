@@ -35,15 +35,8 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
 }
-SPEEDS = (
-    "flow_z",
-    "v_x",
-    "v_c",
-    "v_z",
-    "psi",
-    "delta",
-    "unflown",
-)  # ports without a word above
+# ports without a word above
+SPEEDS = ("flow_z", "v_x", "v_c", "v_z", "psi", "delta", "unflown")
 LIMITED = {  # where the vehicle's speed has a limit
     "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
     "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
@@ -233,9 +226,8 @@ def _lyapunov(block: Block, column: Mapping[str, int]) -> Any:
 
     def along(signals: np.ndarray) -> np.ndarray:
         inputs = signals[:, places]
-        for k in range(
-            2 if f"{TRUE}[0]" in column else 0
-        ):  # e is not of the measured position
+        for k in range(2 if f"{TRUE}[0]" in column else 0):
+            # e is not of the measured position
             off = signals[:, column[f"{TRUE}[{k}]"]] - signals[:, column[f"z[{k}]"]]
             inputs[:, labels.index(f"e[{k}]")] = off
         if "weighted" in block.input_ports:

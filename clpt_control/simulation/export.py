@@ -31,17 +31,15 @@ from .starts import stacked_state
 
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count
-ROUNDING = (
-    "1e-6"  # of a period, by which a time may be off a sample; in a step, half of it
-)
+# of a period, by which a time may be off a sample; in a step, half of it
+ROUNDING = "1e-6"
 PARTS = (
     (resources.files("clpt_control.data") / "diagram.c")
     .read_text("utf-8")
     .split("//\n")
 )
-FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(
-    Template, PARTS
-)  # and ends of a step of each kind
+# and ends of a step of each kind
+FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, PARTS)
 
 
 @public

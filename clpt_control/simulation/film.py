@@ -188,9 +188,8 @@ def draw_samples(ax: Any, run: "xarray.Dataset", at: np.ndarray) -> Iterator[int
     )
     kind, flow = ("true", true) if true.any() else ("learned", learned)
     longest = float(np.hypot(*flow.reshape(-1, 2).T).max())
-    unit = (
-        LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)
-    )  # of a chart, of a speed
+    # of a chart, of a speed
+    unit = LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)
     arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1 / unit}
     arrows |= {
         "minlength": 0,

@@ -25,10 +25,8 @@ from .tangents import RunWithDerivatives, Sensitive, varied_places
 
 UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
 TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
-ROUNDS, SETTLED = (
-    6,
-    1e-3,
-)  # in which the noise of several outputs is estimated, until it moves less
+# in which the noise of several outputs is estimated, until it moves less
+ROUNDS, SETTLED = (6, 1e-3)
 CLOSE = 1e-10  # of steps and sums, where least squares ends
 
 
@@ -291,9 +289,8 @@ class _Fitting:
             self.ready.confirm(values, self.run(values))
             residuals = np.zeros(self.there.shape)
             residuals[self.there] = self.residuals(values, np.ones(len(noise)))
-            spent = np.zeros(
-                self.there.shape
-            )  # by each number, of as many as there are unknowns
+            # by each number, of as many as there are unknowns
+            spent = np.zeros(self.there.shape)
             J = result.jac[:, result.active_mask == 0]
             spent[self.there] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
             freedom = np.maximum(count - spent.sum(axis=0), 1e-9)
@@ -313,9 +310,8 @@ class _Fitting:
         freedom = len(residuals) - int(free.sum())
         variance = float(residuals @ residuals) / freedom
         value, begun = np.abs(values)[free], np.abs(self.begin)[free]
-        scale = np.where(
-            value > UNFELT * begun, value, begun
-        )  # of a zero, that of its start
+        # of a zero, that of its start
+        scale = np.where(value > UNFELT * begun, value, begun)
         scale[scale == 0.0] = 1.0
         _, strength, directions = np.linalg.svd(J[:, free] * scale, full_matrices=False)
         identified = strength > UNFELT * strength.max(initial=0.0)

@@ -59,14 +59,8 @@ STRUCTURE = {  # of modelDescription.xml: which variables are listed
     "ContinuousStateDerivative": ("rate",),
     "InitialUnknown": ("output", "rate"),
 }
-LONG_AGO = (
-    1980,
-    1,
-    1,
-    0,
-    0,
-    0,
-)  # the time of each file within: the same diagram, the same bytes
+# the time of each file within: the same diagram, the same bytes
+LONG_AGO = (1980, 1, 1, 0, 0, 0)
 
 
 @public

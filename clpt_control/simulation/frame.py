@@ -53,10 +53,8 @@ class Frame:
             self.axes["state"] = _index(
                 "state", np.array(self.states, dtype=object), STATE
             )
-        self._latest: tuple[bytes | None, Any] = (
-            None,
-            None,
-        )  # times, and the axis made of them
+        # times, and the axis made of them
+        self._latest: tuple[bytes | None, Any] = (None, None)
 
     def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
         """Return a Dataset of a run's signals and states; each has attributes of its own."""
@@ -76,9 +74,8 @@ class Frame:
             self._latest = times, time
         axes = {"time": time, **self.axes}
         variables |= {
-            name: type(one)(
-                one.dims, one._data, one.attrs, fastpath=True
-            )  # a copy, but quicker
+            # a copy, but quicker
+            name: type(one)(one.dims, one._data, one.attrs, fastpath=True)
             for name, (_, one) in axes.items()
         }
         attributes = {**self.attributes, **how_it_ran(solution)}

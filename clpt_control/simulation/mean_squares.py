@@ -20,9 +20,8 @@ PER_CYCLE = 2000  # samples, at least
 AT_WAYPOINT = 100, 10_000  # samples, at least and at most
 PER_TIME = 10  # samples in a time of 1/KD, as the paper's run has
 MOST = 200_000  # samples of a run
-APART = (
-    np.sqrt(5.0) - 1.0
-)  # its multiples are spread evenly over any time at a waypoint
+# its multiples are spread evenly over any time at a waypoint
+APART = np.sqrt(5.0) - 1.0
 
 
 def samples_for_means(scenario: Scenario) -> int:

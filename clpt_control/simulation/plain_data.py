@@ -148,9 +148,8 @@ def _system(system: Any, numbers: list[Any], functions: list[Any]) -> Any:
         numbers += [system.A, system.B, system.C, system.D]
         return own
     kind, plain = type(system), control.NonlinearIOSystem
-    if (
-        kind._rhs is not plain._rhs or kind._out is not plain._out
-    ):  # they are an object's
+    if kind._rhs is not plain._rhs or kind._out is not plain._out:
+        # they are an object's
         raise Unread("its class has its own equations")
     functions += [system.updfcn, system.outfcn]
     return own

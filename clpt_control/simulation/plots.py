@@ -94,9 +94,8 @@ def clpe_plot(
             rms = np.sqrt(
                 np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan)
             )
-            few = len(size) < MANY * len(
-                counts
-            )  # the pictures of a long run have fewer samples
+            # the pictures of a long run have fewer samples
+            few = len(size) < MANY * len(counts)
             name = f"rms of each {dwell:g} {units.time}{', of the samples shown' * few}"
             steps = dwell * np.arange(len(counts))
             bottom.step(

@@ -148,11 +148,8 @@ CONDITIONS = (
     *("timepts", "initial_state", "inputs"),
     *("rtol", "atol", "method", "max_step", "first_step"),
 )
-BEYOND = (
-    file.OWN_LAW,
-    file.OWN_PARTS,
-    file.CHANGED,
-)  # attributes for what a scenario does not hold
+# attributes for what a scenario does not hold
+BEYOND = (file.OWN_LAW, file.OWN_PARTS, file.CHANGED)
 
 
 class RecordedScenario(NamedTuple):
@@ -198,9 +195,8 @@ class RunRecord:
         except DataError as error:  # a name that no block of a file has
             raise Unread(str(error)) from None
         arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
-        same = repr(again.code.program) == repr(
-            runner.code.program
-        )  # NaN differs from itself
+        # NaN differs from itself
+        same = repr(again.code.program) == repr(runner.code.program)
         if not (same and all(np.array_equal(*pair) for pair in arrays)):
             raise Unread("its blocks have changed since it ran")
         return text

@@ -212,9 +212,8 @@ class DiagramRun(SystemRun):
         ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
         self.names = {"name": self.name, **ports}
         outputs, inputs = map(whole_labels, (outputs, inputs))
-        taken = ports_of(
-            outputs
-        )  # an input with the name of an output gets another one
+        # an input with the name of an output gets another one
+        taken = ports_of(outputs)
         parts = [label.rpartition("[") for label in inputs]
         self.signal_labels = outputs + [
             "".join((f"{port}_input" if port in taken else port, *rest))
@@ -313,9 +312,8 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
     first = wiring.nodes[0].system
     named = first if None in (diagram.ninputs, diagram.noutputs) else diagram
     states = (first if diagram.nstates is None else diagram).state_labels
-    if (
-        len(states) != wiring.nodes[-1].states.stop
-    ):  # python-control keeps one of equal labels
+    if len(states) != wiring.nodes[-1].states.stop:
+        # python-control keeps one of equal labels
         states = state_labels(wiring)
     return named.output_labels, named.input_labels, states
 

@@ -139,9 +139,8 @@ def figures_of(
         own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
         for key, value in _achieved(scenario, own, own_fine, own_at).items():
             figures.setdefault(key, {})[name] = value
-    del figures[
-        "clpe_rms_per_cycle"
-    ]  # rounds of several vehicles are no rounds of the team
+    # rounds of several vehicles are no rounds of the team
+    del figures["clpe_rms_per_cycle"]
     return figures
 
 

@@ -50,10 +50,8 @@ from .excitation.regressor import error_matrices
 if TYPE_CHECKING:
     import xarray
 
-PRINTED = {
-    "known-flow": "(16)",
-    "learned-flow": "(33)",
-}  # law -> the equation of its bound
+# law -> the equation of its bound
+PRINTED = {"known-flow": "(16)", "learned-flow": "(33)"}
 
 
 @dataclass(frozen=True)
@@ -229,9 +227,8 @@ def burst_counterexample(
 
 
 AMPLITUDE = 0.05  # m/s
-RESONANT = (
-    3.5  # rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
-)
+# rad/s: near sqrt(gamma |w|^2) of the paper's x1 axis at its far waypoints
+RESONANT = 3.5
 
 
 def with_square_wave(

@@ -48,9 +48,8 @@ class Search:
     status: str  # "refuted" or "not refuted"
     broken: str  # the promise that is broken and its conditions, or nothing
     scenario: Scenario | None  # repeats it
-    closest: dict[
-        str, float
-    ]  # promise -> the largest ratio of all runs; above 1 it is broken
+    # promise -> the largest ratio of all runs; above 1 it is broken
+    closest: dict[str, float]
     runs: int
     seconds: float
 

@@ -137,9 +137,8 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
     gens = sorted(
         {*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str
     )
-    falls = defaultdict[Monomial, dict](
-        dict
-    )  # -V', monomial by monomial: term -> its share
+    # -V', monomial by monomial: term -> its share
+    falls = defaultdict[Monomial, dict](dict)
     for k, slope in enumerate(slopes):
         for powers, share in sympy.Poly(slope, *gens).terms() if slope else ():
             falls[powers][k] = -share
@@ -160,9 +159,8 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
         )
     }
     squares, n, total = len(roots), len(terms), len(terms) + len(crossed)
-    shares = scipy.sparse.lil_array(
-        (len(falls), total)
-    )  # -V' less the cross terms, of c and q
+    # -V' less the cross terms, of c and q
+    shares = scipy.sparse.lil_array((len(falls), total))
     made_up = scipy.sparse.lil_array((squares, total))  # of their sizes
     for powers, own in falls.items():
         for k, share in own.items():

@@ -78,9 +78,8 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
             form_of[term] = base
         elif rest.is_polynomial(*moving):
             low.append(term)
-        elif (
-            term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1
-        ):  # it holds no form
+        elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:
+            # it holds no form
             more.append(term)
         else:
             others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(
@@ -99,9 +98,8 @@ def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares |
             return None
         low.append(rising[0])
         form_of[sympy.Add(*terms) - rising[0]] = rising[1]
-    if any(
-        term.free_symbols & set(moving) for term in low
-    ):  # squares are completed with them
+    if any(term.free_symbols & set(moving) for term in low):
+        # squares are completed with them
         plain = [term for term in form_of if term.is_polynomial(*moving)]
         low += plain
         form_of = {term: form for term, form in form_of.items() if term not in plain}
@@ -274,9 +272,8 @@ def states_beside(
     }
     unturned = [r.xreplace(turning) for r in (*motion.values(), *forms)]
     for k, form in enumerate(one.as_coeff_Mul()[1] for one in forms):
-        if isinstance(
-            form, sympy.sin
-        ):  # its angle up to whole turns, which is all that counts
+        if isinstance(form, sympy.sin):
+            # its angle up to whole turns, which is all that counts
             seen = any(one.has(*form.free_symbols - fixed) for one in unturned)
             forms[k] = sympy.S.Zero if seen else form.args[0]
     forms = [form for form in forms if degree(form, lambda s: s == TIME) == 0]
@@ -317,10 +314,8 @@ def states_beside(
         return "", exact(
             f"{names}: linear and stable, driven by what V holds{inputs}", True
         )
-    both = [
-        *zip(plain, rates, strict=True),
-        *((new,) for new in jumps),
-    ]  # expansion hides roots
+    # expansion hides roots
+    both = [*zip(plain, rates, strict=True), *((new,) for new in jumps)]
     if all(min(degree(f, free.__contains__) for f in one) <= 1 for one in both):
         grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
         return f"but for {names}", grows
@@ -348,9 +343,8 @@ def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr]
     a, *rest = sympy.Poly(form, s).all_coeffs()
     if not a.is_nonzero or a.free_symbols - fixed:
         return None
-    if (
-        len(rest) > 1
-    ):  # of higher degree it holds s where nothing else in it moves freely
+    if len(rest) > 1:
+        # of higher degree it holds s where nothing else in it moves freely
         alone = all(
             isinstance(one, sympy.Dummy) for one in form.free_symbols - fixed - {s}
         )

@@ -112,13 +112,8 @@ def noise_at(block, **numbers):
 
 COUNT = 20000
 NEIGHBOURS = (0, 1, 2, 12345, random_numbers.MODULUS - 2, random_numbers.MODULUS - 1)
-APART = (
-    3,
-    3 + 7919,
-    3 + 104729,
-    3 + 40503,
-    3 + 7919 + 104729,
-)  # by numbers of the hash
+# by numbers of the hash
+APART = (3, 3 + 7919, 3 + 104729, 3 + 40503, 3 + 7919 + 104729)
 
 
 @pytest.fixture(scope="module")

@@ -20,13 +20,10 @@ LAWS = (
     "least-squares",
     "normalised-gradient",
 )
-AT_200 = dict.fromkeys(
-    [*LAWS, "concurrent", "drem"], 2.5e-3
-)  # the largest error there; of the
-AT_200 |= {
-    "composite-memory": 1e-5,
-    "least-squares": 1e-2,
-}  # paper's 0.257, and at 2000 0.027
+# the largest error there; of the
+AT_200 = dict.fromkeys([*LAWS, "concurrent", "drem"], 2.5e-3)
+# paper's 0.257, and at 2000 0.027
+AT_200 |= {"composite-memory": 1e-5, "least-squares": 1e-2}
 
 START = {"vehicle.position": [1.3, -0.7]}
 
@@ -245,16 +242,11 @@ def test_what_was_shown_once_is_learned_exponentially_and_for_good(after):
 def test_the_memory_is_that_of_all_windows_each_normalised_by_itself():
     own = {**START, "run.duration": 6.0, "run.output_step": 0.01}
     run = everything(of_law("concurrent", own, held=True))
-    times, phi, M, T = (
-        run.time.values,
-        run.phi_x.values,
-        np.zeros((3, 3)),
-        1.0,
-    )  # T = 1/KD
+    # T = 1/KD
+    times, phi, M, T = (run.time.values, run.phi_x.values, np.zeros((3, 3)), 1.0)
     for a, b in pairwise(range(0, 501, 100)):
         Phi = simpson(phi[a : b + 1], x=times[a : b + 1], axis=0)
-        M += np.outer(Phi, Phi) / (
-            T**2 + Phi @ Phi
-        )  # taken in while the next window runs
+        # taken in while the next window runs
+        M += np.outer(Phi, Phi) / (T**2 + Phi @ Phi)
         S = M @ np.linalg.inv(np.eye(3) + M)
         np.testing.assert_allclose(square(run, "S")[b + 100], S, atol=1e-9)

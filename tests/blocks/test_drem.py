@@ -40,9 +40,8 @@ def test_the_adjugate_is_numpys(n):
         mixed, Delta = mixing(Q, S)
         assert Delta == pytest.approx(np.linalg.det(A), abs=1e-11 * size)
         for j, k in np.ndindex(n, n):
-            minor = np.delete(
-                np.delete(A, j, 0), k, 1
-            )  # of one number has the determinant 1
+            # of one number has the determinant 1
+            minor = np.delete(np.delete(A, j, 0), k, 1)
             cofactors[k, j] = (-1) ** (j + k) * np.linalg.det(minor)
         np.testing.assert_allclose(
             mixed, S[:, None] * cofactors, rtol=0, atol=1e-11 * size
@@ -78,10 +77,8 @@ def test_each_error_only_shrinks_and_together(held):
 
 @pytest.mark.parametrize("margin", [0.1, 0.5])
 def test_theta_is_read_in_finite_time(margin):
-    own = {
-        "margin": margin,
-        "rate": 0.02,
-    }  # slow, so that much of the first error is left
+    # slow, so that much of the first error is left
+    own = {"margin": margin, "rate": 0.02}
     run = clpt.simulate(of_paper(**{**STARTS, "learning.drem": own}))
     off, read = errors(run)
     right = 1 - run.error_left.values >= margin

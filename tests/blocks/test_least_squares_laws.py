@@ -47,9 +47,8 @@ def test_a_constant_regressor_has_a_closed_form(forgetting):
     held = s["rho"][0] * P(t) / 0.8**2
     np.testing.assert_allclose(-s["alpha"], THETA * (1 - held), atol=1e-9)
     total = [quad(P, 0, end, epsabs=1e-12)[0] for end in t]
-    np.testing.assert_allclose(
-        held, np.exp(np.array(total) / -(0.3**2)), rtol=1e-7
-    )  # eta'/eta
+    # eta'/eta
+    np.testing.assert_allclose(held, np.exp(np.array(total) / -(0.3**2)), rtol=1e-7)
 
 
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():

@@ -388,9 +388,8 @@ def test_every_page_fits_its_screen(served, tmp_path, width, theme):
             [],
             [],
         )
-        assert one["wide"] <= one["inner"] in (width, width - 15), (
-            name
-        )  # less its scroll bar
+        # less its scroll bar
+        assert one["wide"] <= one["inner"] in (width, width - 15), name
     assert found[SEARCH]["hits"] > 2
     said = re.findall(r"CONSOLE.*", done.stderr)
     assert [line for line in said if "[PST]: " not in line] == []  # words of the theme

@@ -184,9 +184,8 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
         seconds = chance.uniform(0.0, 1.0 if k % 2 == 0 or part == 0 else 6.0)
         status, err = interrupted_after(seconds, words, files)
         told, made = (seconds, words, status, err), COMMANDS[words] or ()
-        finished = status == 0 and not re.search(
-            "Traceback|fault", err
-        )  # before the interrupt
+        # before the interrupt
+        finished = status == 0 and not re.search("Traceback|fault", err)
         assert finished or (status == 130 and re.fullmatch(f"{LINE}|{HELD}", err)), told
         paths = [
             path for path in files.rglob("*") if path not in before and path.is_file()
@@ -204,10 +203,8 @@ def test_interrupts_at_random_from_the_first_import_on(files, part):
 # --- the same bytes: cold and warm cache, 1 and 4 threads, any hashes ----------------------------
 
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-TIMED = (
-    "refute",
-    "replay --follow",
-)  # which tell how long something took, or when it was
+# which tell how long something took, or when it was
+TIMED = ("refute", "replay --follow")
 SAME = [words for words in COMMANDS if not " ".join(words).startswith(TIMED)]
 SAME.sort(key=lambda words: words[0] != "diagram")
 

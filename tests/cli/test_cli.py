@@ -158,9 +158,8 @@ def test_streams_that_are_closed_full_or_not_read(words, stream):
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of a shell")
 def test_an_output_at_the_limit_of_its_size_is_named():
-    buffered = (
-        "unset PYTHONUNBUFFERED"  # else Python itself forgets the rest of a write
-    )
+    # else Python itself forgets the rest of a write
+    buffered = "unset PYTHONUNBUFFERED"
     line = f'ulimit -f 1; {buffered}; "$0" -c "$1" --help > help.txt'
     done = ran("bash", "-c", line, sys.executable, CODE, status=2)
     said = "clpt: standard output: may not become larger; allow more (ulimit -f)\n"

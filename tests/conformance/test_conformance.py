@@ -300,9 +300,8 @@ def test_alone_in_a_diagram_it_gives_the_same_and_parameters_reach_it(block):
             calls = [
                 system.output(*arguments, params=changed) for system in (block, diagram)
             ]
-        except (
-            RuntimeError
-        ):  # python-control takes NaN, as of a table too short, for a loop
+        except RuntimeError:
+            # python-control takes NaN, as of a table too short, for a loop
             continue
         finally:
             block._update_params(None)

@@ -151,9 +151,8 @@ def test_a_file_or_a_box_across_180_degrees_has_no_jump(tmp_path, box, rows):
 
 
 def test_a_grid_around_the_earth_begins_where_the_file_does(tmp_path):
-    lon = (
-        np.arange(-180.0, 180.0, 0.7) + 0.1
-    )  # the last step is shorter, roundings differ
+    # the last step is shorter, roundings differ
+    lon = np.arange(-180.0, 180.0, 0.7) + 0.1
     u, v = 0.3 * np.random.default_rng(2).normal(size=(2, 10, 6, len(lon)))
     path = write(tmp_path / "c.nc", u, v, lon=lon)
     np.testing.assert_array_equal(read_currents(path).lon, lon)

@@ -205,9 +205,8 @@ def test_velocities_turn_as_displacements_do():
                 NANTUCKET.rotate(lat, lon, u, v), moved, atol=2e-4
             )
     leaning = NANTUCKET.rotate(41.5, -69.0, 0.0, 1.0)[0]
-    assert (
-        0.004 < abs(leaning) < 0.007
-    )  # 0.3 degrees: what is forgotten without turning
+    # 0.3 degrees: what is forgotten without turning
+    assert 0.004 < abs(leaning) < 0.007
 
 
 def test_filling_keeps_measured_values_and_their_range():

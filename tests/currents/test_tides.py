@@ -136,9 +136,8 @@ def test_estimates_lie_within_their_standard_errors(red):
     size = np.abs(misses)
     assert (size < 3).mean(axis=0).min() >= 0.95
     spread = np.sqrt(np.mean(size**2))
-    assert (
-        (0.5 if red else 0.85) < spread < 1.15
-    )  # red noise is not thought quieter than white
+    # red noise is not thought quieter than white
+    assert (0.5 if red else 0.85) < spread < 1.15
 
 
 def test_theta_of_a_scenario_is_the_fit():
@@ -147,9 +146,8 @@ def test_theta_of_a_scenario_is_the_fit():
     basis = tidal_basis(fit_tides(time, *flow, LATITUDE, list(KNOWN)), epoch, "km h-1")
     assert basis.constituents == ("steady", *(n for n in KNOWN for _ in range(2)))
     hours = (time - epoch) / np.timedelta64(1, "h")
-    angles = [
-        2 * np.pi * hours / period(name) for name in basis.constituents
-    ]  # steady: 0
+    # steady: 0
+    angles = [2 * np.pi * hours / period(name) for name in basis.constituents]
     phi = np.cos(np.array(angles) + np.array(basis.phases)[:, None])
     np.testing.assert_allclose(basis.theta @ phi, 3.6 * flow, atol=3.6 * 4e-3)
 

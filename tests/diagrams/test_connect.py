@@ -205,12 +205,8 @@ def test_ports_in_another_order_than_their_makers():
     blocks = [last, middle, block("first", {"w": 1, "v": 3}, {"a": 2, "b": 2})]
     for external, values in ((["v", "w"], [1, 2, 3, 4]), (["w", "v"], [4, 1, 2, 3])):
         run = clpt.simulate(clpt.connect(blocks, external), [0.0, 1.0], values)
-        assert run.e[0].values.tolist() == [
-            4,
-            2,
-            3,
-            4,
-        ]  # d, c, w of a = [4, 1], b = [2, 3]
+        # d, c, w of a = [4, 1], b = [2, 3]
+        assert run.e[0].values.tolist() == [4, 2, 3, 4]
 
 
 # block | inputs | states | outputs: the table of the design, with N = 3

@@ -167,9 +167,8 @@ def test_arrows_go_around_boxes_and_join_the_right_ones(drawn):
         assert last, "arrows drawn as not feedback close a circle"
         after = {name: own for name, own in after.items() if name not in last}
     for (k, (a, b)), (m, (c, d)) in combinations(pieces, 2):
-        for along, across in (
-            ((0, 1), (1, 0)) if k != m else ()
-        ):  # none on top of another
+        for along, across in ((0, 1), (1, 0)) if k != m else ():
+            # none on top of another
             if a[across] == b[across] == c[across] == d[across]:
                 assert min(b[along], d[along]) <= max(a[along], c[along])
 

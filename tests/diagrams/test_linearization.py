@@ -48,9 +48,8 @@ def test_as_python_control_by_differences(law):
     x, u = 0.3 * random.standard_normal(loop.nstates), random.standard_normal(2)
     own, theirs = clpt.linearize(loop, x, u, 7.0), control.linearize(loop, x, u, t=7.0)
     for name in "ABCD":
-        np.testing.assert_allclose(
-            getattr(own, name), getattr(theirs, name), atol=2e-5
-        )  # theirs
+        # theirs
+        np.testing.assert_allclose(getattr(own, name), getattr(theirs, name), atol=2e-5)
     assert (own.input_labels, own.output_labels) == (
         loop.input_labels,
         loop.output_labels,

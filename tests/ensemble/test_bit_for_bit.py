@@ -202,9 +202,8 @@ def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
     ):
         clpt.report(out, tmp_path / "page.html")
     odd = system(unread, params={"a": 1.0}, name="odd")
-    with pytest.raises(
-        DiagramError, match=r"^out: odd\.update: "
-    ):  # it cannot be told from others
+    with pytest.raises(DiagramError, match=r"^out: odd\.update: "):
+        # it cannot be told from others
         clpt.run_ensemble(odd, {"a": [1.0]}, timepts=TIMES, out=tmp_path / "odd.zarr")
     assert [*tmp_path.iterdir()] == [out]
 

@@ -71,10 +71,8 @@ def test_keys_vary_one_by_one(quick, values, keys, range_):
 
 
 BESIDE = {"switching-sigma", "e-modification", "dead-zone", "normalised-gradient"}
-BESIDE |= {
-    "least-squares",
-    "composite-least-squares",
-}  # like another law: by `make test-slow`
+# like another law: by `make test-slow`
+BESIDE |= {"least-squares", "composite-least-squares"}
 
 
 @pytest.mark.parametrize(
@@ -96,9 +94,8 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
         key for key, one in law.settings.items() if one.allowed == "positive"
     ][:1]:
         key, usual = f"learning.{law.table}.{setting}", law.settings[setting].default
-        if (
-            usual is None
-        ):  # made of the scenario's other keys; a plain default need not be named
+        if usual is None:
+            # made of the scenario's other keys; a plain default need not be named
             usual = values[key] = 0.5
         varied[key] = f"[{usual}, {2 * usual}]"
     scenario = quick.with_values(values)
@@ -229,10 +226,8 @@ def test_what_a_law_given_in_python_does_not_read_cannot_vary(quick):
 
 
 def test_a_part_of_ones_own_varies_where_the_loop_is_a_diagram(quick):
-    loop, times = (
-        clpt.closed_loop(quick, law=PAPERS),
-        np.arange(1.0, 4.0),
-    )  # it runs from t = 0
+    # it runs from t = 0
+    loop, times = (clpt.closed_loop(quick, law=PAPERS), np.arange(1.0, 4.0))
     data = run_ensemble(
         loop, {"adaptation.gain": [0.5, 2.0]}, timepts=times, trajectories=True
     )

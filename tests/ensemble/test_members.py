@@ -83,9 +83,8 @@ def test_members_equal_single_runs(case, lanes):
         assert sorted(ensemble.one_by_one) == ["basis.periods", "reference.dwell"]
     found = ensemble.run(ensemble.members(values), TIMES)
     assert (found.status == 1).all()
-    tolerance = (
-        1e-10  # code of its own: the compiler may join a product and a sum elsewhere
-    )
+    # code of its own: the compiler may join a product and a sum elsewhere
+    tolerance = 1e-10
     for m in range(len(found.status)):
         own = ensemble.varied.scenario.with_values(
             {key: value[m] for key, value in values.items()}

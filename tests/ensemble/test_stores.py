@@ -240,10 +240,8 @@ def test_what_ends_an_ensemble_says_what_is_kept(clpt, quick, tmp_path, monkeypa
         return clpt(*words, "--out", out, "--members", members, "--chunk", chunk)
 
     said = "clpt: e.zarr: cannot be written: No space left on device"
-    for ended in (
-        asked(0),
-        asked(0, "24", "24"),
-    ):  # of the last, members are done, none stored
+    for ended in (asked(0), asked(0, "24", "24")):
+        # of the last, members are done, none stored
         assert (ended.status, ended.err.splitlines()[-1], out.exists()) == (
             2,
             said,

@@ -68,19 +68,16 @@ def test_the_answer_is_not_seen_and_runs_are_by_the_scenarios_method(short):
     )
     assert usual.report == other.report
     assert usual.scenario.learning == other.scenario.learning
-    assert other.scenario.flow.parameters == (
-        (5, 6, 7),
-        (8, 9, 10),
-    )  # it comes with the choice
+    # it comes with the choice
+    assert other.scenario.flow.parameters == ((5, 6, 7), (8, 9, 10))
     apart = abs(usual.report["chosen"]["error"] - stiff.report["chosen"]["error"])
     assert 0 < apart < 1e-6
 
 
 def test_what_is_drawn_is_drawn_about_the_belief(paper):
     unknown = unknown_of(paper, None, None, 4)
-    assert unknown.prior == pytest.approx(
-        0.3 * 1.0 * 3.0
-    )  # k = 1/s, the circle reaches 3 m
+    # k = 1/s, the circle reaches 3 m
+    assert unknown.prior == pytest.approx(0.3 * 1.0 * 3.0)
     assert not np.any(unknown.scenario.flow.parameters)
     told = paper.with_values({"learning.parameters": [[-1, -2, -3], [0, 0, -4]]})
     modelled = paper.with_values({"model.parameters": [[1, 2, 3], [0, 0, 4]]})
@@ -143,9 +140,8 @@ def test_the_fast_law_is_taken_where_nothing_disturbs(paper):
     )
     assert tuned.report["because"].startswith("composite-memory, gain")
     assert "no unmodelled flow and exact positions" in tuned.report["because"]
-    run = clpt_control.simulate(
-        tuned.scenario
-    )  # the scenario's own flow, which was not seen
+    # the scenario's own flow, which was not seen
+    run = clpt_control.simulate(tuned.scenario)
     error = np.abs(run.flow_parameters_estimate[-1] - run.flow_parameters).max()
     assert float(error) < 1e-3
 

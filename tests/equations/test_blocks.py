@@ -189,11 +189,8 @@ def test_a_block_in_a_namespace_is_the_same_under_other_names():
     again = renamed(west, "east", {"west/phi": "psi"}, {"west/flow": "out"})
     assert (again.input_ports, again.output_ports) == ({"psi": 3}, {"out": 2})
     assert asked(west) == asked(again) == wanted
-    for twin in (
-        west,
-        copy.deepcopy(block),
-        block.copy(name="twin"),
-    ):  # are independent
+    for twin in (west, copy.deepcopy(block), block.copy(name="twin")):
+        # are independent
         twin.parameters = twin.parameters._replace(gain=3.0, theta=np.ones((2, 3)))
         assert asked(twin) == [3 * sum(phi)] * 2
     assert (west.input_ports, block.input_ports) == ({"west/phi": 3}, {"phi": 3})

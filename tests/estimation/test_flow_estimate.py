@@ -133,10 +133,8 @@ def test_without_a_walk_the_filter_ends_at_least_squares(number, n):
     one = kalman(segments, LINEAR, start, sd, r, np.zeros(3))
     np.testing.assert_allclose(one[0][-1], batch[0][-1], atol=1e-7)
     np.testing.assert_allclose(one[1], batch[1], atol=1e-7)
-    h, y = (
-        batch[2] / r[:, None],
-        segments.miss / r[:, None],
-    )  # another way: normal equations
+    # another way: normal equations
+    h, y = (batch[2] / r[:, None], segments.miss / r[:, None])
     P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ h)
     np.testing.assert_allclose(fix_to_fix.regularised(h, y, start, sd)[1], P, atol=1e-9)
     np.testing.assert_allclose(batch[0][-1], (start / sd**2 + y.T @ h) @ P, atol=1e-7)
@@ -199,9 +197,8 @@ def test_a_forecast_does_not_read_the_end_of_its_dive():
     np.testing.assert_array_equal(found.miss(other), found.miss(last))
     assert np.linalg.norm(found.miss(last)) > 100
     left = [[d.miss_east, d.miss_north] - found.miss(d) for d in dives[:4]]
-    np.testing.assert_allclose(
-        found.misses, left, atol=0.1
-    )  # settled: what the track misses by
+    # settled: what the track misses by
+    np.testing.assert_allclose(found.misses, left, atol=0.1)
 
 
 def test_a_tide_takes_two_functions():
@@ -268,9 +265,8 @@ def test_dives_that_tell_too_little_are_refused():
 
 def test_a_tomography_that_does_not_settle_says_so(monkeypatch):
     monkeypatch.setattr(fix_to_fix, "MOST", 10)
-    segments = turning(
-        np.random.default_rng(5), 2, w=3.0
-    )  # it turns twice between two fixes
+    # it turns twice between two fixes
+    segments = turning(np.random.default_rng(5), 2, w=3.0)
     given = np.zeros((2, 3)), np.full(3, 10.0), np.full(2, 1e-3), 0
     refuses(
         "does not settle in 10 iterations|not finite",
@@ -386,12 +382,10 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     np.testing.assert_allclose(
         estimate(short, "tomography", every=5.0).theta, THETA, atol=0.2
     )
-    found = [
-        estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)
-    ]  # one noise in
-    assert (
-        np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95
-    )  # five segments
+    # one noise in
+    found = [estimate(read_with_noise(k, period=10.0), every=2.0) for k in range(4)]
+    # five segments
+    assert np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95
     beside = read_with_noise(0, period=0.25)
     said = r"the noise each 0\.25 s; run it with a step"
     refuses(said, estimate, beside, error=clpt.ScenarioError)

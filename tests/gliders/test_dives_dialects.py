@@ -18,9 +18,8 @@ from clpt_control.replay import replay_dives
 DATE_LINE = 180.0 - made.DRIFT / 2
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
 NO_STEPS = (*STEPS, "DAVG_CURR_EAST", "DAVG_CURR_NORTH")
-FIX = np.flatnonzero(
-    np.isfinite(og1_rows()["LATITUDE_GPS"])
-)  # rows: GPS1, GPS2, GPSE of each dive
+# rows: GPS1, GPS2, GPSE of each dive
+FIX = np.flatnonzero(np.isfinite(og1_rows()["LATITUDE_GPS"]))
 TURNED = {"MAGNETIC_VARIATION": ((), made.VARIATION, {})}
 
 
@@ -74,10 +73,8 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
 
 
 def test_the_track_has_the_times_of_its_displacement(tmp_path):
-    for drop, first in (
-        ((), 60.5),
-        (("ctd_time",), 60.0),
-    ):  # ctd_time is half a second later
+    for drop, first in (((), 60.5), (("ctd_time",), 60.0)):
+        # ctd_time is half a second later
         dive = dives_in(basestation(tmp_path / "a.nc", drop=drop))[0]
         assert dive.track[0][1] == pytest.approx(first, abs=1e-6)
 
@@ -87,9 +84,8 @@ def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
     risen = {"ctd_time": (made.CTD, made.T0 + 60000.0 + since, made.EPOCH)}
     dive = dives_in(basestation3(tmp_path / "risen.nc", **risen))[0]
     assert dive.dr_east == pytest.approx(made.SWUM[0])
-    down = {
-        "ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)
-    }  # still deep then
+    # still deep then
+    down = {"ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)}
     dive = dives_in(basestation3(tmp_path / "cut.nc", **risen, **down))[0]
     assert usable([dive])[0] == []
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
@@ -267,11 +263,8 @@ def test_fixes_that_are_none_are_left_out_and_said(tmp_path):
     columns["LATITUDE_GPS"][FIX[2]] = 91.0  # GPSE of the first dive
     columns["LONGITUDE_GPS"][FIX[5]] = 0.0  # GPSE of the second: 0 N 0 E
     dives = mission(tmp_path, columns)
-    assert [dive.t_gpse - made.T0 for dive in dives] == [
-        9700,
-        19700,
-        29000,
-    ]  # GPS1 of the next
+    # GPS1 of the next
+    assert [dive.t_gpse - made.T0 for dive in dives] == [9700, 19700, 29000]
     assert [way(dive) == pytest.approx(made.SWUM) for dive in dives] == [True] * 3
     assert [bool(dive.notes) for dive in dives] == [True, True, False]
     assert (

@@ -67,13 +67,8 @@ def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
 
 @pytest.mark.slow
 def test_the_shipped_table_is_that_of_the_whole_files(shared):
-    left = (
-        "track",
-        "notes",
-        "vehicle",
-        "kind",
-        "next_course",
-    )  # what whole files alone hold
+    # what whole files alone hold
+    left = ("track", "notes", "vehicle", "kind", "next_course")
     ones, others = (
         [
             {key: value for key, value in vars(dive).items() if key not in left}
@@ -184,17 +179,15 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
         )
         assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
         used, skipped = usable(dives)
-        (climb,) = (
-            one.why for one in skipped if one.dive == 5
-        )  # whose samples are missing
+        # whose samples are missing
+        (climb,) = (one.why for one in skipped if one.dive == 5)
         assert re.search(
             r"no samples for 3\d\d\d s of 5065 s, from 2\d\d m depth on", climb
         )
         assert 6 in [dive.number for dive in used]
         for dive in used:
-            assert dive.turned == pytest.approx(
-                -37.0, abs=0.2
-            )  # of the Labrador Sea, 2004
+            # of the Labrador Sea, 2004
+            assert dive.turned == pytest.approx(-37.0, abs=0.2)
             assert (dive.dr_east, dive.dr_north) == pytest.approx(
                 swum_in(data, dive, dive.turned)
             )
@@ -241,9 +234,8 @@ def test_a_spray_says_where_its_dives_ended(facts):
     dives, skipped = read_dives(path)
     with netCDF4.Dataset(path) as data:
         assert np.ma.count(data["latitude_gps"][:]) == 0
-        row = {
-            int(n): k for k, n in enumerate(data["profile_index"][:])
-        }  # the last of each
+        # the last of each
+        row = {int(n): k for k, n in enumerate(data["profile_index"][:])}
         deep = {
             n for n in row if data["depth"][:][data["profile_index"][:] == n].max() > 5
         }

@@ -75,12 +75,8 @@ def test_code_comes_back_whole_or_not_at_all(folder):
     assert cached_code("other") is None
     path = folder / "some.o"
     whole = path.read_bytes()
-    for damaged in (
-        whole[:-4],
-        b"",
-        whole[:20],
-        b"9" + whole[1:],
-    ):  # as after a full disk
+    for damaged in (whole[:-4], b"", whole[:20], b"9" + whole[1:]):
+        # as after a full disk
         path.write_bytes(damaged)
         assert cached_code("some") is None
     path.write_bytes(whole)

@@ -106,9 +106,8 @@ def both(a):
     return a * RNG.choice([-1.0, 1.0], COUNT)
 
 
-QUARTERS = np.round(uniform(0, 60000)) * (
-    math.pi / 2
-)  # where sin or cos nearly vanishes
+# where sin or cos nearly vanishes
+QUARTERS = np.round(uniform(0, 60000)) * (math.pi / 2)
 ACCURACY = {
     "exp": (3e-16, [uniform(-700, 709), uniform(-1, 1), both(powers(-20, 0))]),
     "log": (3e-16, [powers(-307, 308), uniform(0.5, 2), 1 + both(powers(-12, -1))]),

@@ -91,10 +91,8 @@ def test_a_guard_that_no_run_could_ask_is_refused(guard, said):
 @every_engine
 @pytest.mark.parametrize("level", [0.5, 1.0, 2.0, 3.0, 4.0])
 def test_a_run_that_ends_at_a_sample_has_it_once(engine, level):
-    rising, times = (
-        control.ss(0, 1, 1, 0, name="rising"),
-        np.linspace(0.0, 5.0, 51),
-    )  # y = t
+    # y = t
+    rising, times = (control.ss(0, 1, 1, 0, name="rising"), np.linspace(0.0, 5.0, 51))
     run = clpt.simulate(
         rising, times, 1.0, engine=engine, stop=lambda t, y, u: level - y[0]
     )

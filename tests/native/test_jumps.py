@@ -215,10 +215,8 @@ def test_a_block_that_jumps_conforms_is_copied_and_pickled():
 
 # --- random linear blocks that jump, against matrix exponentials --------------------------------
 
-END, PERIODS = (
-    2.0,
-    (0.4, 0.5, 0.75, 1.0, 5.0),
-)  # some breakpoints coincide, some at the end
+# some breakpoints coincide, some at the end
+END, PERIODS = (2.0, (0.4, 0.5, 0.75, 1.0, 5.0))
 
 
 class Linear(NamedTuple):

@@ -48,10 +48,8 @@ def test_a_run_that_begins_on_a_kink_leaves_it(speed, gain):
 
 def behind(t):
     """The driving side less half the gap, or what was reached last: 1.5, then -1.5 and so on."""
-    wave, half = (
-        2.0 * np.sin(t),
-        (t - np.pi / 2) // np.pi,
-    )  # turns of the driving side so far
+    # turns of the driving side so far
+    wave, half = (2.0 * np.sin(t), (t - np.pi / 2) // np.pi)
     down, up = np.minimum(wave + 0.5, 1.5), np.maximum(wave - 0.5, -1.5 * (half > 0))
     return np.where(half % 2 == 0, down, up)
 

@@ -204,9 +204,8 @@ def test_many_runs_begin_with_what_is_held():
     found = native.run_many(starts, TIMES[:4], **close)
     alone = [native.run(start, TIMES[:4], **close) for start in starts]
     np.testing.assert_allclose(found, [one.x for one in alone], atol=1e-9)
-    assert (
-        found[:, 0, 0].tolist() == starts[:, 2].tolist()
-    )  # y, not the 9 that was given
+    # y, not the 9 that was given
+    assert found[:, 0, 0].tolist() == starts[:, 2].tolist()
     signals = [native.signals(one)[:, 0] for one in alone]
     np.testing.assert_allclose(signals, -3.0 * found[:, :, 2], atol=1e-9)
     step = native.run(starts[3], TIMES[:4], step=0.05).x

@@ -17,9 +17,8 @@ from clpt_control.engine.solver.runner import PythonDiagram
 every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 
 
-HUNTED, _ = written(
-    "q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)"
-)  # Lotka and Volterra's equations
+# Lotka and Volterra's equations
+HUNTED, _ = written("q' = q*(1.1 - 0.9*r); r' = r*(1.3*q - 0.7)")
 START, TIMES = np.array([1.0, 0.4]), np.linspace(0.0, 9.0, 91)
 
 

@@ -20,9 +20,8 @@ from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.native import NativeDiagram
 
-sys.path.insert(
-    0, str(Path(__file__).parents[2])
-)  # benchmarks/ is no installed package
+# benchmarks/ is no installed package
+sys.path.insert(0, str(Path(__file__).parents[2]))
 
 from benchmarks.stiff_problems import PROBLEMS
 
@@ -295,9 +294,8 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     found = ended(0.01, 1e6, 0.02, 3e5)
     assert list(found.status) == [Status.FINISHED] * 4
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
-    beside = ended(
-        3e5, *np.geomspace(1e4, 1e7, 9), 1e6
-    )  # others, each stiff in its time
+    # others, each stiff in its time
+    beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
     np.testing.assert_array_equal(
         ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1))
@@ -305,7 +303,6 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     runner, start = loop_of({**values, "learning.gain": 1e6})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
-    apart = (
-        1e-3 if lanes else 1e-12
-    )  # lanes sum in another order, so that errors are others
+    # lanes sum in another order, so that errors are others
+    apart = 1e-3 if lanes else 1e-12
     np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)

@@ -129,9 +129,8 @@ def test_a_relay_in_a_loop_has_the_period_of_the_textbook(engine):
     h, k = 0.3, np.arange(8)
     switch = parts.relay(on=h, off=-h, low=1.0, high=-1.0, lag=1e-3, u="x", y="u")
     loop = clpt.connect([switch, parts.lag(1.0, u="u", y="x")])
-    turns = np.log(1 / (1 - h)) + k * np.log(
-        (1 + h) / (1 - h)
-    )  # the first from 0 up to h
+    # the first from 0 up to h
+    turns = np.log(1 / (1 - h)) + k * np.log((1 + h) / (1 - h))
     times = np.array([0.0, *np.sort([*turns, *(turns + 0.1)])])
     turning, after = (
         run(loop, times, engine=engine).x.values[1:].reshape(8, 2).T * (-1.0) ** k

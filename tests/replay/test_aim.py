@@ -103,9 +103,8 @@ def test_speed_and_compass_are_corrected():
         leg = aims(replay, [away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
         assert leg.speed_expected == pytest.approx(0.25, rel=0.02)
-        assert leg.current == pytest.approx(
-            (0.0, 0.0), abs=4e-3
-        )  # none of it is the current's
+        # none of it is the current's
+        assert leg.current == pytest.approx((0.0, 0.0), abs=4e-3)
         assert leg.made_good == pytest.approx(3600, rel=0.02)
 
 
@@ -122,9 +121,8 @@ def test_what_cannot_be_made_is_said():
     assert near.left < 5
     fast = known(0.25 - 1e-7, 0.0)  # m/s; as fast as the vehicle, all but
     legs = aims(fast, [away(fast, -500e3, 0.0), (40.0, 0.0)], speed=0.2502)
-    assert [leg.state for leg in legs] == [
-        UNDER_WAY
-    ]  # what takes years has none after it
+    # what takes years has none after it
+    assert [leg.state for leg in legs] == [UNDER_WAY]
     assert json.dumps(legs[0].as_dict(), allow_nan=False)
 
 
@@ -148,9 +146,8 @@ def test_legs_follow_one_another():
     one, two = aims(replay, [first, second])
     assert (two.ahead.plan.lat_gps2, two.ahead.plan.lon_gps2) == first
     assert two.distance == pytest.approx(math.hypot(*displacement(*first, *second)))
-    took = one.dives * 14400 + 600 * math.floor(
-        one.dives
-    )  # at the surface between the dives
+    # at the surface between the dives
+    took = one.dives * 14400 + 600 * math.floor(one.dives)
     assert one.dives > 5
     assert one.as_dict()["hours"] == pytest.approx(took / 3600)
     later = one.ahead.plan.t_gps2 + took + 600
@@ -258,9 +255,8 @@ def test_who_knows_less_arrives_less_surely(steady):
 
 def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
     monkeypatch.setattr(route, "DIVES", 5)
-    monkeypatch.setattr(
-        route, "MOST_DRAWN", 12
-    )  # of 5 dives each: three of thirty draws
+    # of 5 dives each: three of thirty draws
+    monkeypatch.setattr(route, "MOST_DRAWN", 12)
     found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
     assert route_sentences(found)[0].endswith(

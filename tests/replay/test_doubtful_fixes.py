@@ -125,9 +125,8 @@ def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator,
     dives, replay, forecasts = with_wild(fix), Replay(estimator), []
     for k, dive in enumerate(dives):
         mean, covariance = replay.forecast(dive)
-        replay.forecast(
-            moved(dive, "gps2", 3e3, 0.0)
-        )  # a start elsewhere: it leaves no trace
+        # a start elsewhere: it leaves no trace
+        replay.forecast(moved(dive, "gps2", 3e3, 0.0))
         assert np.array_equal(
             mean, replay.forecast(moved(dive, "gpse", 900.0, -700.0))[0]
         )
@@ -211,9 +210,8 @@ def test_lost_speed_is_flagged(case):
     "case", [{}, {"noise": 0.02}, {"walk": 0.03}, {"flow": "inertial"}]
 )
 def test_healthy_vehicles_are_left_alone(case):
-    assert (
-        sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4
-    )  # of 400
+    # of 400
+    assert sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4
 
 
 def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():

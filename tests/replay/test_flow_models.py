@@ -229,9 +229,8 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
             covered
             or found.uncovered == "outside the forecast's steps, or in a gap of them"
         )
-    coarser = np.array(
-        [*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0]
-    )  # 1, 3 and 6 h
+    # 1, 3 and 6 h
+    coarser = np.array([*range(10), 12.0, 15.0, 18.0, 21.0, 27.0, 33.0, 39.0])
     u = np.full((len(coarser), len(LAT), len(LON)), 0.2)
     model = model_of(tmp_path / "coarser.nc", u, 0 * u, hours=coarser)
     for hour in range(0, 33, 4):

@@ -90,9 +90,8 @@ def test_sixty_dives_are_small_and_one_is_enough():
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
     rows = [names["id"] for tag, names in tags if tag == "tr" and "id" in names]
-    links = [
-        names["href"] for tag, names in tags if tag == "a"
-    ]  # a fix leads to its row
+    # a fix leads to its row
+    links = [names["href"] for tag, names in tags if tag == "a"]
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
     one = told(fixes_of(1))
@@ -160,9 +159,8 @@ def test_a_ring_is_the_ellipse_on_the_earth(lat):
     assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
     assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
     bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
-    assert (
-        abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0
-    )  # meridians turn
+    # meridians turn
+    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0
 
 
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
@@ -175,9 +173,8 @@ def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
     }
     ring, goal = np.array(shapes["90 % ellipse"][0]), shapes["next surfacing"]
     assert ring[0].tolist() == ring[-1].tolist()
-    assert (
-        np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0
-    )  # counter-clockwise
+    # counter-clockwise
+    assert np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0
     assert any(
         Path(ring).contains_point((goal[0] + turn, goal[1])) for turn in (-360, 0, 360)
     )
@@ -274,9 +271,8 @@ def test_a_seaglider_gets_targets_and_a_true_heading():
     assert [one["goto"] for one in read.values()] == ["AIM2", "AIM3", "AIM3"]
     said = re.search(r"\$HEADING,(\d+\.\d)", found["paste"]["text"])
     assert float(said[1]) == pytest.approx(found["aim"][0]["heading"], abs=0.051)
-    assert (
-        "$NAV_MODE,0" in found["paste"]["text"]
-    )  # or it would correct for the current again
+    # or it would correct for the current again
+    assert "$NAV_MODE,0" in found["paste"]["text"]
 
 
 def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():

@@ -239,10 +239,8 @@ def test_dive_by_dive_is_all_at_once(steps):
     growing = Replay()
     for count in (1, 2, 5, 5, 9, 14):
         assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
-    for more, once in (
-        ({"dac_east": 0.1}, True),
-        ({}, False),
-    ):  # NaN is never taken as the same
+    for more, once in (({"dac_east": 0.1}, True), ({}, False)):
+        # NaN is never taken as the same
         steps.clear()
         growing = Replay()
         for count in range(1, 15):

@@ -263,9 +263,8 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
         "8.0",
         "--json",
     )
-    for _ in range(
-        2
-    ):  # its own results, which lie in the folder by default, are no dives
+    for _ in range(2):
+        # its own results, which lie in the folder by default, are no dives
         done = follow(tmp_path, *words)
         found = json.loads(done.stdout)
         assert (found["used"], found["aim"]) == (1, [])
@@ -284,10 +283,8 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
 def test_the_line_of_following(follow, tmp_path):
     dives = sample_dives()[:3]
     one_file_each(tmp_path, dives)
-    way, (*_, last) = (
-        tmp_path / "way.txt",
-        dives,
-    )  # what it is near is made: the next is aimed at
+    # what it is near is made: the next is aimed at
+    way, (*_, last) = (tmp_path / "way.txt", dives)
     way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-42.5 8.0\n")
     done = follow(tmp_path, "--route", way, "--json")
     line = next(line for line in done.stderr.splitlines() if "dives used" in line)

@@ -199,9 +199,8 @@ def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
     assert np.size(axes) == count
     for ax in np.ravel(axes):
         assert {*COLOURS[:2]} <= {line.get_color() for line in ax.lines}
-        named = [
-            one for one in ax.lines if one.get_label()[0] != "_"
-        ]  # marked, in black and white
+        # marked, in black and white
+        named = [one for one in ax.lines if one.get_label()[0] != "_"]
         named = [one for one in named if one.get_linestyle() != "None"]
         marks = {line.get_color(): line.get_marker() for line in named}
         assert marks[COLOURS[0]] != marks[COLOURS[1]]

@@ -134,10 +134,8 @@ def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
     count = control.nlsys(lambda t, x, u, p: [x[0] + 1], None, dt=h, **names)
     lag = control.tf(1, [1, 1], inputs="n", outputs="y", name="lag")
     made = InC(clpt.connect([count, lag], external="u"), tmp_path)
-    for t, step, steps in (
-        (0.0, h, 20_000),
-        (90_000.0, h / 4, 8000),
-    ):  # 20 s; after 25 hours
+    for t, step, steps in ((0.0, h, 20_000), (90_000.0, h / 4, 8000)):
+        # 20 s; after 25 hours
         x, u = np.zeros(made.counts["x"]), np.zeros(1)
         made.call("begin", [t], x, u, made.p)
         for _ in range(steps):
@@ -174,9 +172,8 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
         control.ss(-2, 1, 1, 0, name=a + b, inputs=a, outputs=b)
         for a, b in ("uv", "vy")
     ]
-    assert "_np = 6" in clpt.export_c(
-        clpt.connect(lags, external="u")
-    )  # each has its own three
+    # each has its own three
+    assert "_np = 6" in clpt.export_c(clpt.connect(lags, external="u"))
 
 
 @needs_cc

@@ -141,10 +141,8 @@ def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
         importer(clpt.parts.pid(1.0, 0.2)).kinds[f"pid.{end}"]
         for end in ("low", "high")
     ]
-    assert [one["start"] for one in limits] == [
-        "-INF",
-        "INF",
-    ]  # XML Schema, part 2, 3.2.5
+    # XML Schema, part 2, 3.2.5
+    assert [one["start"] for one in limits] == ["-INF", "INF"]
 
 
 @pytest.mark.parametrize("lost", ["a compiler", "a folder"])
@@ -160,9 +158,8 @@ def test_where_nothing_can_be_compiled_it_holds_its_source(
     assert (tmp_path / "lag.fmu").read_bytes() == (tmp_path / "again.fmu").read_bytes()
     assert "clpt: the FMU holds its source alone" in capsys.readouterr().err
     with zipfile.ZipFile(tmp_path / "lag.fmu") as file:
-        source = file.getinfo(
-            f"sources/{'lag' * 20}.c"
-        )  # a name that a folder may hold
+        # a name that a folder may hold
+        source = file.getinfo(f"sources/{'lag' * 20}.c")
         assert not [name for name in file.namelist() if name.startswith("binaries")]
     assert source.compress_size < 0.5 * source.file_size
 

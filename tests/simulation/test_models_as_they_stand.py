@@ -183,9 +183,8 @@ def test_what_is_told_of_a_circle_a_start_and_a_matrix_that_is_none():
         T,
         1.0,
     )
-    with pytest.raises(
-        BlockError, match=r"unknown parameter 'plant\.D'"
-    ):  # it has none to change
+    with pytest.raises(BlockError, match=r"unknown parameter 'plant\.D'"):
+        # it has none to change
         clpt.simulate(servo(), T, 1.0, params={"plant.D": [[1.0]]})
     with pytest.warns(UserWarning, match="filled with zeros"):
         clpt.simulate(pendulum(), T, 0.0, np.array([0.4]))

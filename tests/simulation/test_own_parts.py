@@ -130,9 +130,8 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     np.testing.assert_array_equal(
         from_ten.states, clpt.simulate(later, [10.0, 12.0]).states
     )
-    moved = (
-        clpt.initial_state(later) + 0.25
-    )  # a scenario's is at t = 0, a diagram's at once
+    # a scenario's is at t = 0, a diagram's at once
+    moved = clpt.initial_state(later) + 0.25
     run = clpt.simulate(loop(later), [10.0, 12.0], initial_state=moved)
     np.testing.assert_array_equal(clpt.state_at(run, 10.0), moved)
     run = clpt.simulate(later, [10.0, 12.0], initial_state=moved)
@@ -334,9 +333,8 @@ def test_a_run_is_that_of_the_scenario_that_says_so(name, key, value, tmp_path):
     run = clpt.simulate(PAPER, params={name: value})
     own = clpt.simulate(PAPER.with_values({key: value}))
     assert_allclose(run.drop_attrs()[list(own)], own.drop_attrs(), rtol=1e-6, atol=1e-9)
-    assert np.all(
-        np.diff(run.lyapunov.values) <= 1e-9
-    )  # V of the parameters that ran falls
+    # V of the parameters that ran falls
+    assert np.all(np.diff(run.lyapunov.values) <= 1e-9)
     clpt.save_run(run, tmp_path / "run.nc")
     with pytest.raises(DataError, match=rf"parameters given at call time.*{name}"):
         clpt.load_scenario(tmp_path / "run.nc")

@@ -46,9 +46,8 @@ CONVERTER = control.nlsys(
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_inputs_at_samples_are_those_given(engine):
     for end, count in ((4.0, 41), (1.3, 24), (0.7, 8)):
-        given = np.linspace(
-            -5, 5, count
-        )  # a ramp, of which sums are not those of linspace
+        # a ramp, of which sums are not those of linspace
+        given = np.linspace(-5, 5, count)
         run = clpt.simulate(CONVERTER, np.linspace(0, end, count), given, engine=engine)
         assert run.attrs["engine"] == engine
         wanted = np.transpose([given, np.floor(given), np.ceil(given)])
@@ -138,9 +137,8 @@ def test_units_and_dimensions():
 
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_samples_that_miss_a_jump_by_rounding_are_right_limits(engine):
-    hour = (
-        1 / 3600
-    )  # so that k of a step often lies just below the same time as j dwells
+    # so that k of a step often lies just below the same time as j dwells
+    hour = 1 / 3600
     scenario = clpt.paper_scenario().with_values(
         {
             "reference.dwell": 5 * hour,
@@ -186,9 +184,8 @@ def test_a_calm_run_says_nothing_and_its_share_is_right():
     run = clpt.simulate(drifting(**start))
     assert run.attrs["message"] == "finished: the end of the span was reached"
     share = run.attrs["share_at_speed_limit"]
-    assert share == pytest.approx(
-        0.25, abs=1 / 128
-    )  # the sample where it ends may count
+    # the sample where it ends may count
+    assert share == pytest.approx(0.25, abs=1 / 128)
     assert np.hypot(*run.velocity.values.T).max() <= 1.0 + 1e-12
     np.testing.assert_allclose(np.hypot(*run.commanded_velocity.values[0]), 5.0)
     assert (

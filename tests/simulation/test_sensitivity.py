@@ -64,9 +64,8 @@ def test_closed_forms():
     found = clpt.sensitivity(plant, times, to=["plant.A[1,0]", "x0"], initial_state=[1.0, 0.0],
                              **EXACT)  # fmt: skip
     big = np.kron(np.eye(2), plant.A) + np.kron([[0, 0], [1, 0]], [[0, 0], [1, 0]])
-    for k, t in enumerate(
-        times
-    ):  # Van Loan: the exponential of a matrix and of its slope
+    for k, t in enumerate(times):
+        # Van Loan: the exponential of a matrix and of its slope
         whole = expm(t * big)
         assert found.states[k, :, 1:].values == pytest.approx(
             expm(t * plant.A), abs=1e-9
@@ -165,9 +164,8 @@ def test_before_and_behind_a_jump_all_is_known():
     assert not before.x.values.any()
     times = np.linspace(0.0, 3.5, 36)
     found = clpt.sensitivity(clpt.connect([teeth()]), times, "x", ["teeth.slope", "x0"])
-    assert found.x[-1].values == pytest.approx(
-        [0.5 + 0.875, 0.125]
-    )  # S halves at each jump
+    # S halves at each jump
+    assert found.x[-1].values == pytest.approx([0.5 + 0.875, 0.125])
 
 
 def gain(output):

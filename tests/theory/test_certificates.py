@@ -136,9 +136,8 @@ def test_the_corrected_bound_is_never_violated(group):
     KD, gain, window = GROUPS[group]
     *w, weights = random_regressors(20 + group, window)
     drop, rho = window_drops(regressors(*w), weights, KD, gain)
-    A = _pushed(
-        error_matrices(*w, KD, gain)
-    )  # the transition of each, beside a push on e
+    # the transition of each, beside a push on e
+    A = _pushed(error_matrices(*w, KD, gain))
     steps = [
         collocated(A[..., k, :, :, :], length)
         for k, length in enumerate(weights.sum(1))

@@ -35,9 +35,8 @@ from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
 
 
-design_track = partial(
-    clpt.theory.design_track, goal="kappa"
-)  # for the smallest eigenvalue
+# for the smallest eigenvalue
+design_track = partial(clpt.theory.design_track, goal="kappa")
 SLOW = pytest.mark.slow
 
 

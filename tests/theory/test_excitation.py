@@ -280,9 +280,8 @@ def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(key, value):
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
 
 
-@pytest.mark.parametrize(
-    "rough", [regressor.ROUGH, 1e6]
-)  # then each has its own pieces
+# then each has its own pieces
+@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])
 def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
     monkeypatch.setattr(regressor, "ROUGH", rough)
     of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs

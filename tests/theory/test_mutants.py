@@ -31,9 +31,8 @@ SOURCES = (".flow", "reference", "disturbance", "field", "localization")
 def run_by(block):
     """The functions that a block runs itself."""
     run = (block.update_function, block.output_function, block.jump_function)
-    own = [
-        getattr(function, "beside", function) for function in run
-    ]  # of a law's output
+    # of a law's output
+    own = [getattr(function, "beside", function) for function in run]
     return [function for function in own if isinstance(function, FunctionType)]
 
 

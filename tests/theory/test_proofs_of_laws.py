@@ -311,12 +311,10 @@ def test_every_step_is_shown(monkeypatch):
     steps = fix_steps(FIXES, 50)
     assert [step.how for step in steps] == ["exact", "exact", "sampled"]
     assert all(step.holds for step in steps)
-    assert "V" in AtFixes(FIXES, 1, late=False).after(
-        ARRIVE, 1, off=1
-    )  # a fix that is not exact
-    monkeypatch.setattr(
-        invariants, "MOVING", ("x", "z")
-    )  # a law that forgets the integral
+    # a fix that is not exact
+    assert "V" in AtFixes(FIXES, 1, late=False).after(ARRIVE, 1, off=1)
+    # a law that forgets the integral
+    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))
     assert not fix_steps(FIXES, 10)[0].holds
 
 

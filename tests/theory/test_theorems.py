@@ -162,10 +162,8 @@ def test_a_step_that_cannot_be_checked_fails():
         False,
         "cannot be checked: alpha' has no value",
     )
-    for asked in (
-        checked,
-        proof_or_failure,
-    ):  # an error of the package says nothing of a claim
+    for asked in (checked, proof_or_failure):
+        # an error of the package says nothing of a claim
         with pytest.raises(ZeroDivisionError):
             asked("one over zero", lambda: 1 / 0)
 

@@ -61,14 +61,12 @@ class Known(NamedTuple):
     position: np.ndarray  # shape (2,), x(0), length
     alpha: np.ndarray  # shape (2, N), alpha(0), length per time
     theta_estimate: np.ndarray  # shape (2, N), given, or alpha_M, length per time
-    settings: Mapping[
-        str, Any
-    ]  # every key of the law's own table, its value or default
+    # every key of the law's own table, its value or default
+    settings: Mapping[str, Any]
     GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
     fixes: Fixes | None = None  # None: the position is read at all times
-    limited: bool = (
-        False  # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
-    )
+    # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
+    limited: bool = False
 
     @property
     def cycle(self) -> float:
@@ -163,17 +161,11 @@ class State(NamedTuple):
 
 
 PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
-MOVING = {
-    **PAPER,
-    "x": 2,
-    "v_x": 2,
-}  # and of laws that read where the vehicle was carried
+# and of laws that read where the vehicle was carried
+MOVING = {**PAPER, "x": 2, "v_x": 2}
 BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # of V by P
-LEARNED = {
-    "alpha": State((2, "N")),
-    "K": State(2),
-    "Gamma": State(2),
-}  # the outputs of a law
+# the outputs of a law
+LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}
 # gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
@@ -205,9 +197,8 @@ class Law(NamedTuple):
 
     name: str  # learning.law; its own table is learning.NAME, with _ for -
     rates: Callable[..., Any]  # the rates of its states; their docstring is its page
-    family: Callable[..., Any] | None = (
-        None  # whose docstring is the page of several laws
-    )
+    # whose docstring is the page of several laws
+    family: Callable[..., Any] | None = None
     needs: str = ""  # one line
     # a key of its own table; the name of what is known, as it is; or what makes it of what is known
     parameters: Mapping[str, Any] = GAINS
@@ -221,40 +212,33 @@ class Law(NamedTuple):
     breakpoints: Callable[..., np.ndarray] | None = None
     candidate: Callable[..., Any] | None = None  # V, where it is not Eq. (17) or (24)
     V_inputs: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # e and outputs of the law
-    V_gain: Callable[[Any], float] = lambda p: p.get(
-        "gain", 1.0
-    )  # the gain of alpha in V
-    check: Callable[[Any, Known], None] = lambda law, known: (
-        None
-    )  # raises where it cannot run
+    # the gain of alpha in V
+    V_gain: Callable[[Any], float] = lambda p: p.get("gain", 1.0)
+    # raises where it cannot run
+    check: Callable[[Any, Known], None] = lambda law, known: None
     # for the proof, of (states, parameters, truth): state -> what it is in the others, at all times
     invariants: Callable[..., dict[str, Any]] | None = None
     semidefinite: tuple[str, ...] = ()  # states that are matrices M = M^T >= 0
     # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
-    perturbation: Callable[..., Any] | None = (
-        None  # what V' has beside, which bounds the law
-    )
-    weighted_error: Callable[..., Any] | None = (
-        None  # eta P^-1, of a law with a covariance P
-    )
+    # what V' has beside, which bounds the law
+    perturbation: Callable[..., Any] | None = None
+    # eta P^-1, of a law with a covariance P
+    weighted_error: Callable[..., Any] | None = None
     # V of such a law of its input eta P^-1, which is what it is anywhere, not as the invariants say
     candidate_by_P: Callable[..., Any] | None = None
     # of a law that makes an estimate: (d P^-1 d^T)', d = theta_hat - theta; its states have d P^-1
     # too, shape (2, N)
     error_growth: Callable[..., Any] = lambda states, p, truth: 0
-    error_left: str = (
-        ""  # a state w: every parameter's error is w times its first, and w' <= 0
-    )
+    # a state w: every parameter's error is w times its first, and w' <= 0
+    error_left: str = ""
     readout: str = ""  # an output that is theta once w has fallen
     V_rate: str = ""  # V' in words
     promises: tuple[Promise, ...] = ()
-    doubt: Callable[[Any, Truth], str] = lambda p, truth: (
-        ""
-    )  # why it need not keep its promise
-    level: Callable[[Any, Truth, float], float] | None = (
-        None  # of V, of the largest disturbance
-    )
+    # why it need not keep its promise
+    doubt: Callable[[Any, Truth], str] = lambda p, truth: ""
+    # of V, of the largest disturbance
+    level: Callable[[Any, Truth, float], float] | None = None
 
     @property
     def table(self) -> str:

@@ -151,10 +151,8 @@ def pulling_memory(Q: str, b: str) -> Part:
 def gain_rates(x, u, p):
     """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
     y = getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
-    w, kappa = (
-        np.stack([-u.x, u.zc]).T,
-        np.stack([x.K, x.Gamma]).T,
-    )  # a row for each axis
+    # a row for each axis
+    w, kappa = (np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T)
     G_w = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2
     size, m_w = 1 + np.sum(G_w * w, axis=1), 0.1 * p.rate * G_w
     Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])

@@ -152,16 +152,8 @@ def next_window(t, x, u, p):
     }
 
 
-CONTINUOUS = (
-    "alpha",
-    "K",
-    "Gamma",
-    "S",
-    "B",
-    "Q_1",
-    "Q_2",
-    "b_v",
-)  # where a window ends
+# where a window ends
+CONTINUOUS = ("alpha", "K", "Gamma", "S", "B", "Q_1", "Q_2", "b_v")
 WINDOW: dict[str, Any] = {
     "states": {
         "Phi": State("N"),

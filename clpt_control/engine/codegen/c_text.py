@@ -44,10 +44,8 @@ class CRecord(DiagramRecord):
     """A diagram whose inputs are an array, and whose intervals and jumps another."""
 
     def __init__(self, wiring: Any, layout: Layout):
-        self.set_by_integrator = [
-            *layout.intervals.values(),
-            *layout.jumps.values(),
-        ]  # places in P
+        # places in P
+        self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]
         super().__init__(wiring, layout, "free")
 
     def _inputs(self) -> int:

@@ -33,11 +33,8 @@ from .switching_conditions import LOCKED, Decisions, Port
 SHORT = 16
 NAMED = 2
 SIGNED = named(lambda row: row.signed_zero)
-FOLDS = {
-    "asin": "sin",
-    "acos": "cos",
-    "atan": "tan",
-}  # inverses, of which angles are folded
+# inverses, of which angles are folded
+FOLDS = {"asin": "sin", "acos": "cos", "atan": "tan"}
 WIRE = -1  # the owner of the operations of wires
 LARGE = 512  # numbers: a larger array is a table that runs share
 # the lengths from which on an axis without and with a name loops, and whether decisions are locked
@@ -65,18 +62,14 @@ class Slot(NamedTuple):
 class Layout:
     """The slots of all parameters of a diagram, and the diagram's own values of P and T."""
 
-    slots: dict[tuple[int, str], Slot] = field(
-        default_factory=dict
-    )  # of (block, field)
-    intervals: dict[int, int] = field(
-        default_factory=dict
-    )  # block -> its `interval` in P
-    jumps: dict[int, int] = field(
-        default_factory=dict
-    )  # block -> place in P: `JUMPS` or 0
-    time_tables: dict[tuple, TimeTable] = field(
-        default_factory=dict
-    )  # by rows, shift and side
+    # of (block, field)
+    slots: dict[tuple[int, str], Slot] = field(default_factory=dict)
+    # block -> its `interval` in P
+    intervals: dict[int, int] = field(default_factory=dict)
+    # block -> place in P: `JUMPS` or 0
+    jumps: dict[int, int] = field(default_factory=dict)
+    # by rows, shift and side
+    time_tables: dict[tuple, TimeTable] = field(default_factory=dict)
     P: np.ndarray = field(default_factory=lambda: np.zeros(0))
     T: np.ndarray = field(default_factory=lambda: np.zeros(1))  # never empty
 

@@ -31,9 +31,8 @@ from .diagram_record import DiagramRecord
 from .switching_conditions import Port
 
 JUMPING = named(lambda row: row.smoothness >= JUMP)
-Varied = tuple[
-    tuple[int, str, int], ...
-]  # (block, field, index in it) of varied parameters
+# (block, field, index in it) of varied parameters
+Varied = tuple[tuple[int, str, int], ...]
 
 
 class Directions(NamedTuple):
@@ -169,9 +168,8 @@ def place_of(
     if key in names or len(arrays) != 1:
         candidates = names.get(key, ())
         return candidates[0] if len(candidates) == 1 else None
-    if not re.fullmatch(
-        r"\d+(\s*,\s*\d+)*", inside
-    ):  # -1 and 0:2 are no single elements
+    if not re.fullmatch(r"\d+(\s*,\s*\d+)*", inside):
+        # -1 and 0:2 are no single elements
         return None
     location = arrays[0]
     if not location.fields:

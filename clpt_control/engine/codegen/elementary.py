@@ -21,9 +21,8 @@ import numpy as np
 
 from ..trace.elementwise import elementwise, where
 
-MAGIC = (
-    6755399441055744.0  # 1.5 * 2^52: added to a whole number, it stands in the low bits
-)
+# 1.5 * 2^52: added to a whole number, it stands in the low bits
+MAGIC = 6755399441055744.0
 LN2 = 0.6931471805599453
 LN2_LOW = 2.3190468138462996e-17
 LOG2_E = 1.4426950408889634

@@ -369,9 +369,8 @@ class Components(Elements):
         for index in product(*indices):
             terms = zip(index, row_strides(shape), strict=True)
             start, strides = _strides(offset, terms)
-            loop_numbers = {
-                symbol: k for k, symbol in enumerate(strides)
-            }  # outermost first
+            # outermost first
+            loop_numbers = {symbol: k for k, symbol in enumerate(strides)}
             number = self.as_number(element(ref, index))
             value = with_axes(number, loop_numbers)
             lengths = tuple([length for length, _ in strides])

@@ -41,9 +41,8 @@ ARRAYS = ("t", "X", "P", "T", "W", "D")
 UNROLLED = 4  # the longest loop of one run that unrolls
 UNROLLED_RUNS = 8  # the longest inner loop, or loop of eight runs, that unrolls
 CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
-MOST_INLINED = (
-    64  # calls of a function; LLVM takes minutes for thousands in one piece of code
-)
+# calls of a function; LLVM takes minutes for thousands in one piece of code
+MOST_INLINED = 64
 SLOW = 5  # a root or a quotient takes as long as so many operations
 Terms = Sequence[tuple[Any, int]]  # index and stride of each loop
 
@@ -81,9 +80,8 @@ class LLVMPrinter(LoopPrinter):
         )
         self.lanes = lanes
         self.active = LANES  # of eight iterations at once, those that the mask leaves
-        self.has_chain = (
-            False  # whether the current loop has a long chain of operations
-        )
+        # whether the current loop has a long chain of operations
+        self.has_chain = False
         self.inlined = inlined if name == "derivative" else set()
         self.nests = program.functions[name]
         self.begins: dict[int, ir.Block] = {}  # first block inside so many loops
@@ -97,9 +95,8 @@ class LLVMPrinter(LoopPrinter):
         signature = ir.FunctionType(ir.VoidType(), [pointer] * len(ARRAYS))
         function = ir.Function(module, signature, name)
         function.attributes.add("nounwind")
-        function.attributes.alignstack = (
-            64  # a register that is saved lies in one line of cache
-        )
+        # a register that is saved lies in one line of cache
+        function.attributes.alignstack = 64
         self.arrays: dict[str, Any] = {}
         for argument, array in zip(function.args, ARRAYS, strict=True):
             argument.add_attribute("noalias")
@@ -109,9 +106,8 @@ class LLVMPrinter(LoopPrinter):
         if not constants:
             return
         if "K" not in module.globals:
-            numbers = bytearray(
-                np.array(constants).tobytes()
-            )  # printed sooner than doubles
+            # printed sooner than doubles
+            numbers = bytearray(np.array(constants).tobytes())
             kind = ir.ArrayType(ir.IntType(8), len(numbers))
             table = ir.GlobalVariable(module, kind, "K")
             table.linkage = "internal"

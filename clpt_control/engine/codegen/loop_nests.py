@@ -11,19 +11,14 @@ from typing import Any
 from .fused_expressions import Component, Write, row_strides
 from .plan import Nest
 
-ROW_ARGUMENT = {
-    "lookup": 1,
-    "search": 1,
-    "argmin": 0,
-}  # operation -> argument that is a row
+# operation -> argument that is a row
+ROW_ARGUMENT = {"lookup": 1, "search": 1, "argmin": 0}
 NO_LOOP = -1
-Body = Callable[
-    [Any, list], list
-]  # prints an iteration: index, sums before it -> sums after it
+# prints an iteration: index, sums before it -> sums after it
+Body = Callable[[Any, list], list]
 Location = tuple[str, int, tuple[int, ...]]  # array, offset, stride of each axis
-Key = tuple[
-    int, tuple[int, ...], bool
-]  # component, loops of its axes, for eight iterations
+# component, loops of its axes, for eight iterations
+Key = tuple[int, tuple[int, ...], bool]
 
 
 class LoopPrinter(ABC):

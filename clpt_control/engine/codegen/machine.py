@@ -32,16 +32,14 @@ from ...progress import note
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
 ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default
 LANES = 8  # runs side by side, or iterations of a loop at once
-MOST_FILES = (
-    4000  # of a family, "solver-" or none, some 6 kB each; the least recently used go
-)
+# of a family, "solver-" or none, some 6 kB each; the least recently used go
+MOST_FILES = 4000
 HASH = hashlib.sha256().digest_size
 LOCK = RLock()
 HERE = Path(__file__).parent
 TEXT = HERE.parent / "solver" / "solver.ll"
-BRANCHES = re.compile(
-    r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)'
-)  # or calls of its own functions
+# or calls of its own functions
+BRANCHES = re.compile(r'\n\s+br |call [^\n@]*@"?(?!"?llvm\.)')
 
 
 @contextmanager
@@ -263,7 +261,7 @@ def _numbers_at(address: int, count: int) -> np.ndarray:
 
 @once()
 def compiled_solver() -> SimpleNamespace:
-    """Return the functions of `solver` as machine code, from the cache or else compiled."""
+    """Return the solver's functions as machine code, from the cache or compiled."""
     text = TEXT.read_text("utf-8")
 
     def announced() -> str:

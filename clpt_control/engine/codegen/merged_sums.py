@@ -14,9 +14,8 @@ from .fused_expressions import LONG, Components, Value
 
 HEAVY = 10  # cost of a function, beside an addition
 MOST = 64  # terms of one sum; a longer one is left as it is
-Signed = tuple[
-    bool, int, Value
-]  # a term: whether it is added, the block it comes from, its value
+# a term: whether it is added, the block it comes from, its value
+Signed = tuple[bool, int, Value]
 
 
 class MergedSums:

@@ -47,9 +47,8 @@ class Program(NamedTuple):
     parameters: int  # length of P
     room: int  # length of W
     decided: int  # how many numbers are decided
-    deciding: tuple[
-        tuple, ...
-    ]  # of each decision: its first number, and where it is made
+    # of each decision: its first number, and where it is made
+    deciding: tuple[tuple, ...]
     timed: bool = False  # whether time alone decides
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
 

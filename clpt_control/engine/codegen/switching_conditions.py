@@ -21,12 +21,8 @@ import numpy as np
 from ..record.graph import reached
 from ..record.operations import TABLE, named
 
-COMPARED = {
-    "lt": -1.0,
-    "le": -1.0,
-    "gt": 1.0,
-    "ge": 1.0,
-}  # the sign of a - b where they hold
+# the sign of a - b where they hold
+COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
 PLACES = ("search", "argmin")
 LOCKED = named(lambda row: row.decisions)
@@ -46,9 +42,8 @@ class Port(NamedTuple):
 
 def operands(kind: str, name: str, arguments: tuple[Ref, ...]) -> tuple[Ref, ...]:
     """Return the arguments of an operation that a question is about."""
-    if (
-        kind == "atan2"
-    ):  # which jumps where its first argument is 0 and its second is negative
+    if kind == "atan2":
+        # which jumps where its first argument is 0 and its second is negative
         return arguments[0], 0.0
     if name in COMPARED:
         threshold = arguments[1] if len(arguments) > 1 else 0.0
@@ -115,9 +110,8 @@ class Decisions:
         record = self.record
         locked = dict[int, Ref]()
         first_decision = self.count
-        moving: set[Ref] = (
-            set()
-        )  # entries that change within a step, with locked decisions
+        # entries that change within a step, with locked decisions
+        moving: set[Ref] = set()
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
         inputs = len(record.layout.P)
 

@@ -111,9 +111,8 @@ def _instruction(name: str) -> Primitive:
 
 
 def _comparison(symbol: str) -> Primitive:
-    ordered = (
-        "unordered" if symbol == "!=" else "ordered"
-    )  # NaN differs from each number
+    # NaN differs from each number
+    ordered = "unordered" if symbol == "!=" else "ordered"
     return lambda builder, a, b: getattr(builder, f"fcmp_{ordered}")(symbol, a, b)
 
 

@@ -155,9 +155,8 @@ class Port(NamedTuple):
     """A port of one of the blocks that are connected."""
 
     block: int  # index of the block
-    signals: list[
-        int
-    ]  # indices of the port's signals among the block's inputs or outputs
+    # indices of the port's signals among the block's inputs or outputs
+    signals: list[int]
 
 
 class MatchedPorts(NamedTuple):

@@ -39,12 +39,8 @@ from .sampled_linearization import (
 from .wiring import Node, Wiring, read_anew, wiring_of
 
 BEND = named(lambda row: row.smoothness >= FOLDS)
-STEPS = (
-    1e-6,
-    -1e-6,
-    1e-8,
-    -1e-8,
-)  # relative: the remainder shrinks by 1e-4, at a kink by 1e-2
+# relative: the remainder shrinks by 1e-4, at a kink by 1e-2
+STEPS = (1e-6, -1e-6, 1e-8, -1e-8)
 # remainder at the small step, relative to the remainder at the large step
 SMOOTH = 5e-3
 JUMP = 0.3
@@ -183,9 +179,8 @@ class _About:
         slopes = self.slopes(checked)
         n = self.count
         at_point = self.near(checked, np.zeros((n, 1)))
-        is_finite = np.all(
-            np.isfinite(slopes), axis=1
-        )  # others are refused where they matter
+        # others are refused where they matter
+        is_finite = np.all(np.isfinite(slopes), axis=1)
         slopes = np.where(is_finite[:, None], slopes, 0.0)
         drawn = np.random.default_rng(0).standard_normal((n, DRAWN * n))
         # along each state and input, and along all at once
@@ -294,9 +289,8 @@ def linearize(
         block_parameters = changed_parameters(wiring.blocks, params)
         blocks = sampled_blocks(wiring)
         about = _About(system, wiring, block_parameters, t, x, u)
-        for _ in (
-            blocks
-        ):  # each holds what it samples at this point, some what others make of it
+        for _ in blocks:
+            # each holds what it samples at this point, some what others make of it
             about = _About(
                 system, wiring, block_parameters, t, about.with_samples(x, blocks), u
             )
@@ -386,9 +380,8 @@ def _reached(A: np.ndarray, B: np.ndarray) -> np.ndarray:
     """Return a basis of the states that inputs reach: single states where that is possible."""
 
     def columns(M: np.ndarray) -> np.ndarray:
-        return (
-            orth(M, rcond=REACHED) if M.size else M[:, :0]
-        )  # which SciPy 1.13 refuses
+        # which SciPy 1.13 refuses
+        return orth(M, rcond=REACHED) if M.size else M[:, :0]
 
     basis = columns(B)
     size = np.linalg.norm(A) or 1.0

@@ -59,15 +59,12 @@ class RecordMerger:
 
     # methods of the two users
     add: Callable[..., Ref]  # write an operation: kind, arguments, shape, at
-    put: Callable[
-        ..., Ref
-    ]  # write a block's operation: k, role, record, operation, arguments
-    leaf: Callable[
-        ..., Ref
-    ]  # time, a state or a parameter of a block: k, group, name, shape
-    part: Callable[
-        ..., Ref
-    ]  # elements of a value from an offset on: ref, offset, shape
+    # write a block's operation: k, role, record, operation, arguments
+    put: Callable[..., Ref]
+    # time, a state or a parameter of a block: k, group, name, shape
+    leaf: Callable[..., Ref]
+    # elements of a value from an offset on: ref, offset, shape
+    part: Callable[..., Ref]
     shape: Callable[..., Shape]  # a shape of a block in this record: block, shape
 
     def __init__(self, wiring: Wiring, input_sizes: Mapping[int, int]):

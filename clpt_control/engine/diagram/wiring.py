@@ -28,12 +28,10 @@ from .evaluation_order import order_of
 MOST_DENSE = 40_000  # entries of the largest matrix that is not sparse
 Part: TypeAlias = control.NonlinearIOSystem  # a subsystem of a diagram
 Params = Mapping[str, Any] | None  # call-time parameters, as python-control has them
-Sizes = tuple[
-    int | None, int | None
-]  # of states and inputs, for a system that leaves them open
-Row = dict[
-    int, float
-]  # a sum of signals: block output k, or diagram input ~k -> its gain
+# of states and inputs, for a system that leaves them open
+Sizes = tuple[int | None, int | None]
+# a sum of signals: block output k, or diagram input ~k -> its gain
+Row = dict[int, float]
 
 
 class Wire(NamedTuple):
@@ -244,11 +242,8 @@ def wiring_of(
     blocks = blocks_of(diagram, params, sizes)
     if not blocks:
         raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
-    if None in (
-        diagram.nstates,
-        diagram.ninputs,
-        diagram.noutputs,
-    ):  # its block knows the sizes
+    if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):
+        # its block knows the sizes
         ((name, diagram),) = blocks
         inputs, outputs = _flatten(diagram, name)
     return ordered_wiring(
@@ -379,9 +374,8 @@ def is_discrete(*systems: Any) -> bool:
     times = [
         dt for dt in (getattr(system, "dt", 0) for system in systems) if dt is not None
     ]
-    periods = {
-        dt for dt in times if dt is not True
-    }  # not a difference of sets: True == 1.0
+    # not a difference of sets: True == 1.0
+    periods = {dt for dt in times if dt is not True}
     return bool(times) and 0 not in times and len(periods) < 2
 
 

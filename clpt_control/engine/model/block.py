@@ -39,9 +39,8 @@ class Call(local):
 
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
-        self.start: tuple[float, float] | None = (
-            None  # time and interval of the first rate
-        )
+        # time and interval of the first rate
+        self.start: tuple[float, float] | None = None
 
 
 @public
@@ -106,9 +105,8 @@ class Block(ReadBlock):
     array([1.5, 2.5])
     """
 
-    first_held: int | None = (
-        None  # of a sampled block: the first state that holds an input
-    )
+    # of a sampled block: the first state that holds an input
+    first_held: int | None = None
     units: Mapping[str, str] = MappingProxyType({})
 
     def __init__(

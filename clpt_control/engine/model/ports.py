@@ -174,9 +174,8 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
     """
     ports: dict[str, list[int]] = {}
     for index, label in enumerate(labels):
-        port, _, number = label.rpartition(
-            "["
-        )  # y[2][0] is of the port y[2], as of sys[2, :]
+        # y[2][0] is of the port y[2], as of sys[2, :]
+        port, _, number = label.rpartition("[")
         count = len(ports.get(port, ()))
         name = port if number == f"{count}]" else label
         ports.setdefault(name, []).append(index)

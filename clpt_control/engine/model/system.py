@@ -50,9 +50,8 @@ class System(Block):
             arguments = 0.0, np.zeros(n), np.zeros(m), dict(self._params)
             q = n if outfcn is None else np.size(outfcn(*arguments))
         q = int(q)
-        returns_first_states = (
-            outfcn is None and q < n
-        )  # of the states, as python-control takes them
+        # of the states, as python-control takes them
+        returns_first_states = outfcn is None and q < n
         self.update_function = updfcn if n else None
         self.output_function = (
             (lambda t, x, u, params: x[:q]) if returns_first_states else outfcn
@@ -301,9 +300,8 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
         shapes={name: SHAPES[name] for name in parameters},
         sizes={"m": inputs, "q": outputs},
     )
-    block.__dict__["_read_records"] = RECORDS.setdefault(
-        left_out, {}
-    )  # the same for all sizes
+    # the same for all sizes
+    block.__dict__["_read_records"] = RECORDS.setdefault(left_out, {})
     block.set_inputs(system.input_labels)
     block.set_outputs(system.output_labels)
     if isinstance(system, control.StateSpace):

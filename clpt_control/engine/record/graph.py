@@ -22,7 +22,7 @@ a number, or the name of an open size, ``"N"``.
 | join | arrays | one behind the other, along the first axis |
 | part | array | first of the elements, row by row, that the shape takes |
 | pick | row of numbers, index | the number at a whole place; NaN outside |
-| search | sorted row of numbers, value | side, and what is at the joints (`lookup_tables`) |
+| search | sorted row of numbers, value | side, and what is at the joints (`interpolators`) |
 | argmin | row of numbers | |
 
 `evaluated` computes a record in NumPy, in the order in which it was written.

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-MOST_ANGLE = (
-    2.0**50
-)  # rad; beyond it doubles are a quarter apart and an angle means nothing
+# rad; beyond it doubles are a quarter apart and an angle means nothing
+MOST_ANGLE = 2.0**50
 Slope = Callable[..., Any]
 
 

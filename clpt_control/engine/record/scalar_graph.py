@@ -18,9 +18,8 @@ from .graph import Operation, Record, Ref, Shape, bound
 
 # an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
 Index = tuple[Any, ...]
-MOST_AT_ONCE = (
-    256  # elements of an array that are computed in order, so that nothing goes deep
-)
+# elements of an array that are computed in order, so that nothing goes deep
+MOST_AT_ONCE = 256
 MOST = 300_000  # elements; more are given up
 
 

@@ -19,9 +19,8 @@ from .operations import COMPARISONS, KINK, LOGICAL, TABLE, Row, named
 from .scalar_graph import Elements, Index
 
 ROUNDED = Fraction(1, 2**50)  # of a number: what a few roundings change
-Leaf = Callable[
-    [tuple[str, str], Shape, Index], Any
-]  # (group, name), its shape, a place -> symbol
+# (group, name), its shape, a place -> symbol
+Leaf = Callable[[tuple[str, str], Shape, Index], Any]
 
 
 @lru_cache(maxsize=10_000)

@@ -4,8 +4,8 @@ The solver takes steps for about `PAUSE` seconds a call.  Between calls Python w
 reached, and whether the end can be reached at all.
 
 Stiff runs go on with an implicit method.  An explicit one stops if its own steps look stiff
-(`method`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then the
-eigenvalues of df/dx are small.
+(`integrators`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then
+the eigenvalues of df/dx are small.
 """
 
 import time
@@ -46,9 +46,8 @@ from .solver_layout import (
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
 GRAIN = 0.01  # of atol: a smaller difference passes no decision
-LATER = (
-    64  # looks for stiffness that do not count, after a run was found not to be stiff
-)
+# looks for stiffness that do not count, after a run was found not to be stiff
+LATER = 64
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
 EMPTY = np.zeros((0, 3, 0))

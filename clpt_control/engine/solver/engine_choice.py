@@ -88,9 +88,8 @@ def run_compared(
         if not why:
             points = getattr(error, "points", [])
             why = difference_ahead(runner, points, times, inputs)
-        if not why and Status.NOT_FINITE.sentence in str(
-            error
-        ):  # blocks in Python find nothing
+        if not why and Status.NOT_FINITE.sentence in str(error):
+            # blocks in Python find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
         if not why:
             raise

@@ -247,11 +247,8 @@ class Sweep:
         return None
 
 
-DESCRIPTIONS = {
-    "jump": "state",
-    "output": "signal",
-    "update": "derivative of",
-}  # of results
+# of results
+DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}
 
 
 def _first_not_finite(

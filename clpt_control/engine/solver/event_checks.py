@@ -52,9 +52,8 @@ FACTORS = tuple(
 )
 QUARTERS = SAMPLE_POINTS // 2
 CLEAR = 10.0  # errors between points that a distance must exceed
-TIME_ROUNDING = (
-    1e-15  # of the time: rounding moves what changes in it by so much of its change
-)
+# of the time: rounding moves what changes in it by so much of its change
+TIME_ROUNDING = 1e-15
 SHORTEST = 1e-13  # step up to an event, of a run: in a shorter one states move by rounding alone
 
 
@@ -107,9 +106,8 @@ def check_guard(solver):
         put_state_within(solver, SHARES[point])
         margin = margin_at(solver, lane[STAGE_TIME], row_of(point))
         solver.guard_points[point, DISTANCE, 0] = margin
-        solver.guard_points[point, ROUNDING, 0] = (
-            solver_layout.OUTSIDE
-        )  # the edge belongs to it
+        # the edge belongs to it
+        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE
     if find_crossing(solver, solver.guard_points):
         fail(solver, 0, Status.GUARD_LEFT)
         lane[ACCEPTED, 0] = 0.0

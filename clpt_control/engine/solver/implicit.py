@@ -20,9 +20,8 @@ from .solver_layout import (
     derivative,
 )
 
-RELATIVE_CHANGE = (
-    6e-6  # of a state, for differences of rates: the third root of a rounding error
-)
+# of a state, for differences of rates: the third root of a rounding error
+RELATIVE_CHANGE = 6e-6
 
 
 def factor_matrix(solver):
@@ -45,9 +44,8 @@ def differentiate(solver):
     for i in range(n):
         states[ARGUMENT, i, 0] = states[STATE, i, 0]
         states[TIME_SLOPE, i, 0] = 0.0
-    changes = solver.memory.Z[
-        TERMS * n : TERMS * n + n + 1
-    ]  # of the states, then of time
+    # of the states, then of time
+    changes = solver.memory.Z[TERMS * n : TERMS * n + n + 1]
     for group in range(len(linear.begins) - 1):
         set_changes(solver, group, changes)
         difference_rates(solver, changes)
@@ -65,9 +63,8 @@ def set_changes(solver, group, changes):
     """Set the changes of the states and of time in a group; the others do not change."""
     lane = solver.lane
     n, groups = solver.shape.states, solver.linear.groups
-    least = (
-        solver.tolerances[1] / solver.tolerances[0]
-    )  # a smaller state is as good as zero
+    # a smaller state is as good as zero
+    least = solver.tolerances[1] / solver.tolerances[0]
     for j in range(n):
         size = max(abs(solver.states[STATE, j, 0]), least)
         change = 2.0 * RELATIVE_CHANGE * (size if size > 0.0 else 1.0)

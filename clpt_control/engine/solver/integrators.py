@@ -1,9 +1,9 @@
 """Integration methods as formulas: Dormand and Prince's of order 8, Rodas5P, Runge and Kutta's.
 
-The formulas compute each stage, accept or reject a step and choose the next; `solver` decides their
-order and names the rows of Z and the numbers of a lane.  A formula is an ordinary function, read as
-those of a diagram are.  It becomes a program of eight states or eight runs at once, in which t are
-the numbers of a lane and X the rows of Z.
+The formulas compute each stage, accept or reject a step and choose the next.  `time_stepper` calls
+them in order; `solver_layout` names the rows of Z and the numbers of a lane.  A formula is an
+ordinary function that is traced as those of a diagram are.  It becomes a program of eight states or
+eight runs at once, in which t are the numbers of a lane and X the rows of Z.
 
 DOP853: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993,
 sections II.4 to II.6 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for
@@ -68,14 +68,12 @@ from .solver_layout import (
     Status,
 )
 
-LAST_TERM = (
-    1.23e-3  # share of the interpolant's last term that is its error in a stiff step
-)
+# share of the interpolant's last term that is its error in a stiff step
+LAST_TERM = 1.23e-3
 TRUSTED = 100.0  # tolerances: the largest error of the interpolant
 Rows = dict[int, Any]
-fmuladd = partial(
-    elementwise, "fmuladd"
-)  # a b + c, rounded once where the processor can
+# a b + c, rounded once where the processor can
+fmuladd = partial(elementwise, "fmuladd")
 
 
 class StepTape:
@@ -127,7 +125,7 @@ def _mean_square(s: StepTape, value: Any) -> Any:
 
 
 def _terms(s: StepTape, *terms: Any) -> Rows:
-    """Return the terms of an interpolant, as `layout.interpolate` sums them."""
+    """Return the terms of an interpolant, as `solver_layout.interpolate` sums them."""
     missing = 7 - len(terms)
     zeros = [0.0 * s.z(STATE)] * missing
     return dict(enumerate([*terms, *zeros], TERMS))

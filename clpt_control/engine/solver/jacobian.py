@@ -24,13 +24,10 @@ from ..trace.arrays import Unread
 from .solver_layout import DOP853, RODAS5P, Linear
 
 NONE = np.zeros(0, np.int64)
-MANY_STEPS, FEW_STATES = (
-    5_000,
-    20,
-)  # explicit steps that a change of the method is worth
-OPERATIONS_OF_A_RATE = (
-    10  # for each state, so that a factorization is counted in evaluations
-)
+# explicit steps that a change of the method is worth
+MANY_STEPS, FEW_STATES = (5_000, 20)
+# for each state, so that a factorization is counted in evaluations
+OPERATIONS_OF_A_RATE = 10
 FULL = 0.3  # share of elements from which on a matrix counts as full
 
 

@@ -28,10 +28,8 @@ from .schedule import Inputs
 from .solver_layout import DOP853, RK4, RODAS5P
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
-MANY, SHORTER = (
-    1500,
-    3,
-)  # components of a long program, and how much shorter one of loops is
+# components of a long program, and how much shorter one of loops is
+MANY, SHORTER = (1500, 3)
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
@@ -241,9 +239,8 @@ class NativeDiagram(PythonDiagram):
         self.jumps = self.layout.jumps
         self.time_tables = [*self.layout.time_tables.values()]
         self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
-        self.decided_at = (
-            self.layout.inputs(self.wiring.ninputs) + 1
-        )  # and of the decisions
+        # and of the decisions
+        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1
         self._callees: dict[tuple[int, int], Callee] = {}
 
     def parameters(self) -> np.ndarray:

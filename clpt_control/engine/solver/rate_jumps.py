@@ -41,7 +41,12 @@ from .solver_layout import (
     retry,
 )
 
-POINTS = (0.18, 0.46, 0.75, 0.93)  # shares of the step, between the stages of DOP853
+CHECKED_SHARES = (
+    0.18,
+    0.46,
+    0.75,
+    0.93,
+)  # shares of the step, between the stages of DOP853
 LARGE = 50.0  # tolerances: the defect of nineteen smooth steps in twenty is smaller
 UNUSUAL = 6.0  # of the mean of the steps before: where stability limits them it may be hundreds
 KINKED = 2.0  # times as large: the step is halved, also where rates do not jump
@@ -56,17 +61,15 @@ LOWER, UPPER, MIDDLE = RATE + 1, RATE + 5, RATE + 6
 def locate_jump(solver):
     """Try a step again up to the first jump of the rates within it."""
     lane, integers = solver.lane, solver.integers
-    if (
-        integers[BURST, 0] > MOST_JUMPS
-    ):  # crossed to and fro, in steps as small as need be
+    if integers[BURST, 0] > MOST_JUMPS:
+        # crossed to and fro, in steps as small as need be
         return
     # Step 1: is any defect large?
     usual = lane[USUAL_DEFECT, 0]
     limit = max(LARGE, UNUSUAL * usual)
     defect = largest_defect(solver, KINKED * limit)
-    smooth = usual + 0.25 * (
-        min(defect, LARGE + 1.5 * usual) - usual
-    )  # if rates do not jump
+    # if rates do not jump
+    smooth = usual + 0.25 * (min(defect, LARGE + 1.5 * usual) - usual)
     if defect <= limit:
         lane[USUAL_DEFECT, 0] = smooth
         return
@@ -117,9 +120,8 @@ def find_jump(solver, limit):
         count_evaluations(solver, 8)
         low, high, odd_change = quarter(solver, low, share)
         low, high, remaining = quarter(solver, low, high)
-        if remaining > max(
-            limit, SUDDEN * odd_change
-        ):  # the next one tells a jump from a kink
+        if remaining > max(limit, SUDDEN * odd_change):
+            # the next one tells a jump from a kink
             count_evaluations(solver, 3)
             low, high, remaining = quarter(solver, low, high)
             if remaining > max(limit, SUDDEN * odd_change):
@@ -168,7 +170,7 @@ def count_evaluations(solver, count):
 def next_point(solver, point, done):
     """Return the next share of the step to check, and the counts of points and samples so far."""
     lane = solver.lane
-    share = POINTS[point] if point < len(POINTS) else 1.0
+    share = CHECKED_SHARES[point] if point < len(CHECKED_SHARES) else 1.0
     time, size, times = lane[TIME, 0], lane[TRIAL_SIZE, 0], solver.times
     at_samples = solver.shape.unannounced > 1
     if at_samples and done < len(times) and times[done] < time + share * size:

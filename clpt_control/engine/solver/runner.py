@@ -77,9 +77,8 @@ class PythonDiagram:
         self.nstates = self.sweep.nstates
         self.nsignals = len(self.sweep.signals)
         self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
-        self.jumps = {
-            k: index for index, k in enumerate(self.sweep.jumping)
-        }  # 1 where it jumps
+        # 1 where it jumps
+        self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
         self.time_tables: list[TimeTable] = []  # of machine code
 
     def __repr__(self) -> str:

@@ -255,9 +255,8 @@ def make_schedule(
     # 3. straight lines of the inputs of machine code
     if diagram.ramp >= 0 and inputs is not None and wiring.ninputs:
         sample_times, u = inputs.samples
-        k = np.searchsorted(
-            sample_times[1:], starts, side="right"
-        )  # the line from this sample on
+        # the line from this sample on
+        k = np.searchsorted(sample_times[1:], starts, side="right")
         columns.append(sample_times[k])
         columns += [*u[:, k]]
         columns += [*inputs.slopes[:, k]]

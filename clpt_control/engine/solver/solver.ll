@@ -1,4 +1,4 @@
-; sha256 009df6b26a2b82cbdb799995390598443cc85b8b9193492b71ca6d9abde0c44e
+; sha256 7cec2b546b810c205a482acbaff9fddd6cb14edb0823838a3d620af769d3b3f5
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("

@@ -79,9 +79,8 @@ EVENT_CROSSED = 12  # 1 if the step ends right behind an event
 LOW = 13  # bracket of an event: shares of the step before it
 HIGH = 14  # and behind it
 LAST_EVENT = 15  # time of the last event
-DISTANCE_LOW = (
-    16  # distance of the nearest switching condition from its change at `low`
-)
+# distance of the nearest switching condition from its change at `low`
+DISTANCE_LOW = 16
 DISTANCE_HIGH = 17  # and at `high`, below 0
 EVENT_EFFECT = 18  # of new decisions on the step, in tolerances
 CALM_STEPS = 19  # checked steps since a stiff one

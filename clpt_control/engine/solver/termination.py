@@ -35,12 +35,8 @@ from .solver_layout import (
 
 # ends that a locked decision may cause
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
-NAMES = {
-    DOP853: "DOP853",
-    RODAS5P: "Rodas5P",
-    RK4: "RK4",
-    MAP: "none",
-}  # of the methods
+# of the methods
+NAMES = {DOP853: "DOP853", RODAS5P: "Rodas5P", RK4: "RK4", MAP: "none"}
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 

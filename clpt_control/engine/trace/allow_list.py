@@ -52,10 +52,8 @@ class _Named(NamedTuple):
     field: int
 
 
-FIELDS = (
-    MemberDescriptorType,
-    type(vars(_Named)["field"]),
-)  # of slots and of named tuples
+# of slots and of named tuples
+FIELDS = (MemberDescriptorType, type(vars(_Named)["field"]))
 PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
 CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
@@ -151,10 +149,8 @@ PURE_NAMES = frozenset(  # of other modules
         *(f"logging.{name}" for name in ("getLogger", "Logger", *OF_LOGGING)),
     )
 )
-STREAMS = (
-    "sys.stdout",
-    "sys.stderr",
-)  # silent while a function is traced, as loggers are
+# silent while a function is traced, as loggers are
+STREAMS = ("sys.stdout", "sys.stderr")
 PURE_SCIPY = tuple(
     f"scipy.{name}"
     for name in (
@@ -238,9 +234,8 @@ def module_of(value: Any) -> str:
     """Return the module that defines a function or class, or the name of a module."""
     if isinstance(value, ModuleType):
         return value.__name__
-    if isinstance(
-        value, FunctionType
-    ):  # by its names, since anybody may set __module__
+    if isinstance(value, FunctionType):
+        # by its names, since anybody may set __module__
         name = value.__globals__.get("__name__", "")
         is_current = (
             getattr(sys.modules.get(name), "__dict__", None) is value.__globals__

@@ -90,9 +90,8 @@ class Tape:
         kind, arguments, _, at = operation
         self.operations.append(operation)
         values = [a for a in arguments if type(a) is int]
-        changes = kind == "leaf" and (
-            at[0] != "p" or at[1] == "interval"
-        )  # during a run
+        # during a run
+        changes = kind == "leaf" and (at[0] != "p" or at[1] == "interval")
         self.free.append(changes or any(self.free[a] for a in values))
         self.truth.append(
             kind in CONDITIONS
@@ -160,9 +159,8 @@ class Array(NDArrayOperatorsMixin):
         self._of_python: bool | None = False
         self._below: int | None = None  # upper bound of a whole number from 0 on
         self._parent: Array | None = parent
-        self._select = (
-            select  # function of NumPy from the parent's elements to this view's
-        )
+        # function of NumPy from the parent's elements to this view's
+        self._select = select
         self._store: np.ndarray | None = None  # elements, after one was written
 
     # --- the value ----------------------------------------------------------------------
@@ -325,9 +323,8 @@ class Array(NDArrayOperatorsMixin):
         value = ref if type(ref) is float else self._tape.parameter(ref)
         if value is not None:
             return format(value, spec)
-        self._tape.texts = Unread(
-            "makes a text of a signal", stops=False
-        )  # of an error, it may
+        # of an error, it may
+        self._tape.texts = Unread("makes a text of a signal", stops=False)
         return repr(self)
 
     def __str__(self) -> str:

@@ -96,9 +96,8 @@ def lifted(tape: Tape, value: Any) -> Any:
 
 def constant(tape: Tape, value: np.ndarray) -> Any:
     """Return an array of numbers; a single one is a float."""
-    value = np.asarray(
-        value, order="C"
-    )  # ascontiguousarray would make an axis of a number
+    # ascontiguousarray would make an axis of a number
+    value = np.asarray(value, order="C")
     if value.dtype.kind not in "fiub":
         raise Unread(f"calculating with an array of {value.dtype}")
     value = value.astype(float)
@@ -303,10 +302,8 @@ def refuse_in_a_try() -> None:
 
 
 TRACING = f"{__package__}.tracing"  # module that calls the traced function
-OWN = (
-    __package__.rpartition(".")[0],
-    "numpy",
-)  # errors that they catch they raise again
+# errors that they catch they raise again
+OWN = (__package__.rpartition(".")[0], "numpy")
 
 
 def in_a_try() -> bool:

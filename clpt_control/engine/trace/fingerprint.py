@@ -2,7 +2,7 @@
 
     key = (code, defaults, closure, globals by name, attributes by name, ...)
 
-A function is traced only if everything that it references is on the allow-list of `pure`: numbers,
+A function is traced only if everything that it references is on the `allow_list`: numbers,
 texts, arrays, plain Python classes and functions, and library functions without side effects.  Any
 other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs the function.
 Objects, classes and modules count by the attributes that the referenced code names.
@@ -93,10 +93,8 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     **dict.fromkeys((classmethod, abc.abstractclassmethod), ("__func__",)),
 }
 NUMBERS = frozenset((int, float, bool))
-OF_C = (
-    WrapperDescriptorType,
-    MethodDescriptorType,
-)  # methods of a class that is written in C
+# methods of a class that is written in C
+OF_C = (WrapperDescriptorType, MethodDescriptorType)
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
 
 
@@ -106,9 +104,8 @@ class Fingerprint:
 
     key: tuple  # functions of equal keys are traced alike
     mutables: tuple[Content, ...]  # what the functions may change
-    referenced: tuple[
-        Any, ...
-    ]  # objects whose identities are in the key; they must stay alive
+    # objects whose identities are in the key; they must stay alive
+    referenced: tuple[Any, ...]
 
     @property
     def identity(self) -> tuple:
@@ -237,9 +234,8 @@ class _Walk:
 
     def _container(self, kind: type, value: Any) -> Any:
         """Return the key of a tuple, list, dict or frozenset, or of an object of a plain class."""
-        if isinstance(value, tuple) and is_library(
-            root_of(kind)
-        ):  # also sys.float_info
+        if isinstance(value, tuple) and is_library(root_of(kind)):
+            # also sys.float_info
             return kind, *self._items(value)
         if not _is_plain(kind):
             self._refuse_object(kind)
@@ -355,9 +351,8 @@ class _Walk:
         for item in references(code):
             self.where = f"{code.co_name}, line {item.line}: "
             if own_package and item.space != "cell":
-                value = function.__globals__.get(
-                    item.name
-                )  # of the package's own only functions
+                # of the package's own only functions
+                value = function.__globals__.get(item.name)
                 key += [self.key_of(value)] if type(value) is FunctionType else []
             elif item.space in spaces:
                 key.append(self._referenced(item, spaces[item.space]))
@@ -376,10 +371,8 @@ class _Walk:
         label = reference.name
         if value is UNBOUND:
             if reference.space == "cell" or reference.name not in BUILTINS:
-                return (
-                    "unbound",
-                    reference.name,
-                )  # an error of the function, or not bound yet
+                # an error of the function, or not bound yet
+                return ("unbound", reference.name)
             value = BUILTINS[reference.name]
         attributes = list(reference.attributes)
         while isinstance(value, ModuleType) and attributes:

@@ -34,9 +34,8 @@ TRACER_MODULES = tuple(
     f"{ENGINE}.{name}"
     for name in ("trace.arrays", "trace.elementwise", "record.graph", "trace.views")
 )
-OF_WARNINGS = (
-    "__warningregistry__"  # which Python puts into the module that it warns of
-)
+# which Python puts into the module that it warns of
+OF_WARNINGS = "__warningregistry__"
 
 
 class Rebinding:
@@ -55,9 +54,8 @@ class Rebinding:
         ] = {}  # copies, by those that merge their paths
         self._spaces: dict[int, Content] = {}  # copied names of each module
         self._copies: list[Content] = []
-        self._during: list[tuple[Content, Any]] | None = (
-            None  # contents with tracer values
-        )
+        # contents with tracer values
+        self._during: list[tuple[Content, Any]] | None = None
 
     def of(self, value: Any) -> Any:
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""

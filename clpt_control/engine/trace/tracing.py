@@ -54,13 +54,11 @@ class Request(NamedTuple):
     states: Mapping[str, Shape]
     inputs: Mapping[str, Shape]
     parameters: Mapping[str, Any]
-    shapes: Mapping[
-        str, Shape
-    ]  # of the parameters that are leaves; others have their values
+    # of the parameters that are leaves; others have their values
+    shapes: Mapping[str, Shape]
     out: Mapping[str, Shape]
-    of_control: bool = (
-        False  # p are python-control's params, else the Parameters of a block
-    )
+    # p are python-control's params, else the Parameters of a block
+    of_control: bool = False
     trusted: bool = False  # a function of this package, without hidden state
 
     @property

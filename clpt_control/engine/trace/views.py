@@ -146,9 +146,8 @@ def on_parameters(
 def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     """Run NumPy's own function on arrays of objects."""
     arguments = arrays_as(inputs, objects)
-    real = getattr(
-        function, "_implementation", function
-    )  # np.roots would ask each element
+    # np.roots would ask each element
+    real = getattr(function, "_implementation", function)
     try:
         result = real(*arguments, **arrays_as(options, objects))
     except (Unread, IndexError, ValueError):
@@ -394,9 +393,8 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
     if kind == "stack" and isinstance(mapped[0], int):
         element = arguments[mapped[0]]
         if type(element) is float:
-            return constant(
-                tape, np.full(shape, element)
-            )  # a number, or one with new axes
+            # a number, or one with new axes
+            return constant(tape, np.full(shape, element))
         return tape_viewed(tape, element, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
 

@@ -24,9 +24,8 @@ class Net:
 
     source: str  # block name, or ``"in:port"`` for an input of the diagram
     text: str  # the ports carried, such as ``"K, Gamma"``
-    targets: dict[
-        str, str
-    ]  # block that is fed -> the text at its arrow, gains included
+    # block that is fed -> the text at its arrow, gains included
+    targets: dict[str, str]
     back: set[str] = field(default_factory=set)  # targets reached by feedback
 
     @property
@@ -64,12 +63,10 @@ class Layered:
 
     nets: list[Net]
     rank: dict[str, int]  # block, input or passage -> number of its layer
-    layers: list[
-        list[str]
-    ]  # left to right, top to bottom; a passage is "pass:NET:LAYER"
-    channels: dict[
-        int, list[Turn]
-    ]  # layer, or -1 before all -> turns of nets behind it
+    # left to right, top to bottom; a passage is "pass:NET:LAYER"
+    layers: list[list[str]]
+    # layer, or -1 before all -> turns of nets behind it
+    channels: dict[int, list[Turn]]
 
     def lead(
         self, k: int, targets: Iterable[str], channels: Sequence[int], step: int

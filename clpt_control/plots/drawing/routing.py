@@ -25,9 +25,8 @@ TRACK, ARROW = 7.0, 9.0  # points between tracks, and of an arrow's head
 APART = 7.0  # points between turns of one track
 Point = tuple[float, float]
 Width = Callable[[str], float]  # of a text
-Paths = dict[
-    tuple[int, str], list[Point]
-]  # net and target, or "" without one -> corners
+# net and target, or "" without one -> corners
+Paths = dict[tuple[int, str], list[Point]]
 Sizes = dict[str, tuple[float, float]]  # of boxes by name, points
 
 
@@ -39,9 +38,8 @@ class Box:
     height: float
     x: float = 0.0  # left edge
     y: float = 0.0  # centre
-    ins: list[int] = field(
-        default_factory=list
-    )  # nets at its left side, from top to bottom
+    # nets at its left side, from top to bottom
+    ins: list[int] = field(default_factory=list)
     outs: list[int] = field(default_factory=list)  # nets at its right side
 
     def port(self, net: int, out: bool) -> float:
@@ -98,9 +96,8 @@ class _Router:
         boxes = self.boxes
         number = {name: k for k, name in enumerate(boxes)}
         middle = len(number)
-        climbs = [
-            (k, middle, 0.0, NEAR) for k in number.values()
-        ]  # from, to, offset, weight
+        # from, to, offset, weight
+        climbs = [(k, middle, 0.0, NEAR) for k in number.values()]
         for c, turn in self.turns():
             start = self.meets(c, turn.net, turn.start) - boxes[turn.start].y
             for end in turn.ends:
@@ -141,9 +138,8 @@ class _Router:
         for c, turn in self.turns():
             k = turn.net
             starts |= {(end, k): self.meets(c, k, turn.start) for end in turn.ends}
-            if (
-                turn.start == self.layered.nets[k].source
-            ):  # onward has priority over feedback
+            if turn.start == self.layered.nets[k].source:
+                # onward has priority over feedback
                 ends.setdefault(k, mean([self.meets(c, k, end) for end in turn.ends]))
         for name, box in self.boxes.items():
             box.ins.sort(key=lambda k: (starts[name, k], k))
@@ -196,9 +192,8 @@ class _Router:
                     (start[0] + self.text_width(net.text) + ARROW, start[1]),
                 ]
             for target in net.targets:
-                path = [
-                    (self.boxes[target].x, self.boxes[target].port(k, False))
-                ]  # from its end
+                # from its end
+                path = [(self.boxes[target].x, self.boxes[target].port(k, False))]
                 at = ""
                 while at != net.source:
                     c, turn = leading[k, at or target]

@@ -99,9 +99,8 @@ class Design:
 
     scenario: Scenario  # with the new waypoints
     report: dict[str, Any]  # ready for JSON
-    tracks: tuple[
-        Learned, Learned
-    ]  # runs with the scenario's own law, before and after
+    # runs with the scenario's own law, before and after
+    tracks: tuple[Learned, Learned]
 
     def __repr__(self) -> str:
         before, after = (
@@ -252,9 +251,8 @@ def _reported(
     found, (least, extremes), ceiling = gramian(scenario, *span), looked, None
     if scenario.vehicle.max_speed is None:
         alone = gramian(started_true(vehicle_alone(scenario)), *span)
-        ceiling = min(
-            alone.ceilings.values(), default=None
-        )  # where the vehicle moves so
+        # where the vehicle moves so
+        ceiling = min(alone.ceilings.values(), default=None)
     return {
         "smallest_eigenvalue": least,
         "of_the_run": found.smallest,

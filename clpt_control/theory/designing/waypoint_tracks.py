@@ -43,9 +43,8 @@ BYTES = 20_000_000  # of one array of tracks that are taken together
 class Extremes(NamedTuple):
     """The farthest that each of m tracks goes in each piece; NaN where a run failed."""
 
-    speed: (
-        np.ndarray
-    )  # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
+    # (m, pieces), largest |v_x|, length per time; NaN where it is not asked
+    speed: np.ndarray
     low: np.ndarray  # (m, pieces, 2), of the vehicle's positions, length
     high: np.ndarray  # (m, pieces, 2)
 
@@ -123,9 +122,8 @@ class Tracks:
     def _parameters(self, points: np.ndarray) -> np.ndarray:
         P = np.tile(self.native.parameters(), (len(points), 1))
         names = [block.name for block in self.blocks]
-        for i, field in enumerate(
-            ("x1", "x2")
-        ):  # a table, of more waypoints than are designed
+        for i, field in enumerate(("x1", "x2")):
+            # a table, of more waypoints than are designed
             array, place = self.native.layout.slots[names.index("reference"), field]
             if array == "P":
                 P[:, place : place + points.shape[1]] = points[:, :, i]

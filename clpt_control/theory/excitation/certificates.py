@@ -54,13 +54,11 @@ class Certificate:
     start: float  # of the window, units.time
     window: float  # its length
     trajectory: str  # that w was taken from: w holds z, which depends on the learner
-    drops: dict[
-        str, float
-    ]  # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
+    # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
+    drops: dict[str, float]
     rhos: dict[str, float]  # axis -> the guaranteed drop
-    disturbed: bool = (
-        False  # whether Delta, or a flow beside theta phi, adds to V' as well
-    )
+    # whether Delta, or a flow beside theta phi, adds to V' as well
+    disturbed: bool = False
 
     def __repr__(self) -> str:
         worst = f"V falls to {self.contraction:.6g} of itself at worst"
@@ -132,9 +130,8 @@ def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
-    integrals = legendre.legval(
-        c, legendre.legint(np.eye(nodes), lbnd=-1)
-    )  # of P_j to each node
+    # of P_j to each node
+    integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))
     a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
     return a / 2, weight / 2
 

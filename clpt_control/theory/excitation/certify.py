@@ -60,18 +60,15 @@ class Bounds:
     drops: np.ndarray  # delta of each window of the run, the smaller of both axes
     time: np.ndarray  # 0, T, 2 T, ... as far as the run
     V: np.ndarray  # at most, then and until the next
-    clpe: (
-        np.ndarray
-    )  # |e| at most from then on, length; with a disturbance, within the run
+    # |e| at most from then on, length; with a disturbance, within the run
+    clpe: np.ndarray
     flow_error: np.ndarray  # |theta_k + alpha_k| likewise, length per time
-    ultimate: (
-        float | None
-    )  # limsup |e| at most, length, in windows like the weakest; None: nothing
+    # limsup |e| at most, length, in windows like the weakest; None: nothing
+    ultimate: float | None
     disturbance: float  # largest |Delta| of the scenario, length per time
     error: float  # the CLPE that is to be reached, length
-    time_to_error: (
-        float | None
-    )  # from then on CLPE is likewise at most `error`; None: never
+    # from then on CLPE is likewise at most `error`; None: never
+    time_to_error: float | None
     units: dict[str, str]
 
     @property

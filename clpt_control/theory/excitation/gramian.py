@@ -51,9 +51,8 @@ from .regressor import (
 NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
 LETTERS = 250  # of one sentence
 MOST = 100  # functions of a basis whose track is judged beside other work
-INVOLVED = (
-    0.05  # a parameter belongs to a subspace if its unit vector has this length in it
-)
+# a parameter belongs to a subspace if its unit vector has this length in it
+INVOLVED = 0.05
 
 
 @dataclass(frozen=True)
@@ -66,12 +65,10 @@ class Excitation:
     time_unit: str
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    truth: dict[str, np.ndarray] = field(
-        default_factory=dict
-    )  # axis -> c; none with a field
-    vehicles: dict[str, "Excitation"] = field(
-        default_factory=dict
-    )  # of a team, each alone
+    # axis -> c; none with a field
+    truth: dict[str, np.ndarray] = field(default_factory=dict)
+    # of a team, each alone
+    vehicles: dict[str, "Excitation"] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         learnable = ", ".join(
@@ -334,9 +331,8 @@ def gramian(
         name: _excitation(along[name], names, own) for name, own in rows.items()
     }
     gains, wide = len(names["x1"]) - N, list[np.ndarray]()
-    for k, own in enumerate(
-        rows.values()
-    ):  # its gains in their columns among all vehicles'
+    for k, own in enumerate(rows.values()):
+        # its gains in their columns among all vehicles'
         wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
         wide[k][..., :N] = own[..., :N]
         wide[k][..., N + gains * k : N + gains * (k + 1)] = own[..., N:]

@@ -105,10 +105,8 @@ def positions_between(
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
 MOST_PIECES = 1e6  # of a window
 SHORTEST = 1e-9  # window, of a run: times that rounding tells apart
-ROUGH, ROUNDS = (
-    1e-6,
-    5,
-)  # of the largest w: its last coefficients; how often pieces are cut
+# of the largest w: its last coefficients; how often pieces are cut
+ROUGH, ROUNDS = (1e-6, 5)
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 
@@ -118,9 +116,8 @@ class Regressor:
 
     scenario: Scenario  # for names, gains and the law
     trajectory: str  # how it was made; w holds z, which depends on the learner
-    cuts: (
-        np.ndarray
-    )  # (pieces + 1,), edges of the pieces, units.time; every switch is one
+    # (pieces + 1,), edges of the pieces, units.time; every switch is one
+    cuts: np.ndarray
     weights: np.ndarray  # (pieces, NODES)
     w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
     python_parts: str = ""  # what a recorded run has that its scenario does not hold

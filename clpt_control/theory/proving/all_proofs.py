@@ -90,9 +90,8 @@ def differs(law: Law) -> str:
         for speed in ("no limit", "hedged")
     )
     flown = dict(zip(hedged.inputs["v_x"], free.signals["v_x"], strict=True))
-    if difference := left_over(
-        rate_of_V(free) - rate_of_V(hedged)
-    ):  # whatever v is flown
+    if difference := left_over(rate_of_V(free) - rate_of_V(hedged)):
+        # whatever v is flown
         return difference
     own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
     jumps = zip(free.jumps.values(), hedged.jumps.values(), strict=True)
@@ -108,9 +107,8 @@ def same_rate_of_every_law() -> tuple[bool, str]:
 
     Its own states move as without a limit too, with the flown velocity for the commanded one.
     """
-    laws = [
-        law for law in LAWS.values() if not law.at_fixes
-    ]  # those predict with v as flown
+    # those predict with v as flown
+    laws = [law for law in LAWS.values() if not law.at_fixes]
     different = next(
         (f"{law.name}: {how}" for law in laws if (how := differs(law))), ""
     )

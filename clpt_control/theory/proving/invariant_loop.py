@@ -84,9 +84,8 @@ class InvariantLoop:
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
         pushed = sympy.sympify(perturbation).xreplace(self.tied)
-        self.beside = pushed - sum(
-            map(math.prod, self.losses)
-        )  # what V' has beyond -e^T KD e
+        # what V' has beyond -e^T KD e
+        self.beside = pushed - sum(map(math.prod, self.losses))
         self.matrices = {port: self.states[port] for port in law.semidefinite}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         self.truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
@@ -280,9 +279,8 @@ class InvariantLoop:
         }
         for M in matrices.values():
             c = _any(len(M), "d")
-            pairs = combinations_with_replacement(
-                range(len(M)), 2
-            )  # M_jk stands for M_kj too
+            # M_jk stands for M_kj too
+            pairs = combinations_with_replacement(range(len(M)), 2)
             parts.append(
                 sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs))
             )

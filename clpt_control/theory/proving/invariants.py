@@ -110,9 +110,8 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
         ] = lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
     claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
     if law.weighted_error:
-        first = int(
-            law.perturbation is None
-        )  # where CLPE drives alpha BOUNDS[0] does not hold
+        # where CLPE drives alpha BOUNDS[0] does not hold
+        first = int(law.perturbation is None)
         claims |= {
             BOUNDS[k]: partial(_moves, which=k) for k in range(first, len(BOUNDS))
         }
@@ -206,13 +205,8 @@ def _cauchy(case: InvariantLoop) -> bool:
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
-OUTSIDE = (
-    "phi_x",
-    "phi_z",
-    "v_x",
-    "fix",
-    "taken",
-)  # what comes from blocks that are left out
+# what comes from blocks that are left out
+OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
 MOVING = ("x", "z", "m")  # states that change between fixes
 READ = ("alpha", "z", "information")  # and those that others read as they are
 States = dict[str, np.ndarray]

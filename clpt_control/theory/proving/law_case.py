@@ -32,9 +32,8 @@ class Case:
     loop: SymbolicLoop
     V: Block
     law: Block
-    tied: dict[
-        Any, sympy.Expr
-    ]  # V's symbols -> what they are of the truth's, or of the law's
+    # V's symbols -> what they are of the truth's, or of the law's
+    tied: dict[Any, sympy.Expr]
     refutes: bool  # whether V' > 0 refutes the law: V was fitted to it
     points: int
     seed: int
@@ -59,9 +58,8 @@ class Case:
         self.Vs = loop.signals["V"][0].xreplace(self.known)
         self.e = sympy.symbols("e_1:3", real=True)
         x, z = loop.states["x"], loop.states["z"]
-        self.apart = {
-            a: e + b for a, e, b in zip(x, self.e, z, strict=True)
-        }  # x = e + z
+        # x = e + z
+        self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}
         self.together = {e: a - b for a, e, b in zip(x, self.e, z, strict=True)}
         self.zones, self.V_of_D = [], self.Vs.xreplace(self.apart)
         for e in self.e:
@@ -190,9 +188,8 @@ class Case:
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
         residual, x = self.residual, self.loop.states["x"]
-        if any(
-            word.has(*x) for word in residual.atoms(AppliedUndef)
-        ):  # how it bends is not known
+        if any(word.has(*x) for word in residual.atoms(AppliedUndef)):
+            # how it bends is not known
             return False
         return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
 
@@ -298,10 +295,8 @@ class Case:
         theirs = [
             self.of_V.get(s, s) for s in (reindexed(symbol, name) for name in names)
         ]
-        ways = (
-            theirs[0],
-            reindexed(theirs[0], {"1": generic[0]}),
-        )  # one for all, or one each
+        # one for all, or one each
+        ways = (theirs[0], reindexed(theirs[0], {"1": generic[0]}))
         fit = (
             gain for gain in ways if [reindexed(gain, name) for name in names] == theirs
         )

@@ -44,9 +44,8 @@ class Bound(NamedTuple):
     """What V comes to, in a sentence and as a level."""
 
     sentence: str
-    level: sympy.Expr | None = (
-        None  # in theta, KD, GammaD and the bounds Delta_1, Delta_2
-    )
+    # in theta, KD, GammaD and the bounds Delta_1, Delta_2
+    level: sympy.Expr | None = None
 
 
 class Leak(NamedTuple):
@@ -185,10 +184,8 @@ class Bounding:
         self.leaks = leaks_of(case.residual, self.truth, case.moving)
         H, self.k = sympy.hessian(case.Vs, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
-        self.errors, learned = (
-            list(self.truth)[:2],
-            list(self.truth)[2:],
-        )  # x, whose truth is z
+        # x, whose truth is z
+        self.errors, learned = (list(self.truth)[:2], list(self.truth)[2:])
         self.diagonal = H.is_diagonal()
         self.square = self.diagonal and all(self.weights[s] == 1 for s in self.errors)
         one_each = [s for leak in self.leaks for s in leak.states]

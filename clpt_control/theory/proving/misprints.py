@@ -37,9 +37,8 @@ class Misprint:
     printed: str
     corrected: str
     check: str  # what tells them apart
-    residual: Callable[
-        [bool], Any
-    ]  # of the printed form or the corrected one; zero where it fits
+    # of the printed form or the corrected one; zero where it fits
+    residual: Callable[[bool], Any]
 
     def holds(self, printed: bool) -> bool:
         """Return whether the check passes on the printed form, or the corrected one."""

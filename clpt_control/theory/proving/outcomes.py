@@ -127,9 +127,8 @@ def prove_all(
             while one := left.pop():
                 try:
                     found[one] = pool.submit(one.prove).result()
-                except (
-                    Exception
-                ):  # the pool is broken, or this process says what is wrong
+                except Exception:
+                    # the pool is broken, or this process says what is wrong
                     left.append(one)
                     break
 

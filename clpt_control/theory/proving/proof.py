@@ -51,9 +51,8 @@ class Proof:
     cited: str = ""  # the part of the statement that rests on cited steps
     printed: str = ""  # a theorem as printed
     assumptions: tuple[str, ...] = ()
-    corrected: str = (
-        ""  # what holds where the print does not: proved, but for what is cited
-    )
+    # what holds where the print does not: proved, but for what is cited
+    corrected: str = ""
     not_proved: tuple[str, ...] = ()  # what is not shown here
 
     @property

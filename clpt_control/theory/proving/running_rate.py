@@ -32,9 +32,8 @@ from .proof import Step, checked
 from .symbolic_loop import Numbers, Point, SymbolicLoop
 from .words import along
 
-Found = tuple[
-    np.ndarray, np.ndarray
-]  # rates (n, nx) and V (n,); NaN where there are none
+# rates (n, nx) and V (n,); NaN where there are none
+Found = tuple[np.ndarray, np.ndarray]
 
 
 class Running:
@@ -108,9 +107,8 @@ class Running:
 
 THROUGH_CONTROL = 40  # points at which python-control calls the blocks
 CLOSE = 1e-9
-ROUNDING = (
-    16 * 2.0**-52 / CLOSE
-)  # of states, below which a sum may be what is left of its terms
+# of states, below which a sum may be what is left of its terms
+ROUNDING = 16 * 2.0**-52 / CLOSE
 LOST = sympy.Dummy("lost", positive=True)  # that share of the largest state
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
@@ -285,9 +283,8 @@ class PointSearch:
                 [level if self.blocks.V else right[0, :most], rates.T[held]]
             )
             off = _apart(right[:, :most], found, size[:, :most])
-            for row, k in np.argwhere(
-                np.isnan(off)
-            ):  # large of inf - inf, not of inf/inf
+            for row, k in np.argwhere(np.isnan(off)):
+                # large of inf - inf, not of inf/inf
                 at = {s: np.broadcast_to(v, count)[k] for s, v in known.items()}
                 exact = wanted[row].evalf(subs=at)
                 if exact.is_number and abs(exact) > HUGE:

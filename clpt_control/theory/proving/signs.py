@@ -111,10 +111,8 @@ MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
 WHOLE = 100  # higher powers stay as they are
 MOST_WORDS = 8  # that are examined together
 
-EVEN = {
-    sympy.cos: (sympy.sin, -1),
-    sympy.cosh: (sympy.sinh, 1),
-}  # 1 - sin^2, 1 + sinh^2
+# 1 - sin^2, 1 + sinh^2
+EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}
 
 
 @lru_cache(maxsize=1000)
@@ -131,9 +129,8 @@ def tidied(expression: sympy.Expr) -> sympy.Expr:
     masked = {
         e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)
     }
-    if masked and not any(
-        e.args[0].atoms(sympy.exp) for e in masked
-    ):  # else in its denominators
+    if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):
+        # else in its denominators
         plain = tidied(expression.xreplace(masked)).xreplace(
             {d: e for e, d in masked.items()}
         )
@@ -256,9 +253,8 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
         if not low.is_extended_nonnegative or n % 2:
             return False
         sure = low.is_positive
-        if (
-            rest.free_symbols == {s} and rest.is_positive and not words_of(rest)
-        ):  # 1/(1 + s^2)
+        if rest.free_symbols == {s} and rest.is_positive and not words_of(rest):
+            # 1/(1 + s^2)
             far = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
             sure = sure or all(limit.is_extended_positive for limit in far)
         rises |= bool(n and strict and sure)

@@ -25,10 +25,8 @@ from .symbolic_loop import Point
 
 FARTHER = (1.0, 10.0, 100.0)
 HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
-TRIED, UNTIL = (
-    300,
-    1000.0,
-)  # points for each jump of a law, and until when jumps are looked for
+# points for each jump of a law, and until when jumps are looked for
+TRIED, UNTIL = (300, 1000.0)
 
 
 def refuting_point(case: Case) -> tuple[Point, float] | None:

@@ -157,9 +157,8 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     if name in ("inside", *COMPARED, *YES_OR_NO):
         return sympy.S.Zero, sympy.S.One
     of = [interval(a) for a in (e.args[1:] if name in ("where", "pick") else e.args)]
-    low: Any = (
-        sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo
-    )  # runs begin at 0
+    # runs begin at 0
+    low: Any = sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo
     high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
     if isinstance(e, sympy.sin | sympy.cos | sympy.tanh) or name == "sign":
         low, high = sympy.S.NegativeOne, sympy.S.One
@@ -186,9 +185,8 @@ def interval(e: sympy.Expr) -> tuple[Any, Any]:
     return low, high
 
 
-Piece = tuple[
-    list[sympy.Expr], dict[Any, Any]
-]  # what is not negative there -> what words are
+# what is not negative there -> what words are
+Piece = tuple[list[sympy.Expr], dict[Any, Any]]
 
 
 def pieces_of(word: Any) -> list[Piece]:
@@ -350,7 +348,6 @@ def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> 
     if expression.is_Pow and expression.exp.is_number:
         if expression.exp.is_positive:
             return float(expression.exp) * of[0]
-        return (
-            0.0 if interval(expression.base)[0].is_positive else inf
-        )  # it stays away from zero
+        # it stays away from zero
+        return 0.0 if interval(expression.base)[0].is_positive else inf
     return inf
