@@ -36,7 +36,7 @@ test-generic: $(READY)  ## the engine's tests as on a processor without vector e
 test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
 	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2
 
-solver: $(READY)  ## print native/solver.py as LLVM's text anew, after a change of it or of its pages
+solver: $(READY)  ## print engine/solver/time_stepper.py and its imports as LLVM text, after a change of one
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
 	$(BIN)/python tools/print_solver.py
 
