@@ -185,15 +185,24 @@ def positive_definite(V: sympy.Expr, states: list) -> bool:
 
     V is zero at zero, as the forms are that it holds, and the linear ones of these hold each state.
     """
+    least = least_place(V, states)
+    return least is not None and not any(least.values())
+
+
+def least_place(V: sympy.Expr, states: list) -> dict[Any, sympy.Expr] | None:
+    """Return where V is zero, if it is positive elsewhere and holds each state; else None."""
     if not meets_smoothly(V):
-        return False
+        return None
     total = squares(V, V.free_symbols - set(states), words_are_free=False)
-    if total is None or not vanishes(total.constant):
-        return False
-    zero = dict.fromkeys(states, 0)
-    return all(vanishes(form.subs(zero)) for form in total.forms) and holds_all(
-        total, states
-    )
+    if total is None or not vanishes(total.constant) or not holds_all(total, states):
+        return None
+    linear = [f for f in total.forms if f.is_polynomial(*states)]
+    linear = [f for f in linear if sympy.Poly(f, *states).is_linear]
+    places = [*sympy.linsolve(linear, *states)]
+    if not places:
+        return None
+    least = dict(zip(states, places[0], strict=True))
+    return least if all(vanishes(f.xreplace(least)) for f in total.forms) else None
 
 
 def holds_all(total: Squares, states: list) -> bool:
@@ -262,7 +271,8 @@ def states_beside(
         f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat
     }
     motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
-    fixed = set(eq.values)
+    intervals = {p.interval for p in eq.parameters.values() if "interval" in p._fields}
+    fixed = set(eq.values) - intervals
     forms = [form.xreplace(still) for form in forms]
     turns = {w for r in (*motion.values(), *forms) for w in r.atoms(*TURNS)}
     turning = {  # angles that whole turns leave as they are, as th**2 is none
@@ -298,7 +308,9 @@ def states_beside(
         (port, [s for s in own.flat if s in free]) for port, own in eq.states.items()
     ]
     whole = ([port] if len(of) == eq.states[port].size else of for port, of in unheld)
-    names = ", ".join(map(str, chain.from_iterable(whole)))
+    # a state that is no output has the name block:state
+    symbols = map(str, chain.from_iterable(whole))
+    names = ", ".join(name.rpartition(":")[2] for name in symbols)
     if not free:
         return "", exact("V holds every state", True)
     plain = [motion[s].xreplace(at) for s in free]
@@ -309,7 +321,8 @@ def states_beside(
     ]
     J = rates.jacobian(free)
     rest = rates - J * sympy.Matrix(free)
-    if not (jumps or J.free_symbols - fixed or rest.has(TIME, *free)) and hurwitz(J):
+    varies = rest.has(TIME, *intervals, *free)
+    if not (jumps or J.free_symbols - fixed or varies) and hurwitz(J):
         inputs = " and bounded inputs" if rest.has(*still.values()) else ""
         return "", exact(
             f"{names}: linear and stable, driven by what V holds{inputs}", True

@@ -23,8 +23,8 @@ from ..engine.record.symbolic import Symbols, rational
 from ..errors import DiagramError
 from .proving.proof import Step, exact
 from .proving.signs import factored, tidied, vanishes
-from .proving.symbolic_loop import NO_VALUE, no_value
-from .proving.words import NUMBERS_OF, along, is_continuous, meets_smoothly
+from .proving.symbolic_loop import NO_VALUE, no_value, refuse_names
+from .proving.words import along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -90,10 +90,7 @@ class SystemWithV:
             **self.eq.inputs,
             **self.eq.fields,
         }
-        for name in sorted({"t", "Abs", *NUMBERS_OF} & named.keys()):
-            raise DiagramError(
-                f"{system.name}: has a {name}, as time or a function is called; rename it"
-            )
+        refuse_names(system.name, named)
         for s, rate in self.eq.motion.items():
             if rate.xreplace(self.eq.values).has(*NO_VALUE):
                 raise DiagramError(

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Set
 from dataclasses import replace
 from functools import cache, cached_property
 from itertools import combinations_with_replacement
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -17,14 +18,21 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...blocks.laws.law import LEARNED, Law
-from ...engine.record.symbolic import extent
+from ...engine.record.symbolic import extent, rational
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
-from ..squares import holds_all, squares, states_beside
+from ..squares import holds_all, never_positive, squares, states_beside
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import TIME, SymbolicLoop, equated, flat, symbolic_loop
+from .symbolic_loop import (
+    NO_VALUE,
+    TIME,
+    SymbolicLoop,
+    equated,
+    flat,
+    symbolic_loop,
+)
 from .theorem_loop import (
     Hedging,
     law_and_V,
@@ -36,6 +44,8 @@ from .theorem_loop import (
 )
 
 SIZES = (1, 2, 3)  # numbers of functions
+NOTHING = MappingProxyType[str, Any]({})
+REPELS = 1e-9  # of the largest eigenvalue: a positive real part that is no rounding
 START = (0.4, -0.7)  # of vehicle and learner
 
 
@@ -43,7 +53,12 @@ class InvariantLoop:
     """A law's closed loop on symbols for one N, with the relations that its row states."""
 
     def __init__(
-        self, law: Law, N: int, speed: Hedging = "no limit", blocks: tuple | None = None
+        self,
+        law: Law,
+        N: int,
+        speed: Hedging = "no limit",
+        blocks: tuple | None = None,
+        start: Mapping[str, Any] = NOTHING,
     ):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
         self.law, self.N = law, N
@@ -61,9 +76,9 @@ class InvariantLoop:
         )
         p, truth = self.loop.parameters[block.name], truth_in(self.loop)
         assert law.invariants is not None
-        self.relations = _solved(
-            equated(self.states, law.invariants(self.states, p, truth))
-        )
+        self.stated = equated(self.states, law.invariants(self.states, p, truth))
+        self.relations = _solved(self.stated)
+        self.start = start
         rates = {f"{port}'": rate for port, rate in self.rates.items()}
         every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
@@ -135,14 +150,49 @@ class InvariantLoop:
             for port in ("x", "z", *LEARNED)
             for s in self.states.get(port, np.array([])).flat
         }
-        zero = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
-        off = (
-            f"{symbol} at the start"
-            for symbol, value in self.relations.items()
-            if value.free_symbols & self.truths
-            and not vanishes((symbol - value).xreplace(zero))
-        )
-        return next(off, "")
+        start = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
+        for name, value in self.start.items():
+            given = np.broadcast_to(np.asarray(value, float), self.states[name].shape)
+            start |= equated(self.states, {name: np.vectorize(rational)(given)})
+        for symbol, value in self.stated.items():
+            residual = (symbol - value).xreplace(start)
+            if residual.has(*NO_VALUE):  # P = R^-1 from R = 0: another start is meant
+                continue
+            if not vanishes(residual):
+                begins = start.get(symbol, "anything")
+                relation = f"{symbol} = {short(sympy.nsimplify(value), 40)}"
+                return f"{relation} does not hold at the start, where it is {begins}"
+        return ""
+
+    def repels(self) -> str:
+        """Return which relation pushes away states that leave it by rounding, or "".
+
+        With r = s - value beside each relation, r' = J r where r is small.  J is judged where it
+        is constant; elsewhere by the sign of its trace, the rate at which volumes of r grow.
+        """
+        if not self.relations:
+            return ""
+        offsets = {s: sympy.Dummy(f"r_{s}", real=True) for s in self.relations}
+        moved = {s: self.relations[s] + r for s, r in offsets.items()}
+        rates = [
+            self.masked(self.loop.derivative(s - value)).xreplace(moved)
+            for s, value in self.relations.items()
+        ]
+        zero = dict.fromkeys(offsets.values(), sympy.S.Zero)
+        J = sympy.Matrix(rates).jacobian([*offsets.values()]).xreplace(zero)
+        J = J.xreplace(self.loop.values).applyfunc(sympy.expand)
+        if J.is_zero_matrix:
+            return ""
+        if not J.free_symbols and not J.atoms(AppliedUndef):
+            eigenvalues = np.linalg.eigvals(np.array(J, dtype=float))
+            grows = eigenvalues.real.max() > REPELS * np.abs(eigenvalues).max()
+        else:
+            trace = sympy.expand(J.trace())
+            grows = trace != 0 and never_positive(-trace, set())
+        if not grows:
+            return ""
+        names = ", ".join(f"{s} = {short(v, 40)}" for s, v in self.relations.items())
+        return f"{names}: a distance from it that rounding leaves grows"
 
     def reduced(self, expression: Any) -> sympy.Expr:
         """Return an expression where the relations hold, words with kinks any numbers."""

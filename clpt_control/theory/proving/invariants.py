@@ -99,6 +99,8 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
             lambda case: case.broken() or start(case)
         )
     }
+    if own:
+        claims["what is kept does not repel"] = InvariantLoop.repels
     if case.loop.jumps:
         left = f"{', '.join(names)} >= 0 is not left where they jump"
         claims["and is kept where they jump"] = InvariantLoop.broken_at_a_jump

@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
-from ..squares import never_positive, positive_definite, states_beside
+from ..squares import least_place, never_positive, states_beside
 from .every_n import base_and_term, reindexed
 from .leaks import Bound
 from .proof import Step, checked, exact, short
@@ -56,7 +56,8 @@ class Case:
         self.of_V = {s: self.values[s] for s in of_V} | self.tied
         self.moving = {TIME, *loop.motion}
         self.Vs = loop.signals["V"][0].xreplace(self.known)
-        self.e = sympy.symbols("e_1:3", real=True)
+        # a state of the law may be called e_1 as well
+        self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
         # x = e + z
         self.apart = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}
@@ -134,7 +135,7 @@ class Case:
         named = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
 
         def holds() -> bool:
-            V, states = self.V_of_D, [*self.e, *self.learned]
+            V, states = self.V_of_D, [*self.e, *self.learned, *self.others_in_V]
             if any(s.name.endswith(".interval") for s in V.free_symbols):
                 return False  # V itself may jump
             V = tidied(
@@ -150,10 +151,20 @@ class Case:
                 if not (share.is_number and share.is_positive and rises.is_positive):
                     return False
                 V, states = rest, [one for one in states if one != s]
-            return positive_definite(V, states)
+            least = least_place(V, states)
+            if least is None:
+                return False
+            self.truth |= {s: least[s] for s in self.others_in_V}
+            return not any(least[s] for s in states if s not in self.others_in_V)
 
         claim = f"V is positive definite in {named} and the parameter errors"
         return checked(f"{claim}, at the blocks' own values", holds, every_N=False)
+
+    @property
+    def others_in_V(self) -> list[Any]:
+        """States of V that are neither the vehicle's, the learner's nor learned."""
+        known = {*self.learned, *self.loop.states["x"], *self.loop.states["z"]}
+        return [s for s in self.loop.motion if s not in known and self.Vs.has(s)]
 
     def valued(self) -> Step:
         """Return the step that the equations have a value everywhere."""
@@ -234,7 +245,8 @@ class Case:
     def existing(self) -> tuple[str, Step]:
         """Return what a verdict adds of the other states, and the step that they exist."""
         x, z = self.loop.states["x"], self.loop.states["z"]
-        return states_beside([*x, *z, *self.learned], self.loop, self.values)
+        held = [*x, *z, *self.learned, *self.others_in_V]
+        return states_beside(held, self.loop, self.values)
 
     def settled(self) -> tuple[bool, str]:
         """Settle how V falls; return whether the rest of V' is not positive, and the fall in words.

@@ -9,7 +9,7 @@ the terms with e cancel; gains are read off the law's equations,
 `verdict` says what follows from V' along the closed loop.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from inspect import signature
 from typing import Any
@@ -61,7 +61,8 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
     refutes nothing.  Where these products drive each other's rates, by a matrix that is symmetric
     and positive definite, V weighs the errors by its inverse.
     """
-    loop = symbolic_loop(connect([law], external=list(law.input_ports)), jumps=True)
+    alone = connect([law], external=list(law.input_ports), name=law.name)
+    loop = symbolic_loop(alone, jumps=True)
     refuse_no_value(loop, law.name)
     nothing = np.zeros(2 * N, dtype=object)
     e, apart = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)]), {}
@@ -105,7 +106,8 @@ def fitted_V(law: Block, N: int) -> tuple[Candidate, Gains, bool]:
     )
 
     def of(parameters: list) -> list[sympy.Expr]:
-        names = dict(zip(own, parameters, strict=True))
+        pairs = zip(own, parameters, strict=True)
+        names = {s: name for s, name in pairs if isinstance(s, sympy.Symbol)}
         return [weight.xreplace(names) for weight in weights]
 
     if inverse is not None:
@@ -141,6 +143,8 @@ def _weighed_by_squares(rests: dict, known: set) -> bool:
 
 def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
     """Return the factor of a product in a rate, made of parameters alone."""
+    if product == 0:  # the law does not read a signal of it
+        return sympy.S.Zero
     terms = [term / product for term in sympy.Add.make_args(rate)]
     known = (
         q for q in terms if not q.atoms(AppliedUndef) and q.free_symbols <= parameters
@@ -157,6 +161,7 @@ def prove(
     invariants: Callable[..., dict] | None = None,
     semidefinite: Sequence[str] = (),
     losses: Callable[..., list[tuple]] | None = None,
+    start: Mapping[str, Any] | None = None,
 ) -> Verdict:
     """Prove or refute an adaptive law by V' along the closed loop.
 
@@ -178,6 +183,8 @@ def prove(
     invariants : callable, optional
         ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
         begin so; V' is then -e^T KD e less `losses`, and V has to be given.
+    start : mapping, optional
+        Initial values of the law's own states, by name, from which `invariants` hold. Default: 0.
     semidefinite : sequence of str, optional
         States that are symmetric positive semidefinite matrices; where V weighs errors by one,
         that it begins positive definite.
@@ -249,7 +256,8 @@ def prove(
             "losses": losses,
         }
         row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
-        case = InvariantLoop(row := row.with_parts(part), N, blocks=(law_block, make))
+        row = row.with_parts(part)
+        case = InvariantLoop(row, N, blocks=(law_block, make), start=start or {})
         steps, (apart, existing) = (
             invariant_steps(row, points, case, seed),
             case.existing(),

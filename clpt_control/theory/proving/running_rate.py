@@ -260,13 +260,12 @@ class PointSearch:
     # --- compared with symbols ------------------------------------------------------------------
 
     def compare(self, points: tuple, some: int) -> tuple[bool, str]:
-        """Compare V, and the rates of the states that it holds, with those of running blocks.
+        """Compare V and the rates of all states with those of the running blocks.
 
         At `some` of the points, times (n,), states (nx, n) and inputs (nu, n), python-control calls
         the blocks.
         """
-        held = [k for k, slope in enumerate(self.gradient[1:]) if slope != 0]
-        wanted = [self.V, *(self.eq.motion[self.states[k]] for k in held)]
+        wanted = [self.V, *self.eq.motion.values()]
         wanted = [e.xreplace(self.eq.values) for e in wanted]
         numbers, known = Numbers(*wanted, *map(size_of, wanted)), self.known(*points)
         known[LOST] = ROUNDING * (1 + np.abs(points[1]).max(axis=0, initial=0.0))
@@ -279,24 +278,34 @@ class PointSearch:
             check()
             t, x, u = here = [one.T[:most] for one in points]
             rates, level = evaluate(*here)
-            found = np.vstack(
-                [level if self.blocks.V else right[0, :most], rates.T[held]]
-            )
+            found = np.vstack([level if self.blocks.V else right[0, :most], rates.T])
             off = _apart(right[:, :most], found, size[:, :most])
+            lost = _digits_lost(right[:, :most], found)
             for row, k in np.argwhere(np.isnan(off)):
                 # large of inf - inf, not of inf/inf
                 at = {s: np.broadcast_to(v, count)[k] for s, v in known.items()}
                 exact = wanted[row].evalf(subs=at)
                 if exact.is_number and abs(exact) > HUGE:
                     off[row, k] = 0.0
-            for row, k in np.argwhere(~(off <= CLOSE))[:1]:
-                what = f"{self.states[held[row - 1]]}'" if row else "V"
-                apart = f"differs by {off[row, k]:.1e} of its terms"
-                apart = "is no number" if np.isnan(off[row, k]) else apart
-                return False, f"{what} {apart} at {Point(t[k], x[k], u[k])}"
+            for row, k in np.argwhere(~((off <= CLOSE) & (lost <= MOST_LOST)))[:1]:
+                problem = f"differs by {off[row, k]:.1e} of its terms"
+                if off[row, k] <= CLOSE:
+                    problem = f"loses {lost[row, k]:.0f} of 16 digits in rounding"
+                if np.isnan(off[row, k]):
+                    problem = "is no number"
+                where = f"t = {t[k]:.4g}, states {_few_numbers(x[k])}"
+                return False, f"{self.name_of(row)} {problem} at {where}"
             worst = max(worst, float(off.max(initial=0.0)))
         told = np.sum(np.all(np.abs(right) < HUGE, axis=0))
         return told > count / 10, f"{count} points, largest difference {worst:.0e}"
+
+    def name_of(self, row: int) -> str:
+        """Name a row of a comparison: V, or the rate of a state and the block that has it."""
+        if row == 0:
+            return "V"
+        nodes = self.blocks.wiring.nodes
+        block = next(n.name for n in nodes if n.states.start < row <= n.states.stop)
+        return f"{block}.update: {self.states[row - 1]}'"
 
 
 def size_of(e: sympy.Expr) -> sympy.Expr:
@@ -314,6 +323,29 @@ def _apart(wanted: np.ndarray, found: np.ndarray, size: np.ndarray) -> np.ndarra
         off = np.abs(found - wanted) / np.maximum(size, TINY)
     large = ~(np.abs(wanted) < HUGE) & ~(np.abs(found) < HUGE)
     return np.where(large & ~np.isnan(found) | large[0], 0.0, off)
+
+
+def _few_numbers(values: np.ndarray) -> str:
+    """Return numbers as text, of many the first and the last ones."""
+    return np.array2string(values, precision=4, threshold=8, max_line_width=200)
+
+
+DIGITS = 16  # of a double
+MOST_LOST = 10  # digits that rounding may take from a rate where its terms cancel
+
+
+def _digits_lost(wanted: np.ndarray, computed: np.ndarray) -> np.ndarray:
+    """Return how many of 16 digits of each rate are wrong, by row.
+
+    A rate that is tiny beside the largest of its row, 1e-6 of it, is measured by that size.
+    """
+    size = np.where(np.abs(wanted) < HUGE, np.abs(wanted), 0.0)
+    largest = size.max(axis=1, keepdims=True, initial=0.0)
+    scale = np.maximum(size + 1e-6 * largest, TINY)
+    with np.errstate(all="ignore"):
+        share = np.abs(computed - wanted) / scale
+        digits = np.clip(DIGITS + np.log10(share), 0.0, DIGITS)
+    return np.where((np.abs(wanted) < HUGE) & np.isfinite(computed), digits, 0.0)
 
 
 def search_of(

@@ -59,6 +59,7 @@ def symbolic_loop(
     """
     refuse_unproved(wiring_of(diagram), jumps)
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
+    refuse_names(diagram.name, {*loop.states, *loop.inputs})
     refuse_pinned(loop.pinned)
     return SymbolicLoop(**vars(loop), diagram=diagram)
 
@@ -89,6 +90,14 @@ def equated(
         for port, own in values.items()
         for symbol, value in zip(ports[port].flat, np.ravel(own), strict=True)
     }
+
+
+def refuse_names(name: str, names: Iterable[str]) -> None:
+    """Refuse a state, a signal or a parameter that is called as time or a function is."""
+    for reserved in sorted({"t", "Abs", *NUMBERS_OF} & {*names}):
+        raise DiagramError(
+            f"{name}: has a {reserved}, as time or a function is called; rename it"
+        )
 
 
 def refuse_no_value(loop: SymbolicLoop, name: str) -> None:

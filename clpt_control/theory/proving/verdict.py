@@ -40,6 +40,16 @@ def refuting_point(case: Case) -> tuple[Point, float] | None:
     return None
 
 
+def point_below_truth(case: Case) -> tuple[Point, float] | None:
+    """Return a point at which V of the running blocks is below that at the truth, and by how much."""
+    search = search_of(case.loop, case.truth, case.seed)
+    for point in search.highest(case.Vs.xreplace(case.truth) - case.Vs, still=True):
+        _, _, V = search.rates_at(point, search.farther(point.x, (1.0, 0.0)))
+        if V[1] - V[0] > SURE * np.abs(V).max():
+            return point, float(V[1] - V[0])
+    return None
+
+
 def rising_jump(case: Case) -> tuple[Point, Point, float] | None:
     """Return where V of the running blocks rises at a jump, before and after it, and by how much.
 
@@ -179,6 +189,12 @@ def verdict_of(case: Case) -> Verdict:
         if found is not None:
             where = {"point": found[0], "value": found[1]}
             return _complete(case, "refuted", f"{detail} at `point`", steps, **where)
+    below = None if definite.holds else point_below_truth(case)
+    if below is not None:
+        claim = f"V is {below[1]:.3g} below its value at the truth at `point`"
+        steps.append(Step(claim, True, "counterexample", "", False))
+        where = {"point": below[0], "value": -below[1]}
+        return _complete(case, "refuted", claim, steps, **where)
     return _complete(case, "open", failed, steps)
 
 
@@ -195,7 +211,7 @@ def _complete(
     if known and case.others:
         apart, existing = case.existing()
         steps = [*steps, existing]
-        status = status if existing.holds else f"{status} {apart}"
+        status = f"{status} {apart}" if apart else status
     if case.loop.jumps:
         steps = [*steps, case.across_jumps()]
         if known and not steps[-1].holds:
