@@ -7,11 +7,20 @@ part reads a signal; the blocks that read the signal before read the output of t
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ..engine.diagram.wiring import Part, as_part, input_ports, output_ports, read_anew
+import control
+
+from ..engine.diagram.wiring import (
+    Part,
+    as_part,
+    input_ports,
+    is_discrete,
+    output_ports,
+    read_anew,
+)
 from ..engine.model.block import Block
 from ..engine.model.declaration import ports_line
 from ..engine.model.ports import counts_of, labels, renamed
-from ..engine.model.system import is_linear, on_each_axis
+from ..engine.model.system import block_of_ports, is_linear, on_each_axis
 from ..errors import DiagramError
 
 LAW = "adaptation"  # the part that is the adaptive law
@@ -52,7 +61,16 @@ class Changes(NamedTuple):
         return ", ".join(f"{location}: {part.name}" for location, part in items)
 
     def of_blocks(self, user: str) -> "Changes":
-        """Refuse parts that are no blocks, for a user that runs machine code only."""
+        """Refuse parts that are no blocks, for a user that runs machine code only.
+
+        A law that is a `control.nlsys` becomes a block.
+        """
+        if self.law is not None:
+            law = law_block(self.law)
+            return self._replace(replace={**self.replace, LAW: law})._of_blocks(user)
+        return self._of_blocks(user)
+
+    def _of_blocks(self, user: str) -> "Changes":
         for part in self.parts:
             if not isinstance(part, Block):
                 raise DiagramError(
@@ -90,6 +108,14 @@ def _checked_mapping(argument: str, value: Any, example: str) -> dict[Any, Any]:
             f"{argument}: is a {type(value).__name__}; must be a dict, such as {example}"
         )
     return dict(value or {})
+
+
+def law_block(law: Part) -> Part:
+    """Return a law that is a `control.nlsys` as a block with alpha of shape (2, N)."""
+    is_function = type(law) is control.NonlinearIOSystem and not is_discrete(law)
+    if not is_function:
+        return law
+    return block_of_ports(law, {"alpha": (2, functions_of(law))})
 
 
 def functions_of(law: Part) -> int:

@@ -54,8 +54,15 @@ class FailureSearch(PointSearch):
 
     def rises_at(self) -> Failure | None:
         """Return a point at which the running blocks have V' > 0, and V' there."""
-        still = (True,) if self.case.depends_on() else (True, False)
-        return self.rate_beside(sympy.S.Zero, (1,), still)
+        if not self.case.depends_on():
+            return self.rate_beside(sympy.S.Zero, (1,), (True, False))
+        still = self.rate_beside(sympy.S.Zero, (1,), (True,))
+        return still or self.rises_with_inputs()
+
+    def rises_with_inputs(self) -> Failure | None:
+        """Return a point at which inputs make V rise, however far off, and V' there."""
+        nothing_held = np.zeros(len(self.states), dtype=bool)
+        return next(self.rises_far_off(self.case.rate, nothing_held), None)
 
     def not_as_claimed(self) -> Failure | None:
         """Return a point at which V' of the running blocks is not as claimed, and V' there."""
@@ -111,7 +118,7 @@ def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
     """Return what is shown of a V, or where that ends."""
     V = case.in_signals(case.V)
     definite, forms = case.definite()
-    falls, inputs = case.falls(), case.depends_on()
+    falls, inputs = case.falls() or case.is_claim_proved(), case.depends_on()
     zero: dict[Any, Any] = {}
     if not falls and inputs:
         zero = {f: sympy.S.Zero for f in case.inputs if str(f.func) in inputs}
@@ -184,6 +191,24 @@ def _refuted(case: SystemWithV, search: FailureSearch, found: Verdict) -> Verdic
     return replace(found, steps=steps)
 
 
+def _refuted_by_inputs(search: FailureSearch, found: Verdict) -> Verdict:
+    """Return what is found of a V, refuted where inputs raise it however far from the rest."""
+    failure = search.rises_with_inputs()
+    if failure is None:
+        return found
+    inputs = ", ".join(found.inputs)
+    claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
+    step = Step(f"{inputs} raises V however large it is", True, "counterexample")
+    return replace(
+        found,
+        status="refuted",
+        claim=f"{claim}; {found.status.removeprefix('proved ')} V' <= 0",
+        steps=(*found.steps, replace(step, every_N=False)),
+        point=failure[0],
+        value=failure[1],
+    )
+
+
 def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure | None]:
     """Return the step that V rises at no jump, and a point at which it does."""
     claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
@@ -236,10 +261,10 @@ def _best_candidate(
             return found
         if best is None and found.status.startswith("proved"):
             best = found
-    none = (
-        "no V was found that is proved: give one, or a rest (at=) about which to search"
-    )
-    return best or Verdict("open", none, case.V, case.rate)
+    inputs = ", ".join(str(f.func) for f in case.inputs)
+    still = f", with {inputs} = 0," if inputs else ""
+    none = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
+    return best or Verdict("open", none, None, None)
 
 
 @public
@@ -310,17 +335,19 @@ def lyapunov(
         if within:
             return _in_region(case, search, within, points)
         found = _proved(case, search, points)
-        if found.status == "proved" or not case.eq.values:
-            return _refuted(case, search, found)
-        valued = SystemWithV(system, V, claim, at, numbers=True)
-        of_values = _proved(valued, FailureSearch(valued, seed), points)
-        if found.status.startswith("proved") and of_values.status != "proved":
-            return found
-        return _refuted(case, search, of_values)
+        if found.status != "proved" and case.eq.values:
+            valued = SystemWithV(system, V, claim, at, numbers=True)
+            of_values = _proved(valued, FailureSearch(valued, seed), points)
+            if of_values.status == "proved" or not found.status.startswith("proved"):
+                found = of_values
+        if found.status.startswith("proved where"):
+            return found if is_searched else _refuted_by_inputs(search, found)
+        return found if found.status.startswith("proved") else _refuted(case, search, found)
 
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
         raise DiagramError(f"{system.name}: leave the claim out: {why}")
     with worked_out(system.name):
+        is_searched = V is None
         V, claim = of_signals(system, V), of_signals(system, claim)
         return _best_candidate(system, at, judged) if V is None else judged(V)

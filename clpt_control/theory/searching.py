@@ -38,7 +38,10 @@ Monomial = tuple[int, ...]
 
 
 def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
-    """Yield functions that may be a V of a diagram about its rest, the plainest first."""
+    """Yield functions that may be a V of a diagram about its rest, the plainest first.
+
+    First for any inputs, then for inputs of 0.
+    """
     rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
     zero = dict.fromkeys(case.inputs, sympy.S.Zero)
     rates: Rates = {}
@@ -56,15 +59,17 @@ def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
             "give one"
         )
-    found = chain(_of_program(rates), _of_linear_part(rates, case.inputs))
+    still = {s: rate.xreplace(zero) for s, rate in rates.items()}
+    programs = [_of_program(rates), *[_of_program(still)] * bool(case.inputs)]
+    found = chain(*programs, _of_linear_part(still))
     for V in dict.fromkeys(found):
         yield V.xreplace({s: s - rest[s] for s in rest})
 
 
-def _of_linear_part(rates: Rates, inputs: list) -> Iterator[sympy.Expr]:
+def _of_linear_part(rates: Rates) -> Iterator[sympy.Expr]:
     """Yield z^T P z with A^T P + P A = -I where A is Hurwitz."""
     states = list(rates)
-    zero = dict.fromkeys([*states, *inputs], sympy.S.Zero)
+    zero = dict.fromkeys(states, sympy.S.Zero)
     A = sympy.Matrix(
         [[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()]
     )

@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..engine.diagram.symbol_names import TIME
 from ..engine.diagram.symbolic_equations import Equations
 from ..errors import DiagramError
-from .proving.proof import Step, exact
+from .proving.proof import How, Step, exact
 from .proving.signs import (
     MOST_TERMS,
     factored,
@@ -247,12 +247,45 @@ def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,)) -> bool:
         return True
     terms = sympy.Add.make_args(e)
     left = (f for f in terms if f.is_polynomial(*free) or not f.is_nonpositive)
-    totals = (squares(-one, fixed) for one in dict.fromkeys((e, sympy.Add(*left))))
-    if any(total and total.constant.is_nonnegative for total in totals):
+    signals = {f: sympy.Dummy(real=True) for f in e.atoms(AppliedUndef) if is_input(f)}
+    for rest in dict.fromkeys((e, sympy.Add(*left))):
+        totals = [squares(-rest, fixed)]
+        if signals:
+            # a quadratic form whose coefficients are made of inputs
+            coefficients = fixed | {*signals.values()}
+            totals.append(squares(-rest.xreplace(signals), coefficients))
+        if any(total and total.constant.is_nonnegative for total in totals):
+            return True
+    if _by_common_factor(e, free):
         return True
     return any(
         interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e))
     )
+
+
+def _by_common_factor(e: sympy.Expr, free: set) -> bool:
+    """Return whether e = sum_k f_k p_k, f_k > 0 no polynomial and each p_k never positive."""
+    polynomials: dict[sympy.Expr, sympy.Expr] = {}
+    for term in sympy.Add.make_args(sympy.expand(e)):
+        factors = sympy.Mul.make_args(term)
+        common = sympy.Mul(*(f for f in factors if not f.is_polynomial(*free)))
+        polynomials[common] = polynomials.get(common, sympy.S.Zero) + term / common
+    if len(polynomials) < 2 and sympy.S.One in polynomials:
+        return False
+    return all(
+        all(map(_is_above_zero, sympy.Mul.make_args(common)))
+        and nonpositive(sympy.expand(p), free)
+        for common, p in polynomials.items()
+    )
+
+
+def _is_above_zero(factor: sympy.Expr) -> bool:
+    """Return whether a factor is never negative; of a power also by the squares in its base."""
+    if factor.is_nonnegative:
+        return True
+    base, _ = factor.as_base_exp()
+    total = squares(base, set()) if base.is_Add else None
+    return total is not None and bool(total.constant.is_positive)
 
 
 # --- states that V does not hold ----------------------------------------------------------------
@@ -314,6 +347,12 @@ def states_beside(
     if not free:
         return "", exact("V holds every state", True)
     plain = [motion[s].xreplace(at) for s in free]
+    functions = sympy.Tuple(*plain).atoms(AppliedUndef)
+    sources = sorted({str(f.func) for f in functions if is_input(f)})
+    # nothing is known of an opaque source, not even that it has a value at all times
+    verb = "are" if sources[1:] else "is"
+    given = f", if {' and '.join(sources)} {verb} bounded" if sources else ""
+    how: How = "sampled" if sources else "exact"
     rates = sympy.Matrix([sympy.expand(rate) for rate in plain])
     after = [change for jump in eq.jumps.values() for change in jump.items()]
     jumps = [
@@ -324,14 +363,13 @@ def states_beside(
     varies = rest.has(TIME, *intervals, *free)
     if not (jumps or J.free_symbols - fixed or varies) and hurwitz(J):
         inputs = " and bounded inputs" if rest.has(*still.values()) else ""
-        return "", exact(
-            f"{names}: linear and stable, driven by what V holds{inputs}", True
-        )
+        stable = f"{names}: linear and stable, driven by what V holds{inputs}{given}"
+        return "", Step(stable, True, how, every_N=False)
     # expansion hides roots
     both = [*zip(plain, rates, strict=True), *((new,) for new in jumps)]
     if all(min(degree(f, free.__contains__) for f in one) <= 1 for one in both):
-        grows = exact(f"{names}: not held by V, may grow, and exist for all t", True)
-        return f"but for {names}", grows
+        grows = f"{names}: not held by V, may grow, and exist for all t{given}"
+        return f"but for {names}", Step(grows, True, how, every_N=False)
     faster = exact(f"{names}: not held by V, exist for all t", False, "not shown")
     return f"as long as {names} exist", faster
 

@@ -6,11 +6,13 @@ What is read is what runs; parameters are symbols of the signs that they have, a
 where that shows more.
 """
 
+from collections import Counter
 from collections.abc import Mapping
 from functools import cached_property
 from math import pi
 from typing import Any
 
+import control
 import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
@@ -39,6 +41,11 @@ def _watched(owner: str, kind: str, arguments: tuple) -> str | None:
 
 def by_name(eq: Equations) -> dict[str, np.ndarray]:
     """Return the symbols that a function of signals may ask for, by name."""
+    identifiers = Counter(name.replace(".", "_") for name in eq.named)
+    for name in eq.named:
+        if "." in name and identifiers[name.replace(".", "_")] > 1:
+            clash = f"{name} and {name.replace('.', '_')} are both s.{name.replace('.', '_')}"
+            raise DiagramError(f"{eq.name}: {clash} in a function of signals; rename one")
     found = {name.replace(".", "_"): symbols for name, symbols in eq.named.items()}
     found = {name: symbols for name, symbols in found.items() if name.isidentifier()}
     found = {
@@ -123,10 +130,25 @@ class SystemWithV:
                 raise DiagramError(f"{self.system.name}: {source} is no single number")
             return found
         named = by_name(self.eq)
+
+        def level(u: Any) -> Any:
+            try:
+                value = source(u)
+            except AttributeError as error:
+                value = error if "_asdict" in f"{error}" else None
+                if value is None:
+                    raise
+            if isinstance(value, control.InputOutputSystem | AttributeError):
+                raise DiagramError(
+                    f"{self.system.name}: V is a function of signals here, "
+                    "lambda s: s.e @ s.e/2, which returns a number and no block"
+                )
+            return value
+
         ports = {name: symbols.shape for name, symbols in named.items()}
         block = Block(
             "V",
-            output=lambda t, x, u, p: {"V": source(u)},
+            output=lambda t, x, u, p: {"V": level(u)},
             inputs=ports,
             outputs={"V": 1},
         )
@@ -176,6 +198,15 @@ class SystemWithV:
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
         return never_positive(tidied(expression), self.fixed)
+
+    def is_claim_proved(self) -> bool:
+        """Return whether V' is as claimed, and the claim as written is never positive."""
+        claim = self.claim
+        if claim is None or not vanishes(tidied(self.rate - claim)):
+            return False
+        terms = sympy.Add.make_args(claim)
+        is_sum_of_squares = all(bool(term.is_nonpositive) for term in terms)
+        return is_sum_of_squares or never_positive(claim, self.fixed)
 
     def falls(self) -> bool:
         """Return whether V' is known never to be positive, as it stands, reduced, or by states."""

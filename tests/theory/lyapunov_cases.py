@@ -146,6 +146,13 @@ def of_the_arm(s):
     return moving / 2 + s.q1**2 + s.q2**2
 
 
+def tuner(b, mu):
+    """A law with a state n beside its estimate h; right where b mu/0.8 >= 1."""
+    rates = "e' = -e + (h + th)*f; n' = -0.8*e*f; h' = -b*(h - n)*(1 + mu*f**2)"
+    V = "V = e**2/2 + ((n + th)**2 + (h - n)**2)/1.6"
+    return f"{rates}; {V}; b = {b}; mu = {mu}; th = 0.5; input f"
+
+
 RIGHT = {
     "MRAC": (mrac(), textbook),
     "MRAC, numbers in V": (
@@ -160,6 +167,12 @@ RIGHT = {
     "tanh": "x' = -tanh(x)",
     "two pendulums on one shaft": shaft(1),
     "a chain of diodes": chain("(exp(40*{0}) - 1)"),
+    "a chain of soft dampers": chain("({0}/sqrt(1 + {0}**2))"),
+    "a barrier": "x' = minimum(-x, 1 - x)",
+    "a limit that is never reached": "x' = x**3 - maximum(x**2 + 0.5, 0.0)*x",
+    "a projection": "e' = -e + (1 - h)*f; h' = where((h > 2) & (e*f > 0), 0.0, e*f); "
+    "V = e**2/2 + (h - 1)**2/2; input f",
+    "a higher-order tuner": tuner(1.0, 2.0),
     "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
     "gain of a higher wave": "x' = -(2 + sin(3*t))*x",
     "gain of a wave's high power": "x' = -(1.001 - sin(t/1000)**2000)*x",
@@ -233,6 +246,7 @@ REFUTED = {
     ),
     "V of a logarithm": "x' = -x; V = log(x)**2",
     "an input that drives": "x' = x + d; input d",
+    "a higher-order tuner that follows too slowly": tuner(0.1, 0.1),
     "another rest": "x' = 3 - x; at x = 3",
 }
 OPEN = {  # no point shows it, or none is looked for
@@ -241,7 +255,6 @@ OPEN = {  # no point shows it, or none is looked for
     "V of an angle": "x' = y; y' = -x; V = (arctan2(y, x) + 4)**2 + x**2 + y**2",
     "V of an arm, no sum of squares": (system(arm), of_the_arm),
     "a chain of hinges": chain("(2*{0} + sin{0})"),
-    "a chain of soft dampers": chain("({0}/sqrt(1 + {0}**2))"),
     "V that is linear far off": "x' = -x; V = x**2/(1 + abs(x))",
     "V that is bounded": "x' = -x; V = tanh(x**2)",
     "V that lets go far off": "x' = -6*x/(1 + x**2)**2 + 2*y; y' = -2*(x + y)/(1 + x**2)**2; "

@@ -24,7 +24,7 @@ from ..trace.branches import EVERY
 from ..trace.tracing import read
 from .block import Block
 from .declaration import Parameters
-from .ports import flattened
+from .ports import counts_of, flattened
 from .sampled import Sampled
 
 
@@ -201,6 +201,61 @@ class System(Block):
                 f"{self.name}.{role} returns one number, which each of its {count} {signals} gets; "
                 "return a number for each"
             )
+
+
+def block_of_ports(
+    system: control.NonlinearIOSystem, shapes: Mapping[str, tuple[int, ...]]
+) -> Block:
+    """Return a `control.nlsys` as a block whose ports are those of its labels.
+
+    `shapes` are the shapes of ports that are no rows of numbers.
+    """
+    inputs, states, outputs = (
+        {port: shapes.get(port, count) for port, count in counts_of(names).items()}
+        for names in (system.input_labels, system.state_labels, system.output_labels)
+    )
+    params = dict(system.params)
+    numbers = {
+        name: _leaf(value) for name, value in params.items() if _is_number(name, value)
+    }
+    update_function, output_function = _functions(system)
+
+    def row(values: Any, ports: Mapping[str, Any]) -> Any:
+        """Return the signals of all ports as one row."""
+        if not ports:
+            return np.zeros(0)
+        return np.concatenate([np.ravel(getattr(values, port)) for port in ports])
+
+    def by_port(values: Any, ports: Mapping[str, Any]) -> dict[str, Any]:
+        """Return one row of signals as arrays, by port."""
+        arrays, start = {}, 0
+        for port, shape in ports.items():
+            size = int(np.prod(shape))
+            arrays[port] = np.reshape(values[start : start + size], shape)
+            start += size
+        return arrays
+
+    def arguments(t: Any, x: Any, u: Any, p: Any) -> tuple:
+        given = {**params, **{name: getattr(p, name) for name in numbers}}
+        return t, row(x, states), row(u, inputs), given
+
+    def update(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
+        rates = update_function(*arguments(t, x, u, p))
+        return by_port(np.asarray(rates), states)
+
+    def output(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
+        values = output_function(*arguments(t, x, u, p))
+        return by_port(np.asarray(values), outputs)
+
+    return Block(
+        system.name,
+        update=update if states else None,
+        output=output if output_function is not None else None,
+        inputs=inputs,
+        states=states,
+        outputs=outputs,
+        parameters=numbers,
+    )
 
 
 def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | None]:

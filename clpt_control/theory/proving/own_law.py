@@ -10,6 +10,7 @@ the terms with e cancel; gains are read off the law's equations,
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from inspect import signature
 from typing import Any
@@ -29,6 +30,7 @@ from ...errors import DiagramError
 from ...scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_parts import functions_of
+from ...simulation.user_parts import law_block as as_law_block
 from ..promises import truth_of
 from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
@@ -47,6 +49,7 @@ from .theorem_loop import (
 )
 from .verdict import Verdict, verdict_of
 
+SLOWER = ", where the flow stays slower than the vehicle (hedging)"
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
 Candidate = Callable[..., Block]  # makes V of the truth
 Gains = Callable[[list], list]  # of V, made of the law's parameters
@@ -154,7 +157,7 @@ def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Exp
 
 @public
 def prove(
-    law_block: Block | Diagram,
+    law_block: Block | Diagram | control.NonlinearIOSystem,
     V: Candidate | None = None,
     points: Count = 10_000,
     seed: Seed = 0,
@@ -167,14 +170,15 @@ def prove(
 
     Parameters
     ----------
-    law_block : Block or Diagram
+    law_block : Block, control.NonlinearIOSystem or Diagram
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
         as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
         your own, nor a disturbance, noise, held gains or a limit of the speed without hedging.
     V : callable, optional
-        ``V(truth)`` or ``V(truth, parameters)``, which makes a Block with the output V[1] of the
-        truth, theta, KD and GammaD, and of the law's parameters; what it holds of the truth is its
-        symbol. By default Eq. (24), each error weighed by the gain with which the
+        A function of signals, as `lyapunov` takes it: ``lambda s: s.e @ s.e / 2 + ...``, which
+        may ask for signals of the loop (``s.e``, ``s.alpha``, ``s.K``, ...), the truth
+        (``s.theta``, ``s.KD``, ``s.GammaD``) and the law's parameters. Or a function of the truth,
+        ``V(truth)`` or ``V(truth, parameters)``, that makes a Block with the output V[1]. By default Eq. (24), each error weighed by the gain with which the
         law adapts it, or by the inverse of a matrix of gains.
     points : int, optional
         Random points at which the running blocks are called.
@@ -223,6 +227,12 @@ def prove(
                 f"the paper's own diagram without, or give it as a Block; {ANY}"
             )
         law_block = loop.changes.law or loop.scenario.law_block
+        if loop.scenario.vehicle.max_speed is not None:
+            more = (V, points, seed, invariants, semidefinite, losses, start)
+            verdict = prove(law_block, *more)
+            return replace(verdict, claim=f"{verdict.claim}{SLOWER}")
+    if isinstance(law_block, control.NonlinearIOSystem):
+        law_block = as_law_block(law_block)
     if not isinstance(law_block, Block):
         raise DiagramError(
             f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
@@ -327,4 +337,50 @@ def _maker(V: Candidate, law: Block) -> Candidate:
         read_anew(block)
         return block.copy("candidate")
 
+    try:
+        make(truth_of(theorem_scenario(functions_of(law), "learned-flow")))
+    except AttributeError:  # the truth alone has no signals
+        return partial(_block_of_signals, V, law)
     return make
+
+
+class LawSignals:
+    """The signals, parameters and true values that a V of a law may ask for: s.e, s.theta."""
+
+    def __init__(self, ports: Mapping[str, Any], signals: Any, parameters: Any):
+        self._ports, self._signals, self._parameters = ports, signals, parameters
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self._ports:
+            return getattr(self._signals, name)
+        if hasattr(self._parameters, name):
+            return getattr(self._parameters, name)
+        names = ", ".join([*self._ports, *self._parameters._fields])
+        raise DiagramError(f"V asks for s.{name}; s has {names}")
+
+
+def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Block:
+    """Return V as a block, of a function of the loop's signals."""
+    loop = theorem_loop(functions_of(law), "learned-flow", law_block=law)
+    parts = [part for part in loop.syslist if part.output_ports != {"V": 1}]
+    shapes = {port: s for part in parts for port, s in part.declared["outputs"].items()}
+    shapes |= {"phi_x": ("N",), "phi_z": ("N",), "zc": (2,)}
+    parameters = {**law.parameters._asdict(), **truth._asdict()}
+
+    def block(ports: Mapping[str, Any], fields: Mapping[str, Any]) -> Block:
+        return Block(
+            "candidate",
+            output=lambda t, x, u, p: {"V": V(LawSignals(ports, u, p))},
+            inputs=ports,
+            outputs={"V": 1},
+            parameters=fields,
+            shapes={"theta": (2, "N")} if "theta" in fields else {},
+            sizes={"N": functions_of(law)},
+        )
+
+    record = block(shapes, parameters).array_record("output")
+    ports, fields = (
+        {name: every[name] for name in every if name in {*record.leaves(group)}}
+        for group, every in (("u", shapes), ("p", parameters))
+    )
+    return block(ports, fields)

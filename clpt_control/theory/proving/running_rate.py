@@ -112,6 +112,7 @@ ROUNDING = 16 * 2.0**-52 / CLOSE
 LOST = sympy.Dummy("lost", positive=True)  # that share of the largest state
 HUGE, TINY = 1e100, 1e-300  # beyond, numbers say nothing
 SEARCHES, PER_SEARCH, ROUNDS, BEST = 20, 500, 15, 5
+FARTHER = (1.0, 10.0, 100.0)  # times as far from the rest
 SURE = 1e-7  # of the size of its terms: a sign that is no rounding
 
 
@@ -155,6 +156,11 @@ class PointSearch:
     def slopes(self) -> Numbers:
         """The slopes of V as numbers at points."""
         return self.numbers(*self.gradient)
+
+    @cached_property
+    def level(self) -> Numbers:
+        """V as numbers at points."""
+        return self.numbers(self.V)
 
     def numbers(self, *expressions: sympy.Expr) -> Numbers:
         """Return expressions as numbers at points, with the parameters as they are."""
@@ -251,11 +257,28 @@ class PointSearch:
         """
         t, u = np.full(len(x), point.t), np.tile(point.u, (len(x), 1))
         rates, V = self.blocks.by_control(t, x, u)
-        slopes = self.slopes.at(self.known(t, x.T, u.T), len(x))
+        known = self.known(t, x.T, u.T)
+        slopes = self.slopes.at(known, len(x))
+        if not self.blocks.V:  # V is no output of the diagram
+            (V,) = self.level.at(known, len(x))
         with np.errstate(all="ignore"):
             terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
             terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
             return terms.sum(axis=0), np.abs(terms).sum(axis=0), V
+
+    def rises_far_off(self, rate: sympy.Expr, held: np.ndarray) -> Iterator[tuple]:
+        """Yield points, with V' there, at which V' > 0 also ten and a hundred times as far off.
+
+        Inputs stay as they are, and V' grows with V.  A disturbance that V' < 0 outgrows is passed
+        over: it raises V near the rest alone.  `held` are states that are not moved.
+        """
+        for point in self.highest(rate, still=False):
+            rest = np.where(held, point.x, self.rest_at(point.x[:, None])[:, 0])
+            farther = rest + np.outer(FARTHER, point.x - rest)
+            rises, size, V = self.rates_at(point, farther)
+            positive = np.all((rises > SURE * size) & (V > 0))
+            if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
+                yield point, float(rises[0])
 
     # --- compared with symbols ------------------------------------------------------------------
 
@@ -296,8 +319,11 @@ class PointSearch:
                 where = f"t = {t[k]:.4g}, states {_few_numbers(x[k])}"
                 return False, f"{self.name_of(row)} {problem} at {where}"
             worst = max(worst, float(off.max(initial=0.0)))
-        told = np.sum(np.all(np.abs(right) < HUGE, axis=0))
-        return told > count / 10, f"{count} points, largest difference {worst:.0e}"
+        compared = np.sum(np.all(np.abs(right) < HUGE, axis=0))
+        if compared <= count / 10:
+            what = f"V or a rate is above {HUGE:.0e} at {count - compared} of {count} points"
+            return False, f"{what}, where it is not compared; scale states and gains"
+        return True, f"{count} points, largest difference {worst:.0e}"
 
     def name_of(self, row: int) -> str:
         """Name a row of a comparison: V, or the rate of a state and the block that has it."""

@@ -9,6 +9,7 @@ each it is asked everywhere.
 """
 
 from functools import lru_cache
+from itertools import combinations
 from math import comb, prod
 from typing import Any
 
@@ -373,15 +374,60 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
     return all(nonpositive(sympy.expand(f), apart) for f in set(ends))
 
 
-def _in_pieces(group: sympy.Expr, words: set, apart: set) -> bool:
-    """Return whether an expression is not positive in any piece of its words."""
+def _in_pieces(
+    group: sympy.Expr, words: set, apart: set, facts: tuple[sympy.Expr, ...] = ()
+) -> bool:
+    """Return whether an expression is not positive in any piece of its words.
+
+    `facts` are expressions that are not negative in the piece at hand.
+    """
     for word in sorted(words, key=str) if len(words) <= MOST_WORDS else ():
         pieces = [] if any(map(words_of, word.args)) else pieces_of(word)
         if pieces:
             return all(
-                nonpositive(decided(group.xreplace(at)), apart) for _, at in pieces
+                _in_piece(decided(group.xreplace(values)), apart, (*facts, *conditions))
+                for conditions, values in pieces
             )
     return False
+
+
+def _in_piece(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
+    """Return whether an expression is not positive where facts are not negative."""
+    if nonpositive(e, apart) or any(_is_negative(fact) for fact in facts):
+        return True
+    words = words_of(e)
+    if any(map(pieces_of, words)):
+        return _in_pieces(e, words, apart, facts)
+    return _by_facts(e, apart, facts)
+
+
+def _is_negative(fact: sympy.Expr) -> bool:
+    """Return whether a fact holds nowhere: an expression that is below zero everywhere."""
+    expanded = sympy.expand(fact)
+    return bool(expanded.is_negative or interval(expanded)[1].is_negative)
+
+
+MOST_FACTS = 4  # conditions of a piece whose products are tried
+
+
+def _by_facts(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
+    """Return whether -e is a sum of facts, and products of two, times what is not negative.
+
+        -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    c_i >= 0 known, q and r never negative
+    """
+    functions = sympy.Tuple(e, *facts).atoms(sympy.Function)  # each may be any number
+    names = {f: sympy.Dummy(real=True) for f in functions}
+    e = e.xreplace(names)
+    known = [sympy.expand(fact.xreplace(names)) for fact in dict.fromkeys(facts)]
+    known = known[:MOST_FACTS]
+    known = [fact for fact in known if fact.free_symbols]
+    products = [sympy.expand(a * b) for a, b in combinations(known, 2)]
+    gens = sorted(e.free_symbols.union(*(c.free_symbols for c in known)), key=str)
+    whole = sympy.Tuple(e, *known)
+    if not known or not all(f.is_polynomial(*gens) for f in whole):
+        return False
+    shares, rest = sympy.reduced(sympy.expand(-e), [*products, *known], *gens)
+    return all(nonpositive(sympy.expand(-q), apart) for q in (*shares, rest))
 
 
 def positive_maximum(f: sympy.Expr) -> bool:

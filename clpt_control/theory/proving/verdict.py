@@ -20,10 +20,9 @@ from ...html import facts, fragment
 from .law_case import Case
 from .leaks import Bounding
 from .proof import Step, exact, first_failure, short
-from .running_rate import SURE, running_step, search_of
+from .running_rate import FARTHER, SURE, running_step, search_of
 from .symbolic_loop import Point
 
-FARTHER = (1.0, 10.0, 100.0)
 HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
 # points for each jump of a law, and until when jumps are looked for
 TRIED, UNTIL = (300, 1000.0)
@@ -32,12 +31,8 @@ TRIED, UNTIL = (300, 1000.0)
 def refuting_point(case: Case) -> tuple[Point, float] | None:
     """Return a point with V' > 0, and V' of the running blocks there, or None."""
     search = search_of(case.loop, case.truth, case.seed)
-    for point in search.highest(case.rate, still=False):
-        rises, size, V = search.rates_at(point, search.farther(point.x, FARTHER))
-        positive = np.all((rises > SURE * size) & (V > 0))
-        if positive and rises[-1] / V[-1] >= 0.5 * rises[0] / V[0]:
-            return point, float(rises[0])
-    return None
+    held = np.array([s not in search.rest for s in search.states])
+    return next(search.rises_far_off(case.rate, held), None)
 
 
 def point_below_truth(case: Case) -> tuple[Point, float] | None:
@@ -94,8 +89,8 @@ class Verdict:
         where states jump, and V is not known not to rise there.
     claim : str
         What is shown of V', or the set that V or e comes to, or where it fails.
-    V, rate : sympy.Expr
-        V, and V'; of a diagram in its own signals.
+    V, rate : sympy.Expr or None
+        V, and V'; of a diagram in its own signals. None where no V was found.
     inputs : tuple of str
         Inputs that V' depends on.
     steps : tuple of Step
@@ -129,8 +124,8 @@ class Verdict:
 
     status: str
     claim: str
-    V: sympy.Expr
-    rate: sympy.Expr
+    V: sympy.Expr | None
+    rate: sympy.Expr | None
     inputs: tuple[str, ...] = ()
     steps: tuple[Step, ...] = ()
     point: Point | None = None
