@@ -40,14 +40,7 @@ OPTIONS: dict[str, Any] = {
 # functions that stay functions; the others are inlined
 NOT_INLINED = (
     *("advance", "evaluate", "take_run", "find_crossing", "may_hide", "locate_events"),
-    *(
-        "check_conditions",
-        "check_guard",
-        "locate_jump",
-        "put_rates",
-        "quarter",
-        "halve",
-    ),
+    *("check_events", "locate_jump", "put_rates", "quarter", "halve"),
     *(
         "narrow",
         "measure_effect",
@@ -135,7 +128,6 @@ def arguments() -> dict[str, tuple]:
         memory=layout.Memory(*(real(1),) * 5),
         states=real(3),
         points=real(3),
-        guard_points=real(3),
         signs=real(1),
         linear=layout.Linear(real(1), real(1), whole(1), (1, 1), *(whole(1),) * 6),
     )

@@ -35,9 +35,9 @@ class Nest(NamedTuple):
 class Program(NamedTuple):
     """The functions of a diagram, as nests of loops over components.
 
-    derivative: D = dx/dt; signals: W = all block outputs; margin: D[0] = least distance to a
-    guard's edge; jump: D = states after the jumps that P asks for, empty without any; decide: D =
-    decisions, their distances and the rounding of these (`switching_conditions`).
+    derivative: D = dx/dt; signals: W = all block outputs; jump: D = states after the jumps that
+    P asks for, empty without any; decide: D = decisions, their distances and the rounding of these
+    (`switching_conditions`).  A guard is the last event; its distance is the least margin.
     """
 
     components: tuple[Component, ...]
@@ -51,6 +51,7 @@ class Program(NamedTuple):
     deciding: tuple[tuple, ...]
     timed: bool = False  # whether time alone decides
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
+    guarded: int = 0  # 1 if a guard follows the decisions
 
 
 class Planner:
@@ -252,24 +253,27 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     first_prepared = prepared + 1 + count if count else prepared
     components = Components(record, room, first_prepared)
     # behind the decisions D has their distances, then the rounding errors of these
-    behind = [port._replace(first=port.first + count) for port in decisions.distances]
-    behind += [port._replace(first=port.first + 2 * count) for port in decisions.least]
+    events = count + bool(record.margins)
+    behind = [port._replace(first=port.first + events) for port in decisions.distances]
+    behind += [port._replace(first=port.first + 2 * events) for port in decisions.least]
     with deep():
         writes = {
             "derivative": components.writes(
                 record.rates, "D", MergedSums(components).element
             ),
             "signals": components.writes(record.signals, "W"),
-            "margin": [_least(components)],
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
             "decide": components.writes([*decisions.now, *behind], "D"),
         }
-    return Planner(components).program(writes, decisions)
+        if record.margins:
+            writes["decide"].append(_least(components, events + count))
+    program = Planner(components).program(writes, decisions)
+    return program._replace(guarded=events - count)
 
 
-def _least(components: Components) -> Write:
+def _least(components: Components, to: int) -> Write:
     least: Any = inf
     for margin in components.record.margins:
         value = components.at(margin, ())
         least = components.add("minimum", least, value)
-    return Write("D", 0, (), (), least)
+    return Write("D", to, (), (), least)

@@ -163,7 +163,7 @@ class _MachineCode:
         self.X = rows(n)
         self.P = rows(program.parameters)
         self.W = rows(program.room)
-        self.D = rows(max(n, 3 * program.decided))
+        self.D = rows(max(n, 3 * (program.decided + program.guarded)))
         self.time = np.zeros(lanes)
         self.T = np.append(native.layout.T, 0.0)
         self.factors = 1.0 + 0.1 * np.arange(lanes)[::-1]  # of the states of each lane

@@ -21,12 +21,15 @@ from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
 from .jacobian import NO_LINEAR, Jacobian
 from .schedule import Schedule
 from .solver_layout import (
+    DECIDE,
     FIRST_STEP,
     MAP,
     MAX_STEP,
+    OUTSIDE,
     POINTS,
     REALS,
     RK4,
+    ROUNDING,
     ROWS,
     RUN_INDEX,
     STATE,
@@ -50,7 +53,6 @@ GRAIN = 0.01  # of atol: a smaller difference passes no decision
 LATER = 64
 # of step times eigenvalue: half of what is stable
 LARGE = 3.0
-EMPTY = np.zeros((0, 3, 0))
 NO_LINEAR_NUMBERS = flattened(NO_LINEAR, [])
 PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
@@ -66,7 +68,7 @@ class Callee(NamedTuple):
     lanes: int  # runs that are taken at once
     nstates: int
     method: int  # as the solver numbers it
-    guarded: int  # 1 if guards are watched
+    guarded: int  # 1 if the last event is a guard
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
     decided: int  # their number
@@ -95,6 +97,11 @@ class Callee(NamedTuple):
             self.unannounced,
         )
 
+    @property
+    def events(self) -> int:
+        """Number of events in state."""
+        return self.decided + self.guarded
+
     def call(self, name: str, numbers: np.ndarray) -> int:
         """Call a function of the solver on numbers; raise the error that Python raised within."""
         with np.errstate(all="ignore"):
@@ -119,7 +126,7 @@ class Callee(NamedTuple):
         P = np.zeros(max(self.size, len(parameters)) + 1)
         P[: len(parameters)] = parameters
         W = np.zeros(self.room + 1)
-        D = np.zeros(max(count, 3 * self.decided) + 1)
+        D = np.zeros(max(count, 3 * self.events) + 1)
         times = np.ascontiguousarray(times)
         which_segment = np.searchsorted(segments.edges, times, "right")
         out = np.empty((len(times), count))
@@ -138,6 +145,14 @@ class Callee(NamedTuple):
         )
         self.call("evaluate", numbers)
         return out
+
+    def events_at(
+        self, times: Any, x: Any, segments: Schedule, parameters: Any
+    ) -> np.ndarray:
+        """Return decisions, distances and rounding errors of all events, (nt, 3, events)."""
+        count = 3 * self.events
+        numbers = self.evaluate(DECIDE, times, x, segments, parameters, count)
+        return numbers.reshape(-1, 3, self.events)
 
 
 class Batch:
@@ -185,10 +200,9 @@ class Batch:
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
-        sample_points = 3 * POINTS
-        decision_points = sample_points * callee.decided
-        conditions = decision_points + callee.decided + sample_points * callee.guarded
-        rooms = (REALS, ROWS * n, size, max(callee.room, 1), max(n, conditions))
+        at_points = 3 * POINTS * callee.events
+        results = max(n, at_points + callee.events)
+        rooms = (REALS, ROWS * n, size, max(callee.room, 1), results)
         numbers, self.Z, P, W, D = aligned(*(lanes * room for room in rooms))
         self.lane = numbers.reshape(-1, lanes)
         self.integers = np.full((5, lanes), -1, dtype=np.int64)
@@ -203,16 +217,10 @@ class Batch:
             longest = min(longest, (times[-1] - times[0]) / PARTS)
         self.lane[MAX_STEP] = longest
         self.lane[FIRST_STEP] = opening
-        # 5. switching conditions and guards at the sample points of a step
-        self.points = EMPTY
-        if callee.decided:
-            self.points = D[:decision_points].reshape(-1, 3, callee.decided)
-        self.signs = D[decision_points : decision_points + callee.decided]
-        guard = EMPTY
-        if callee.guarded:
-            guard = D[decision_points + callee.decided :][:sample_points].reshape(
-                -1, 3, 1
-            )
+        # 5. events at the sample points of a step
+        self.points = D[:at_points].reshape(POINTS, 3, callee.events)
+        self.points[:, ROUNDING, callee.decided :] = OUTSIDE
+        self.signs = D[at_points : at_points + callee.events]
         # 6. the solver's argument
         self._tolerances = np.zeros(2)
         self.linear = callee.linear.for_solver
@@ -230,7 +238,6 @@ class Batch:
             memory=self.memory,
             states=self.states,
             points=self.points,
-            guard_points=guard,
             signs=self.signs,
             linear=self.linear,
         )

@@ -1,10 +1,10 @@
 """Event checks: does a step cross a switching condition or a guard, or may it do so unseen?
 
-A switching condition (`switching_conditions`) is evaluated at `SAMPLE_POINTS` points of a step, at
-states of the step's interpolant.  A guard is an event whose action is to end the run; its distance
-is the margin.  Diagrams with events run in one lane.
+Events are evaluated at `SAMPLE_POINTS` points of a step, at states of the step's interpolant.  All
+but the last are switching conditions (`switching_conditions`).  If the diagram has guards, the last
+event stops the run; its distance is the least margin.  Diagrams with events run in one lane.
 
-    points[point, DISTANCE, j]   distance of condition j to its change: below 0 behind the event
+    points[point, DISTANCE, j]   distance of event j: below 0 behind the event
     points[point, ROUNDING, j]   rounding error of that distance
 """
 
@@ -28,10 +28,7 @@ from .solver_layout import (
     TIME,
     TRIAL_END,
     TRIAL_SIZE,
-    Status,
     decide,
-    fail,
-    margin_at,
     prepare,
     put_state_within,
     retry,
@@ -85,33 +82,16 @@ def decisions_changed(solver):
     return lane[FRESH, 0] > 0.5
 
 
-def check_conditions(solver):
-    """Find the first switching condition that the step crosses; return whether there is one.
+def check_events(solver):
+    """Find the first event of the step; return whether there is one.
 
-    The step is halved if a condition may cross and return between the points before that event.
+    The step is halved if a distance may cross 0 and return between the points before that event.
     """
     lane = solver.lane
-    begin = SAMPLE_POINTS if solver.shape.method <= RK4 else 0
-    for point in range(begin, SAMPLE_POINTS + 1):
-        put_state_within(solver, SHARES[point])
-        decide(solver, lane[STAGE_TIME], row_of(point), point)
-    return find_crossing(solver, solver.points)
-
-
-def check_guard(solver):
-    """End the run if it leaves a guard within the step; the step is not taken."""
-    lane, integers = solver.lane, solver.integers
-    index = integers[EVENT_INDEX, 0]
     for point in range(SAMPLE_POINTS + 1):
         put_state_within(solver, SHARES[point])
-        margin = margin_at(solver, lane[STAGE_TIME], row_of(point))
-        solver.guard_points[point, DISTANCE, 0] = margin
-        # the edge belongs to it
-        solver.guard_points[point, ROUNDING, 0] = solver_layout.OUTSIDE
-    if find_crossing(solver, solver.guard_points):
-        fail(solver, 0, Status.GUARD_LEFT)
-        lane[ACCEPTED, 0] = 0.0
-    integers[EVENT_INDEX, 0] = index
+        decide(solver, lane[STAGE_TIME], row_of(point), point)
+    return find_crossing(solver)
 
 
 def row_of(point):
@@ -119,12 +99,12 @@ def row_of(point):
     return solver_layout.WITHIN if point < SAMPLE_POINTS else solver_layout.ARGUMENT
 
 
-def find_crossing(solver, points):
+def find_crossing(solver):
     """Set `event_index`, and `low` and `high` to the points around it; return whether there is one.
 
-    A step of a fixed length is checked at its end only.
+    A step of a fixed length is checked at its end only, and not halved.
     """
-    lane, integers = solver.lane, solver.integers
+    lane, integers, points = solver.lane, solver.integers, solver.points
     fixed = solver.shape.method <= RK4
     integers[EVENT_INDEX, 0] = -1
     lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]

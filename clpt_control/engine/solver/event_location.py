@@ -7,9 +7,10 @@ step began.  If a decision has changed within the step, the step is valid up to 
 
 1. Measure the effect of the events: step times difference of the rates with new and with held
    decisions, in tolerances.  Below `NEGLIGIBLE` the step stays as it is; otherwise rounding would
-   decide where steps end.
+   decide where steps end.  The effect of a guard is infinite.
 2. Bracket the first event between two sample points of the step, and narrow the bracket.
-3. Try the step again up to `high`.  The next step begins there, with new decisions.
+3. If the event is a guard, stop the run at `high` and reject the step.  Otherwise try the step
+   again up to `high`.  The next step begins there, with new decisions.
 """
 
 import math
@@ -41,6 +42,7 @@ from .solver_layout import (
     LAST_EVENT,
     LOW,
     NEW_RATE,
+    OUTSIDE,
     RATE,
     ROUNDING,
     SAMPLE_POINTS,
@@ -54,6 +56,7 @@ from .solver_layout import (
     decide,
     derivative,
     fail,
+    is_outside,
     prepare,
     put_state_within,
     retry,
@@ -62,6 +65,7 @@ from .solver_layout import (
 CROSSED = 1.0  # value of `event_crossed`: the step ends right behind an event
 RESOLVED = 1e-12  # distance from an event at which a step ends, as a share of it
 WIDTH = 0.1 * RESOLVED  # final width of the bracket
+STOP_WIDTH = 1e-14  # of the bracket at which a run stops
 CLOSE = 1e-5  # width of the bracket behind which the effect of an event is measured
 MOST_TRIALS = 45  # halvings that reach WIDTH, and one more
 NEGLIGIBLE = 0.1  # effect, in tolerances, up to which a step may pass an event
@@ -76,7 +80,10 @@ def locate_events(solver):
     lane, integers = solver.lane, solver.integers
     measure_effects(solver)
     if bracket_next(solver, True, 0):
+        low = lane[LOW, 0]
         narrow(solver, WIDTH)
+        if solver.shape.guarded > 0 and stops_run(solver, low):
+            return
     size = lane[TRIAL_SIZE, 0]
     end = lane[TRIAL_END, 0]
     lane[STAGE_TIME, 0] = end
@@ -99,6 +106,32 @@ def locate_events(solver):
         lane[EVENT_CROSSED, 0] = CROSSED
 
 
+def stops_run(solver, low):
+    """Stop the run if the event in the bracket is a guard; return whether it is.
+
+    The run stops at the guard's edge, which lies between `low` and the bracket.
+    """
+    lane, points = solver.lane, solver.points
+    guard = solver.shape.decisions
+    decide_within(solver, lane[HIGH, 0])
+    # a guard is the last event: a switching condition in the same bracket comes first
+    if first_crossed(points, BEHIND) != guard:
+        return False
+    lane[DISTANCE_HIGH, 0] = points[BEHIND, DISTANCE, guard]
+    decide_within(solver, low)
+    lane[DISTANCE_LOW, 0] = points[BEHIND, DISTANCE, guard]
+    lane[LOW, 0] = low
+    if lane[DISTANCE_LOW, 0] > 0.0:
+        points[BEHIND, ROUNDING, guard] = 0.0
+        narrow(solver, STOP_WIDTH)
+        points[BEHIND, ROUNDING, guard] = OUTSIDE
+    else:
+        lane[HIGH, 0] = low
+    fail(solver, 0, Status.GUARD_LEFT)
+    lane[ACCEPTED, 0] = 0.0
+    return True
+
+
 # --- the effect of events -------------------------------------------------------------------------
 
 
@@ -116,8 +149,7 @@ def measure_effects(solver):
         if not bracket_next(solver, False, BEHIND if passage > 0 else 0):
             return
         narrow(solver, CLOSE)
-        put_state_within(solver, lane[HIGH, 0])
-        decide(solver, lane[STAGE_TIME], WITHIN, BEHIND)
+        decide_within(solver, lane[HIGH, 0])
         measure_effect(solver, BEHIND)
 
 
@@ -132,6 +164,9 @@ def measure_effect(solver, point):
     ):
         return
     if first_crossed(solver.points, point) < 0:
+        return
+    if is_outside(solver, point):  # of a guard
+        lane[EVENT_EFFECT, 0] = math.inf
         return
     # rates with the decisions held, which are in P; then with those of the point
     row = WITHIN if point == BEHIND else row_of(point)
@@ -151,6 +186,12 @@ def measure_effect(solver, point):
         lane[EVENT_EFFECT, 0] = max(lane[EVENT_EFFECT, 0], effect)
 
 
+def decide_within(solver, share):
+    """Evaluate the events at a share of the step into the point BEHIND."""
+    put_state_within(solver, share)
+    decide(solver, solver.lane[STAGE_TIME], WITHIN, BEHIND)
+
+
 def exchange_decisions(solver, point):
     """Exchange the decisions that are held in P with those of a sample point."""
     P, points = solver.memory.P, solver.points
@@ -165,7 +206,7 @@ def exchange_decisions(solver, point):
 
 
 def least_distance(solver, point):
-    """Return the least distance of the conditions from a change; below 0 behind one."""
+    """Return the least distance of the events; below 0 behind one."""
     points, signs = solver.points, solver.signs
     least = math.inf
     for j in range(points.shape[2]):
@@ -210,11 +251,10 @@ def narrow(solver, width):
     """Narrow the bracket to a width; the event stays between `low` and `high`."""
     lane = solver.lane
     for trial in range(MOST_TRIALS):
-        share = next_share(solver, width, trial)
-        put_state_within(solver, share)
         if lane[HIGH, 0] - lane[LOW, 0] <= width:
             return
-        decide(solver, lane[STAGE_TIME], WITHIN, BEHIND)
+        share = next_share(solver, width, trial)
+        decide_within(solver, share)
         distance = least_distance(solver, BEHIND)
         if distance < 0.0:
             lane[HIGH, 0] = share

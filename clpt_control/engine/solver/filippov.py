@@ -31,16 +31,16 @@ from ..trace.elementwise import spread
 from .batch import Batch
 from .schedule import Schedule
 from .solver_layout import (
-    DECIDE,
     DECISION,
     DERIVATIVE,
-    MARGIN,
+    DISTANCE,
+    ROUNDING,
     SAMPLE_POINTS,
     STATE,
     TRIAL_SIZE,
     Status,
 )
-from .termination import edge, state_within
+from .termination import state_within, stopped_at
 
 NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
 TINY = 1e-30
@@ -93,7 +93,7 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
             batch.slides.append(t)
         elif sliding is not None and status == Status.GUARD_LEFT:
             sliding = None
-            t, x = leave(last)
+            t, x = stopped_at(last)
         elif sliding is not None and status == Status.FINISHED and last.now < times[-1]:
             sliding = None
             x = last.out[0, -1].copy()
@@ -161,24 +161,6 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     )
 
 
-def leave(batch: Batch) -> tuple[float, ndarray]:
-    """Return time and state where w leaves 0 ... 1, or a guard is met, in the step not taken."""
-    t = batch.now
-    size = float(batch.lane[TRIAL_SIZE, 0])
-    segments = batch.schedules[0]
-
-    def margin(share: float) -> float:
-        times = [t + share * size]
-        states = state_within(batch, share)[None]
-        P = batch.memory.P
-        margins = batch.callee.evaluate(MARGIN, times, states, segments, P, 1)
-        distance = margins[0, 0]
-        return -1.0 if np.isnan(distance) else float(distance)
-
-    share = edge(batch, margin)
-    return t + share * size, state_within(batch, share)
-
-
 # --- entering a switch ----------------------------------------------------------------------------
 
 
@@ -215,7 +197,7 @@ def enter(diagram: Any, batch: Batch) -> Sliding | None:
     # 1. decisions before and behind the crossing
     count = diagram.code.program.decided
     before = batch.memory.P[diagram.decided_at :][:count]
-    behind = batch.points[SAMPLE_POINTS, DECISION]
+    behind = batch.points[SAMPLE_POINTS, DECISION, :count]
     changed = before != behind
     undecided = np.isin(np.arange(count), crossing.undecided)
     changing = undecided & (np.abs(before) == 1.0)
@@ -251,10 +233,9 @@ def _crossing(diagram: Any, batch: Batch) -> Crossing:
     P = batch.memory.P
     # distances of the decisions, and their slopes by differences
     count = diagram.code.program.decided
-    conditions = callee.evaluate(DECIDE, times, states, segments, P, 3 * count)
-    conditions = conditions.reshape(-1, 3, count)
-    distance = conditions[:, 1]
-    rounding_error = conditions[0, 2]
+    events = callee.events_at(times, states, segments, P)[:, :, :count]
+    distance = events[:, DISTANCE]
+    rounding_error = events[0, ROUNDING]
     slopes = (distance[1:] - distance[0]) / changes[:, None]
     undecided = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding_error)
     n = len(state)
@@ -284,8 +265,8 @@ def _sliding_on(
     callee = runner.callee()
     segments = batch.schedules[0]
     state = crossing.state[None]
-    margins = callee.evaluate(MARGIN, [crossing.time], state, segments, parameters, 1)
-    if not margins[0, 0] > 0.0:
+    events = callee.events_at([crossing.time], state, segments, parameters)
+    if not events[0, DISTANCE, -1] > 0.0:
         return None
     # 3. and do not depend on another decision that changes on the same switch
     moving = np.flatnonzero(crossing.slopes.any(axis=0))

@@ -25,7 +25,7 @@ from .integrators import with_formulas
 from .jacobian import Jacobian, jacobian, reach_of
 from .runner import PythonDiagram
 from .schedule import Inputs
-from .solver_layout import DOP853, RK4, RODAS5P
+from .solver_layout import DOP853, MAP, RK4, RODAS5P
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -34,7 +34,7 @@ MANY, SHORTER = (1500, 3)
 # machine code is a third slower at most
 UNOPTIMISED = 2000
 Form = str | HeldSwitch | Directions | None
-FUNCTIONS = ("derivative", "prepare", "margin", "signals", "jump", "decide")
+FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
 @dataclass(frozen=True)
@@ -294,11 +294,10 @@ class NativeDiagram(PythonDiagram):
     def _callee(self, lanes: int, method: int) -> Callee:
         code = self._code(method)
         program = code.program
-        guarded, jumping = self.watched(method)
-        if isinstance(form_without_derivatives(self.form), HeldSwitch):
-            guarded = 1
+        # in discrete time no state jumps
+        jumping = int(method != MAP and bool(self.jumps))
         # 1. addresses of the functions, 0 of those that are not called
-        called = {"margin": guarded, "jump": jumping, "decide": program.decided}
+        called = {"jump": jumping, "decide": program.decided + program.guarded}
         names = [name for name in FUNCTIONS if called.get(name, True)]
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
@@ -308,7 +307,7 @@ class NativeDiagram(PythonDiagram):
             lanes=lanes,
             nstates=self.nstates,
             method=method,
-            guarded=guarded,
+            guarded=program.guarded,
             jumping=jumping,
             decided_at=self.decided_at,
             decided=program.decided,

@@ -117,9 +117,9 @@ class PythonDiagram:
         functions: list[tuple[Any, str, int]] = [
             (lambda t, x, P: sweep.rates(t, x, u(t)), "D", n),
             (lambda t, x, P: sweep.enter(t + rounding(t)), "D", 0),
-            (lambda t, x, P: sweep.margin(t, x, u(t))[0], "D", 1),
             (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
+            (lambda t, x, P: [0.0, sweep.margin(t, x, u(t))[0]], "D", 2),
         ]
         size = len(self.jumps)
         callbacks = [
@@ -127,17 +127,16 @@ class PythonDiagram:
             for function, array, count in functions
         ]
         addresses = [cast(pointer, c_void_p).value for pointer in callbacks]
-        guarded, jumping = self.watched(method)
         straight = inputs is None or inputs.bends_sharply_only
         full = np.ones((n, n + 1), dtype=bool)
         callee = Callee(
             engine="python",
-            functions=[*addresses, 0],
+            functions=addresses,
             lanes=1,
             nstates=n,
             method=method,
-            guarded=guarded,
-            jumping=jumping,
+            guarded=int(self.sweep.guarded),
+            jumping=int(method != MAP and bool(self.jumps)),
             decided_at=0,
             decided=0,
             unannounced=1 if straight else 2,
@@ -149,12 +148,6 @@ class PythonDiagram:
             raised=raised,
         )
         return with_formulas(callee)
-
-    def watched(self, method: int) -> tuple[int, int]:
-        """Return 1 if guards are watched, and 1 if states jump; neither in discrete time."""
-        if method == MAP:
-            return 0, 0
-        return int(self.sweep.guarded), int(bool(self.jumps))
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return the functions that the solver calls for its implicit method."""

@@ -12,11 +12,13 @@ from .solver_layout import (
     ANEW,
     ARGUMENT,
     BEGINNING,
+    BEHIND,
     BURST,
     ENTERED,
     EVALUATIONS,
     FIRST_STEP,
     FRESH,
+    HIGH,
     JUMP_TIME,
     LAST_EVENT,
     MAP,
@@ -40,8 +42,9 @@ from .solver_layout import (
     TIME,
     Status,
     call,
+    decide,
     fail,
-    margin_at,
+    is_outside,
     prepare,
 )
 
@@ -118,16 +121,19 @@ def begin_segment(solver):
         counts[integers[RUN_INDEX, k], RESTARTS] += 0 if method == MAP else 1
         if lane[NOT_FINITE, k] != 0.0:
             fail(solver, k, Status.NOT_FINITE)
-        if solver.shape.guarded and is_outside(solver, STATE):
-            fail(solver, k, Status.GUARD_LEFT)
-            lane[SEGMENT_END, k] = lane[TIME, k]
+        stop_outside(solver, k, STATE)
         note_next_stop(solver, k)
 
 
-def is_outside(solver, state_row):
-    """Return whether a row of states is beyond the edge of a guard."""
+def stop_outside(solver, k, state_row):
+    """Stop the run of a lane if a row of states is beyond the edge of a guard."""
     lane = solver.lane
-    return margin_at(solver, lane[TIME], state_row) < -solver_layout.OUTSIDE
+    if solver.shape.guarded > 0:
+        decide(solver, lane[TIME], state_row, BEHIND)
+        if is_outside(solver, BEHIND):
+            fail(solver, k, Status.GUARD_LEFT)
+            lane[SEGMENT_END, k] = lane[TIME, k]
+            lane[HIGH, k] = 0.0
 
 
 def enter_segment(solver, k):
@@ -189,8 +195,7 @@ def accept_jump(solver, k):
             results.states[m, done - 1, i] = new
     if not_finite != 0.0:
         fail(solver, k, Status.NOT_FINITE)
-    if solver.shape.guarded and is_outside(solver, ARGUMENT):
-        fail(solver, k, Status.GUARD_LEFT)
+    stop_outside(solver, k, ARGUMENT)
 
 
 def at_segment_end(solver, k):

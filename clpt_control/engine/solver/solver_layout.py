@@ -116,7 +116,7 @@ class Shape(NamedTuple):
     lanes: int
     states: int
     method: int
-    guarded: int  # 1 if a guard is watched
+    guarded: int  # 1 if the last event is a guard, which stops the run
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
     decisions: int
@@ -194,13 +194,8 @@ class Solver(NamedTuple):
     queue: Any  # by index NEXT_RUN, RUNS_END, BEGINNING
     memory: Memory
     states: Any  # Z as (rows, states, lanes)
-    points: (
-        Any  # D as (sample points, 3, decisions): decision, distance, rounding error
-    )
-    guard_points: Any  # the same of a guard
-    signs: (
-        Any  # (decisions,): -1 for a decision that changed before the bracket, else 1
-    )
+    points: Any  # D as (sample points, 3, events): decision, distance, rounding error
+    signs: Any  # (events,): -1 for a decision that changed before the bracket, else 1
     linear: Linear
 
 
@@ -219,9 +214,9 @@ WITHIN, HELD_RATE, NEW_RATE = 16, 14, 15
 SOLVED, ADDEND, TIME_SLOPE, ROOM = 2, 10, 11, 12
 
 # Functions in `code`: those of the diagram, then the formulas of the method; stage s is STAGE + s
-DERIVATIVE, PREPARE, MARGIN, SIGNALS, JUMP, DECIDE = range(6)
-ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(6, 15)
-STAGE = 14
+DERIVATIVE, PREPARE, SIGNALS, JUMP, DECIDE = range(5)
+ATTEMPT, CONTROL, SIZES, TRIAL, FIRST, ACCEPT, DENSE, CUBIC, STIFFNESS = range(5, 14)
+STAGE = 13
 
 SAMPLE_POINTS = 8  # of a step, without its beginning
 BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
@@ -256,21 +251,22 @@ def prepare(solver, times):
 
 
 def decide(solver, times, state_row, point):
-    """Write decisions, distances and rounding errors at a row of states into a sample point."""
+    """Write decisions, distances and rounding errors at a row of states into a sample point.
+
+    The rounding error of a guard is not written: it is `OUTSIDE`.
+    """
     Z, P, T, W, D = solver.memory
     shape = solver.shape
-    to = 3 * point * shape.decisions
+    to = 3 * point * solver.points.shape[2]
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
 
 
-def margin_at(solver, times, state_row):
-    """Return the distance of a row of states of lane 0 from the edge of a guard."""
-    Z, P, T, W, D = solver.memory
-    to = (
-        3 * POINTS + 1
-    ) * solver.shape.decisions  # of guard_points, behind points and signs
-    call(solver.code[MARGIN], times, Z, state_row * solver.shape.states, P, T, W, D, to)
-    return solver.guard_points[0, DECISION, 0]
+def is_outside(solver, point):
+    """Return whether a sample point is beyond the edge of a guard."""
+    shape = solver.shape
+    if shape.guarded == 0:
+        return False
+    return solver.points[point, DISTANCE, shape.decisions] < -OUTSIDE
 
 
 def interpolate(states, i, k, share):

@@ -4,13 +4,11 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy import ndarray
-from scipy.optimize import brentq
 
 from ...errors import SimulationError
 from .batch import Batch, Callee
@@ -21,7 +19,6 @@ from .solver_layout import (
     EVENT_INDEX,
     HIGH,
     JUMP,
-    LOW,
     MAP,
     RATE,
     RK4,
@@ -234,36 +231,21 @@ def state_within(batch: Batch, share: float) -> ndarray:
     return np.array(values)
 
 
-def edge(batch: Batch, margin: Callable[[float], float]) -> float:
-    """Return the share of that step at which a margin falls to zero."""
-    if margin(0.0) <= 0.0:
-        return 0.0
-    low = float(batch.lane[LOW, 0])
-    if margin(low) <= 0.0:  # the edge itself was evaluated
-        return low
-    high = float(batch.lane[HIGH, 0])
-    if margin(high) >= 0.0:
-        return high
-    return float(brentq(margin, low, high, xtol=1e-15, rtol=1e-14))
+def stopped_at(batch: Batch) -> tuple[float, ndarray]:
+    """Return time and state where that step leaves a guard."""
+    share = float(batch.lane[HIGH, 0])
+    t = batch.now + share * float(batch.lane[TRIAL_SIZE, 0])
+    return t, state_within(batch, share)
 
 
 def _crossing(
     sweep: Sweep, batch: Batch, inputs: Inputs | None
 ) -> tuple[float, ndarray, str, str]:
-    """Return time, state, policy and sentence where that step crosses a guard's edge."""
-    t = batch.now
-    h = float(batch.lane[TRIAL_SIZE, 0])
-    sweep.enter(t)
-
-    def guard(share: float) -> tuple[float, str, str]:
-        time = t + share * h
-        state = state_within(batch, share)[: sweep.nstates]
-        u = inputs_at(inputs, time)
-        return sweep.margin(time, state, u)
-
-    share = edge(batch, lambda share: guard(share)[0])
-    _, policy, sentence = guard(share)
-    return t + share * h, state_within(batch, share), policy, sentence
+    """Return time, state, policy and sentence where that step leaves a guard."""
+    t, state = stopped_at(batch)
+    sweep.enter(batch.now)
+    _, policy, sentence = sweep.margin(t, state[: sweep.nstates], inputs_at(inputs, t))
+    return t, state, policy, sentence
 
 
 def _until(

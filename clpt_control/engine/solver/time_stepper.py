@@ -18,12 +18,7 @@ All numbers are computed by the diagram's functions and the formulas of the meth
 
 import math
 
-from .event_checks import (
-    check_conditions,
-    check_guard,
-    decisions_changed,
-    hold_decisions,
-)
+from .event_checks import check_events, decisions_changed, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
 from .rate_jumps import locate_jump, pass_jump
@@ -221,11 +216,11 @@ def handle_events(solver, accepted, retried, between, stiffness):
         derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
     if stiffness and dense:
         formula(solver, STIFFNESS)
-    # 2. does a switching condition change, by the cubic through both ends?
-    crossed = False
-    if shape.decisions > 0 and accepted:
+    # 2. is there an event, by the cubic through both ends?  Guards need the interpolant
+    crossed = accepted and shape.guarded > 0
+    if shape.decisions > 0 and accepted and not crossed:
         formula(solver, CUBIC)
-        crossed = check_conditions(solver)
+        crossed = check_events(solver)
     if not (between or crossed or unannounced):
         return False
     # 3. the interpolant of the method
@@ -235,10 +230,8 @@ def handle_events(solver, accepted, retried, between, stiffness):
     if dense and accepted:
         check_interpolant(solver)
     # 4. the events by this interpolant
-    if crossed and check_conditions(solver):
+    if crossed and check_events(solver):
         locate_events(solver)
-    if shape.guarded > 0:
-        check_guard(solver)
     if unannounced:
         locate_jump(solver)
     return between and dense
