@@ -71,6 +71,19 @@ def test_a_run_that_stops_keeps_what_was_reached(engine):
     np.testing.assert_allclose(found.t, [0.0, 1.0, 2.0])
 
 
+@pytest.mark.parametrize("engine", ["unrolled", "looped"])
+def test_a_switch_is_located_while_a_run_rests_on_the_edge(engine):
+    """The edge is missed by rounding, 0.3 - 0.1*3 = -6e-17, until the stone moves at t = 1."""
+    stone = clpt.Block(
+        "stone",
+        update=lambda t, x, u, p: np.where(t < 1.0, 0.0, -1.0),
+        states={"h": 1},
+        guard=Guard(lambda t, x, u, p: x[0] - 0.1 * 3, "stop", landed),
+    )
+    found = ENGINES[engine](stone).run([0.3], [0.0, 5.0])
+    assert found.t[-1] == pytest.approx(1.0, abs=1e-9)
+
+
 NO_GUARDS = [
     ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
     ({"sentence": "left"}, "Guard: sentence = .left.: must be a function"),
