@@ -342,7 +342,11 @@ def lyapunov(
                 found = of_values
         if found.status.startswith("proved where"):
             return found if is_searched else _refuted_by_inputs(search, found)
-        return found if found.status.startswith("proved") else _refuted(case, search, found)
+        return (
+            found
+            if found.status.startswith("proved")
+            else _refuted(case, search, found)
+        )
 
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"

@@ -35,18 +35,18 @@ from ..arguments import check_holds, numbers
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
 from ..errors import DiagramError
-from .proving.proof import short
-from .proving.signs import tidied, vanishes
-from .proving.words import (
-    COMPARED,
+from .proving.facts import (
+    COMPARISONS,
     along,
     decided,
+    functions_in,
     is_continuous,
     is_smooth,
     meets_smoothly,
     pieces_of,
-    words_of,
 )
+from .proving.proof import short
+from .proving.signs import tidied, vanishes
 from .v_on_symbols import SystemWithV
 
 Interval = tuple[np.ndarray, np.ndarray]  # low and high, of shape (boxes,)
@@ -107,10 +107,10 @@ def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
     if name in STEPS:
         lows, highs = zip(*of, strict=True)
         return STEPS[name](*lows), STEPS[name](*highs)
-    if name in COMPARED:
+    if name in COMPARISONS:
         (a, b), compare = (
             of if name in ("gt", "ge") else of[::-1],
-            COMPARED["g" + name[1]],
+            COMPARISONS["g" + name[1]],
         )
         return 1.0 * compare(a[0], b[1]), 1.0 * compare(a[1], b[0])
     if name == "inside":
@@ -345,7 +345,7 @@ def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
 
 def _in_one_piece(e: sympy.Expr, boxes: dict[Any, Interval]) -> sympy.Expr:
     """Return an expression without the words that are of one piece in all of a box."""
-    for word in words_of(e):
+    for word in functions_in(e):
         for facts, known in pieces_of(word):
             if all((enclosed(fact, boxes)[0] > 0.0).all() for fact in facts):
                 return _in_one_piece(decided(e.xreplace(known)), boxes)

@@ -24,9 +24,9 @@ import sympy
 
 from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
+from .proving.facts import ODD, along, decided
 from .proving.proof import short
 from .proving.signs import vanishes
-from .proving.words import ODD, along, decided
 from .v_on_symbols import SystemWithV
 
 MOST = 16  # states

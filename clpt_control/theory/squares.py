@@ -18,6 +18,7 @@ from sympy.core.function import AppliedUndef
 from ..engine.diagram.symbol_names import TIME
 from ..engine.diagram.symbolic_equations import Equations
 from ..errors import DiagramError
+from .proving.facts import along, decided, degree, interval, is_input, meets_smoothly
 from .proving.proof import How, Step, exact
 from .proving.signs import (
     MOST_TERMS,
@@ -29,7 +30,6 @@ from .proving.signs import (
     vanishes,
 )
 from .proving.symbolic_loop import Numbers
-from .proving.words import along, decided, degree, interval, is_input, meets_smoothly
 
 TURNS = (sympy.sin, sympy.cos)
 TRIED = 500  # points at which a sign is looked at before it is proved

@@ -23,10 +23,10 @@ from ..engine.diagram.symbolic_equations import Equations, on_symbols
 from ..engine.model.block import Block
 from ..engine.record.symbolic import Symbols, rational
 from ..errors import DiagramError
+from .proving.facts import along, is_continuous, meets_smoothly
 from .proving.proof import Step, exact
 from .proving.signs import factored, tidied, vanishes
 from .proving.symbolic_loop import NO_VALUE, no_value, refuse_names
-from .proving.words import along, is_continuous, meets_smoothly
 from .squares import never_positive, squares
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -45,7 +45,9 @@ def by_name(eq: Equations) -> dict[str, np.ndarray]:
     for name in eq.named:
         if "." in name and identifiers[name.replace(".", "_")] > 1:
             clash = f"{name} and {name.replace('.', '_')} are both s.{name.replace('.', '_')}"
-            raise DiagramError(f"{eq.name}: {clash} in a function of signals; rename one")
+            raise DiagramError(
+                f"{eq.name}: {clash} in a function of signals; rename one"
+            )
     found = {name.replace(".", "_"): symbols for name, symbols in eq.named.items()}
     found = {name: symbols for name, symbols in found.items() if name.isidentifier()}
     found = {

@@ -18,6 +18,7 @@ from clpt_control.theory import audit, misprints
 from clpt_control.theory.proving import (
     all_proofs,
     invariant_loop,
+    team_proof,
     theorem_loop,
     theorems,
 )
@@ -113,7 +114,7 @@ def caught_by(function, code, first):
             except Exception:  # whatever a wrong equation does
                 return check.__name__
         for step in (
-            all_proofs.team_steps()
+            team_proof.team_steps()
             if function.__module__.endswith(".consensus")
             else ()
         ):

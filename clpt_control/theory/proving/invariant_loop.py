@@ -25,14 +25,7 @@ from ..promises import truth_of
 from ..squares import holds_all, never_positive, squares, states_beside
 from .proof import Step, short
 from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
-from .symbolic_loop import (
-    NO_VALUE,
-    TIME,
-    SymbolicLoop,
-    equated,
-    flat,
-    symbolic_loop,
-)
+from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import (
     Hedging,
     law_and_V,

@@ -61,14 +61,14 @@ from ...blocks.laws.law import Law
 from ...engine.diagram.interconnection import connect
 from ...simulation.loops import LoopOf, remaining_parts
 from . import invariant_loop
+from .facts import MAXIMUM, WHERE, decided
 from .invariant_loop import InvariantLoop
-from .lemmas import young_step
 from .proof import Step, exact_step
 from .running_rate import running_step
 from .signs import vanishes
 from .symbolic_loop import equated, symbolic_loop
 from .theorem_loop import decay, law_and_V, rate_of_V, theorem_scenario
-from .words import MAXIMUM, WHERE, decided
+from .theorems import mean_square
 
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
 
@@ -82,7 +82,7 @@ def invariant_steps(
     )
     claims = claims_of(law, cases[0], bool(single)).items()
     steps = [exact_step(cases, claim, check) for claim, check in claims]
-    steps += [young_step()] if law.perturbation else []
+    steps += [mean_square()] if law.perturbation else []
     return [
         *steps,
         running_step(lambda: cases[len(cases) // 2].loop, points, seed=seed),

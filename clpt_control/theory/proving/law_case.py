@@ -17,12 +17,12 @@ from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
 from ..squares import least_place, never_positive, states_beside
 from .every_n import base_and_term, reindexed
+from .facts import CLIP, SIGN, along, degree, interval
 from .leaks import Bound
 from .proof import Step, checked, exact, short
 from .signs import dead_zone, rising_in, tidied, vanishes
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in
-from .words import CLIP, SIGN, along, degree, interval
 
 
 @dataclass

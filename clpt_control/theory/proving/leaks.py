@@ -29,8 +29,8 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.core.function import AppliedUndef
 
+from .facts import interval
 from .signs import groups_of, positive_maximum
-from .words import interval
 
 
 class Pull(NamedTuple):

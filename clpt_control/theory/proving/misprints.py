@@ -16,7 +16,6 @@ from ...blocks import flow
 from ...blocks.laws.law import LEARNED
 from ...engine.record.symbolic import Symbols
 from ...simulation.loops import error_loop
-from .lemmas import errors, wanted_rates
 from .proof import checked
 from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
@@ -71,6 +70,28 @@ def misprints() -> tuple[Misprint, ...]:
     for read in (any_gains, paper_loop, error_dynamics):
         read.cache_clear()  # the blocks may have been changed
     return MISPRINTS
+
+
+def errors(loop: SymbolicLoop) -> dict[str, Any]:
+    """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
+    p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
+    first = {
+        "e": s["x"] - s["z"],
+        "eta_3": s["K"] - car.KD,
+        "eta_4": car.GammaD - s["Gamma"],
+    }
+    return (
+        {**first, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else first
+    )
+
+
+def wanted_rate(loop: SymbolicLoop, before_eta_3: str = "z") -> Any:
+    """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3."""
+    error, inputs = errors(loop), loop.inputs
+    KD = loop.parameters["vehicle_controller"].KD
+    rate = -KD * error["e"] + error["eta"] @ inputs["phi_x"]
+    rate = rate + loop.states[before_eta_3] * error["eta_3"]
+    return rate + inputs["zc"] * error["eta_4"]
 
 
 # --- what they are compared with ---------------------------------------------------------------
@@ -167,13 +188,13 @@ def second_derivative(printed: bool) -> Any:
     """e' as V'' after Eq. (26) has it."""
     loop = any_gains("learned-flow")
     beside = left_of_injection(loop, printed) - loop.signals["psi"]
-    return rate_of_e(loop) - wanted_rates(loop)["e"] - beside
+    return rate_of_e(loop) - wanted_rate(loop) - beside
 
 
 def equation_27(printed: bool) -> Any:
     """e' of Eq. (27)."""
     loop = paper_loop("learned-flow")
-    return rate_of_e(loop) - wanted_rates(loop, "x" if printed else "z")["e"]
+    return rate_of_e(loop) - wanted_rate(loop, "x" if printed else "z")
 
 
 def equation_28_rows(printed: bool) -> Any:

@@ -178,7 +178,8 @@ def prove(
         A function of signals, as `lyapunov` takes it: ``lambda s: s.e @ s.e / 2 + ...``, which
         may ask for signals of the loop (``s.e``, ``s.alpha``, ``s.K``, ...), the truth
         (``s.theta``, ``s.KD``, ``s.GammaD``) and the law's parameters. Or a function of the truth,
-        ``V(truth)`` or ``V(truth, parameters)``, that makes a Block with the output V[1]. By default Eq. (24), each error weighed by the gain with which the
+        ``V(truth)`` or ``V(truth, parameters)``, that makes a Block with the output V[1].
+        By default Eq. (24), each error weighed by the gain with which the
         law adapts it, or by the inverse of a matrix of gains.
     points : int, optional
         Random points at which the running blocks are called.

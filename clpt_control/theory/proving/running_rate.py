@@ -28,9 +28,9 @@ from ...engine.model.vectorized import on_arrays
 from ...engine.solver.evaluation_pass import Sweep
 from ...errors import DiagramError
 from ...progress.interrupt import check
+from .facts import along
 from .proof import Step, checked
 from .symbolic_loop import Numbers, Point, SymbolicLoop
-from .words import along
 
 # rates (n, nx) and V (n,); NaN where there are none
 Found = tuple[np.ndarray, np.ndarray]
@@ -299,7 +299,7 @@ class PointSearch:
             (self.blocks.by_records, count),
         ):
             check()
-            t, x, u = here = [one.T[:most] for one in points]
+            t, x, _ = here = [one.T[:most] for one in points]
             rates, level = evaluate(*here)
             found = np.vstack([level if self.blocks.V else right[0, :most], rates.T])
             off = _apart(right[:, :most], found, size[:, :most])

@@ -19,8 +19,8 @@ from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
 
 from ...errors import DiagramError
+from .facts import CLIP, INSIDE, decided, functions_in, interval, pieces_of, sector_of
 from .proof import short
-from .words import CLIP, INSIDE, decided, interval, pieces_of, sector_of, words_of
 
 
 @lru_cache(maxsize=1000)  # much is the same for each N
@@ -219,7 +219,7 @@ def terms_of(expression: sympy.Expr) -> int:
 
 def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
     """Return d where V holds e as e - clip(e, -d, d) alone, and V with e in its place; else 0."""
-    clips = [w for w in words_of(V) if w.func == CLIP and w.args[0] == e]
+    clips = [w for w in functions_in(V) if w.func == CLIP and w.args[0] == e]
     if len(clips) == 1 and clips[0].args[1] == -clips[0].args[2]:
         clip, D = clips[0], sympy.Dummy(real=True)
         inner = V.xreplace({e: D + clip}).xreplace(
@@ -242,7 +242,7 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
         rest, strict, n = sympy.S.One, True, 0
         for factor in sympy.Mul.make_args(term):
             base, power = factor.as_base_exp()
-            sector = sector_of(factor) if words_of(factor) and power == 1 else None
+            sector = sector_of(factor) if functions_in(factor) and power == 1 else None
             if base == s and power.is_Integer and power > 0:
                 n += int(power)
             elif sector is not None and sector.factor == s and sector.low >= 0:
@@ -254,7 +254,7 @@ def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
         if not low.is_extended_nonnegative or n % 2:
             return False
         sure = low.is_positive
-        if rest.free_symbols == {s} and rest.is_positive and not words_of(rest):
+        if rest.free_symbols == {s} and rest.is_positive and not functions_in(rest):
             # 1/(1 + s^2)
             far = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
             sure = sure or all(limit.is_extended_positive for limit in far)
@@ -298,7 +298,7 @@ def _negative(group: sympy.Expr, apart: set) -> bool:
     group = sympy.Mul(*(f for f in sympy.Mul.make_args(group) if not f.is_nonnegative))
     powers = [power.exp for power in group.atoms(sympy.Pow)]
     low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
-    words = words_of(group)
+    words = functions_in(group)
     simple = not words or len(sympy.Add.make_args(group)) <= FEW
     if low and simple:
         left = _without_squares(group)
@@ -339,7 +339,7 @@ def _in_one_symbol(group: sympy.Expr) -> bool:
 
 def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
     """Return whether an expression is not positive wherever its words lie in their sectors."""
-    inner = {one for word in words for a in word.args for one in words_of(a)}
+    inner = {one for word in words for a in word.args for one in functions_in(a)}
     outer = sorted(words - inner, key=str)
     if len(outer) > MOST_WORDS:
         return False
@@ -362,7 +362,7 @@ def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
     if any(b != 0 and not (b.is_nonnegative and high < sympy.oo) for b, high in bends):
         return False
     q_times = plain.xreplace(
-        {one: at.factor * one + at.more for one, at in sectors.items()}
+        {one: at.factor * one + at.offset for one, at in sectors.items()}
     )
     if terms_of(q_times) > MOST_TERMS:
         return False
@@ -382,7 +382,7 @@ def _in_pieces(
     `facts` are expressions that are not negative in the piece at hand.
     """
     for word in sorted(words, key=str) if len(words) <= MOST_WORDS else ():
-        pieces = [] if any(map(words_of, word.args)) else pieces_of(word)
+        pieces = [] if any(map(functions_in, word.args)) else pieces_of(word)
         if pieces:
             return all(
                 _in_piece(decided(group.xreplace(values)), apart, (*facts, *conditions))
@@ -395,7 +395,7 @@ def _in_piece(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
     """Return whether an expression is not positive where facts are not negative."""
     if nonpositive(e, apart) or any(_is_negative(fact) for fact in facts):
         return True
-    words = words_of(e)
+    words = functions_in(e)
     if any(map(pieces_of, words)):
         return _in_pieces(e, words, apart, facts)
     return _by_facts(e, apart, facts)
@@ -413,7 +413,7 @@ MOST_FACTS = 4  # conditions of a piece whose products are tried
 def _by_facts(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
     """Return whether -e is a sum of facts, and products of two, times what is not negative.
 
-        -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    c_i >= 0 known, q and r never negative
+    -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    c_i >= 0 known, q and r never negative
     """
     functions = sympy.Tuple(e, *facts).atoms(sympy.Function)  # each may be any number
     names = {f: sympy.Dummy(real=True) for f in functions}

@@ -30,8 +30,8 @@ from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
 from ...errors import DiagramError
 from .every_n import EveryN
+from .facts import NUMPY_OF, along, is_input
 from .symbols import PaperNames, parameter_symbol, undefined
-from .words import NUMBERS_OF, along, is_input
 
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 
@@ -94,7 +94,7 @@ def equated(
 
 def refuse_names(name: str, names: Iterable[str]) -> None:
     """Refuse a state, a signal or a parameter that is called as time or a function is."""
-    for reserved in sorted({"t", "Abs", *NUMBERS_OF} & {*names}):
+    for reserved in sorted({"t", "Abs", *NUMPY_OF} & {*names}):
         raise DiagramError(
             f"{name}: has a {reserved}, as time or a function is called; rename it"
         )
@@ -117,7 +117,7 @@ class Numbers:
         self.expressions, whole = expressions, sympy.Tuple(*expressions)
         applied = whole.atoms(AppliedUndef)
         inputs = set(filter(is_input, applied))
-        words = {str(f.func) for f in applied - inputs} - NUMBERS_OF.keys()
+        words = {str(f.func) for f in applied - inputs} - NUMPY_OF.keys()
         if whole.has(sympy.Derivative) or words:
             unknown = ", ".join(sorted(words)) or "a derivative of an input"
             raise DiagramError(f"{unknown} has no numbers, so V' cannot be compared")
@@ -159,7 +159,7 @@ def _function(word: Any, count: int) -> Callable[..., Any]:
     if not count:
         return partial(np.float64, float(word))
     own = sympy.symbols(f"a_:{count}", real=True)
-    return sympy.lambdify(own, word(*own), [NUMBERS_OF, "scipy", "numpy"])
+    return sympy.lambdify(own, word(*own), [NUMPY_OF, "scipy", "numpy"])
 
 
 # --- for every N -------------------------------------------------------------------------------
@@ -183,6 +183,7 @@ class ArrayLoop:
     ):
         wiring = wiring_of(diagram)
         refuse_unproved(wiring, jumps=False)
+        self.diagram = diagram
         self.tape, self.known, self.names = Tape(), known, PaperNames(wiring, ())
         self.values: dict[str, Any] = {}  # of parameters
         self.declared: dict[str, Shape] = {}

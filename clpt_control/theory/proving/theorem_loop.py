@@ -12,7 +12,7 @@ that run.
 """
 
 from collections.abc import Callable, Iterable
-from functools import cache, partial
+from functools import cache
 from typing import Any, Literal
 
 import numpy as np
@@ -28,9 +28,8 @@ from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
 from .proof import Step, checked
-from .running_rate import running_step
 from .signs import left_over
-from .symbolic_loop import ArrayLoop, SymbolicLoop, symbolic_loop
+from .symbolic_loop import ArrayLoop, SymbolicLoop
 
 SOURCES = {
     "basis_x": "phi_x",
@@ -240,24 +239,3 @@ def zero_step(
         return vanish(loop, residuals(loop))
 
     return checked(claim, holds)
-
-
-def identity_steps(
-    text: str, law: str, claim: Claim, points: int, **more: Any
-) -> list[Step]:
-    """Check V' exactly for every N, and at points of the running blocks.
-
-    `text` is the claim in words, `more` what `theorem_loop` takes.  A failed exact step says what
-    does not cancel, the other where.
-    """
-    diagram = cache(partial(theorem_loop, WIRED, law, **more))
-    return [
-        zero_step(
-            f"{text}, for every N",
-            diagram,
-            lambda loop: [rate_of_V(loop) - claim(loop)],
-        ),
-        running_step(
-            lambda: symbolic_loop(diagram()), points, f" ({text})", f"N = {WIRED}, "
-        ),
-    ]

@@ -1,13 +1,18 @@
-"""The four theorems of section III, each checked as printed.
+"""The four theorems of section III, line by line, each checked as printed.
 
-Every identity is checked on the blocks that run: for N = 1, 2, 3, for every N, and at random points
-at which they are called.  Every printed statement that is false meets a counterexample and carries
-the statement that holds, with what of it is cited.
+A theorem is a page: read it from top to bottom.  Every line is checked on the blocks that run, for
+every N (`PaperLoop`); V' is compared with the running blocks at random points as well.  A printed
+statement that is false meets a counterexample, and the page carries the statement that holds.
+
+    e = x - z,  eta = theta + alpha,  kappa = K - KD,  nu = GammaD - Gamma
+    V = (|e|^2 + (|eta|^2 + |kappa|^2 + |nu|^2)/gamma)/2                          Eq. (24)
+
+Source: Cho, Zhang and Edwards (2016), section III.  Theorem 3.3 and the ultimate bound of 3.4 take
+the regressor of the vehicle alone, w* = [phi(x), x, zc], as `clpt.certify` does, without citations.
 """
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -21,15 +26,12 @@ from ..counterexamples import (
     square_wave_counterexample,
     unlearned_counterexample,
 )
-from . import lemmas
-from .proof import Proof, Step, cited, counterexample, proof_or_failure, theorem
-from .theorem_loop import (
-    KNOWN_ERROR,
-    Loop,
-    decay,
-    decay_and_known_error,
-    identity_steps,
-)
+from .circle import circle_step
+from .paper_loop import PaperLoop, algebra, errors_loop, line
+from .proof import Proof, Step, counterexample, proof_or_failure, theorem
+from .running_rate import running_step
+from .symbolic_loop import ArrayLoop, symbolic_loop
+from .theorem_loop import vanish
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -41,8 +43,50 @@ SMOOTH = "phi(x, t) is bounded and lets solutions exist, as that of Eq. (5) does
 NO_DELTA = "the true flow is theta phi, without Delta"
 
 
+def running(paper: PaperLoop, points: int, claim: str) -> Step:
+    """Check V and all rates at random points of the blocks that run."""
+    diagram = paper.loop.diagram
+    return running_step(
+        lambda: symbolic_loop(diagram), points, f" ({claim})", "N = 3, "
+    )
+
+
+def mean_square() -> Step:
+    """Check -k e^2 + e d <= -k e^2/2 + d^2/(2 k), which bounds the mean square of e."""
+    return line(
+        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
+        "bounds the mean square",
+        algebra("k*e**2/2 + d**2/(2*k) - e*d - k*(e - d/k)**2/2"),
+    )
+
+
+def quadratic(paper: PaperLoop, equation: str) -> Step:
+    """Check that V is half a sum of squares, each error by its gain."""
+    return line(
+        f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
+        "unbounded: half the sum of their squares, each with a positive weight",
+        paper.positive(paper.gamma),
+        paper.zero(paper.V - paper.sum_of_squares()),
+    )
+
+
+KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
+
+
+def known_flow_steps(paper: PaperLoop, points: int) -> list[Step]:
+    """Check V' of the known-flow law, Theorem 3.1."""
+    theta_hat = paper.loop.parameters["injection"].theta_hat
+    drive = (paper.theta - theta_hat) @ paper.phi
+    V_rate = -np.sum(paper.KD * paper.e**2) + paper.e @ drive
+    return [
+        line(f"{KNOWN_ERROR}, for every N", paper.zero(paper.rate(paper.V) - V_rate)),
+        running(paper, points, KNOWN_ERROR),
+    ]
+
+
 def theorem_3_1() -> Proof:
     """Judge Theorem 3.1: the known-flow law and its bound, Eq. (16)."""
+    paper = PaperLoop("known-flow")
     return theorem(
         "CLPE is ultimately bounded by |e| <= |(theta - theta_hat) phi|/mu, mu < lambda_min(KD)",
         (
@@ -52,13 +96,13 @@ def theorem_3_1() -> Proof:
             "|(theta - theta_hat) phi| is bounded, Assumption 3.3",
         ),
         [
-            *identity_steps(KNOWN_ERROR, "known-flow", decay_and_known_error, FEWER),
-            lemmas.definite_step("known-flow"),
-            lemmas.young_step(),
+            *known_flow_steps(paper, FEWER),
+            quadratic(paper, "(17)"),
+            mean_square(),
             counterexample(
                 "the paper's system with one wrong theta_hat leaves Eq. (16) for every mu < KD",
                 partial(known_flow_counterexample, start=400.0, end=800.0, step=0.05),
-                lambda found: found.ratio > 1.05,
+                lambda run: run.ratio > 1.05,
                 "max|e| = {0.ratio:.3f} of the largest drive over KD",
             ),
         ],
@@ -74,15 +118,47 @@ def theorem_3_1() -> Proof:
 
 def theorem_3_2() -> Proof:
     """Judge Theorem 3.2: the learned-flow law drives CLPE to zero."""
+    paper = PaperLoop("learned-flow")
+    rate, zero = paper.rate, paper.zero
+    x, z, e, phi, zc = paper.x, paper.z, paper.e, paper.phi, paper.zc
+    KD, gamma = paper.KD, paper.gamma
+    eta, kappa, nu = paper.eta, paper.kappa, paper.nu
+    e_rate = -KD * e + eta @ phi + kappa * z + nu * zc
+    V_rate = rate(paper.V)
+    vehicle = (paper.theta - paper.alpha_M) @ phi + paper.GammaD * zc
+    steps = [
+        line(
+            "(9)   x' + KD x is made of phi and zc alone, and KD > 0: x is bounded",
+            paper.positive(KD),
+            zero(rate(x) - (vehicle - KD * x)),
+        ),
+        line(
+            "(27)  e' = -KD e + eta phi + kappa z + nu zc", zero(rate(x - z) - e_rate)
+        ),
+        line("(21)  eta' = -gamma e phi^T", zero(rate(eta) + gamma * np.outer(e, phi))),
+        line("(22)  kappa' = -gamma z e", zero(rate(kappa) + gamma * z * e)),
+        line("(23)  nu' = -gamma zc e", zero(rate(nu) + gamma * zc * e)),
+        quadratic(paper, "(24)"),
+        line("V' = -e^T KD e, for every N", zero(V_rate + np.sum(KD * e**2))),
+        running(paper, POINTS, "V' = -e^T KD e"),
+        line(
+            "(26)  V' <= 0, so e, eta, kappa and nu are bounded, and z = x - e",
+            zero(e - (x - z)),
+        ),
+        line(
+            "V'' = -2 e^T KD e' holds no derivative of phi or zc, so |V''| <= some B",
+            zero(rate(V_rate) + 2 * np.sum(KD * e * e_rate)),
+        ),
+        line(
+            "where g = -V' reaches eps, V loses int_0^(eps/B) (eps - B s) ds = eps^2/(2B) > 0: "
+            "that can happen finitely often only, so V' -> 0 and e -> 0",
+            algebra("integrate(eps - B*s, (s, 0, eps/B)) - eps**2/(2*B)"),
+        ),
+    ]
     return theorem(
         "under Assumptions 3.1 and 3.2 CLPE converges to zero",
         (POSITIVE_KD, PIECEWISE, SMOOTH, NO_DELTA),
-        [
-            *identity_steps("V' = -e^T KD e", "learned-flow", decay, POINTS),
-            lemmas.definite_step("learned-flow"),
-            lemmas.dissipation_step(),
-            *lemmas.convergence_steps(),
-        ],
+        steps,
         "V falls and is bounded below, V'' is bounded, so V' -> 0 (Barbalat's lemma, "
         "whose argument is the last step) and e -> 0.",
         not_proved=(
@@ -92,17 +168,100 @@ def theorem_3_2() -> Proof:
     )
 
 
+def vehicle_alone(paper: PaperLoop) -> list[Step]:
+    """Check the seven steps by which V falls where the vehicle's own track excites.
+
+    T is a window from t on, v a bound of |y|^2 = 2 V in it, k the smaller of KD, |.| the
+    mean-square norm over the window, a = |e| and D = |Delta|.  Of axis i, y' = A* y loses at least
+    the share delta_i of |y|^2 over the window.
+    """
+    rate, zero, square = paper.rate, paper.zero, np.sum
+    x, e, phi, zc, KD, gamma = (
+        paper.x,
+        paper.e,
+        paper.phi,
+        paper.zc,
+        paper.KD,
+        paper.gamma,
+    )
+    eta, kappa, nu = paper.eta, paper.kappa, paper.nu
+    delta = paper.loop.inputs.get("delta", 0.0)
+    # rates of y' = A* y, in which x is in the place of z
+    e_rate = -KD * e + eta @ phi + kappa * x + nu * zc
+    eta_rate = -gamma * np.outer(e, phi)
+    kappa_rate, nu_rate = -gamma * x * e, -gamma * zc * e
+    work = square(eta * eta_rate) + square(kappa * kappa_rate) + square(nu * nu_rate)
+    return [
+        line(
+            "1  units: V = |y|^2/2 of y = (e, Y), Y = (eta, kappa, nu)/gamma^(1/2)",
+            zero(paper.V - paper.sum_of_squares()),
+        ),
+        line(
+            "2  y' = A* y + d + (Delta, 0), A* of w* = [phi(x), x, zc] alone; d is -kappa e on e "
+            "and gamma e^2 on kappa, from z = x - e",
+            zero(
+                rate(e) - (e_rate - kappa * e + delta),
+                rate(eta) - eta_rate,
+                rate(kappa) - (kappa_rate + gamma * e**2),
+                rate(nu) - nu_rate,
+            ),
+        ),
+        line(
+            "3  along y' = A* y |y|^2 falls by 2 int e^T KD e over the window, which is "
+            "delta |y|^2 at least",
+            paper.positive(KD),
+            zero(2 * square(e * e_rate) + 2 * work / gamma + 2 * square(KD * e**2)),
+        ),
+        line(
+            "4  e = Phi_e y(t) + e_1 + e_2 + e_3, from rest by -kappa e, by gamma e^2 and by "
+            "Delta: k b^2 <= b u gives |e_1| <= (gamma v)^(1/2) a/k and |e_3| <= D/k, and "
+            "k |e_2|^2 <= int p p' = p^2/2 with p = gamma^(1/2) a^2",
+            algebra("b*(k*b - u) - (k*b**2 - b*u)", "integrate(s, (s, 0, p)) - p**2/2"),
+        ),
+        line(
+            "5  (c V(t))^(1/2) <= |Phi_e y(t)| <= B a + A a^2 + D/k, c the smaller delta_i/k_i, "
+            "B = 1 + (gamma v)^(1/2)/k, A = (gamma/(2 k))^(1/2); the least a is the root",
+            algebra(
+                "A*((sqrt(B**2 + 4*A*s) - B)/(2*A))**2"
+                " + B*(sqrt(B**2 + 4*A*s) - B)/(2*A) - s"
+            ),
+        ),
+        line(
+            "6  V(t+T) <= V(t) - k a^2 + a D, and V <= V(t) + D^2/(4 k) within the window",
+            algebra("-k*a**2 + a*D - (D**2/(4*k) - k*(a - D/(2*k))**2)"),
+        ),
+        line(
+            "7  D = 0 and c > 0 in every window alike: a > 0 while V > 0, so V falls to 0 from any "
+            "start; as V -> 0, a^2 -> c V and V(t+T) <= (1 - k c) V(t)",
+            algebra("limit(((sqrt(1 + 4*A*sqrt(c*V)) - 1)/(2*A))**2/V, V, 0) - c"),
+        ),
+    ]
+
+
 def theorem_3_3() -> Proof:
     """Judge Theorem 3.3: the parameters converge."""
+    errors = errors_loop()
+    gamma, KD = (
+        errors.parameters["parameter_system"].gain,
+        errors.parameters["error_system"].KD,
+    )
+    squares = {name: np.sum(state**2) for name, state in errors.states.items()}
+    e_square = squares.pop("e")
+    V = (e_square + sum(squares.values()) / gamma) / 2
     steps = [
-        *lemmas.observability_steps(),
-        lemmas.circle_step(),
+        line(
+            "(27)-(28) as blocks: (X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2",
+            vanish(
+                errors, [errors.derivative(V) + np.sum(KD * errors.states["e"] ** 2)]
+            ),
+        ),
+        line("(27)-(28) are the closed loop's e' and eta'", same_dynamics(errors)),
+        *vehicle_alone(PaperLoop("learned-flow")),
+        circle_step(),
         counterexample(
             "zc exciting is not enough: with the gaussian-sigma kernel a parameter stands still",
             partial(unlearned_counterexample, end=220.0),
-            lambda found: (
-                found.kappa > 1.0 and found.moved < 1e-9 and found.error > 0.1
-            ),
+            lambda run: run.kappa > 1.0 and run.moved < 1e-9 and run.error > 0.1,
             "zc excites (smallest eigenvalue {0.kappa:.0f}), yet theta[{0.function}] moves by "
             "{0.moved:.1e} and stays {0.error:.2f} off",
         ),
@@ -111,72 +270,69 @@ def theorem_3_3() -> Proof:
         "under the setting of Theorem 3.2 alpha, K, Gamma converge to -theta, KD, GammaD",
         (POSITIVE_KD, PIECEWISE, SMOOTH, NO_DELTA),
         steps,
-        "With output injection that keeps -KD, observability of (28) is excitation of "
-        "the filtered joint regressor; zc alone does not give it.",
-        corrected="if the joint regressor w = [phi(x), z_i, zc_i] of each axis is persistently "
-        "exciting along the run, (e, alpha + theta, K - KD, Gamma - GammaD) goes to zero "
-        "exponentially",
-        cited="that observability gives exponential stability; the error system (28), its V' and "
-        "its output injection are proved",
-        not_proved=("that a given track excites w: `clpt excitation` measures it",),
+        "zc alone does not make the parameters converge; the joint regressor of the vehicle does.",
+        corrected="if w* = [phi(x), x_i, zc_i] of each axis excites in every window alike, "
+        "(e, alpha + theta, K - KD, Gamma - GammaD) goes to zero from every start, exponentially "
+        "in the end",
+        not_proved=("that a given track excites w*: `clpt certify` measures it",),
     )
 
 
-def ultimate_steps() -> list[Step]:
-    """Check the ultimate bound where the regressor excites."""
-    return [
-        lemmas.algebra_step(  # with 2 V = |e|^2 + r, r the parameter errors' share
-            "v = sqrt(2 V) grows by |Delta| at most: v' v = V' <= e^T Delta and "
-            "(e^T Delta)^2 <= 2 V |Delta|^2",
-            "(e1**2 + e2**2 + r)*(d1**2 + d2**2) - (e1*d1 + e2*d2)**2"
-            " - (e1*d2 - e2*d1)**2 - r*(d1**2 + d2**2)",
-        ),
-        cited(
-            "over a window T with an exciting regressor V falls to (1 - rho) V, rho > 0, "
-            "where Delta = 0",
-            "Ioannou and Sun 1996, theorem 3.4.8",
-        ),
-        lemmas.algebra_step(  # q = sqrt(1 - rho) < 1, d = T D
-            "v_{n+1} <= sqrt(1 - rho) v_n + T D comes down to T D/(1 - sqrt(1 - rho)), and "
-            "within a window v grows by T D",
-            "(q*v + d - d/(1 - q)) - q*(v - d/(1 - q))",
-        ),
-    ]
-
-
-def decay_and_disturbance(loop: Loop) -> Any:
-    """V' = -e^T KD e + e^T Delta, Eq. (35)."""
-    return decay(loop) + loop.signals["e"] @ loop.inputs["delta"]
+def same_dynamics(errors: ArrayLoop) -> tuple[bool, str]:
+    """Check that Eqs. (27)-(28) as blocks are the rates of the errors in the closed loop."""
+    states = errors.states
+    phi, z, zc = (errors.inputs[port] for port in ("phi_x", "z", "zc"))
+    KD = errors.parameters["error_system"].KD
+    gamma = errors.parameters["parameter_system"].gain
+    e, eta, kappa, nu = (states[name] for name in ("e", "eta", "eta_3", "eta_4"))
+    rates = {
+        "e": -KD * e + eta @ phi + z * kappa + zc * nu,
+        "eta": -gamma * np.outer(e, phi),
+        "eta_3": -gamma * z * e,
+        "eta_4": -gamma * zc * e,
+    }
+    return vanish(errors, [errors.rates[name] - rate for name, rate in rates.items()])
 
 
 def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance."""
-    text = "V' = -e^T KD e + e^T Delta"
+    paper = PaperLoop("learned-flow", disturbed=True)
+    decay = -np.sum(paper.KD * paper.e**2)
+    claim = "V' = -e^T KD e + e^T Delta"
     steps = [
-        *identity_steps(
-            text, "learned-flow", decay_and_disturbance, FEWER, disturbed=True
+        line(
+            f"(35)  {claim}, for every N",
+            paper.zero(
+                paper.rate(paper.V) - (decay + paper.e @ paper.loop.inputs["delta"])
+            ),
         ),
-        lemmas.definite_step("learned-flow"),
-        lemmas.young_step(),
-        *ultimate_steps(),
+        running(paper, FEWER, claim),
+        quadratic(paper, "(24)"),
+        mean_square(),
+        *vehicle_alone(paper),
+        line(
+            "8  where a = D/k step 6 takes nothing from V: V ends at most where the root of "
+            "step 5 is D/k",
+            algebra("-k*(D/k)**2 + (D/k)*D"),
+        ),
         counterexample(
             "the paper's system, started true, with a square wave leaves Eq. (33) for every "
             "beta < KD within t = 60 to 120, and keeps the mean-square bound",
             partial(disturbance_counterexample, start=60.0, end=120.0, samples=20),
-            lambda found: found.ratio > 1.05 and found.rms <= 1.0,
+            lambda run: run.ratio > 1.05 and run.rms <= 1.0,
             "max|e| = {0.ratio:.3f} Delta_max/KD, rms(e) = {0.rms:.3f} of its bound",
         ),
         counterexample(
             "phi = 1, k = 1, gamma = 100, a unit square wave at sqrt(gamma): limsup|e| = 4/pi",
             square_wave_counterexample,
-            lambda found: abs(found.peak * np.pi / 4 - 1) < 1e-2,
+            lambda run: abs(run.peak * np.pi / 4 - 1) < 1e-2,
             "limsup|e| = {0.peak:.4f}",
         ),
         counterexample(
             "k = gamma = Delta = 1, phi = 0.2 for a time of 250, then 1 for 20, again and again: "
             "phi is exciting, and |e| > 2 Delta/k comes back",
             burst_counterexample,
-            lambda found: found.ratio > 2.0,
+            lambda run: run.ratio > 2.0,
             "|e| peaks at {0.peak:.3f} in each cycle",
         ),
     ]
@@ -186,13 +342,9 @@ def theorem_3_4() -> Proof:
         steps,
         "V' < 0 outside a ball in e bounds nothing while V also holds parameter errors.",
         corrected="int |e|^2 dt <= 2 V(0)/k + int |Delta|^2 dt/k^2 always, so rms(e) <= "
-        "rms(Delta)/k in the long run; with a jointly exciting regressor that does not depend on "
-        "the learner, limsup|e| <= T Delta_max (1 + 1/(1 - sqrt(1 - rho)))",
-        cited="that an exciting regressor gives rho > 0; the mean-square bound is proved, and the "
-        "ultimate bound from rho on",
-        not_proved=(
-            "the ultimate bound where z feeds the regressor back from the learner",
-        ),
+        "rms(Delta)/k in the long run; where w* = [phi(x), x, zc] excites in every window alike, V "
+        "ends at most where the root of step 5 is D/k, and |e| <= (2 V)^(1/2)",
+        not_proved=("an ultimate bound where that root stays below D/k for every V",),
     )
 
 

@@ -36,7 +36,7 @@ def refuting_point(case: Case) -> tuple[Point, float] | None:
 
 
 def point_below_truth(case: Case) -> tuple[Point, float] | None:
-    """Return a point at which V of the running blocks is below that at the truth, and by how much."""
+    """Return a point at which V of the blocks is below V at the truth, and by how much."""
     search = search_of(case.loop, case.truth, case.seed)
     for point in search.highest(case.Vs.xreplace(case.truth) - case.Vs, still=True):
         _, _, V = search.rates_at(point, search.farther(point.x, (1.0, 0.0)))

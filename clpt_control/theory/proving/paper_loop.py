@@ -1,0 +1,86 @@
+"""The paper's closed loop for every N, with the paper's names, and lines of proofs on it.
+
+`PaperLoop` reads the blocks that run as arrays whose size N is open.  A line of a proof is a claim
+and what was checked of it:
+
+    line("(22)  kappa' = -gamma z e", loop.zero(loop.rate(kappa) + gamma * z * e))
+
+phi(x), phi(z), zc, Delta and the flown velocity are any functions of time.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...simulation.loops import error_loop
+from .proof import Step
+from .signs import vanishes
+from .symbolic_loop import ArrayLoop
+from .theorem_loop import WIRED, Hedging, theorem_loop, theorem_scenario, vanish
+
+Check = tuple[bool, str]  # whether a claim holds, and why not
+
+
+def line(claim: str, *checks: Check) -> Step:
+    """Return a line of a proof for every N; it holds if each check does."""
+    failed = next((detail for holds, detail in checks if not holds), None)
+    return Step(claim, failed is None, "exact", failed or "")
+
+
+def algebra(*residuals: str) -> Check:
+    """Check that expressions are zero, whatever numbers their letters are."""
+    wrong = next((text for text in residuals if not vanishes(text)), "")
+    return not wrong, wrong
+
+
+class PaperLoop:
+    """The loop of the learned-flow or the known-flow law as arrays, by the paper's names."""
+
+    def __init__(
+        self,
+        law: str = "learned-flow",
+        disturbed: bool = False,
+        speed: Hedging = "no limit",
+    ):
+        diagram = theorem_loop(WIRED, law, disturbed=disturbed, speed=speed)
+        self.loop = loop = ArrayLoop(diagram)
+        states, parameters = loop.states, loop.parameters
+        car = parameters["vehicle_controller"]
+        self.KD, self.GammaD, self.alpha_M = car.KD, car.GammaD, car.alpha_M
+        self.theta = parameters["true_flow"].theta
+        self.gamma = parameters["adaptation"].gain
+        self.x, self.z = states["x"], states["z"]
+        self.e = loop.signals["e"]
+        self.phi, self.zc = loop.inputs["phi_x"], loop.inputs["zc"]
+        self.V = loop.signals["V"][0]
+        # the errors of what is learned
+        self.kappa = states["K"] - self.KD
+        self.nu = self.GammaD - states["Gamma"]
+        if "alpha" in states:
+            self.eta = self.theta + states["alpha"]
+
+    def rate(self, value: Any) -> Any:
+        """Return the time derivative of an array along the blocks that run."""
+        return self.loop.derivative(value)
+
+    def sum_of_squares(self) -> Any:
+        """Return V of Eq. (24), or of Eq. (17) where no alpha is learned."""
+        errors = np.sum(self.kappa**2) + np.sum(self.nu**2)
+        if hasattr(self, "eta"):
+            errors = errors + np.sum(self.eta**2)
+        return (np.sum(self.e**2) + errors / self.gamma) / 2
+
+    def zero(self, *residuals: Any) -> Check:
+        """Check that arrays are zero, and that the loop has a value everywhere."""
+        return vanish(self.loop, residuals)
+
+    def positive(self, *values: Any) -> Check:
+        """Check that all elements of arrays are positive."""
+        elements = [element for value in values for element in self.loop.read(value)]
+        wrong = next((e for e in elements if not e.is_positive), None)
+        return wrong is None, f"{wrong} is not known to be positive"
+
+
+def errors_loop() -> ArrayLoop:
+    """Return the error and parameter systems, Eqs. (27)-(28), for every N."""
+    return ArrayLoop(error_loop(theorem_scenario(WIRED, "learned-flow")))
