@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.model.vectorized import leaf_values
 from clpt_control.engine.record.scalar_graph import Elements
+from clpt_control.engine.trace.traced_block import leaf_values
 
 ARITHMETIC = {
     "add": operator.add,

@@ -1,7 +1,6 @@
-from .engine.model.block import Block
+from .engine.model.block import Block, evaluate
 from .engine.model.declaration import Guard
 from .engine.model.sampled import Sampled
-from .engine.model.vectorized import evaluate
 from .engine.trace.interpolators import lookup
 
 __all__ = ["Block", "Guard", "Sampled", "evaluate", "lookup"]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from clpt_control.engine.model.vectorized import on_arrays
+from clpt_control.engine.trace.traced_block import on_arrays
 from clpt_control.equations import Block
 
 

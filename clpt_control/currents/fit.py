@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 from ..arguments import Count, public
-from ..engine.model.vectorized import evaluate
+from ..engine.model.block import evaluate
 from ..errors import DataError, naming
 from ..estimation.least_squares import least_squares
 from ..files import check_writable, write_together

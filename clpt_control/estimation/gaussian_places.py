@@ -21,7 +21,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..blocks.flow import flow_basis
-from ..engine.model.vectorized import evaluate
+from ..engine.model.block import evaluate
 from ..errors import ScenarioError
 from ..geodesy import displacement
 from .dive import Dive, miss, reckoned

@@ -28,9 +28,8 @@ from scipy.integrate import simpson
 from scipy.interpolate import CubicSpline
 
 from ..blocks import vehicle
-from ..engine.model.block import Block
+from ..engine.model.block import Block, evaluate
 from ..engine.model.declaration import multiples
-from ..engine.model.vectorized import evaluate
 from ..errors import DataError, ScenarioError
 from ..geodesy import displacement
 from ..scenario.experiment import Scenario

@@ -19,7 +19,7 @@ from ..blocks.localization import TRUE
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.ports import ports_of
-from ..engine.model.vectorized import on_arrays
+from ..engine.trace.traced_block import on_arrays
 from ..scenario.experiment import Scenario
 from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 from .frame import Frame, Labels, Series, columns, port_variables

@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 from ..arguments import numbers, public
 from ..blocks.field import gridded_flow
 from ..currents.plane import read_field
-from ..engine.model.vectorized import evaluate
+from ..engine.model.block import evaluate
 from ..errors import DataError
 from ..estimation.least_squares import explained_share
 from ..scenario.experiment import Scenario

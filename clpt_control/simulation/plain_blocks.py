@@ -17,10 +17,10 @@ from ..engine.model.block import Block
 from ..engine.model.declaration import Each, Guard
 from ..engine.model.ports import sized, sizes_of
 from ..engine.model.sampled import Sampled, inner_parameters, other_equations
-from ..engine.model.vectorized import on_arrays
 from ..engine.record.graph import Operation, Record, Shape, bound
 from ..engine.record.operations import ELEMENTWISE
 from ..engine.trace.arrays import Unread
+from ..engine.trace.traced_block import on_arrays
 from ..errors import BlockError
 
 KINDS = ("input", "output", "state")

@@ -26,7 +26,6 @@ from ...arguments import public
 from ...errors import BlockError, DiagramError
 from ..codegen.machine import LANES
 from ..model.block import Block
-from ..model.vectorized import leaf_values
 from ..record.graph import Shape, bound
 from ..record.operations import ELEMENTWISE, named
 from ..record.scalar_graph import Index
@@ -36,6 +35,7 @@ from ..solver.native_diagram import NativeDiagram
 from ..solver.runner import PythonDiagram
 from ..solver.schedule import JUMPS
 from ..trace.arrays import Unread
+from ..trace.traced_block import leaf_values
 
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 

@@ -16,11 +16,12 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ...arguments import brief, public
-from ...errors import BlockError
+from ...arguments import brief, numbers, public
+from ...errors import ArgumentError, BlockError
 from ..trace.branches import located
-from ..trace.traced_block import READ, ReadBlock
+from ..trace.traced_block import READ, ReadBlock, on_arrays
 from ..trace.tracing import RAISED
 from .declaration import (
     Each,
@@ -415,3 +416,43 @@ class Block(ReadBlock):
 
     def _out(self, t, x, u):
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
+
+
+@public
+def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
+    """Compute a static block's outputs at many times and inputs.
+
+    Parameters
+    ----------
+    block : Block
+        Without states, such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
+    timepts : array_like, shape (n,) or a number
+        In the block's unit.
+    inputs : array_like, shape (n, ninputs)
+        Such as places, in the block's unit.
+
+    Returns
+    -------
+    ndarray, shape (n, noutputs)
+        One row per sample.
+
+    Examples
+    --------
+    >>> from clpt_control.blocks.flow import flow_basis
+    >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
+    >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)
+    array([[1.   ],
+           [0.368]])
+    """
+    u = np.atleast_2d(numbers("inputs", inputs, block.ninputs))
+    t = numbers("timepts", timepts)
+    allowed_shapes = (), (1,), u.shape[:1]
+    if u.ndim > 2 or t.shape not in allowed_shapes:
+        raise ArgumentError(
+            f"evaluate: timepts has shape {t.shape}, inputs {u.shape}; must be a time, or n "
+            f"of them, and (n, {block.ninputs})"
+        )
+    times = np.broadcast_to(t, len(u))
+    no_states = np.zeros((0, len(u)))
+    outputs = on_arrays(block, "output", times, no_states, u.T)
+    return outputs.T

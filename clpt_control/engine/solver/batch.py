@@ -18,7 +18,7 @@ import numpy as np
 from ...errors import SimulationError
 from ...progress.interrupt import check
 from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
-from .jacobian import NO_LINEAR, Jacobian
+from .rodas5p import NO_LINEAR, Jacobian
 from .schedule import Schedule
 from .solver_layout import (
     DECIDE,

@@ -17,8 +17,8 @@ from ...errors import SimulationError, Uncompiled
 from ...progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
-from ..model.vectorized import on_arrays
 from ..trace.arrays import Unread
+from ..trace.traced_block import on_arrays
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram

@@ -7,7 +7,7 @@ eight runs at once, in which t are the numbers of a lane and X the rows of Z.
 
 DOP853: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 1993,
 sections II.4 to II.6 and II.10; the coefficients and the choice of steps are scipy's.  Rodas5P, for
-stiff equations: `rosenbrock`.  RK4, the classical method, takes steps of one length.  In discrete
+stiff equations: `rodas5p`.  RK4, the classical method, takes steps of one length.  In discrete
 time a step leads from one sample to the next.
 """
 
@@ -27,7 +27,7 @@ from ..codegen.plan import Planner, Program
 from ..codegen.switching_conditions import Port
 from ..trace.arrays import Tape, operand
 from ..trace.elementwise import elementwise
-from . import rosenbrock as rodas
+from . import rodas5p as rodas
 from .batch import Callee
 from .solver_layout import (
     ACCEPTED,

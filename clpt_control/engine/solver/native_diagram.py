@@ -22,7 +22,7 @@ from ..trace.arrays import Unread
 from .batch import Callee
 from .filippov import HeldSwitch, slide
 from .integrators import with_formulas
-from .jacobian import Jacobian, jacobian, reach_of
+from .rodas5p import Jacobian, jacobian, reach_of
 from .runner import PythonDiagram
 from .schedule import Inputs
 from .solver_layout import DOP853, MAP, RK4, RODAS5P

@@ -25,7 +25,7 @@ from .batch import ANY, Batch, Callee, pace
 from .evaluation_pass import Sweep, rounding
 from .filippov import continue_on_switch
 from .integrators import with_formulas
-from .jacobian import Jacobian, jacobian
+from .rodas5p import Jacobian, jacobian
 from .schedule import (
     BEGINS,
     JUMPS,

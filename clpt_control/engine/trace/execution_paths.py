@@ -6,7 +6,8 @@ statement and a conditional expression are merged as soon as they end,
 
     limited(u) = where(u > 1, 1, where(u < -1, -1, u))
 
-so eight thrusters with three paths each are 24 paths, and not 3^8.
+so eight thrusters with three paths each are 24 paths, and not 3^8.  An item of a list at an index
+that is a signal, ``points[argmin(d)]``, is one `pick` and not a path for each item.
 """
 
 import functools
@@ -16,10 +17,20 @@ from typing import Any
 
 import numpy as np
 
-from .allow_list import attributes_of, is_library, root_of
-from .arrays import Array, Tape, Unread, active, key_of, operand
-from .contents import Content, copied, elements_of, items_of, put
-from .elementwise import chosen, is_truth, where
+from .arrays import Array, Tape, Unread, active, key_of, moves, operand
+from .elementwise import (
+    chosen,
+    elementwise,
+    in_a_try,
+    is_of_python,
+    is_truth,
+    is_whole,
+    lifted,
+    where,
+)
+from .isolation import Content, copied, elements_of, items_of, put
+from .references import attributes_of, is_library, root_of
+from .views import tape_of
 
 # paths of one helper or statement, and runs of all together
 MOST_MERGED = 32
@@ -288,3 +299,82 @@ def merge_statement(run: FunctionType, read_later: tuple[str, ...]) -> None:
     cells = dict(zip(run.__code__.co_freevars, run.__closure__ or (), strict=True))
     dead = [cell for name, cell in cells.items() if name not in read_later]
     Region(tape, run, cells.values()).merged(dead)
+
+
+# --- items of lists at an index that is a signal -------------------------------------------------
+
+ITEMS = (*NUMBERS, np.int64)  # numbers of which a signal picks one
+
+
+def item_of(values: Any, index: Any) -> Any:
+    """Return values[index]."""
+    is_signal = isinstance(index, Array) and not index.shape and index._whole is True
+    if (
+        not is_signal
+        or type(values) not in (list, tuple)
+        or not moves(index)
+        or in_a_try()
+    ):
+        return values[index]
+    item = picked_from(values, index)
+    return values[index] if item is None else item
+
+
+def picked_from(values: Any, index: Array) -> Any:
+    """Return the item of a list of numbers, or of rows of numbers; None of other lists."""
+    if all(map(_is_item, values)):
+        return _picked_number(values, index)
+    kinds = {
+        (type(value), len(value) if hasattr(value, "__len__") else -1)
+        for value in values
+    }
+    kind, length = next(iter(kinds), (None, 0))
+    if len(kinds) != 1 or kind not in (list, tuple):
+        return None
+    columns = [
+        picked_from([value[j] for value in values], index) for j in range(length)
+    ]
+    return None if any(column is None for column in columns) else kind(columns)
+
+
+def _is_item(value: Any) -> bool:
+    return (isinstance(value, Array) and not value.shape) or type(value) in ITEMS
+
+
+def _picked_number(values: Any, index: Array) -> Any:
+    """Return one of several numbers as one operation; None of truth values."""
+    if not values or any(
+        isinstance(value, Array) and value._is_condition for value in values
+    ):
+        return None
+    tape = index._tape
+    row = lifted(tape, [*values])
+    picked = tape.add("pick", (operand(row), index._ref), ())
+    picked._whole = _common(map(is_whole, values))
+    picked._of_python = _common(map(is_of_python, values))
+    return picked
+
+
+def _common(kinds: Any) -> bool | None:
+    """Return the common kind of all items; None if they differ."""
+    distinct = {*kinds}
+    return distinct.pop() if len(distinct) == 1 else None
+
+
+def index_of(values: Any, value: Any) -> Any:
+    """Return values.index(value): the first item that equals a value."""
+    if (
+        type(values) not in (list, tuple)
+        or active() is None
+        or tape_of([*values, value]) is None
+    ):
+        return values.index(value)
+    if in_a_try():  # Python raises if no item is equal
+        return values.index(value)
+    position: Any = np.nan
+    for k in range(len(values) - 1, -1, -1):
+        position = chosen(elementwise("eq", values[k], value), k, position)
+    if isinstance(position, Array):
+        position._whole = True
+        position._of_python = True
+    return position

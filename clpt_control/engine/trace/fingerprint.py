@@ -2,10 +2,10 @@
 
     key = (code, defaults, closure, globals by name, attributes by name, ...)
 
-A function is traced only if everything that it references is on the `allow_list`: numbers,
-texts, arrays, plain Python classes and functions, and library functions without side effects.  Any
-other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs the function.
-Objects, classes and modules count by the attributes that the referenced code names.
+A function is traced only if everything that it references is on the allow-list (`references`):
+numbers, texts, arrays, plain Python classes and functions, and library functions without side
+effects.  Any other value, such as ``os.remove``, a file or a lock, raises `Unread`, and Python runs
+the function.  Objects, classes and modules count by the attributes that the referenced code names.
 
 A traced function may change nothing but lists, dicts, arrays and attributes: their `contents` are
 copied, compared after tracing and put back.
@@ -38,7 +38,10 @@ import control
 import numpy as np
 
 from ..model.declaration import Parameters
-from .allow_list import (
+from .arrays import Tape, Unread, reading_on
+from .interpolators import is_table
+from .isolation import UNBOUND, Content, copied, isolated, slot_values, slots_of
+from .references import (
     CALLABLE,
     CHANCE,
     CLOCK,
@@ -49,18 +52,18 @@ from .allow_list import (
     PLAIN_BASES,
     STREAMS,
     UNSEEDED,
+    Reference,
     attributes_of,
+    code_names,
+    code_texts,
     is_library,
     is_pure,
     module_of,
     reason,
+    references,
     root_of,
+    words,
 )
-from .arrays import Tape, Unread, reading_on
-from .code_references import Reference, code_names, code_texts, references
-from .contents import UNBOUND, Content, copied, slot_values, slots_of
-from .interpolators import is_table
-from .isolation import isolated
 
 TABLE_FIELDS = (  # data of an interpolator of SciPy
     *("x", "y", "c", "points", "grid", "values", "method", "fill_value"),
@@ -68,20 +71,9 @@ TABLE_FIELDS = (  # data of an interpolator of SciPy
 )
 CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
 NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)
-DYNAMIC = frozenset(  # attributes by text
-    (
-        "getattr",
-        "setattr",
-        "delattr",
-        "hasattr",
-        "attrgetter",
-        "methodcaller",
-        "__dict__",
-    )
-)
-INTERNALS = frozenset(
-    ("__code__", "__defaults__", "__kwdefaults__", "__closure__", "__globals__")
-)
+# attributes by text
+DYNAMIC = words("getattr setattr delattr hasattr attrgetter methodcaller __dict__")
+INTERNALS = words("__code__ __defaults__ __kwdefaults__ __closure__ __globals__")
 BOUND = (BuiltinFunctionType, MethodWrapperType)
 PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     MethodType: ("__func__", "__self__"),

@@ -18,13 +18,19 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS
-from .allow_list import IMMUTABLE, LIBRARIES, is_library, root_of
 from .arrays import Array, Unread
-from .code_references import code_names, code_texts
-from .contents import Content, put, restore
 from .elementwise import boxed, constant
 from .execution_paths import merge_calls
 from .fingerprint import Fingerprint
+from .isolation import Content, put, restore
+from .references import (
+    IMMUTABLE,
+    LIBRARIES,
+    code_names,
+    code_texts,
+    is_library,
+    root_of,
+)
 from .rewriting import NAMES, rewritten
 from .tracer_modules import BUILTINS, TracerModule, tracer_value
 

@@ -20,9 +20,14 @@ from collections.abc import Iterable, Iterator
 from types import CodeType
 from typing import Any
 
-from .code_references import all_code, code_names
-from .execution_paths import merge_calls, merge_statement, merge_value
-from .rows import index_of, item_of
+from .execution_paths import (
+    index_of,
+    item_of,
+    merge_calls,
+    merge_statement,
+    merge_value,
+)
+from .references import all_code, code_names
 
 NAMES = {
     "__merge_statement__": merge_statement,

@@ -2,7 +2,7 @@
 
 A function is traced with open sizes, so that one record holds for every N.  If that fails, it is
 traced with the sizes of its block.  Records are cached until a parameter, a port or a value that a
-function references changes.
+function references changes.  `on_arrays` evaluates a record in NumPy at many points at once.
 """
 
 from collections.abc import Callable, Mapping
@@ -15,7 +15,7 @@ import numpy as np
 from ...errors import BlockError
 from ..model.declaration import Guard
 from ..model.ports import counts_of, labels, places, port_of, sized, sizes_of
-from ..record.graph import Record, Shape
+from ..record.graph import Record, Shape, evaluated
 from .arrays import Unread
 from .tracing import read, record_of_states
 
@@ -267,3 +267,58 @@ class ReadBlock(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
+
+
+# --- vectorized evaluation in NumPy ----------------------------------------------------------
+
+
+def leaf_values(
+    block: ReadBlock, t: Any, x: Any, u: Any, p: Any
+) -> Callable[[str, str], np.ndarray]:
+    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
+    states = places(block.state_shapes)
+    inputs = places(block.input_shapes)
+
+    def leaf(group: str, name: str) -> np.ndarray:
+        if group == "t":
+            return np.asarray(t, dtype=float)
+        if group == "p":
+            return np.asarray(getattr(p, name), dtype=float)
+        ports = states if group == "x" else inputs
+        vector = x if group == "x" else u
+        positions, shape = ports[name]
+        values = vector[positions]
+        return values.reshape((*shape, *values.shape[1:]))
+
+    return leaf
+
+
+def on_arrays(
+    block: ReadBlock, role: str, t: Any, x: Any, u: Any, p: Any = None
+) -> np.ndarray:
+    """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
+
+    Its parameters are the block's, or those given; their `interval` may be one for each time.
+    """
+    shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
+    count = int(np.prod(shape))
+
+    def flat(vector: Any) -> np.ndarray:
+        size = len(vector)
+        return np.broadcast_to(vector, (size, *shape)).reshape(size, count)
+
+    times = np.broadcast_to(t, shape).reshape(count)
+    parameters = block.parameters if p is None else p
+    leaf = leaf_values(block, times, flat(x), flat(u), parameters)
+
+    def at_each_time(group: str, name: str) -> np.ndarray:
+        value = leaf(group, name)
+        varies = name == "interval" and value.ndim
+        is_constant = group == "p" and not varies
+        return value[..., None] if is_constant else value
+
+    record = block.array_record(role)
+    outputs = evaluated(record, at_each_time, block.sizes, count)
+    rows = [output.reshape(-1, count) for output in outputs]
+    matrix = np.concatenate([np.zeros((0, count)), *rows])
+    return matrix.reshape((-1, *shape))

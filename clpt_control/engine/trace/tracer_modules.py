@@ -21,7 +21,6 @@ from typing import Any
 
 import numpy as np
 
-from .allow_list import OF_LOGGING, UNSEEDED
 from .arrays import Array, Tape, Unread, active, single, whole
 from .elementwise import (
     all_of,
@@ -39,6 +38,7 @@ from .elementwise import (
 )
 from .interpolators import function_of, searched
 from .numpy_functions import apply_function
+from .references import OF_LOGGING, UNSEEDED
 from .ufuncs import LONG_ROW, apply_ufunc, least_of
 from .views import converted, copied, fresh, share, tape_of
 

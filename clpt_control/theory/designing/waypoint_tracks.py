@@ -25,7 +25,7 @@ import numpy as np
 from ...blocks.laws.law import LEARNED
 from ...engine.codegen.machine import LANES
 from ...engine.diagram.interconnection import wiring_of_blocks
-from ...engine.model.vectorized import evaluate
+from ...engine.model.block import evaluate
 from ...engine.solver.batch import Batch
 from ...engine.solver.native_diagram import NativeDiagram
 from ...errors import ScenarioError

@@ -24,8 +24,8 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ...arguments import numbers, public
+from ...engine.model.block import evaluate
 from ...engine.model.declaration import multiples
-from ...engine.model.vectorized import evaluate
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
 from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS

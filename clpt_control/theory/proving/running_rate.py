@@ -24,8 +24,8 @@ import sympy
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from ...engine.diagram.wiring import wiring_of
-from ...engine.model.vectorized import on_arrays
 from ...engine.solver.evaluation_pass import Sweep
+from ...engine.trace.traced_block import on_arrays
 from ...errors import DiagramError
 from ...progress.interrupt import check
 from .facts import along
