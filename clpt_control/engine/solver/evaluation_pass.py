@@ -49,7 +49,6 @@ class Sweep:
         systems = [node.system for node in self.nodes]
         outputs = [self.signals[node.outputs] for node in self.nodes]
         self._blocks = [(k, outputs[k]) for k in wiring.order]
-        self._feeding = self._blocks_that_feed()
         self._moving = [k for k in wiring.order if systems[k].nstates]
         breaking = [system.breakpoints_function is not None for system in systems]
         self._breaking = np.flatnonzero(breaking).tolist()
@@ -60,20 +59,6 @@ class Sweep:
         self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
         self.enter(0.0)
-
-    def _blocks_that_feed(self) -> list[tuple[int, ndarray]]:
-        """Return the blocks whose outputs feed a block."""
-        feeding = np.zeros(len(self.signals), dtype=bool)
-        for node in self.nodes:
-            for wire in node.wires:
-                if not wire.external:
-                    feeding[wire.source : wire.source + wire.size] = True
-        blocks = []
-        for k, out in self._blocks:
-            outputs = self.nodes[k].outputs
-            if feeding[outputs].any():
-                blocks.append((k, out))
-        return blocks
 
     def _views(self, node: Node) -> tuple[ndarray, list[tuple]]:
         """View a block's inputs, and (input, source, gain) of each wire."""
@@ -124,21 +109,17 @@ class Sweep:
         Without `u` the inputs of the diagram are zero.  Blocks in `sampling` sample their inputs
         before their outputs are computed.
         """
-        with np.errstate(all="ignore"):
-            self._pass(np.float64(t), x, u, self._blocks, sampling)
-        return self.signals
-
-    def _pass(
-        self, t: Any, x: ndarray, u: Any, blocks: list, sampling: Collection[int] = ()
-    ) -> None:
+        time = np.float64(t)
         self._external[:] = 0.0 if u is None else u
         self._states[:] = x
         self.signals.fill(0.0)  # a block that is run twice reads what is not known yet
-        for k, out in blocks:
-            inputs = self._gather(k)
-            if k in sampling:
-                self._sample(k)
-            self._call("output", k, t, self._x[k], inputs, out)
+        with np.errstate(all="ignore"):
+            for k, out in self._blocks:
+                inputs = self._gather(k)
+                if k in sampling:
+                    self._sample(k)
+                self._call("output", k, time, self._x[k], inputs, out)
+        return self.signals
 
     def _sample(self, k: int) -> None:
         node = self.nodes[k]
@@ -147,20 +128,14 @@ class Sweep:
 
     def derivative(self, t: float, x: ndarray, u: External = None) -> ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
-        with np.errstate(all="ignore"):
-            return self.rates(t, x, u, self._blocks)
-
-    def rates(
-        self, t: float, x: ndarray, u: External = None, blocks: Any = None
-    ) -> ndarray:
-        """Return the state derivative; of the outputs only those that feed a block are computed."""
-        t = np.float64(t)
-        self._pass(t, x, u, blocks or self._feeding)
+        self.evaluate(t, x, u)
         dx = np.empty(self.nstates)
-        for k in self._moving:  # a block may come before its inputs are known
-            inputs = self._gather(k)
-            rates = dx[self.nodes[k].states]
-            self._call("update", k, t, self._x[k], inputs, rates)
+        time = np.float64(t)
+        with np.errstate(all="ignore"):
+            for k in self._moving:  # a block may come before its inputs are known
+                inputs = self._gather(k)
+                rates = dx[self.nodes[k].states]
+                self._call("update", k, time, self._x[k], inputs, rates)
         return dx
 
     def jump(

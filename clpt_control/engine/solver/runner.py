@@ -115,7 +115,7 @@ class PythonDiagram:
 
         # in the solver's order: each function, the array that it writes, and how many numbers
         functions: list[tuple[Any, str, int]] = [
-            (lambda t, x, P: sweep.rates(t, x, u(t)), "D", n),
+            (lambda t, x, P: sweep.derivative(t, x, u(t)), "D", n),
             (lambda t, x, P: sweep.enter(t + rounding(t)), "D", 0),
             (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
             (jump, "D", n),
