@@ -254,7 +254,7 @@ class LLVMPrinter(LoopPrinter):
         sums = self._vector_loop(count, unrolled, body, [zero] * len(totals))
         return (horizontal_sum(self.builder, value, count) for value in sums)
 
-    def add(self, total: Any, value: Any) -> Any:
+    def add(self, total, value):
         """Return a sum with one more value, of the active iterations."""
         if self.active < LANES:
             value = self.builder.select(self.mask(), value, constant(0.0, LANES))
@@ -326,7 +326,7 @@ class LLVMPrinter(LoopPrinter):
         """Return a constant."""
         return constant(value, self.width(vectorized))
 
-    def broadcast(self, scalar: Any) -> Any:
+    def broadcast(self, scalar):
         """Return one number for each of eight iterations."""
         return splat(self.builder, scalar, LANES)
 

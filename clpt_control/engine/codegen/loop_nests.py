@@ -78,7 +78,7 @@ class LoopPrinter(ABC):
     def row_operation(self, name: str, row: tuple, values: list) -> Any:
         """Return the result of an operation on a row: (array, offset, stride, count)."""
 
-    def broadcast(self, scalar: Any) -> Any:
+    def broadcast(self, scalar):
         """Return one number for each of eight iterations."""
         return scalar
 

@@ -215,7 +215,7 @@ class _MachineCode:
 class _SymbolicSweep(Sweep):
     """An evaluation pass by SymPy expressions."""
 
-    def __init__(self, *arguments: Any):
+    def __init__(self, *arguments):
         super().__init__(*arguments)
         self._functions: dict[tuple[int, str], SymbolicFunction] = {}
 
@@ -309,7 +309,7 @@ class SymbolicFunction(Symbols):
         expression = super().apply(ref, kind, arguments)
         return self._step(expression)
 
-    def _step(self, value: Any) -> Any:
+    def _step(self, value):
         if not isinstance(value, sympy.Expr) or value.count_ops() < LONG:
             return value
         symbol = sympy.Symbol(f"step{len(self.steps)}", real=True)

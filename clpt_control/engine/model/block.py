@@ -254,7 +254,7 @@ class Block(ReadBlock):
             self.__dict__.setdefault("_call_of_thread", Call(self._parameters))
         return self._call_of_thread
 
-    def _checked(self, value: Any) -> Any:
+    def _checked(self, value):
         return checked_parameters(self.name, value)
 
     @property

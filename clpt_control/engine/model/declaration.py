@@ -188,7 +188,7 @@ class Parameters(SimpleNamespace):
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"parameters stay as they are; set no {name!r}")
 
-    def __getitem__(self, name: Any) -> Any:
+    def __getitem__(self, name):
         return getattr(self, name) if isinstance(name, str) else tuple(self)[name]
 
     def __contains__(self, name: Any) -> bool:

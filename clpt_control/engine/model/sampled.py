@@ -25,7 +25,7 @@ HELD = "held_"  # prefix of the states that hold inputs
 ROUNDING = 1e-12  # times are equal if they differ by less, relative to the time or to 1
 
 
-def other_equations(*arguments: Any) -> Any:
+def other_equations(*arguments):
     """Stand for equations of a block that computes its values from another block or a record."""
     raise NotImplementedError
 

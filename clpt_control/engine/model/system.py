@@ -102,7 +102,7 @@ class System(Block):
 
     # --- parameters -------------------------------------------------------------------------
 
-    def _checked(self, value: Any) -> Any:
+    def _checked(self, value):
         return value  # of the numbers among the system's params
 
     @property  # type: ignore[misc]  # nobody sets it
@@ -288,11 +288,11 @@ def _size(system: Any, kind: str, declared: int | None, of_run: int | None) -> i
     return int(size)  # python-control takes NumPy's too
 
 
-def _leaf(value: Any) -> Any:
+def _leaf(value):
     return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
 
 
-def _as_given(value: Any, like: Any) -> Any:
+def _as_given(value, like):
     """Return a number as Python's, whole where the one in its place is."""
     if np.ndim(value):
         return value

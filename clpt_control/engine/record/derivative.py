@@ -23,11 +23,11 @@ from .operations import STEPS, TABLE, Row
 NO_ROW = Row()  # of an operation on whole arrays
 
 
-def _times(factor: Any, slope: Any) -> Any:
+def _times(factor, slope):
     return slope if isinstance(factor, float) and factor == 1.0 else factor * slope
 
 
-def _chosen(condition: Any, a: Any, b: Any) -> Any:
+def _chosen(condition, a, b):
     slopes = [0.0 if slope is None else slope for slope in (a, b)]
     return elementwise("where", condition, *slopes)
 
@@ -40,7 +40,7 @@ class Direction:
         self.smooth = smooth
         self.known: dict[int, Any] = dict(slopes)
 
-    def of(self, value: Any) -> Any:
+    def of(self, value):
         """Return the derivative of a value of the tape, of its shape; 0.0 where it is zero."""
         ref = operand(value)
         if type(ref) is float:

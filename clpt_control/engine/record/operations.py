@@ -71,7 +71,7 @@ class Row(NamedTuple):
 def _circular(ufunc: np.ufunc, slope: Slope) -> Row:
     """Return the row of a circular function; it is NaN for angles that mean nothing."""
 
-    def function(a: Any) -> Any:
+    def function(a):
         return ufunc(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
 
     return Row(function, (slope,), traced=(ufunc,))

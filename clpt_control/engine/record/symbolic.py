@@ -156,12 +156,12 @@ class Symbols(Elements):
         return sympy.Add(*counts)
 
 
-def _picked(position: Any, *row: Any) -> Any:
+def _picked(position, *row):
     positions, *values = np.broadcast_arrays(position, *row)
     return picked(np.array(values), positions)
 
 
-def _searched(value: Any, side: Any, *points: Any) -> Any:
+def _searched(value, side, *points):
     row = np.array(points, dtype=float)
     values = np.asarray(value, dtype=float)
     return searched(row[:, None], values, "right" if side else "left")

@@ -253,6 +253,6 @@ def moved_back(jumps: ndarray, times: ndarray) -> ndarray:
     return np.where(jumps - before <= rounding(jumps), before, jumps)
 
 
-def rounding(times: Any) -> Any:
+def rounding(times):
     """Return the largest difference between equal times that rounding can make."""
     return 1e-12 * np.maximum(1.0, np.abs(times))

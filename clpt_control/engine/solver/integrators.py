@@ -91,13 +91,13 @@ class StepTape:
         """Return a number of the lane."""
         return self._load("t", row)
 
-    def tolerance(self, size: Any) -> Any:
+    def tolerance(self, size):
         """Return the tolerance of states of a size."""
         relative = self._load("T", 0)
         absolute = self._load("T", 1)
         return fmuladd(relative, size, absolute)
 
-    def total(self, value: Any) -> Any:
+    def total(self, value):
         """Return the sum over the states."""
         axis = (0, self.n, True)
         return self.tape.add("sum", (operand(value),), (), axis)

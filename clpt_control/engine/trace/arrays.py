@@ -116,7 +116,7 @@ class Tape:
             )
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
-    def question(self, ref: Any) -> Any:
+    def question(self, ref):
         """Return a truth value, numbers or a whole number, if Python needs one."""
         raise Unread("what Python asks of a signal")
 
@@ -236,7 +236,7 @@ class Array(NDArrayOperatorsMixin):
     def __iter__(self) -> Iterator[Any]:
         return (self[k] for k in range(len(self)))
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index):
         return HOOKS["item"](self, index if isinstance(index, tuple) else (index,))
 
     def __setitem__(self, index: Any, value: Any) -> None:
@@ -264,9 +264,7 @@ class Array(NDArrayOperatorsMixin):
             return HOOKS["elementwise"](UFUNCS[ufunc], *inputs)
         return HOOKS["ufunc"](self._tape, ufunc, method, inputs, options)
 
-    def __array_function__(
-        self, function: Any, types: Any, inputs: Any, options: Any
-    ) -> Any:
+    def __array_function__(self, function, types, inputs, options):
         return HOOKS["function"](self._tape, function, inputs, options)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
@@ -279,12 +277,12 @@ class Array(NDArrayOperatorsMixin):
             return partial(method, self)
         raise AttributeError(f"an array of the record has no {name!r}")
 
-    def __eq__(self, other: Any) -> Any:
+    def __eq__(self, other):
         return (
             False if other is None or isinstance(other, str) else np.equal(self, other)
         )
 
-    def __ne__(self, other: Any) -> Any:
+    def __ne__(self, other):
         return (
             True
             if other is None or isinstance(other, str)
@@ -339,7 +337,7 @@ class Array(NDArrayOperatorsMixin):
             )
         return hash(self._tape.numbers(self._ref).item())
 
-    def __round__(self, digits: Any = None) -> Any:
+    def __round__(self, digits=None):
         if digits and self._of_python is not False:
             raise Unread("rounds to digits, which Python does otherwise than np.round")
         if digits is not None:
@@ -374,7 +372,7 @@ def numbers_of(array: Array) -> np.ndarray | None:
     return store.astype(float) if plain else None
 
 
-def whole(index: Any) -> Any:
+def whole(index):
     """Return an index in whole numbers; each signal in it becomes one on each path."""
     if isinstance(index, tuple):
         return tuple(map(whole, index))
@@ -383,7 +381,7 @@ def whole(index: Any) -> Any:
     return [item.__index__() for item in index] if index.shape else index.__index__()
 
 
-def single(value: Any) -> Any:
+def single(value):
     """Return the number in an array of one element, which `math` and float accept."""
     if isinstance(value, Array) and value.shape and value.size == 1:
         return value[(0,) * value.ndim]

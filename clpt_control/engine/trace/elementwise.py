@@ -213,7 +213,7 @@ def is_whole(value: Any) -> bool | None:
     return isinstance(value, int) or kind in "iub"
 
 
-def of_numpy(number: Any) -> Any:
+def of_numpy(number):
     """Return an element of an array as a number of NumPy."""
     if not isinstance(number, Array):
         return np.float64(number) if is_of_python(number) else number
@@ -224,7 +224,7 @@ def of_numpy(number: Any) -> Any:
     return new
 
 
-def of_python(number: Any, is_int: Any = False) -> Any:
+def of_python(number, is_int=False):
     """Return a number as one of Python's: a float, or a whole one, which is never -0."""
     if not isinstance(number, Array) or number.shape:
         return number
@@ -234,7 +234,7 @@ def of_python(number: Any, is_int: Any = False) -> Any:
     return new
 
 
-def chosen(condition: Any, a: Any, b: Any) -> Any:
+def chosen(condition, a, b):
     """Return the number of a branch, a or b, with its kind of number."""
     new = where(condition, a, b)
     if (
@@ -252,7 +252,7 @@ def either(a: bool | None, b: bool | None) -> bool | None:
     return a if a is b else None
 
 
-def _overflows(a: Any, new: Any) -> Any:
+def _overflows(a, new):
     return np.logical_and(np.equal(np.fabs(new), np.inf), np.less(np.fabs(a), np.inf))
 
 
@@ -325,14 +325,14 @@ def _catches(code: CodeType) -> bool:
     return any(line.opname == "PUSH_EXC_INFO" for line in dis.get_instructions(code))
 
 
-def as_number(value: Any) -> Any:
+def as_number(value):
     """Return truth values as 1 and 0; any other value as it is."""
     if isinstance(value, Array) and value._is_condition:
         return value._tape.add("where", (value._ref, 1.0, 0.0), value.shape)
     return value
 
 
-def as_condition(value: Any) -> Any:
+def as_condition(value):
     """Return numbers as conditions: number != 0."""
     if isinstance(value, Array) and not value._is_condition:
         return elementwise("ne", value, 0.0)
@@ -363,7 +363,7 @@ def boxed(tape: Tape, value: Any) -> Any:
     return new
 
 
-def where(condition: Any, a: Any, b: Any) -> Any:
+def where(condition, a, b):
     """Return a where a condition holds, else b."""
     if not isinstance(condition, Array) and not np.ndim(condition):
         return a if condition else b

@@ -272,7 +272,7 @@ def merge_calls(function: FunctionType) -> Any:
     """Return a function whose paths are merged at each call while a function is traced."""
 
     @functools.wraps(function, updated=())
-    def helper(*arguments: Any, **options: Any) -> Any:
+    def helper(*arguments, **options):
         if (tape := merging()) is None:
             return function(*arguments, **options)
         roots = (*arguments, *options.values(), *(function.__closure__ or ()))
@@ -306,7 +306,7 @@ def merge_statement(run: FunctionType, read_later: tuple[str, ...]) -> None:
 ITEMS = (*NUMBERS, np.int64)  # numbers of which a signal picks one
 
 
-def item_of(values: Any, index: Any) -> Any:
+def item_of(values, index):
     """Return values[index]."""
     is_signal = isinstance(index, Array) and not index.shape and index._whole is True
     if (
@@ -361,7 +361,7 @@ def _common(kinds: Any) -> bool | None:
     return distinct.pop() if len(distinct) == 1 else None
 
 
-def index_of(values: Any, value: Any) -> Any:
+def index_of(values, value):
     """Return values.index(value): the first item that equals a value."""
     if (
         type(values) not in (list, tuple)

@@ -150,7 +150,7 @@ class _Walk:
 
     # --- values -----------------------------------------------------------------------------
 
-    def key_of(self, value: Any) -> Any:
+    def key_of(self, value):
         """Return the key of a value; refuse one that is not known to be pure."""
         kind = type(value)
         if kind is float or kind is np.float64:
@@ -293,7 +293,7 @@ class _Walk:
             return *key, *map(self.key_of, value.flat)
         return *key, np.asarray(value).tobytes()
 
-    def _system(self, system: Any) -> Any:
+    def _system(self, system):
         """Return the key of a system of python-control, by its attributes."""
         fields = {
             k: v

@@ -92,7 +92,7 @@ def _increasing(points: Any, name: str) -> np.ndarray:
     return points
 
 
-def _horner(coefficients: Any, s: Any) -> Any:
+def _horner(coefficients, s):
     return reduce(lambda value, c: value * s + c, coefficients)
 
 
@@ -134,9 +134,7 @@ def _outside(values: Any, x: Any, points: np.ndarray, below: Any, above: Any) ->
     return values if below is None else where(np.less(x, points[0]), below, values)
 
 
-def interpolated(
-    x: Any, xp: Any, fp: Any, left: Any = None, right: Any = None, period: Any = None
-) -> Any:
+def interpolated(x, xp, fp, left=None, right=None, period=None):
     """Return np.interp(x, xp, fp); its constant ends are two more straight lines."""
     numbers = numbers_of(fp) if isinstance(fp, Array) else np.asarray(fp, dtype=float)
     values = fp if numbers is None else numbers

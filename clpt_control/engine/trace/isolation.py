@@ -65,7 +65,7 @@ _depth = 0
 class _Silent:
     """A stream that drops what the tracing thread writes, and is the real one for others."""
 
-    def __init__(self, real: Any):
+    def __init__(self, real):
         self._real = real
 
     def __getattr__(self, name: str) -> Any:
@@ -84,21 +84,21 @@ class _Silent:
 def _replaced(real: Callable, traced: Callable) -> Callable:
     """Return a function that calls `traced` in the tracing thread, and otherwise the real one."""
 
-    def replacement(*arguments: Any, **options: Any) -> Any:
+    def replacement(*arguments, **options):
         return (real if active() is None else traced)(*arguments, **options)
 
     return replacement
 
 
 def _refusing(real: Callable, label: str) -> Callable:
-    def refuse(*arguments: Any, **options: Any) -> Any:
+    def refuse(*arguments, **options):
         raise Unread(f"calls {label}, {OUTSIDE}")
 
     return _replaced(real, refuse)
 
 
 def _read_only(real: Callable) -> Callable:
-    def opened(file: Any, mode: Any = "r", *arguments: Any, **options: Any) -> Any:
+    def opened(file, mode="r", *arguments, **options):
         writes = mode & WRITING if isinstance(mode, int) else {*"wax+"} & {*mode}
         if writes:
             raise Unread(f"opens a file to write, {OUTSIDE}")
@@ -204,7 +204,7 @@ def restore(contents: Iterable[Content]) -> None:
             content.put_back()
 
 
-def copied(value: Any) -> Any:
+def copied(value):
     """Return a copy of a content; None of a tracer array into which nothing was written."""
     if isinstance(value, list | dict):
         return list(value) if isinstance(value, list) else dict(value)

@@ -64,7 +64,7 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
     """Register the record of functions of NumPy; its first arguments become tracer arrays."""
 
     def register(record: Callable) -> Callable:
-        def function(*inputs: Any, **options: Any) -> Any:
+        def function(*inputs, **options):
             tape = tape_of((*inputs, *options.values()))
             return record(
                 *(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **options
@@ -80,7 +80,7 @@ def implements(*functions: Any, arrays: int = 1) -> Callable:
 
 
 @implements(np.mean)
-def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> Any:
+def mean(a, axis=None, dtype=None, keepdims=False):
     """Return the mean."""
     check_doubles(dtype)
     total = np.sum(a, axis, keepdims=keepdims)
@@ -88,9 +88,7 @@ def mean(a: Any, axis: Any = None, dtype: Any = None, keepdims: Any = False) -> 
 
 
 @implements(np.var)
-def variance(
-    a: Any, axis: Any = None, dtype: Any = None, ddof: Any = 0, keepdims: Any = 0
-) -> Any:
+def variance(a, axis=None, dtype=None, ddof=0, keepdims=0):
     """Return the mean square of the deviation from the mean."""
     check_doubles(dtype)
     deviation = a - mean(a, axis, keepdims=axis is not None)
@@ -127,7 +125,7 @@ def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
 
 
 @implements(np.cross, arrays=2)
-def cross(a: Any, b: Any, **options: Any) -> Any:
+def cross(a, b, **options):
     """Return np.cross; of vectors of 3 along the last axis as NumPy computes it."""
     if options or (a.shape[-1], b.shape[-1]) != (3, 3):
         return on_objects(a._tape, np.cross, (a, b), options)
@@ -143,20 +141,20 @@ def cross(a: Any, b: Any, **options: Any) -> Any:
 MOST_ROWS = 24  # of linear equations
 
 
-def dot(a: Any, b: Any) -> Any:
+def dot(a, b):
     """Return np.dot(a, b)."""
     if np.ndim(a) and np.ndim(b) > 2:
         return np.tensordot(a, b, (-1, -2))
     return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
 
 
-def outer(a: Any, b: Any) -> Any:
+def outer(a, b):
     """Return a b^T."""
     a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
     return elementwise("mul", a[:, None], b[None, :])
 
 
-def norm(a: Any, ord: Any = None, axis: Any = None, keepdims: Any = False) -> Any:
+def norm(a, ord=None, axis=None, keepdims=False):
     """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
     if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
         squares = elementwise("mul", a, a)
@@ -194,7 +192,7 @@ def _eliminate(rows: list[Any], divisor: Callable = lambda pivot: pivot) -> Any:
     return sign
 
 
-def solve(A: Any, b: Any) -> Any:
+def solve(A, b):
     """Return the x of A x = b, as np.linalg.solve does."""
     n = A.shape[0]
     if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
@@ -212,7 +210,7 @@ def solve(A: Any, b: Any) -> Any:
     return x[:, 0] if b.ndim == 1 else x
 
 
-def determinant(A: Any) -> Any:
+def determinant(A):
     """Return the determinant: the product of the pivots."""
     rows = _rows(A)
     sign = _eliminate(rows, lambda pivot: where(pivot == 0.0, 1.0, pivot))
@@ -223,9 +221,7 @@ def determinant(A: Any) -> Any:
 
 
 @implements(np.clip)
-def clip(
-    a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None
-) -> Any:
+def clip(a, a_min=None, a_max=None, *, min=None, max=None):
     """Return a within limits."""
     low = a_min if min is None else min
     high = a_max if max is None else max
@@ -237,7 +233,7 @@ def clip(
 def index_of_best(function: Any, better: Any) -> Callable:
     """Return the record of np.argmax or np.argmin: one comparison for each element, if few."""
 
-    def record(a: Any, *axis: Any, **options: Any) -> Any:
+    def record(a, *axis, **options):
         if axis or options:
             return on_objects(a._tape, function, (a, *axis), options)
         if a.size > LONG_ROW:
@@ -262,7 +258,7 @@ implements(np.argmin)(index_of_best(np.argmin, np.less))
 
 
 @implements(np.sort)
-def sort(a: Any, *axis: Any, **options: Any) -> Any:
+def sort(a, *axis, **options):
     """Return a row sorted: neighbours change places, in as many rounds as it has elements."""
     if axis or options or a.ndim != 1:
         return refuse("np.sort along an axis")
@@ -274,7 +270,7 @@ def sort(a: Any, *axis: Any, **options: Any) -> Any:
 
 
 @implements(np.median)
-def median(a: Any, *axis: Any, **options: Any) -> Any:
+def median(a, *axis, **options):
     """Return the mean of the one or two in the middle."""
     if axis or options:
         return refuse("np.median along an axis")
@@ -284,7 +280,7 @@ def median(a: Any, *axis: Any, **options: Any) -> Any:
 
 
 @implements(np.where, arrays=0)
-def placed(condition: Any, *values: Any) -> Any:
+def placed(condition, *values):
     """Return np.where(condition, a, b)."""
     if not values:
         return refuse("np.where without values, which counts,")
@@ -293,7 +289,7 @@ def placed(condition: Any, *values: Any) -> Any:
 
 
 @implements(np.select, arrays=0)
-def selected(conditions: Any, values: Any, default: Any = 0) -> Any:
+def selected(conditions, values, default=0):
     """Return np.select: the value of the first condition that holds."""
     result = default
     for condition, value in zip(reversed(conditions), reversed(values), strict=True):
@@ -317,7 +313,7 @@ def close(
 def reducing(reduce: Callable, ufunc: Any) -> Callable:
     """Return the record of a function that reduces all elements, or elements along an axis."""
 
-    def record(a: Any, axis: Any = None, dtype: Any = None, **options: Any) -> Any:
+    def record(a, axis=None, dtype=None, **options):
         if "where" in options:
             return refuse("joining some elements, which np.where chooses,")
         if not is_truth(a) or isinstance(dtype, Array):
@@ -335,7 +331,7 @@ def like(a: Array, value: float, dtype: Any = None, **options: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
-def taken(a: Any, indices: Any, axis: Any = None) -> Any:
+def taken(a, indices, axis=None):
     """Return np.take(a, indices, axis)."""
     if axis is None:
         return np.ravel(a)[indices]
@@ -408,7 +404,7 @@ implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted(
 def sharing(function: Any) -> Callable:
     """Return the record of a function of NumPy whose result is a view."""
 
-    def record(a: Any, *arguments: Any, **options: Any) -> Any:
+    def record(a, *arguments, **options):
         orders = {v for v in (*arguments, *options.values()) if isinstance(v, str)}
         if orders & {"A", "K"}:
             return refuse("elements in the order of memory")
@@ -422,7 +418,7 @@ def sharing(function: Any) -> Callable:
 def sharing_each(function: Any) -> Callable:
     """Return the record of a function of NumPy that returns a view of each argument."""
 
-    def record(*values: Any) -> Any:
+    def record(*values):
         tape = tape_of(values)
         results = [views.part(lifted(tape, value), function) for value in values]
         return results[0] if len(results) == 1 else tuple(results)

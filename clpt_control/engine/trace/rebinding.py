@@ -63,7 +63,7 @@ class Rebinding:
         # contents with tracer values
         self._during: list[tuple[Content, Any]] | None = None
 
-    def of(self, value: Any) -> Any:
+    def of(self, value):
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
         if isinstance(value, int | float | str):
             return value
@@ -72,7 +72,7 @@ class Rebinding:
             self._known[id(value)] = value, self._tracer_value(value)
         return self._known[id(value)][1]
 
-    def _tracer_value(self, value: Any) -> Any:
+    def _tracer_value(self, value):
         if isinstance(value, FunctionType):
             return self._function(value)
         if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
@@ -108,7 +108,7 @@ class Rebinding:
         numbers._whole = value.dtype == int
         return numbers
 
-    def root(self, function: Any) -> Any:
+    def root(self, function):
         """Return the tracer function of the function to trace, whose own paths are not merged."""
         if isinstance(function, MethodType):
             return MethodType(self.root(function.__func__), self.of(function.__self__))
@@ -168,7 +168,7 @@ class Rebinding:
             self._copies.append(self._spaces[id(names)])
         return self._spaces[id(names)]
 
-    def _imported(self, *arguments: Any, **options: Any) -> Any:
+    def _imported(self, *arguments, **options):
         """Return the tracer value of a module that a function imports by itself."""
         return self.of(__import__(*arguments, **options))
 
@@ -199,7 +199,7 @@ class Rebinding:
         )
         return content.before if is_same else {**content.before, **attributes}
 
-    def _attribute(self, value: Any) -> Any:
+    def _attribute(self, value):
         """Return the tracer value of an attribute; a descriptor's functions are copied."""
         if isinstance(value, staticmethod | classmethod):
             return type(value)(self.of(value.__func__))
@@ -240,7 +240,7 @@ class Rebinding:
 def _cached(function: FunctionType) -> Any:
     """Return a function of which no result may be changed, as these outlive the call."""
 
-    def fixed(value: Any) -> Any:
+    def fixed(value):
         if isinstance(value, Array):
             value._fixed = True
         elif isinstance(value, tuple):

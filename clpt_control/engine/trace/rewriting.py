@@ -260,7 +260,7 @@ __merge_statement__({STATEMENT}, {read_later})
 class _Function:
     """The names of a function: its local variables, and how often each is read."""
 
-    def __init__(self, node: Any):
+    def __init__(self, node):
         arguments = node.args
         every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
         every += [

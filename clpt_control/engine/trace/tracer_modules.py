@@ -57,7 +57,7 @@ class TracerFunction:
         self.record = record
         functools.update_wrapper(self, real, updated=())
 
-    def __call__(self, *arguments: Any, **options: Any) -> Any:
+    def __call__(self, *arguments, **options):
         """Run the real function, or record the call."""
         tape = active()
         if options:
@@ -100,7 +100,7 @@ class TracerType(type):
             attribute, lambda tape, value, *a: getattr(value, name)(*a)
         )
 
-    def __call__(cls, *arguments: Any, **options: Any) -> Any:
+    def __call__(cls, *arguments, **options):
         """Convert a signal, or make a number of the real type."""
         value = single(arguments[0]) if arguments else None
         return (
@@ -130,7 +130,7 @@ def tracer_type(real: type, convert: Callable) -> TracerType:
     )
 
 
-def real_type(value: Any) -> Any:
+def real_type(value):
     """Return the real type of a tracer type; any other value as it is."""
     return value._real if isinstance(value, TracerType) else value
 
@@ -153,7 +153,7 @@ def has_attribute(value: Any, name: str) -> bool:
     return is_port or _of_example(value, lambda example: hasattr(example, name))
 
 
-def type_of(*arguments: Any, **options: Any) -> Any:
+def type_of(*arguments, **options):
     """Return type(value), or a new type."""
     if len(arguments) > 1 or options:
         return type(*arguments, **options)
@@ -211,13 +211,13 @@ TYPES = {real: tracer_type(real, convert) for real, convert in CONVERSIONS.items
 # --- `math` and built-in functions --------------------------------------------------------------
 
 
-def rounded_off(total: Any, value: Any, new: Any) -> Any:
+def rounded_off(total, value, new):
     """Return the rounding error of new = total + value."""
     is_larger = np.fabs(total) >= np.fabs(value)
     return where(is_larger, (total - new) + value, (value - new) + total)
 
 
-def remainder(a: Any, b: Any) -> Any:
+def remainder(a, b):
     """Return math.remainder(a, b), from the remainder of two periods: without rounding."""
     double_remainder = np.fmod(a, 2.0 * b)
     return double_remainder - b * np.rint(double_remainder / b)
@@ -276,7 +276,7 @@ def of_values(real: Callable, record: Callable[[list], Any]) -> Callable:
     """Return the tracer function of a function of values, given one by one or in a list."""
 
     @functools.wraps(real)
-    def function(*arguments: Any, **options: Any) -> Any:
+    def function(*arguments, **options):
         values = list(arguments[0]) if len(arguments) == 1 else list(arguments)
         if options or tape_of(values) is None:
             return real(values, **options)
@@ -377,7 +377,7 @@ def array(
     return boxed(tape, new[(None,) * (ndmin - new.ndim)] if ndmin > new.ndim else new)
 
 
-def same_array(tape: Any, value: Any, dtype: Any = None, **options: Any) -> Any:
+def same_array(tape, value, dtype=None, **options):
     """Return np.asarray of values that hold signals."""
     if isinstance(value, Array) and (dtype is None or np.dtype(dtype) == float):
         return boxed(tape, value)
@@ -415,7 +415,7 @@ class Joiner:
         self.real = real
         self.join = join
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index):
         values = index if isinstance(index, tuple) else (index,)
         if tape_of(values) is None:
             tape = active()
@@ -447,14 +447,14 @@ class TracerModule(ModuleType):
     __delattr__ = __setattr__
 
 
-def errstate(**arguments: Any) -> Any:
+def errstate(**arguments):
     """Return np.errstate; refuse to raise, as no operation raises while it is traced."""
     if active() is not None and {"raise", "call", "log"} & {*arguments.values()}:
         raise Unread("np.errstate that raises; ask by `if` before")
     return np.errstate(**arguments)
 
 
-def unseeded(*seed: Any, **options: Any) -> Any:
+def unseeded(*seed, **options):
     """Return np.random.default_rng of a seed; refuse one without a seed."""
     if active() is not None and not seed and not options:
         raise Unread(UNSEEDED)
@@ -491,7 +491,7 @@ _known: dict[int, Any] = {  # by the identity of the real value
 }
 
 
-def tracer_value(value: Any) -> Any:
+def tracer_value(value):
     """Return the tracer value of a module, function, type or interpolator; others as they are."""
     if (known := _known.get(id(value))) is not None:
         return known

@@ -228,7 +228,7 @@ class _Tracing:
             )
         return outputs
 
-    def _spread(self, returned: Any) -> Any:
+    def _spread(self, returned):
         """Return one number repeated for all states or outputs, as python-control does."""
         size = sum(map(prod, self.request.out.values()))
         if isinstance(returned, Mapping) or size == 1:

@@ -93,9 +93,7 @@ def _apply_call(tape: Tape, ufunc: Any, inputs: Any, options: dict) -> Any:
     return COMPOSED[name](*arguments) if name in COMPOSED else refuse(f"np.{name}")
 
 
-def reduced(
-    ufunc: Any, a: Any, axis: Any = 0, keepdims: Any = False, initial: Any = None
-) -> Any:
+def reduced(ufunc, a, axis=0, keepdims=False, initial=None):
     """Reduce the elements along an axis, or all, one after the other; a sum is one operation."""
     a = lifted(tape_of([a]), a)
     a = a if np.ndim(a) else copied(a)
@@ -146,7 +144,7 @@ def _slices(a: Array, axis: int) -> list[Any]:
     return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
 
 
-def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
+def accumulated(ufunc, a, axis=0):
     """Return the partial results of a reduction along an axis, as np.cumsum does."""
     a = as_number(lifted(tape_of([a]), a))
     if axis is None:
@@ -155,7 +153,7 @@ def accumulated(ufunc: Any, a: Any, axis: Any = 0) -> Any:
     return np.stack(list(accumulate(_slices(a, axis % a.ndim), ufunc)), axis)
 
 
-def matmul(a: Any, b: Any) -> Any:
+def matmul(a, b):
     """Return a @ b."""
     if not np.ndim(a) or not np.ndim(b):
         raise ValueError("matmul: an operand is a scalar")
@@ -191,7 +189,7 @@ def signbit(a: Array) -> Any:
     return (a < 0) | (inverse == -np.inf)
 
 
-def copysign(a: Any, b: Any) -> Any:
+def copysign(a, b):
     """Return |a| with the sign of b."""
     size = np.fabs(a)
     return (
@@ -201,7 +199,7 @@ def copysign(a: Any, b: Any) -> Any:
     )
 
 
-def fmod(a: Any, b: Any) -> Any:
+def fmod(a, b):
     """Return the remainder of a / b, with the sign of a."""
     remainder = elementwise("mod", np.fabs(a), np.fabs(b))
     return where(a < 0, -remainder, remainder)

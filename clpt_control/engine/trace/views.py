@@ -53,7 +53,7 @@ def arrays_in(value: Any) -> Iterator[Array]:
             yield from arrays_in(item)
 
 
-def tape_of(values: Any) -> Any:
+def tape_of(values):
     """Return the tape of the first tracer array among values, or None."""
     for value in values:  # usually one of these
         if isinstance(value, Array):
@@ -167,7 +167,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     return repacked(tape, result)
 
 
-def into(out: Any, value: Any) -> Any:
+def into(out, value):
     """Return a value, or the array `out` into which it is written; a number is replaced."""
     is_number = isinstance(out, Array) and not out.shape and not out._boxed
     if out is None or is_number:
@@ -513,7 +513,7 @@ def stack(arrays: Any, axis: int = 0, **options: Any) -> Any:
     return np.moveaxis(new, 0, axis) if axis else new
 
 
-def join(inputs: Any, axis: Any = 0, **options: Any) -> Any:
+def join(inputs, axis=0, **options):
     """Return np.concatenate(parts); long arrays are one operation."""
     tape = tape_of(inputs)
     arrays = [
@@ -536,7 +536,7 @@ def join(inputs: Any, axis: Any = 0, **options: Any) -> Any:
 # --- other shapes ------------------------------------------------------------
 
 
-def copied(a: Any, *arguments: Any, **options: Any) -> Any:
+def copied(a, *arguments, **options):
     """Return a copy, which no longer shares what is written."""
     if not isinstance(a, Array) or not (a.shape or a._boxed):
         return a
@@ -548,7 +548,7 @@ def copied(a: Any, *arguments: Any, **options: Any) -> Any:
     return new
 
 
-def converted(a: Any, dtype: Any = float, *arguments: Any, **options: Any) -> Any:
+def converted(a, dtype=float, *arguments, **options):
     """Return a copy of numbers of another kind."""
     kind = np.dtype(dtype)
     if kind == np.int64:
