@@ -134,18 +134,12 @@ class Components(Elements):
 
     def source(self, ref: int, index: tuple[Index, ...]) -> tuple[Ref, tuple] | None:
         """Return which element of another value an element is; None where it is computed."""
-        kind, arguments, shape, at = self.operations[ref]
+        kind = self.operations[ref].kind
         if kind in ("stack", "join") and type(index[0]) is not int:
             return None
-        if kind != "part" or all(type(i) is int for i in index):
-            return super().source(ref, index)
-        outer = self.operations[arguments[0]].shape
-        lead = len(outer) - len(shape)
-        size = prod(shape)
-        if lead < 0 or outer[lead:] != shape or at % size:
+        if kind == "part" and not all(type(i) is int for i in index):
             return None
-        before = np.unravel_index(at // size, outer[:lead]) if lead else ()
-        return arguments[0], (*map(int, before), *index)
+        return super().source(ref, index)
 
     def _element(self, ref: int, index: tuple[Index, ...]) -> Value:
         kind, arguments, shape, at = self.operations[ref]
