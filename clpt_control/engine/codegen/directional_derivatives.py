@@ -21,13 +21,12 @@ from ..diagram.evaluation_order import unsampled
 from ..diagram.wiring import Wiring, call_names
 from ..model.block import Block
 from ..model.ports import ports_of
-from ..model.system import System
 from ..record.derivative import Direction
 from ..record.graph import reached
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
 from ..trace.elementwise import elementwise, lifted
-from .diagram_record import DiagramRecord
+from .diagram_record import DiagramRecord, is_read
 from .switching_conditions import Port
 
 JUMPING = named(lambda row: row.smoothness >= JUMP)
@@ -209,11 +208,10 @@ def _fields_by_name(wiring: Wiring) -> dict[str, list[tuple[int, str]]]:
     fields: dict[str, list[tuple[int, str]]] = {}
     for k, node in enumerate(wiring.nodes):
         block = node.system
-        inner = getattr(block, "inner", block)  # of a sampled block
         for name, field in call_names(node.name, block).items():
             value = getattr(block.parameters, field)
-            is_read = not isinstance(inner, System) or inner.reads(field)
-            if is_read and field != "interval" and not isinstance(value, int):
+            varies = field != "interval" and not isinstance(value, int)
+            if varies and is_read(block, field):
                 fields.setdefault(name, []).append((k, field))
     return fields
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from ...arguments import brief
 from ...errors import BlockError
-from ..record.graph import Shape, bound
+from ..record.graph import Shape, bound, is_known
 
 Size = int | str  # a number, or its name
 Declared = Mapping[str, Size | tuple[Size, ...]]  # port -> shape
@@ -142,7 +142,7 @@ def shaped(name: str, port: str, value: Any, shape: Shape, filled: Callable) -> 
         return value
     if not actual:
         return filled(value, shape)
-    has_numbers = all(isinstance(n, int) for n in (*actual, *shape))
+    has_numbers = is_known(actual) and is_known(shape)
     if has_numbers and actual == (prod(shape),):
         return value.reshape(shape)
     raise BlockError(f"{name}: returns {port} of shape {actual}; must be {shape}")

@@ -117,6 +117,11 @@ def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
     return tuple([sizes.get(n, n) for n in shape])
 
 
+def is_known(shape: Shape) -> bool:
+    """Return whether all sizes of a shape are numbers."""
+    return all(isinstance(n, int) for n in shape)
+
+
 @contextmanager
 def deep() -> Iterator[None]:
     """Allow recursion as deep as records are."""

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from ..trace.arrays import Unread
-from .graph import Operation, Record, Ref, Shape, bound
+from .graph import Operation, Record, Ref, Shape, bound, is_known
 
 # an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
 Index = tuple[Any, ...]
@@ -142,7 +142,7 @@ class Elements:
     def all_of(self, ref: Ref) -> list[Any]:
         """Return every element of a value."""
         shape = () if type(ref) is float else self._shape_of(ref)
-        if not all(isinstance(n, int) for n in shape):
+        if not is_known(shape):
             raise Unread("every element of an array of unknown length")
         return [self.at(ref, index) for index in np.ndindex(*shape)]
 

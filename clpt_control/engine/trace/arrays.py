@@ -127,17 +127,17 @@ class Array(NDArrayOperatorsMixin):
     """A value of a tape, with a shape and the interface of NumPy's arrays."""
 
     __slots__ = (
-        *(
-            "_boxed",
-            "_fixed",
-            "_node",
-            "_of_python",
-            "_parent",
-            "_select",
-            "_shape",
-            "_store",
-        ),
-        *("_below", "_tape", "_whole"),
+        "_below",
+        "_boxed",
+        "_fixed",
+        "_node",
+        "_of_python",
+        "_parent",
+        "_select",
+        "_shape",
+        "_store",
+        "_tape",
+        "_whole",
     )
     __array_priority__ = 1000
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..record.graph import Ref, Shape, compact, reached
+from ..record.graph import Ref, Shape, compact, is_known, reached
 from .arrays import Array, Tape, Unread
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
@@ -28,8 +28,16 @@ class Outside(Exception):
 EVERY = object()  # stands for all names
 FOR_ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
 FOR_ALL = (
-    *("__iter__", "__reversed__", "__eq__", "__or__", "__ror__"),
-    *("keys", "values", "items", "copy", "popitem"),
+    "__iter__",
+    "__reversed__",
+    "__eq__",
+    "__or__",
+    "__ror__",
+    "keys",
+    "values",
+    "items",
+    "copy",
+    "popitem",
 )
 
 
@@ -194,8 +202,8 @@ class Ports(Array):
             port: tape.add("leaf", (), shape, (group, port))
             for port, shape in shapes.items()
         }
-        is_known = all(isinstance(n, int) for shape in shapes.values() for n in shape)
-        size: Any = sum(map(prod, shapes.values())) if is_known else f"len({group})"
+        has_sizes = all(map(is_known, shapes.values()))
+        size: Any = sum(map(prod, shapes.values())) if has_sizes else f"len({group})"
         super().__init__(tape, -1, (size,))
         del self._node  # until it is asked for
         self._fixed = fixed

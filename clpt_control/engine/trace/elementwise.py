@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ..record.graph import Shape
+from ..record.graph import Shape, is_known
 from ..record.operations import CONDITIONS, LOGICAL, TABLE, named
 from .arrays import HOOKS, Array, Tape, Unread, moves, objects, operand, whole
 
@@ -110,7 +110,7 @@ def constant(tape: Tape, value: np.ndarray) -> Any:
 
 def filled(tape: Tape, value: Any, shape: Shape) -> Any:
     """Return an array of a shape that holds one number everywhere."""
-    if type(value) is float and all(isinstance(n, int) for n in shape):
+    if type(value) is float and is_known(shape):
         return constant(tape, np.full(shape, value))
     return tape.add("fill", (operand(value),), shape)
 
@@ -242,14 +242,15 @@ def chosen(condition, a, b):
         and isinstance(new, Array)
         and not new._is_condition
     ):
-        new._whole = either(is_whole(a), is_whole(b))
-        new._of_python = either(is_of_python(a), is_of_python(b))
+        new._whole = common(map(is_whole, (a, b)))
+        new._of_python = common(map(is_of_python, (a, b)))
     return new
 
 
-def either(a: bool | None, b: bool | None) -> bool | None:
-    """Return the common kind of two numbers; None if their kinds differ."""
-    return a if a is b else None
+def common(kinds: Iterable[bool | None]) -> bool | None:
+    """Return the common kind of numbers; None if their kinds differ."""
+    distinct = {*kinds}
+    return distinct.pop() if len(distinct) == 1 else None
 
 
 def _overflows(a, new):

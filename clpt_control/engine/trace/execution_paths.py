@@ -20,6 +20,7 @@ import numpy as np
 from .arrays import Array, Tape, Unread, active, key_of, moves, operand
 from .elementwise import (
     chosen,
+    common,
     elementwise,
     in_a_try,
     is_of_python,
@@ -350,15 +351,9 @@ def _picked_number(values: Any, index: Array) -> Any:
     tape = index._tape
     row = lifted(tape, [*values])
     picked = tape.add("pick", (operand(row), index._ref), ())
-    picked._whole = _common(map(is_whole, values))
-    picked._of_python = _common(map(is_of_python, values))
+    picked._whole = common(map(is_whole, values))
+    picked._of_python = common(map(is_of_python, values))
     return picked
-
-
-def _common(kinds: Any) -> bool | None:
-    """Return the common kind of all items; None if they differ."""
-    distinct = {*kinds}
-    return distinct.pop() if len(distinct) == 1 else None
 
 
 def index_of(values, value):

@@ -66,8 +66,16 @@ from .references import (
 )
 
 TABLE_FIELDS = (  # data of an interpolator of SciPy
-    *("x", "y", "c", "points", "grid", "values", "method", "fill_value"),
-    *("extrapolate", "bounds_error"),
+    "x",
+    "y",
+    "c",
+    "points",
+    "grid",
+    "values",
+    "method",
+    "fill_value",
+    "extrapolate",
+    "bounds_error",
 )
 CONSTRUCTORS = ("__init__", "__new__", "__post_init__")
 NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONSTRUCTORS)

@@ -38,8 +38,14 @@ from .views import depends, into, on_numbers, on_objects, on_parameters, refuse,
 
 IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's function -> its record
 BOXED = {  # functions whose results are arrays, also without axes
-    *(np.where, np.select, np.piecewise, np.copy),
-    *(np.zeros_like, np.ones_like, np.empty_like, np.full_like),
+    np.where,
+    np.select,
+    np.piecewise,
+    np.copy,
+    np.zeros_like,
+    np.ones_like,
+    np.empty_like,
+    np.full_like,
 }
 
 
@@ -427,21 +433,35 @@ def sharing_each(function: Any) -> Callable:
 
 
 VIEWS = (
-    *(np.reshape, np.ravel, np.squeeze, np.transpose, np.swapaxes, np.moveaxis),
-    *(
-        np.expand_dims,
-        np.flip,
-        np.flipud,
-        np.fliplr,
-        np.diagonal,
-        np.diag,
-        np.broadcast_to,
-    ),
-    *(np.rot90, np.rollaxis, np.atleast_3d),
+    np.reshape,
+    np.ravel,
+    np.squeeze,
+    np.transpose,
+    np.swapaxes,
+    np.moveaxis,
+    np.expand_dims,
+    np.flip,
+    np.flipud,
+    np.fliplr,
+    np.diagonal,
+    np.diag,
+    np.broadcast_to,
+    np.rot90,
+    np.rollaxis,
+    np.atleast_3d,
 )
 NUMPY_CODE: tuple[Any, ...] = (  # functions whose own code runs on tracer arrays
-    *(np.split, np.array_split, np.hsplit, np.vsplit, np.dsplit),
-    *(np.real, np.imag, np.isreal, np.ndim, np.iscomplexobj, np.isrealobj),
+    np.split,
+    np.array_split,
+    np.hsplit,
+    np.vsplit,
+    np.dsplit,
+    np.real,
+    np.imag,
+    np.isreal,
+    np.ndim,
+    np.iscomplexobj,
+    np.isrealobj,
 )
 SHARES: dict[Any, Callable] = {
     **{function: sharing(function) for function in VIEWS},

@@ -44,10 +44,25 @@ LIBRARIES = frozenset(("numpy", "scipy", "matplotlib", "pandas", "xarray", "symp
 
 IMMUTABLE = frozenset(
     (
-        *(int, bool, str, bytes, complex, NoneType, EllipsisType, range, slice),
-        *(type(NotImplemented), Fraction, Decimal, re.Pattern, np.dtype),
-        *(datetime.date, datetime.datetime, datetime.time),
-        *(datetime.timedelta, datetime.timezone),
+        int,
+        bool,
+        str,
+        bytes,
+        complex,
+        NoneType,
+        EllipsisType,
+        range,
+        slice,
+        type(NotImplemented),
+        Fraction,
+        Decimal,
+        re.Pattern,
+        np.dtype,
+        datetime.date,
+        datetime.datetime,
+        datetime.time,
+        datetime.timedelta,
+        datetime.timezone,
     )
 )
 
@@ -62,8 +77,20 @@ PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
 CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
     (
-        *(object, tuple, list, dict, frozenset, ABC, Enum, SimpleNamespace, np.ndarray),
-        *(OrderedDict, defaultdict, Counter, Generic, Protocol),
+        object,
+        tuple,
+        list,
+        dict,
+        frozenset,
+        ABC,
+        Enum,
+        SimpleNamespace,
+        np.ndarray,
+        OrderedDict,
+        defaultdict,
+        Counter,
+        Generic,
+        Protocol,
     )
 )
 
@@ -102,9 +129,18 @@ for path in ("posixpath", "ntpath", "genericpath"):
 # silent while a function is traced, as loggers are
 STREAMS = ("sys.stdout", "sys.stderr")
 PURE_SCIPY = (
-    *("scipy.special", "scipy.interpolate", "scipy.linalg", "scipy.optimize"),
-    *("scipy.integrate", "scipy.signal", "scipy.spatial", "scipy.ndimage"),
-    *("scipy.sparse", "scipy.fft", "scipy.constants", "scipy._lib"),
+    "scipy.special",
+    "scipy.interpolate",
+    "scipy.linalg",
+    "scipy.optimize",
+    "scipy.integrate",
+    "scipy.signal",
+    "scipy.spatial",
+    "scipy.ndimage",
+    "scipy.sparse",
+    "scipy.fft",
+    "scipy.constants",
+    "scipy._lib",
 )
 IMPURE_BUILTINS = words(
     """
@@ -122,9 +158,15 @@ IMPURE_NUMPY = words(
 SEEDED = ("numpy.random.default_rng", "numpy.random._generator.default_rng")
 CLOCKS = frozenset(("now", "utcnow", "today"))
 CALLABLE = (
-    *(BuiltinFunctionType, FunctionType, type, np.ufunc, type(np.sum)),
-    *(MethodDescriptorType, WrapperDescriptorType),
-    *(type(float.real), type(dict.fromkeys)),
+    BuiltinFunctionType,
+    FunctionType,
+    type,
+    np.ufunc,
+    type(np.sum),
+    MethodDescriptorType,
+    WrapperDescriptorType,
+    type(float.real),
+    type(dict.fromkeys),
 )
 
 

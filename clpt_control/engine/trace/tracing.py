@@ -30,8 +30,13 @@ from .rebinding import Rebinding
 MOST_PATHS = 256
 # errors of numbers, or of variables that this path does not set: the path gives NaN
 RAISED = (
-    *(ArithmeticError, IndexError, ValueError, AssertionError),
-    *(UnboundLocalError, StopIteration, SystemExit),
+    ArithmeticError,
+    IndexError,
+    ValueError,
+    AssertionError,
+    UnboundLocalError,
+    StopIteration,
+    SystemExit,
 )
 OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 

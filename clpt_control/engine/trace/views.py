@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ..record.graph import MOST_NUMBERS, Ref, Shape, viewed
+from ..record.graph import MOST_NUMBERS, Ref, Shape, is_known, viewed
 from .arrays import (
     HOOKS,
     Array,
@@ -227,7 +227,7 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
     may_copy = mapping is None or (
         a._parent is not None and not isinstance(function, itemgetter)
     )
-    if may_copy and all(isinstance(n, int) for n in a._root.shape):
+    if may_copy and is_known(a._root.shape):
         blank = a._blank()
         if not share(blank, function(blank)):
             return new
@@ -256,7 +256,7 @@ def _part_of_elements(a: Array, function: Callable, store: np.ndarray) -> Any:
 
 def _in_another_shape(a: Array, function: Callable) -> Any:
     """Return many elements in another shape if their order stays; otherwise None."""
-    if numbers_of(a) is not None or not all(isinstance(n, int) for n in a.shape):
+    if numbers_of(a) is not None or not is_known(a.shape):
         return None
     positions = function(np.arange(a.size).reshape(a.shape))
     if positions.size <= LONG or np.any(np.diff(positions.ravel()) != 1):
@@ -355,9 +355,11 @@ def _is_row_index(array: Array, index: tuple, axis: int) -> bool:
         isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index
     ):
         return False
-    has_sizes = all(isinstance(n, int) for n in array.shape)
     return (
-        has_sizes and axis < array.ndim and array._written() is None and not in_a_try()
+        is_known(array.shape)
+        and axis < array.ndim
+        and array._written() is None
+        and not in_a_try()
     )
 
 
@@ -427,7 +429,7 @@ def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
     stacked_shape = len(refs), *shape
     if 1 < len(refs) == _end_of_run(tape, refs, 0):
         return _run(tape, refs, shape)
-    if all(isinstance(n, int) for n in shape) and prod(stacked_shape) > LONG:
+    if is_known(shape) and prod(stacked_shape) > LONG:
         joined = list(_runs_and_stacks(tape, refs, shape))
         if len(joined) > 1:
             return tape.add("join", [operand(array) for array in joined], stacked_shape)
@@ -521,8 +523,8 @@ def join(inputs, axis=0, **options):
         for array in (lifted(tape, value) for value in inputs)
         if array.shape != (0,)
     ]
-    is_known = all(isinstance(n, int) for array in arrays for n in array.shape)
-    is_long = is_known and any(prod(array.shape) > LONG for array in arrays)
+    has_sizes = all(is_known(array.shape) for array in arrays)
+    is_long = has_sizes and any(prod(array.shape) > LONG for array in arrays)
     if axis is None or not is_long:
         return lifted(
             tape, np.concatenate([objects(array) for array in arrays], axis=axis)
