@@ -1,267 +1,65 @@
-"""A Lyapunov function of your own on any diagram: what V is, what V' is, and where it fails.
+"""A Lyapunov function of the user on any diagram: `lyapunov(system, V)`.
 
-V and V' are exact, on the equations that run (`v_on_symbols`).  V >= 0 is shown by a sum of terms
-that are not negative (`squares`), V' <= 0 by the signs of `proving`.  What is not shown is open;
-what is refuted is refuted by a point.  Where no V is given, one is searched for (`searching`) and
-checked as any other is.  In a region (`region`) V' < 0 is enough.
-
-Points of wide ranges are drawn, and drawn again beside the best of them.  Whatever an expression
-says, V' there is that along the rates that python-control itself gives.
+V and V' are exact, on the equations that run; `judge` asks the five questions of them.  What is not
+shown is open; what is refuted is refuted by a point.  If no V is given, one is searched for
+(`searching`) and judged as any other is.  In a region (`region`) V' < 0 is enough.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 from typing import Any
 
 import control
-import numpy as np
 import sympy
 
 from ..arguments import Count, Seed, public
-from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
-from .proving.proof import Step, checked, exact, first_failure, short, worked_out
-from .proving.running_rate import SURE, PointSearch
-from .proving.signs import tidied, vanishes
-from .proving.symbolic_loop import Point
-from .proving.verdict import Verdict
+from .proving.judge import Verdict, judge, refuted
+from .proving.proof import Step, first_failure, short, worked_out
+from .proving.system_candidate import SystemCandidate, function_of_signals
 from .region import Region
 from .searching import candidates
-from .squares import states_beside
-from .v_on_symbols import SystemWithV, of_signals
-
-Failure = tuple[Point, float]  # a point, and what V', or what fails, is there
 
 
-class FailureSearch(PointSearch):
-    """Points at which a V fails, and V' of the running blocks at points."""
-
-    def __init__(self, case: SystemWithV, seed: int):
-        super().__init__(case.system, case.eq, case.V, case.name, case.rest or {}, seed)
-        self.case = case
-
-    def running(self, points: int, region: Region | None = None) -> Step:
-        """Return the step that the running blocks give the same V', and V where it is an output."""
-
-        def same() -> tuple[bool, str]:
-            t, x, u = self.wide(points, region is not None)
-            if region is not None:
-                x = self.random.uniform(region.low, region.high, x.T.shape).T
-            return self.compare((t, x, u), points)
-
-        return checked("the running blocks give the same V'", same, "sampled", False)
-
-    def rises_at(self) -> Failure | None:
-        """Return a point at which the running blocks have V' > 0, and V' there."""
-        if not self.case.depends_on():
-            return self.rate_beside(sympy.S.Zero, (1,), (True, False))
-        still = self.rate_beside(sympy.S.Zero, (1,), (True,))
-        return still or self.rises_with_inputs()
-
-    def rises_with_inputs(self) -> Failure | None:
-        """Return a point at which inputs make V rise, however far off, and V' there."""
-        nothing_held = np.zeros(len(self.states), dtype=bool)
-        return next(self.rises_far_off(self.case.rate, nothing_held), None)
-
-    def not_as_claimed(self) -> Failure | None:
-        """Return a point at which V' of the running blocks is not as claimed, and V' there."""
-        return self.rate_beside(self.case.claim, (1, -1), (False,))
-
-    def rate_beside(
-        self, claim: sympy.Expr, signs: tuple, stills: tuple
-    ) -> Failure | None:
-        """Return a point at which V' of the running blocks lies beside a claim, and V' there."""
-        residual = tidied(self.case.rate - claim)
-        for sign, still in product(signs, stills):
-            for point in self.highest(sign * residual, still):
-                (value,), (size,), _ = self.rates_at(point, point.x[None])
-                right = self.value_at(claim, point)
-                if sign * (value - right) > SURE * max(size, abs(right)):
-                    return point, float(value)
-        return None
-
-    def no_least(self) -> Failure | None:
-        """Return a point at which V is below its value at the rest, and by how much.
-
-        Where no rest is given it is one whose multiples have a V that falls without end: there the
-        part of V of highest degree is negative.
-        """
-        V, states = self.case.V, self.case.states
-        if self.case.rest is not None:
-            rise = V - V.xreplace(self.case.rest)
-        elif V.is_polynomial(*states) and V.has(*states):
-            far = sympy.Dummy()
-            rise = sympy.Poly(V.xreplace({s: far * s for s in states}), far).LC()
-        else:
-            return None
-        return self.where(rise, -1)
-
-    def value_at(self, expression: sympy.Expr, point: Point) -> float:
-        """Return an expression at a point."""
-        at = self.known(np.array([point.t]), point.x[:, None], point.u[:, None])
-        return float(self.numbers(expression).at(at, 1)[0, 0])
-
-    def where(self, expression: sympy.Expr, sign: int) -> Failure | None:
-        """Return a point at which an expression has a sign, and what it is there."""
-        point = next(self.highest(sign * expression, True), None)
-        return None if point is None else (point, self.value_at(expression, point))
-
-
-def valued(case: SystemWithV) -> Step:
-    """Return the step that V and the equations have a value everywhere."""
-    claim = "V and the equations have a value everywhere"
-    return exact(claim, not case.undefined, "".join(case.undefined[:1]))
-
-
-def _proved(case: SystemWithV, search: FailureSearch, count: int) -> Verdict:
-    """Return what is shown of a V, or where that ends."""
-    V = case.in_signals(case.V)
-    definite, forms = case.definite()
-    falls, inputs = case.falls() or case.is_claim_proved(), case.depends_on()
-    zero: dict[Any, Any] = {}
-    if not falls and inputs:
-        zero = {f: sympy.S.Zero for f in case.inputs if str(f.func) in inputs}
-        zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
-        zero = zero if case.never_positive(case.rate.xreplace(zero)) else {}
-    rate = case.readable_rate()
-    at = f" where {' = '.join(inputs)} = 0" if zero else ""
-    steps = [
-        valued(case),
-        definite,
-        exact(f"V' = {short(rate)} <= 0{at}", falls or bool(zero)),
-    ]
-    if case.claim is not None:
-        residual = tidied(case.rate - case.claim)
-        left = "" if vanishes(residual) else f"left over: {short(residual)}"
-        steps.append(
-            exact(f"V' = {short(case.in_signals(case.claim))}", not left, left)
-        )
-
-    def result(
-        status: str, claim: str, at: Failure | tuple[None, None] = (None, None)
-    ) -> Verdict:
-        return Verdict(status, claim, V, rate, tuple(inputs), tuple(steps), *at)
-
-    if failed := first_failure(steps):
-        return result("open", f"V' = {short(rate)}; {failed}")
-    apart, others = states_beside(forms, case.eq)
-    steps += [running := search.running(count), others]
-    jump, rise = _at_jumps(case, search)
-    steps += [jump] if case.eq.jumps else []
-    if rise is not None:
-        return result("refuted at a jump", jump.claim, rise)
-    if not running.holds:
-        return result("open", first_failure(steps))
-    status = " ".join(
-        filter(None, ["proved" + at, apart, "" if jump.holds else "between jumps"])
-    )
-    return result(
-        status, f"V' = {short(rate)} <= 0{at}{case.as_they_are}; {definite.claim}"
-    )
-
-
-def _refuted(case: SystemWithV, search: FailureSearch, found: Verdict) -> Verdict:
-    """Return what is found of a V, refuted by a point where it is open and there is one."""
-    _, definite, falls, *claimed = found.steps
-    below = (
-        "V falls without end" if case.rest is None else "V is below its value at rest"
-    )
-    tried = [
-        ("V' > 0", search.rises_at, falls.holds),
-        (
-            "V' is not as claimed",
-            search.not_as_claimed,
-            case.claim is None or claimed[0].holds,
-        ),
-        (below, search.no_least, definite.holds),
-    ]
-    rate, steps = case.readable_rate(), found.steps
-    for fails, look, holds in tried:
-        if holds:
-            continue
-        at = look()
-        steps += (
-            Step(f"{fails} at a point", at is not None, "counterexample", "", False),
-        )
-        if at is not None:
-            claim = f"V' = {short(rate)}; {fails}: {at[1]:.3g} at `point`"
-            of = replace(found, status="refuted", claim=claim, rate=rate, steps=steps)
-            return replace(of, V=case.in_signals(case.V), point=at[0], value=at[1])
-    return replace(found, steps=steps)
-
-
-def _refuted_by_inputs(search: FailureSearch, found: Verdict) -> Verdict:
-    """Return what is found of a V, refuted where inputs raise it however far from the rest."""
-    failure = search.rises_with_inputs()
-    if failure is None:
-        return found
-    inputs = ", ".join(found.inputs)
-    claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
-    step = Step(f"{inputs} raises V however large it is", True, "counterexample")
-    return replace(
-        found,
-        status="refuted",
-        claim=f"{claim}; {found.status.removeprefix('proved ')} V' <= 0",
-        steps=(*found.steps, replace(step, every_N=False)),
-        point=failure[0],
-        value=failure[1],
-    )
-
-
-def _at_jumps(case: SystemWithV, search: FailureSearch) -> tuple[Step, Failure | None]:
-    """Return the step that V rises at no jump, and a point at which it does."""
-    claim = f"V does not rise where states of {' and '.join(case.eq.jumps)} jump"
-    for after in case.eq.jumps_at_once():
-        rise = tidied(case.V.xreplace(after) - case.V)
-        if not case.never_positive(rise):
-            at_times = rise.has(TIME, *case.intervals)  # at few of which it jumps
-            found = None if at_times else search.where(rise, 1)
-            outcome = claim if found is None else f"V rises by {found[1]:.3g} at a jump"
-            return exact(outcome, False, "" if found else "not shown"), found
-    return exact(claim, True), None
-
-
-def _in_region(
-    case: SystemWithV, search: FailureSearch, within: Any, count: int
-) -> Verdict:
+def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     """Return in which part of a box V' < 0, with inputs of 0."""
-    region = Region(case, within)
+    region = Region(candidate, within)
     level = region.level()
     less = f" - {short(region.least)}" if region.least else ""
-    inputs = [str(f.func) for f in case.inputs]
-    at = f" where {' = '.join(inputs)} = 0" if inputs else ""
+    inputs = [str(f.func) for f in candidate.inputs]
+    where = f" where {' = '.join(inputs)} = 0" if inputs else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
-    claim = f"V' < 0 {below}, but at the rest{case.as_they_are}"
-    steps = (
-        valued(case),
-        Step(claim, level > 0.0, "enclosed"),
-        search.running(count, region),
-    )
-    failed, V, rate = (
-        first_failure(steps),
-        case.in_signals(case.V),
-        case.readable_rate(),
-    )
-    if failed:
-        return Verdict("open", f"V' = {short(rate)}; {failed}", V, rate, steps=steps)
+    claim = f"V' < 0 {below}, but at the rest{candidate.as_they_are}"
+
+    def in_box(points: tuple) -> tuple:
+        t, x, u = points
+        random = candidate.search.random
+        return t, random.uniform(region.low, region.high, x.T.shape).T, 0.0 * u
+
+    steps = [candidate.has_values(), Step(claim, level > 0.0, "enclosed")]
+    steps.append(candidate.compared(in_box))
+    if failed := first_failure(steps):
+        return candidate.verdict("open", failed, steps=steps)
     claim += ": what begins there comes to rest"
-    status = f"proved in a region{at}"
-    return Verdict(status, claim, V, rate, tuple(inputs), steps, level=level)
+    verdict = candidate.verdict(f"proved in a region{where}", claim, steps=steps)
+    return replace(verdict, inputs=tuple(inputs), level=level)
 
 
-def _best_candidate(
-    system: control.NonlinearIOSystem, at: Any, judged: Callable[[sympy.Expr], Verdict]
+def _searched(
+    system: control.NonlinearIOSystem,
+    rest: Any,
+    judged: Callable[[sympy.Expr], Verdict],
 ) -> Verdict:
-    """Return the best of the functions that are searched for."""
-    best, case = None, SystemWithV(system, sympy.S.Zero, None, at)
-    for V in candidates(case):
-        found = judged(V)
-        if found.status == "proved" or found.level:
-            return found
-        if best is None and found.status.startswith("proved"):
-            best = found
-    inputs = ", ".join(str(f.func) for f in case.inputs)
+    """Return the verdict on the best of the functions that are searched for."""
+    best = None
+    candidate = SystemCandidate(system, sympy.S.Zero, None, rest)
+    for V in candidates(candidate):
+        verdict = judged(V)
+        if verdict.status == "proved" or verdict.level:
+            return verdict
+        if best is None and verdict.status.startswith("proved"):
+            best = verdict
+    inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
     none = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
     return best or Verdict("open", none, None, None)
@@ -330,28 +128,32 @@ def lyapunov(
     """
 
     def judged(V: Any) -> Verdict:
-        case = SystemWithV(system, V, claim, at, bool(within))
-        search = FailureSearch(case, seed)
+        given = system, V, claim, at, points, seed
+        candidate = SystemCandidate(*given, numbers=bool(within))
         if within:
-            return _in_region(case, search, within, points)
-        found = _proved(case, search, points)
-        if found.status != "proved" and case.eq.values:
-            valued = SystemWithV(system, V, claim, at, numbers=True)
-            of_values = _proved(valued, FailureSearch(valued, seed), points)
-            if of_values.status == "proved" or not found.status.startswith("proved"):
-                found = of_values
-        if found.status.startswith("proved where"):
-            return found if is_searched else _refuted_by_inputs(search, found)
-        return (
-            found
-            if found.status.startswith("proved")
-            else _refuted(case, search, found)
-        )
+            return _in_region(candidate, within)
+        verdict = judge(candidate, refute=False)
+        if verdict.status != "proved" and candidate.eq.values:
+            of_numbers = judge(SystemCandidate(*given, numbers=True), refute=False)
+            is_proved = verdict.status.startswith("proved")
+            if of_numbers.status == "proved" or not is_proved:
+                verdict = of_numbers
+        steps = [*verdict.steps]
+        if verdict.status == "open":
+            failure = candidate.refuted(steps)
+        elif is_given and verdict.status.startswith("proved where"):
+            failure = candidate.refuted_by_inputs()
+        else:
+            return verdict
+        if failure is not None:
+            return refuted(candidate, failure, steps)
+        return replace(verdict, steps=tuple(steps))
 
     if claim is not None and (V is None or within):
         why = "in a box V' < 0 is judged" if within else "it is of a V that is given"
         raise DiagramError(f"{system.name}: leave the claim out: {why}")
     with worked_out(system.name):
-        is_searched = V is None
-        V, claim = of_signals(system, V), of_signals(system, claim)
-        return _best_candidate(system, at, judged) if V is None else judged(V)
+        is_given = V is not None
+        V = function_of_signals(system, V)
+        claim = function_of_signals(system, claim)
+        return judged(V) if is_given else _searched(system, at, judged)

@@ -35,6 +35,7 @@ from ..arguments import check_holds, numbers
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
 from ..errors import DiagramError
+from .proving.exact import tidied, vanishes
 from .proving.facts import (
     COMPARISONS,
     along,
@@ -46,8 +47,7 @@ from .proving.facts import (
     pieces_of,
 )
 from .proving.proof import short
-from .proving.signs import tidied, vanishes
-from .v_on_symbols import SystemWithV
+from .proving.system_candidate import SystemCandidate
 
 Interval = tuple[np.ndarray, np.ndarray]  # low and high, of shape (boxes,)
 UNITS = 16.0 * 2.0**-52  # as a share: of a function of NumPy, in the last place
@@ -199,7 +199,7 @@ Ends = tuple[np.ndarray, np.ndarray]  # of boxes, low and high: (boxes, n), or (
 class Region:
     """V - V(rest) and V' in a box of states, with parameters as they are and inputs of 0."""
 
-    def __init__(self, case: SystemWithV, within: Any):
+    def __init__(self, case: SystemCandidate, within: Any):
         self.states = case.states
         self.rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
         self.low, self.high = _box(self.rest, within)

@@ -24,10 +24,10 @@ import sympy
 
 from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
+from .proving.exact import vanishes
 from .proving.facts import ODD, along, decided
 from .proving.proof import short
-from .proving.signs import vanishes
-from .v_on_symbols import SystemWithV
+from .proving.system_candidate import SystemCandidate
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient
@@ -37,7 +37,7 @@ Rates = dict[sympy.Symbol, sympy.Expr]
 Monomial = tuple[int, ...]
 
 
-def candidates(case: SystemWithV) -> Iterator[sympy.Expr]:
+def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
     """Yield functions that may be a V of a diagram about its rest, the plainest first.
 
     First for any inputs, then for inputs of 0.

@@ -3,7 +3,7 @@
 import pytest
 
 import clpt_control
-from clpt_control.theory.proving import running_rate
+from clpt_control.theory.proving import point_search, same_as_running
 
 
 @pytest.fixture(scope="session")
@@ -19,10 +19,10 @@ def true_paper(paper):
 @pytest.fixture
 def few_calls(monkeypatch):
     """Most points are asked of the blocks' records; python-control takes longest for a point."""
-    monkeypatch.setattr(running_rate, "THROUGH_CONTROL", 5)
+    monkeypatch.setattr(same_as_running, "THROUGH_CONTROL", 5)
 
 
 @pytest.fixture
 def few_draws(monkeypatch):
     """A refuting point is looked for at few draws: refuted or open, both are not proved."""
-    monkeypatch.setattr(running_rate, "SEARCHES", 2)
+    monkeypatch.setattr(point_search, "SEARCHES", 2)

@@ -12,10 +12,10 @@ from written_systems import written
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import lyapunov as judge
-from clpt_control.theory.proving import running_rate
-from clpt_control.theory.proving.signs import factored
+from clpt_control.theory.proving import point_search
+from clpt_control.theory.proving.exact import factored
+from clpt_control.theory.proving.sums_of_squares import squares
 from clpt_control.theory.proving.theorem_loop import theorem_loop
-from clpt_control.theory.squares import squares
 
 lyapunov = partial(judge, points=50)  # at which the running blocks are called
 
@@ -38,7 +38,7 @@ LONG = ("no value at a point", "a pull of powers without a number", "a needle")
 def test_a_V_is_judged(name, monkeypatch):
     status, plant, V, *more = CASES[name]
     if status == "open":  # no point refutes it, and few draws look for one
-        monkeypatch.setattr(running_rate, "SEARCHES", 4)
+        monkeypatch.setattr(point_search, "SEARCHES", 4)
     found = lyapunov(plant, V, **dict(*more))
     if status == "refuted":
         assert found.status.startswith(status), found.claim
@@ -149,7 +149,7 @@ DRIVEN = partial(control.nlsys, lambda t, x, u, p: [x[0] * (u[0] - 1e6)], states
 MISTAKES = {
     "has no 'W'": (PLANT, "W"),
     "no port 'q'": (PLANT, lambda s: s.q**2),
-    "calculating with a NoneType": (PLANT, lambda s: None),
+    "which returns a number and no block": (PLANT, lambda s: None),
     "is no single number": (theorem_loop(1, "learned-flow"), "e"),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import pytest
 import sympy
-from own_laws import LEARNED, N, beside, formula
+from own_laws import LEARNED, N, V_of, beside, formula
 from responses import response
 from written_systems import whole_times
 
@@ -15,7 +15,6 @@ from clpt_control.blocks.laws import regressions
 from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
 from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
-from clpt_control.equations import Block
 from clpt_control.errors import DiagramError
 from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proving import all_proofs, invariant_loop, invariants
@@ -262,9 +261,8 @@ def test_what_is_known_of_jumps_is_said(change, status, detail):
     ("change", "holds"), [("m = 0.5*m", True), ("m = e @ e", False)]
 )
 def test_V_may_fall_where_states_jump(change, holds):
-    level = lambda t, x, u, p: {"V": (u.e @ u.e + u.m @ u.m) / 2}  # noqa: E731
-    V = Block("lyapunov", output=level, inputs={"e": 2, "m": 1}, outputs={"V": 1})
-    assert prove(jumping(change), lambda truth: V, points=200).steps[-1].holds == holds
+    V = V_of("e @ e/2 + off/(2*gain) + sum(m**2)/2", {**LEARNED, "m": 1})
+    assert prove(jumping(change), V, points=200).steps[-1].holds == holds
 
 
 @pytest.mark.parametrize("read", [symbolic_loop, ArrayLoop])

@@ -14,8 +14,9 @@ from clpt_control.engine.model.block import Block
 from clpt_control.engine.record.derivative import Direction
 from clpt_control.engine.trace.arrays import Tape, Unread
 from clpt_control.theory.proving.every_n import SUM, EveryN
-from clpt_control.theory.proving.running_rate import PointSearch
-from clpt_control.theory.proving.signs import vanishes
+from clpt_control.theory.proving.exact import vanishes
+from clpt_control.theory.proving.point_search import PointSearch
+from clpt_control.theory.proving.same_as_running import compare
 from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
 from clpt_control.theory.proving.theorem_loop import (
     law_and_V,
@@ -54,7 +55,7 @@ def test_points_at_which_numbers_say_nothing_show_nothing(far, told):
     (own,) = eq.motion
     search = PointSearch(block, eq, own**2 / 2, "", {}, 0)
     at = np.zeros(10), np.full((1, 10), far), np.zeros((0, 10))
-    assert search.compare(at, 10)[0] == told
+    assert compare(search, at, 10)[0] == told
 
 
 def test_symbols_have_the_papers_names():

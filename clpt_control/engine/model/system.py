@@ -244,6 +244,7 @@ def block_of_ports(
         return by_port(np.asarray(rates), states)
 
     def output(t: Any, x: Any, u: Any, p: Any) -> dict[str, Any]:
+        assert output_function is not None
         values = output_function(*arguments(t, x, u, p))
         return by_port(np.asarray(values), outputs)
 

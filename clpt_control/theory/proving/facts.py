@@ -285,8 +285,8 @@ def sector_of(call: Any, by_slope: bool = False) -> Sector | None:
         return Sector(s, -1, 1)
     if by_slope and name == "exp":
         return Sector(s, 0, sympy.oo, offset=1)
-    if fact_of(call).sector is not None:
-        return Sector(s, *fact_of(call).sector, True)
+    if (ends := fact_of(call).sector) is not None:
+        return Sector(s, ends[0], ends[1], True)
     if name in ("sign", "floor", "trunc", "ceil"):
         return Sector(s, 0, sympy.oo, name == "sign")
     if name == "clip" and call.args[1].is_nonpositive and call.args[2].is_nonnegative:
@@ -334,6 +334,12 @@ def _product_range(ends: list[Interval]) -> Interval:
 def _power_falls(exponent: sympy.Expr, low: Any, high: Any) -> bool:
     """Return whether a power with an exponent below zero falls from `low` to `high`."""
     return bool(low.is_positive or (exponent.is_odd and high.is_negative))
+
+
+def positive_maximum(f: sympy.Expr) -> bool:
+    """Return whether an expression is maximum(a, b) with a positive one."""
+    is_maximum = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
+    return is_maximum and any(bool(a.is_positive) for a in f.args)
 
 
 # --- slopes ---------------------------------------------------------------------------------

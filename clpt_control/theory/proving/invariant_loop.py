@@ -22,9 +22,12 @@ from ...engine.record.symbolic import extent, rational
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
-from ..squares import holds_all, never_positive, squares, states_beside
+from .decide import never_positive, nonpositive
+from .exact import as_factors, left_over, vanishes
+from .facts import positive_maximum
 from .proof import Step, short
-from .signs import as_factors, left_over, nonpositive, positive_maximum, vanishes
+from .states_outside_V import states_outside_V
+from .sums_of_squares import holds_all, squares
 from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import (
     Hedging,
@@ -368,7 +371,7 @@ class InvariantLoop:
             if total and holds_all(total, states)
             else set[Any]()
         )
-        apart, step = states_beside([*held], loop, self.relations)
+        apart, step = states_outside_V([*held], self.relations, loop)
         begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
         return apart, replace(step, claim=f"{step.claim}{begun}")
 

@@ -61,11 +61,11 @@ from ...blocks.laws.law import Law
 from ...engine.diagram.interconnection import connect
 from ...simulation.loops import LoopOf, remaining_parts
 from . import invariant_loop
+from .exact import vanishes
 from .facts import MAXIMUM, WHERE, decided
 from .invariant_loop import InvariantLoop
 from .proof import Step, exact_step
-from .running_rate import running_step
-from .signs import vanishes
+from .same_as_running import running_step
 from .symbolic_loop import equated, symbolic_loop
 from .theorem_loop import decay, law_and_V, rate_of_V, theorem_scenario
 from .theorems import mean_square

@@ -24,11 +24,11 @@ from ...blocks.laws.table import LAWS
 from ...blocks.vehicle import speed_limit
 from ...engine.diagram.interconnection import connect
 from ..counterexamples import limited_speed_counterexample
+from .exact import left_over, vanishes
 from .facts import MAXIMUM
 from .invariant_loop import InvariantLoop
 from .paper_loop import PaperLoop, algebra, line
 from .proof import Proof, checked, counterexample, theorem
-from .signs import left_over, vanishes
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import law_and_V, law_loop, rate_of_V
 from .theorems import mean_square, quadratic, running

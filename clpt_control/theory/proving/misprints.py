@@ -16,8 +16,8 @@ from ...blocks import flow
 from ...blocks.laws.law import LEARNED
 from ...engine.record.symbolic import Symbols
 from ...simulation.loops import error_loop
+from .exact import vanishes
 from .proof import checked
-from .signs import vanishes
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import (
     decay,

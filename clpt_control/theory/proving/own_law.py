@@ -32,11 +32,12 @@ from ...simulation.loops import loop_of
 from ...simulation.user_parts import functions_of
 from ...simulation.user_parts import law_block as as_law_block
 from ..promises import truth_of
+from .exact import tidied
 from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
-from .law_case import Case
+from .judge import Verdict, judge
+from .law_candidate import LawCandidate
 from .proof import first_failure, worked_out
-from .signs import tidied
 from .symbolic_loop import TIME, flat, refuse_no_value, symbolic_loop
 from .symbols import paper_name
 from .theorem_loop import (
@@ -47,7 +48,6 @@ from .theorem_loop import (
     tied,
     truth_in,
 )
-from .verdict import Verdict, verdict_of
 
 SLOWER = ", where the flow stays slower than the vehicle (hedging)"
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
@@ -255,7 +255,7 @@ def prove(
                 if V is None
                 else (_maker(V, law_block), None, False)
             )
-            return verdict_of(_case(law_block, N, *of_V, points, seed))
+            return judge(_candidate(law_block, N, *of_V, points, seed))
         if V is None:
             raise DiagramError(
                 f"{law_block.name}: a law whose states keep relations needs its V"
@@ -304,7 +304,9 @@ def _beside(scenario: Scenario) -> str:
     return next((what for what, has in adds.items() if has), "")
 
 
-def _case(law: Block, N: int, make: Candidate, gains: Gains | None, *more: Any) -> Case:
+def _candidate(
+    law: Block, N: int, make: Candidate, gains: Gains | None, *more: Any
+) -> LawCandidate:
     true = truth_of(theorem_scenario(N, "learned-flow"))
     candidate = make(true)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=candidate)
@@ -317,7 +319,7 @@ def _case(law: Block, N: int, make: Candidate, gains: Gains | None, *more: Any) 
         )
         theirs = [s for field in fields for s in np.ravel(getattr(p, field))]
         known |= zip(theirs, gains(flat(loop.parameters[law.name])), strict=True)
-    return Case(loop, candidate, law, known, *more)
+    return LawCandidate(loop, candidate, law, known, *more)
 
 
 def _maker(V: Candidate, law: Block) -> Candidate:

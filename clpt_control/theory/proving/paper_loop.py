@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from ...simulation.loops import error_loop
+from .exact import vanishes
 from .proof import Step
-from .signs import vanishes
 from .symbolic_loop import ArrayLoop
 from .theorem_loop import WIRED, Hedging, theorem_loop, theorem_scenario, vanish
 

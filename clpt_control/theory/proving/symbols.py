@@ -25,8 +25,7 @@ from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import extent
 from ...scenario.quantities import QUANTITIES
-from .facts import interval
-from .signs import positive_maximum
+from .facts import interval, positive_maximum
 
 # fields that stand for one thing, by its name in the paper
 ONE = {one.symbol: one.parameters.split() for one in QUANTITIES.values() if one.symbol}

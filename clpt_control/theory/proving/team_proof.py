@@ -22,7 +22,7 @@ from ...engine.model.ports import named, split, within
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.team_loops import team_blocks
 from .proof import Proof, Step, where_all_hold
-from .running_rate import running_step
+from .same_as_running import running_step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
     SOURCES,

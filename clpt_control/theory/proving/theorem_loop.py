@@ -27,8 +27,8 @@ from ...scenario.experiment import Scenario
 from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
+from .exact import left_over
 from .proof import Step, checked
-from .signs import left_over
 from .symbolic_loop import ArrayLoop, SymbolicLoop
 
 SOURCES = {

@@ -29,8 +29,8 @@ from typing import Any, NamedTuple
 import sympy
 from sympy.core.function import AppliedUndef
 
-from .facts import interval
-from .signs import groups_of, positive_maximum
+from .decide import groups_of
+from .facts import interval, positive_maximum
 
 
 class Pull(NamedTuple):
@@ -178,11 +178,11 @@ class Bounding:
     """The bounds of V that follow from V' of a case, at the numbers of its parameters."""
 
     def __init__(self, case: Any):
-        """Read what a `law_case.Case` has."""
+        """Read a `LawCandidate`."""
         self.case, self.truth = case, case.truth
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
         self.leaks = leaks_of(case.residual, self.truth, case.moving)
-        H, self.k = sympy.hessian(case.Vs, list(self.truth)), sympy.Min(*self.KD)
+        H, self.k = sympy.hessian(case.V, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
         # x, whose truth is z
         self.errors, learned = (list(self.truth)[:2], list(self.truth)[2:])

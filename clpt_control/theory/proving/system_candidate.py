@@ -1,0 +1,443 @@
+"""V of a user on any diagram: V, V' and what is known of their signs.
+
+    V' = dV/dt + sum_i (dV/dx_i) f_i(t, x, u)
+
+The equations are those that run; parameters are symbols of the signs that they have, or their
+numbers where that shows more.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from math import pi
+from typing import Any
+
+import control
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...arguments import check_holds
+from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
+from ...engine.diagram.symbolic_equations import Equations, on_symbols
+from ...engine.model.block import Block
+from ...engine.record.symbolic import Symbols, rational
+from ...errors import DiagramError
+from .decide import never_positive
+from .exact import factored, tidied, vanishes
+from .facts import along, is_continuous, meets_smoothly
+from .judge import Candidate, Fall, Refutation, Verdict
+from .point_search import Failure, PointSearch
+from .proof import Step, checked, exact, short
+from .same_as_running import compare
+from .sums_of_squares import squares
+from .symbolic_loop import NO_VALUE, no_value, refuse_names
+
+MOST_TURNS = 360  # pi/360 is a share of pi
+LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
+
+
+def _undefined(owner: str, kind: str, arguments: tuple) -> str | None:
+    """Return where an operation has no value; one whose value may be too large has one."""
+    sentence = no_value(owner, kind, arguments)
+    return None if kind in LARGE else sentence
+
+
+def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
+    """Return the symbols that a function of signals may ask for, by name: s.plant_x, s.t."""
+    names = {name: name.replace(".", "_") for name in eq.named}
+    counts = Counter(names.values())
+    for name, identifier in names.items():
+        if name != identifier and counts[identifier] > 1:
+            clash = f"{name} and {identifier} are both s.{identifier}"
+            raise DiagramError(
+                f"{eq.name}: {clash} in a function of signals; rename one"
+            )
+    symbols = {names[name]: symbols for name, symbols in eq.named.items()}
+    is_allowed = {
+        name: name.isidentifier() and not hasattr(np.ndarray, name) for name in symbols
+    }
+    allowed = {name: values for name, values in symbols.items() if is_allowed[name]}
+    return allowed | {"t": np.array(TIME)}
+
+
+def function_of_signals(system: Any, V: Any) -> Any:
+    """Return an expression in the symbols of `clpt.equations` as a function of signals."""
+    if not isinstance(V, sympy.Expr):
+        return V
+    signals = signals_by_name(on_symbols(system))
+    places = {
+        symbol: (name, k)
+        for name, symbols in signals.items()
+        for k, symbol in enumerate(symbols.flat)
+        if symbol.is_Symbol or isinstance(symbol, AppliedUndef)
+    }
+    if unknown := V.free_symbols - places.keys():
+        raise DiagramError(
+            f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
+            f"{', '.join(map(str, places))}"
+        )
+    run = sympy.lambdify([*places], V, "numpy")
+    return lambda s: run(
+        *(np.ravel(getattr(s, name))[k] for name, k in places.values())
+    )
+
+
+class SystemCandidate(Candidate):
+    """A diagram with a V of the user, on symbols, or with parameters as their numbers."""
+
+    def __init__(
+        self,
+        system: Any,
+        V: Any,
+        claim: Any,
+        rest: Mapping[str, float] | None,
+        points: int = 1,
+        seed: int = 0,
+        numbers: bool = False,
+    ):
+        self.system, self.points, self.seed = system, points, seed
+        names = Numbers if numbers else Names
+        self.eq = on_symbols(system, names, watch=_undefined)
+        self._refuse_what_has_no_rates()
+        self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
+        parameters = self.eq.parameters.values()
+        self.intervals = {p.interval for p in parameters if "interval" in p._fields}
+        self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
+        labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
+        outputs = system.output_labels
+        self.output = next((name for name in outputs if name in labels), "")
+        self.undefined = list[str]()  # sentences on where there may be no value
+        self.claim = None if claim is None else self.expression(claim)
+        self.undefined = [*self.eq.undefined]
+        self.V = self.expression(V)
+        as_they_are = self.eq.pinned or (numbers and self.eq.fields)
+        self.as_they_are = ", with the parameters as they are" if as_they_are else ""
+        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
+        self.rest = None if rest is None else self._rest_state(rest)
+        self.forms, self.definite_claim = list[sympy.Expr](), ""
+        self.is_claimed = False
+
+    def _refuse_what_has_no_rates(self) -> None:
+        name, eq = self.system.name, self.eq
+        if eq.discrete:
+            raise DiagramError(
+                f"{name}: is of discrete time, in which nothing has a rate"
+            )
+        if not eq.motion:
+            raise DiagramError(f"{name}: has no states, so V' says nothing")
+        refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
+        for s, rate in eq.motion.items():
+            if rate.xreplace(eq.values).has(*NO_VALUE):
+                raise DiagramError(
+                    f"{name}: with the parameters as they are {s}' has no value"
+                )
+
+    def expression(self, source: Any) -> sympy.Expr:
+        """Return a name, a function of signals or an expression as an expression.
+
+        Where it may have no value is added to `undefined`.
+        """
+        if callable(source):
+            return self._traced(source)
+        value = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
+        if not isinstance(value, sympy.Expr):
+            raise DiagramError(f"{self.system.name}: {source} is no single number")
+        return value
+
+    def _traced(self, source: Callable[[Any], Any]) -> sympy.Expr:
+        """Return a function of signals as an expression."""
+        signals = signals_by_name(self.eq)
+
+        def level(u: Any) -> Any:
+            try:
+                value = source(u)
+            except (
+                AttributeError
+            ) as error:  # a V of prove asks the truth for its fields
+                if "_asdict" not in f"{error}":
+                    raise
+                value = None
+            if value is None or isinstance(value, control.InputOutputSystem):
+                raise DiagramError(
+                    f"{self.system.name}: V is a function of signals here, "
+                    "lambda s: s.e @ s.e/2, which returns a number and no block"
+                )
+            return value
+
+        block = Block(
+            "V",
+            output=lambda t, x, u, p: {"V": level(u)},
+            inputs={name: symbols.shape for name, symbols in signals.items()},
+            outputs={"V": 1},
+        )
+        record = block.array_record("output")
+
+        def watch(index: int, kind: str, arguments: tuple) -> None:
+            if sentence := _undefined("V", kind, arguments):
+                self.undefined.append(f"V {sentence}")
+
+        def leaf(key: tuple, shape: tuple, index: tuple) -> Any:
+            return signals[key[1]][index]
+
+        (V,) = Symbols(record.operations, leaf, watch, block.sizes).outputs(record)
+        return V
+
+    def _rest_state(self, values: Mapping[str, float]) -> dict[Any, sympy.Expr]:
+        """Return each state's value at a rest, a share of pi where a number is that."""
+        rest = dict.fromkeys(self.states, sympy.Integer(0))
+        names = {str(s): s for s in self.states}
+        check_holds("at", names, values, f"states are {', '.join(names)}")
+        for name, value in values.items():
+            turns = rational(float(value) / pi)
+            is_turn = turns.q <= MOST_TURNS
+            rest[names[name]] = turns * sympy.pi if is_turn else rational(float(value))
+        return rest
+
+    # --- the five questions ---------------------------------------------------------------------
+
+    def has_values(self) -> Step:
+        """Return the step that V and the equations have a value everywhere."""
+        claim = "V and the equations have a value everywhere"
+        return exact(claim, not self.undefined, "".join(self.undefined[:1]))
+
+    def is_definite(self) -> Step:
+        """Return the step that V is positive definite in forms of the states."""
+        claim = "V is positive definite"
+        parts = self.V, *self.eq.motion.values()
+        bends = not meets_smoothly(self.V) and not all(map(is_continuous, parts))
+        if bends or self.V.free_symbols & self.intervals:
+            return exact(claim, False, "V may jump or bend")
+        rest = self.rest or {}
+        total = squares(
+            self.V.xreplace({s: s + v for s, v in rest.items()}), self.fixed
+        )
+        forms = total.forms if total else []
+        if self.rest is not None:
+            zero = dict.fromkeys(self.states, 0)
+            forms = forms if all(vanishes(f.subs(zero)) for f in forms) else []
+        back = {s: s - v for s, v in rest.items()}
+        self.forms = [form.xreplace(back) for form in forms]
+        names = ", ".join(dict.fromkeys(str(self.in_signals(f)) for f in self.forms))
+        self.definite_claim = f"{claim} in {names}" if forms else claim
+        return exact(self.definite_claim, bool(forms), "" if forms else "not shown")
+
+    def fall(self) -> Fall:
+        """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
+        falls, inputs = self.falls() or self._claim_falls(), self.depends_on()
+        where = ""
+        if not falls and inputs:
+            zero = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
+            zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
+            falls = self.never_positive(self.rate.xreplace(zero))
+            where = f" where {' = '.join(inputs)} = 0" if falls else ""
+        rate = short(self.readable_rate())
+        steps = [exact(f"V' = {rate} <= 0{where}", falls)]
+        if self.claim is not None:
+            residual = tidied(self.rate - self.claim)
+            self.is_claimed = vanishes(residual)
+            detail = "" if self.is_claimed else f"left over: {short(residual)}"
+            claim = f"V' = {short(self.in_signals(self.claim))}"
+            steps.append(exact(claim, self.is_claimed, detail))
+        claim = f"V' = {rate} <= 0{where}{self.as_they_are}; {self.definite_claim}"
+        return Fall(steps, f"proved{where}", claim)
+
+    def same_as_running(self) -> Step:
+        """Return the step that the running blocks have the same V and rates."""
+        return self.compared(lambda points: points)
+
+    def compared(self, within: Callable[[tuple], tuple]) -> Step:
+        """Compare with the running blocks at random points, `within` a region if need be."""
+
+        def same() -> tuple[bool, str]:
+            return compare(
+                self.search, within(self.search.wide(self.points)), self.points
+            )
+
+        return checked("the running blocks give the same V'", same, "sampled", False)
+
+    def held(self) -> tuple[list[sympy.Expr], dict]:
+        """Return the forms that V bounds."""
+        return self.forms, {}
+
+    def rises_at_jumps(self) -> list[sympy.Expr]:
+        """Return by how much V rises at each set of jumps."""
+        after = self.eq.jumps_at_once()
+        return [tidied(self.V.xreplace(change) - self.V) for change in after]
+
+    # --- V' -------------------------------------------------------------------------------------
+
+    def never_positive(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is known never to be positive, for t >= 0."""
+        return never_positive(tidied(expression), self.fixed)
+
+    def _claim_falls(self) -> bool:
+        """Return whether V' is as claimed, and the claim as written is never positive."""
+        if self.claim is None or not vanishes(tidied(self.rate - self.claim)):
+            return False
+        terms = sympy.Add.make_args(self.claim)
+        is_sum_of_squares = all(bool(term.is_nonpositive) for term in terms)
+        return is_sum_of_squares or never_positive(self.claim, self.fixed)
+
+    def falls(self) -> bool:
+        """Return whether V' is known never to be positive, as it is, reduced, or by states."""
+        if self.never_positive(self.rate):
+            return True
+        self.rate = reduced(self.rate)
+        return self.never_positive(self.rate) or self._falls_by_state()
+
+    def _falls_by_state(self) -> bool:
+        """Return whether V' falls without the terms of rates that go down V, as friction does.
+
+        They are -dV/dx_i times what is not negative.  The other terms may cancel, as forces that do
+        no work do.
+        """
+
+        def goes_down(rate: sympy.Expr, slope: sympy.Expr) -> bool:
+            return self.never_positive(sympy.cancel(rate / slope))
+
+        others = list[sympy.Expr]()
+        for s, rate in {TIME: sympy.S.One, **self.eq.motion}.items():
+            slope = tidied(along(self.V, {s: sympy.S.One}))
+            if slope == 0 or goes_down(rate, slope):
+                continue
+            terms = sympy.Add.make_args(rate)
+            left = [g for g in terms if g == rate or not goes_down(g, slope)]
+            others += [slope * term for term in left]
+        return self.never_positive(sympy.Add(*others))
+
+    def depends_on(self) -> list[str]:
+        """Return the inputs that V' depends on."""
+        rate = tidied(self.rate)
+        return [str(f.func) for f in self.inputs if rate.has(f)]
+
+    # --- points that refute ---------------------------------------------------------------------
+
+    @cached_property
+    def search(self) -> PointSearch:
+        """Random points about the rest."""
+        rest = self.rest or {}
+        return PointSearch(self.system, self.eq, self.V, self.output, rest, self.seed)
+
+    def refuted(self, steps: list[Step]) -> Refutation | None:
+        """Return a point at which V' > 0, V' is not as claimed, or V is no least value."""
+        _, definite, falls, *_ = steps
+        below = "V is below its value at rest" if self.rest else "V falls without end"
+        is_claimed = self.claim is None or self.is_claimed
+        for fails, find, holds in (
+            ("V' > 0", self._rises, falls.holds),
+            ("V' is not as claimed", self._not_as_claimed, is_claimed),
+            (below, self._no_least, definite.holds),
+        ):
+            if holds:
+                continue
+            failure = find()
+            claim = f"{fails} at a point"
+            step = Step(claim, failure is not None, "counterexample", "", False)
+            if failure is not None:
+                rate = short(self.readable_rate())
+                claim = f"V' = {rate}; {fails}: {failure[1]:.3g} at `point`"
+                return Refutation(claim, step, *failure)
+            steps.append(step)
+        return None
+
+    def refuted_by_inputs(self) -> Refutation | None:
+        """Return a point at which inputs raise V, however far from the rest."""
+        failure = self.search.rises_far_off(self.rate, set())
+        if failure is None:
+            return None
+        inputs = " = ".join(self.depends_on())
+        step = Step(f"{inputs} raises V however large it is", True, "counterexample")
+        claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
+        return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
+
+    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+        """Return a point at which V rises at a jump, if jumps do not depend on time."""
+        if rise.has(TIME, *self.intervals):  # at few of which it jumps
+            return None
+        failure = self.search.sign_at(rise, 1)
+        if failure is None:
+            return None
+        claim = f"V rises by {failure[1]:.3g} at a jump"
+        step = exact(claim, False, "")
+        return Refutation(claim, step, *failure, status="refuted at a jump")
+
+    def _rises(self) -> Failure | None:
+        rate, zero = tidied(self.rate), sympy.S.Zero
+        still = self.search.rate_above(rate, zero, still=True)
+        if still is not None:
+            return still
+        if self.depends_on():
+            return self.search.rises_far_off(self.rate, set())
+        return self.search.rate_above(rate, zero, still=False)
+
+    def _not_as_claimed(self) -> Failure | None:
+        claim, rate = self.claim, tidied(self.rate)
+        above = self.search.rate_above(rate, claim, still=False)
+        return above or self.search.rate_above(rate, claim, still=False, sign=-1)
+
+    def _no_least(self) -> Failure | None:
+        """Return a point at which V is below its value at the rest, and by how much.
+
+        If no rest is given it is one whose multiples have a V that falls without end: there the
+        part of V of highest degree is negative.
+        """
+        V, states = self.V, self.states
+        if self.rest is not None:
+            return self.search.sign_at(V - V.xreplace(self.rest), -1)
+        if not (V.is_polynomial(*states) and V.has(*states)):
+            return None
+        far = sympy.Dummy()
+        scaled = sympy.Poly(V.xreplace({s: far * s for s in states}), far)
+        return self.search.sign_at(scaled.LC(), -1)
+
+    def verdict(self, status: str, claim: str, **known: Any) -> Verdict:
+        """Return a verdict on V, in the diagram's own signals."""
+        rate = self.readable_rate()
+        if status == "open":
+            claim = f"V' = {short(rate)}; {claim}"
+        inputs = tuple(self.depends_on())
+        steps = tuple(known.pop("steps"))
+        V = self.in_signals(self.V)
+        return Verdict(status, claim, V, rate, inputs, steps, **known)
+
+    # --- in the user's signals ------------------------------------------------------------------
+
+    @cached_property
+    def sums(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Each signal that is a sum: the sum -> its symbol."""
+        names: dict[sympy.Expr, sympy.Expr] = {}
+        for port, symbols in self.eq.signals.items():
+            for index, value in np.ndenumerate(symbols):
+                total = sympy.expand(value)
+                if total.is_Add:
+                    name = element_name(port, symbols.shape, index)
+                    symbol = sympy.Symbol(name, real=True)
+                    names |= {total: symbol, sympy.expand(-total): -symbol}
+        return names
+
+    def in_signals(self, e: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the diagram's own signals, each signal in place of its sum."""
+        return e.replace(
+            lambda part: part.is_Add,
+            lambda part: self.sums.get(sympy.expand(part), part),
+        )
+
+    def readable_rate(self) -> sympy.Expr:
+        """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
+        rate = tidied(self.rate)
+        total = squares(-rate, self.fixed)
+        forms = [rate, factored(rate)]
+        if total and not total.constant.free_symbols - self.fixed:
+            terms = (-sympy.factor_terms(term) for term in total.terms)
+            forms.append(sympy.Add(*terms) - total.constant)
+        return min(map(self.in_signals, forms), key=sympy.count_ops)
+
+
+def reduced(rate: sympy.Expr) -> sympy.Expr:
+    """Return an expression whose divisors contain angles as one reduced fraction."""
+    divisors = (p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative)
+    if not sympy.Mul(*divisors).has(sympy.sin, sympy.cos):
+        return rate
+    numerator, divisor = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
+    return sympy.cancel(numerator / divisor)
