@@ -125,7 +125,9 @@ def test_a_quadratic_V_with_a_state_of_the_law_is_shown():
     level += "sum((K - KD)**2) + sum((Gamma - GammaD)**2))/(2*0.8)"
     law = own_laws.law(tuner, gains, n=1, states=states)
     steps = of(law, V_of(level, states)).steps
-    (definite,) = [step for step in steps if "V is positive definite in e" in step.claim]
+    (definite,) = [
+        step for step in steps if "V is positive definite in e" in step.claim
+    ]
     assert definite.holds
 
 

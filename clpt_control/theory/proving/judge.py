@@ -174,7 +174,7 @@ class Candidate(ABC):
 
 
 def judge(candidate: Candidate, refute: bool = True) -> Verdict:
-    """Ask the five questions of a candidate V, and look for a point that refutes it if asked."""
+    """Return the verdict on a candidate V; if `refute`, look for a point that refutes V."""
     steps = [candidate.has_values(), candidate.is_definite()]
     fall = candidate.fall()
     steps += fall.steps
