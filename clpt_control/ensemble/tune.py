@@ -22,8 +22,8 @@ from ..blocks.laws.law import Law
 from ..blocks.laws.table import LAWS
 from ..errors import ClptError, ScenarioError, needed
 from ..scenario.experiment import Scenario
-from ..theory.designing.design import time_below
-from ..theory.designing.waypoint_tracks import Tracks
+from ..theory.design.track_design import time_below
+from ..theory.design.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
 from ..units import known
 from .candidates import (

@@ -1,5 +1,5 @@
 from .counterexamples import disturbance_counterexample, printed_bound
-from .designing.design import design_plot, design_track
+from .design.track_design import design_plot, design_track
 from .excitation.certificates import certificate, ultimate_bound
 from .excitation.certify import certify
 from .excitation.excitation_report import excitation_plot

@@ -16,14 +16,14 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.figures import figure_of
 from clpt_control.files import write_file
-from clpt_control.theory.designing import search
-from clpt_control.theory.designing.design import (
+from clpt_control.theory.design import search
+from clpt_control.theory.design.track_design import (
     design_plot,
     learned,
     linear_gains,
     time_below,
 )
-from clpt_control.theory.designing.waypoint_tracks import (
+from clpt_control.theory.design.waypoint_tracks import (
     Tracks,
     closed_length,
     shortened,
