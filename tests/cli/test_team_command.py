@@ -73,7 +73,7 @@ QUICK = ("--window", "60", "--start", "60", "--for", "kappa")
 
 @pytest.fixture
 def paper(monkeypatch):
-    monkeypatch.setattr("clpt_control.theory.design.search.CLIMBS", 5)
+    monkeypatch.setattr("clpt_control.theory.design.search.LONG_CLIMB", 5)
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 200})
     clpt_control.save_scenario(scenario, "paper.toml")
 

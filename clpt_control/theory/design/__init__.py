@@ -1,1 +1,1 @@
-"""Where to drive: waypoints from which most can be learned, within limits."""
+"""Design of waypoint tracks on which the flow parameters are identifiable."""

@@ -1,22 +1,20 @@
-"""The search: many tracks drawn at random, then climbs from the best on both axes at once.
+"""Multistart search for waypoints with the largest kappa_1 or drop of V.
 
-    maximise kappa_1(w_1 ... w_n),    unknowns in [0, 1]: places in the area's box
+    maximise kappa_1(w_1 ... w_n),    unknowns in [0, 1]: positions in the box of the area
 
-Half of the tracks are drawn near the first one; all go to the tracks' lanes at once.  A track
-beyond a limit costs more than any that keeps to it, the more the farther it is
-beyond.  kappa_1 has a ridge where both axes have the same smallest eigenvalue, so a climb asks
-SLSQP (Kraft 1988) for the largest s with log kappa of each axis >= s and each slack >= 0;
-derivatives are differences, again in lanes.
+Random tracks are sampled, half of them near the initial track.  Short SLSQP climbs (Kraft 1988)
+start from the best tracks that differ, and the best of their ends are climbed further.  kappa_1
+has a ridge where both axes have the same smallest eigenvalue; therefore a climb maximises s
+subject to log kappa of each axis >= s and each slack >= 0.  Derivatives are finite differences,
+whose tracks run side by side in one compiled batch.
 
-The search goes in rounds: climb, look closely, climb again where a limit is not kept.  The first
-round draws before, and watches speed and area up to the window's end, the others over the whole
-run and under limits that are tighter by what the last climb was beyond.  The track to begin with
-competes.
+The first round checks speed and area up to the end of the window, later rounds over the whole
+run.  A round whose result exceeds a limit is repeated with tighter limits.
 """
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,159 +23,180 @@ from ...progress.interrupt import check
 from ...scenario.experiment import Scenario
 from .waypoint_tracks import MARGIN, Limits, Tracks, shortened
 
-BEYOND = 1e4  # cost of a limit that is not kept, more than -log of any eigenvalue
-LEAST = 1e-300
-DRAWN = 400  # tracks
-NEAR = 0.3  # spread of the half of them that is near the first track, share of the area's box
-STEP = 1e-6  # of the differences, share of the area's box
-STARTS = 4  # of climbs: the best track drawn may not lie on the highest hill
-CLIMBS = 60  # iterations of SLSQP
-INSIDE = 1e-5  # of each limit, that a climb leaves free
-WAY = 33  # places looked at between the start and the end of a climb
+EXCEEDED = 1e4  # cost of an exceeded limit, above -log of any eigenvalue
+SMALLEST = 1e-300
+SAMPLES = 800  # random tracks
+SPREAD = 0.3  # of the samples near the initial track, share of the area's box
+STEP = 1e-6  # of the finite differences, share of the area's box
+STARTS = 16  # short climbs
+FINALISTS = 2  # climbs that continue
+SEPARATION = 0.1  # rms distance between starts, share of the area's box
+SHORT_CLIMB = 8  # iterations of SLSQP
+LONG_CLIMB = 45
+SLACK = 1e-5  # of each limit, which a climb leaves free
+LINE = 33  # points checked between the start and the end of a climb
 
 
 class TrackSearch:
-    """Tracks of as many waypoints as a scenario has, within limits, as points of a unit cube."""
+    """Tracks with the scenario's number of waypoints, as points of a unit cube."""
 
     def __init__(self, tracks: Tracks, limits: Limits):
-        self.tracks, self.limits = tracks, limits
-        self.low, self.size = limits.low, limits.high - limits.low
+        self.tracks = tracks
+        self.limits = limits
+        self.low = limits.low
+        self.size = limits.high - limits.low
 
-    def points(self, u: np.ndarray) -> np.ndarray:
+    def waypoints(self, unknowns: np.ndarray) -> np.ndarray:
         """Return the waypoints (m, n, 2) of unknowns (m, 2 n)."""
-        places = self.low + self.size * np.clip(u, 0.0, 1.0).reshape(len(u), -1, 2)
-        return shortened(places, self.limits.length)
+        shares = np.clip(unknowns, 0.0, 1.0).reshape(len(unknowns), -1, 2)
+        return shortened(self.low + self.size * shares, self.limits.length)
 
-    def unknowns(self, points: np.ndarray) -> np.ndarray:
+    def unknowns(self, waypoints: np.ndarray) -> np.ndarray:
         """Return the unknowns (2 n,) of waypoints (n, 2), moved into the area."""
-        return np.clip((points - self.low) / self.size, 0.0, 1.0).ravel()
+        return np.clip((waypoints - self.low) / self.size, 0.0, 1.0).ravel()
 
-    def drawn(self, first: np.ndarray, seed: int) -> np.ndarray:
-        """Return the best unknowns (STARTS, 2 n) of a first track and others drawn at random."""
+    def cost(self, unknowns: np.ndarray) -> np.ndarray:
+        """Return -log kappa_1 of unknowns (m, 2 n), larger beyond a limit."""
+        kappa, extremes = self.tracks(self.waypoints(unknowns))
+        excess = self.limits.excess(extremes)
+        cost = -np.log(np.maximum(kappa.min(axis=0), SMALLEST))
+        return np.where(excess > 0, EXCEEDED * (1 + excess), cost)
+
+    def sorted(self, unknowns: np.ndarray) -> np.ndarray:
+        """Return unknowns (m, 2 n) by rising cost."""
+        return unknowns[np.argsort(self.cost(unknowns), kind="stable")]
+
+    def distinct(self, unknowns: np.ndarray, count: int) -> np.ndarray:
+        """Return the unknowns of least cost that are SEPARATION apart."""
+        chosen: list[np.ndarray] = []
+        for candidate in self.sorted(unknowns):
+            distances = [np.linalg.norm(candidate - start) for start in chosen]
+            if min(distances, default=np.inf) > SEPARATION * np.sqrt(len(candidate)):
+                chosen.append(candidate)
+        return np.array(chosen[:count])
+
+    def multistart(self, initial: np.ndarray, seed: int) -> np.ndarray:
+        """Return the ends of all climbs, those of the long ones first, by cost."""
         rng = np.random.default_rng(seed)
-        near = np.clip(
-            first + NEAR * rng.standard_normal((DRAWN // 2, len(first))), 0.0, 1.0
-        )
-        u = np.vstack([first, near, rng.random((DRAWN // 2, len(first)))])
-        return u[np.argsort(self.cost(u), kind="stable")[:STARTS]]
+        half = (SAMPLES // 2, len(initial))
+        nearby = initial + SPREAD * rng.standard_normal(half)
+        samples = np.vstack([initial, np.clip(nearby, 0.0, 1.0), rng.random(half)])
+        starts = self.distinct(samples, STARTS)
+        ends = np.array([self.climb(start, SHORT_CLIMB) for start in starts])
+        finalists = self.distinct(ends, FINALISTS)
+        final = np.array([self.climb(start, LONG_CLIMB) for start in finalists])
+        return np.vstack([self.sorted(final), ends])
 
-    def cost(self, u: np.ndarray) -> np.ndarray:
-        """Return -log kappa_1 of unknowns (m, 2 n), or how far they go beyond a limit."""
-        least, extremes = self.tracks(self.points(u))
-        beyond = self.limits.excess(extremes)
-        found = -np.log(np.maximum(least.min(axis=0), LEAST))
-        return np.where(beyond > 0, BEYOND * (1 + beyond), found)
-
-    def climb(self, u: np.ndarray) -> np.ndarray:
-        """Return unknowns uphill of u: the best on the way that keep to the limits."""
+    def climb(self, start: np.ndarray, iterations: int) -> np.ndarray:
+        """Return the unknowns of least cost between a start and the end of SLSQP."""
         from scipy.optimize import minimize
 
-        @lru_cache(maxsize=1)  # SLSQP asks for values and slopes one after the other
-        def values(of: bytes) -> tuple[np.ndarray, np.ndarray]:
+        steps = STEP * np.eye(len(start))
+
+        @lru_cache(maxsize=1)  # SLSQP requests values and derivatives separately
+        def margins(buffer: bytes) -> tuple[np.ndarray, np.ndarray]:
+            """Return log kappa of both axes and the slacks, and their derivatives."""
             check()
-            y, steps = np.frombuffer(of), STEP * np.eye(len(u))
-            least, extremes = self.tracks(self.points(np.vstack([y, y + steps])))
-            rows = np.vstack(
-                [np.log(np.maximum(least, LEAST)), self.limits.slack(extremes)]
-            )
+            unknowns = np.frombuffer(buffer)
+            batch = self.waypoints(np.vstack([unknowns, unknowns + steps]))
+            kappa, extremes = self.tracks(batch)
+            log_kappa = np.log(np.maximum(kappa, SMALLEST))
+            rows = np.vstack([log_kappa, self.limits.slack(extremes) - SLACK])
             return rows[:, 0], (rows[:, 1:] - rows[:, :1]) / STEP
 
-        def above(y: np.ndarray) -> np.ndarray:
-            found = values(y[:-1].tobytes())[0].copy()
-            found[:2] -= y[-1]
-            found[2:] -= INSIDE
-            return found
-
-        def slopes(y: np.ndarray) -> np.ndarray:
-            found = values(y[:-1].tobytes())[1]
-            return np.column_stack(
-                [found, np.where(np.arange(len(found)) < 2, -1.0, 0.0)]
-            )
-
-        start = values(u.tobytes())[0]
-        if not np.isfinite(start).all():
-            return u
-        towards: Any = np.append(np.zeros(len(u)), -1.0)
-        ended = minimize(
+        values, _ = margins(start.tobytes())
+        if not np.isfinite(values).all():
+            return start
+        # the last unknown is s, which only the two rows of log kappa contain
+        of_s = np.where(np.arange(len(values)) < 2, -1.0, 0.0)
+        gradient = np.append(np.zeros(len(start)), -1.0)
+        solution = minimize(
             lambda y: -y[-1],
-            np.append(u, start[:2].min()),
-            jac=lambda y: towards,
+            np.append(start, values[:2].min()),
+            jac=lambda y: gradient,
             method="SLSQP",
-            bounds=[(0.0, 1.0)] * len(u) + [(None, None)],
-            constraints={"type": "ineq", "fun": above, "jac": slopes},
-            options={"maxiter": CLIMBS},
+            bounds=[(0.0, 1.0)] * len(start) + [(None, None)],
+            constraints={
+                "type": "ineq",
+                "fun": lambda y: margins(y[:-1].tobytes())[0] + of_s * y[-1],
+                "jac": lambda y: np.column_stack([margins(y[:-1].tobytes())[1], of_s]),
+            },
+            options={"maxiter": iterations},
         )
-        way = u + np.linspace(0.0, 1.0, WAY)[:, None] * (
-            np.clip(ended.x[:-1], 0.0, 1.0) - u
-        )
-        return np.asarray(way[np.argmin(self.cost(way))])
+        shares = np.linspace(0.0, 1.0, LINE)[:, None]
+        end = np.clip(solution.x[:-1], 0.0, 1.0)
+        return self.sorted(start + shares * (end - start))[0]
 
 
-COARSE = (9, 1e-6)  # looks in a piece, relative tolerance
-CLOSE = (129, 1e-9)
+COARSE = (9, 1e-6)  # samples in a piece, relative tolerance
+FINE = (129, 1e-9)
 ROUNDS = 6
 
 
 def best_waypoints(
     scenario: Scenario,
     limits: Limits,
-    span: tuple[float, float],
+    window: tuple[float, float],
     seed: int,
     report: Callable[[float], None],
     gains: np.ndarray | None = None,
 ) -> tuple[list[np.ndarray], int]:
-    """Return waypoints that keep to the limits, the best first, and how many tracks were tried.
+    """Return waypoints within the limits, the best first, and the number of tracks tried.
 
-    The best have the largest kappa_1, or drop of V where the `gains` of a linear law are given.
+    The best have the largest kappa_1, or drop of V if the `gains` of a linear law are given.
     """
-    speeds, end, whole = limits.max_speed is not None, sum(span), scenario.run.duration
-    close = Tracks(scenario, span, whole, *CLOSE, speeds, gains)
-    points, runs, free = shortened(scenario.waypoints, limits.length), 0, MARGIN
-    candidates = [_looked_at(close, limits, points)]  # the track to begin with competes
+    duration = scenario.run.duration
+    with_speed = limits.max_speed is not None
+    fine = Tracks(scenario, window, duration, *FINE, with_speed, gains)
+    waypoints = shortened(scenario.waypoints, limits.length)
+    candidates = [_candidate(fine, limits, waypoints)]
+    initial_kappa = candidates[0].kappa
+    tracks_tried, margin = 0, MARGIN
     for iteration in range(ROUNDS):
-        tracks = Tracks(
-            scenario, span, whole if iteration else end, *COARSE, speeds, gains
-        )
-        search = TrackSearch(tracks, limits.tighter(free))
-        starts = search.unknowns(points)[None]
+        # Step 1: climb, from many samples in the first round
+        end = duration if iteration else sum(window)
+        coarse = Tracks(scenario, window, end, *COARSE, with_speed, gains)
+        search = TrackSearch(coarse, limits.tighter(margin))
+        unknowns = search.unknowns(waypoints)
         if iteration == 0:
-            starts = search.drawn(starts[0], seed)
-        ends = np.array([search.climb(u) for u in starts])
-        order = np.argsort(search.cost(ends), kind="stable")
-        points = search.points(ends)[order[0]]
-        candidates += [
-            _looked_at(close, limits, one) for one in search.points(ends)[order[::-1]]
-        ]
-        last = candidates[-1]
-        runs += tracks.runs
+            ends = search.multistart(unknowns, seed)
+        else:
+            ends = search.climb(unknowns, LONG_CLIMB)[None]
+        # Step 2: check the limits closely over the whole run
+        found = [_candidate(fine, limits, track) for track in search.waypoints(ends)]
+        candidates += found
+        best = found[0]
+        waypoints = best.waypoints
+        tracks_tried += coarse.runs
         report(0.9 * (iteration + 1) / ROUNDS)
-        if last.least >= 0 and (
-            iteration or end == whole or last.least >= candidates[0].least
-        ):
+        # Step 3: stop, or tighten the limits by what the best track exceeds
+        checked = iteration > 0 or end == duration or best.kappa >= initial_kappa
+        if best.kappa >= 0 and checked:
             break
         if iteration:
-            free = min(0.3, free + max(MARGIN, 1.1 * last.beyond))
-    candidates.sort(key=lambda one: -one.least)
-    if candidates[0].least < 0:
-        nearest = 100 * min(one.beyond for one in candidates)
+            margin = min(0.3, margin + max(MARGIN, 1.1 * best.excess))
+    allowed = sorted((c for c in candidates if c.kappa >= 0), key=lambda c: -c.kappa)
+    if not allowed:
+        excess = 100 * min(candidate.excess for candidate in candidates)
         raise ScenarioError(
             "no track was found that keeps to the limits in this flow all the time; the nearest "
-            f"is {nearest:.2g} % beyond; allow more speed or a larger area, or give another seed"
+            f"is {excess:.2g} % beyond; allow more speed or a larger area, or give another seed"
         )
-    return [one.points for one in candidates if one.least >= 0], runs
+    return [candidate.waypoints for candidate in allowed], tracks_tried
 
 
 class _Candidate(NamedTuple):
-    """Waypoints, their kappa_1, -1 beyond a limit, and how far they are beyond."""
+    """Waypoints, their kappa_1 or -1 beyond a limit, and their excess over the limits."""
 
-    points: np.ndarray
-    least: float
-    beyond: float
+    waypoints: np.ndarray
+    kappa: float
+    excess: float
 
 
-def _looked_at(close: Tracks, limits: Limits, points: np.ndarray) -> _Candidate:
-    """Return waypoints with their kappa_1 and their excess, closely watched."""
-    least, extremes = close(points[None])
-    beyond = float(limits.excess(extremes)[0])
-    out = bool(np.any((points < limits.low) | (points > limits.high)))
-    return _Candidate(points, -1.0 if beyond > 0 or out else float(least.min()), beyond)
+def _candidate(fine: Tracks, limits: Limits, waypoints: np.ndarray) -> _Candidate:
+    """Return the candidate of finely sampled waypoints."""
+    kappa, extremes = fine(waypoints[None])
+    excess = float(limits.excess(extremes)[0])
+    outside = np.any((waypoints < limits.low) | (waypoints > limits.high))
+    allowed = excess == 0 and not outside
+    return _Candidate(waypoints, float(kappa.min()) if allowed else -1.0, excess)

@@ -1,16 +1,12 @@
-"""A design: the scenario with better waypoints, and both tracks side by side.
+"""Design of waypoint tracks for a scenario's law, with a comparison of both tracks.
 
-The goal is how soon the scenario's own law learns, or kappa_1: the smallest eigenvalue over both
-axes of the joint Gramian of Definition 3.1 where e = 0 (`waypoint_tracks`).  The limits
-(`Limits`) hold over the whole run (`search`).  For the paper's two laws, which are linear in
-e and eta, the search maximises what V falls by over the window; for another law kappa_1.  Its best
-tracks and the scenario's own are then run with the law, and the one on which it learns soonest is
-taken.  The other numbers of both tracks come from `gramian` and `simulate` of the two scenarios
-with their own law.
+The goal is the shortest learning time of the scenario's own law, or the largest kappa_1: the
+smallest eigenvalue over both axes of the joint Gramian of Definition 3.1 at e = 0
+(`waypoint_tracks`).  The paper's two laws are linear in e and eta; for them the search maximises
+the drop of V over the window, for another law kappa_1.  The best tracks and the original
+one are then run with the law, and the track of the shortest learning time is chosen.
 
-learning time   the first time from which on every flow parameter is within a level of theta
-
-The picture has the two tracks side by side, and what is learned on each.
+The learning time is the first time from which every flow parameter is within a level of theta.
 """
 
 from collections.abc import Callable
@@ -28,7 +24,7 @@ from ...simulation.mean_squares import clpe_of_samples, step_of_means
 from ..excitation.certificates import gains_of_w
 from ..excitation.gramian import gramian, started_true
 from ..excitation.regressor import checked_window
-from .search import CLOSE, best_waypoints
+from .search import FINE, best_waypoints
 from .waypoint_tracks import (
     Box,
     Extremes,
@@ -44,13 +40,17 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-MOST_WAYPOINTS = 200
-LOOKS, MOST = 50, 20_000  # samples a waypoint for a smooth picture, and in all
-TENTH = 0.1  # of the first error: the level without another
+MAX_WAYPOINTS = 200
+SAMPLES_PER_DWELL = 50  # for a smooth picture
+MAX_SAMPLES = 20_000
+TENTH = 0.1  # default level, share of the initial error
+CLPE = "clpe_rms_last_quarter"
+GOALS = ("law", "kappa")
+TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
 
 
 class Learned(NamedTuple):
-    """A run, its largest flow-parameter error in time, and a summary."""
+    """A run with its largest flow-parameter error in time and a summary."""
 
     scenario: Scenario
     run: "xarray.Dataset"
@@ -59,23 +59,26 @@ class Learned(NamedTuple):
 
     @property
     def cost(self) -> tuple[float, ...]:
-        """Less is better: learning time, last error, CLPE."""
+        """Learning time, final error and CLPE, to be compared in this order."""
         time = self.summary["learning_time"]
-        last = self.summary["error_at_end"], self.summary["clpe_rms_last_quarter"]
-        return np.inf if time is None else time, *last
+        return (
+            np.inf if time is None else time,
+            self.summary["error_at_end"],
+            self.summary[CLPE],
+        )
 
 
 def learned(scenario: Scenario, level: float | None) -> Learned:
-    """Run a scenario with its own law and summarise what it learned."""
-    smooth = min(scenario.reference.dwell / LOOKS, step_of_means(scenario))
-    step = min(scenario.run.output_step, max(smooth, scenario.run.duration / MOST))
-    run = simulate(scenario, sample_times(scenario.run.duration, step))
+    """Run a scenario with its own law and summarise the learning."""
+    duration = scenario.run.duration
+    step = min(scenario.reference.dwell / SAMPLES_PER_DWELL, step_of_means(scenario))
+    step = min(scenario.run.output_step, max(step, duration / MAX_SAMPLES))
+    run = simulate(scenario, sample_times(duration, step))
     theta = np.array(scenario.flow.parameters)
     error = np.abs(run.flow_parameters_estimate.values - theta).max(axis=(1, 2))
     level = TENTH * float(error[0]) if level is None else float(level)
-    key = "clpe_rms_last_quarter"
     summary = {
-        key: clpe_of_samples(scenario, run)[key],
+        CLPE: clpe_of_samples(scenario, run)[CLPE],
         "level": level,
         "learning_time": time_below(run.time.values, error, level),
         "error_at_end": float(error[-1]),
@@ -84,29 +87,28 @@ def learned(scenario: Scenario, level: float | None) -> Learned:
 
 
 def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | None:
-    """Return the first sample from which on all values are at most a level; None: there is none."""
-    first = 1 + np.max(np.flatnonzero(~(values <= level)), initial=-1)
-    return float(times[first]) if first < len(values) else None
-
-
-GOALS = ("law", "kappa")
-TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
+    """Return the time from which all values are at most a level, or None."""
+    start = 1 + np.max(np.flatnonzero(~(values <= level)), initial=-1)
+    return float(times[start]) if start < len(values) else None
 
 
 @dataclass(frozen=True)
 class Design:
-    """What `design_track` found."""
+    """Result of `design_track`."""
 
     scenario: Scenario  # with the new waypoints
     report: dict[str, Any]  # ready for JSON
-    # runs with the scenario's own law, before and after
-    tracks: tuple[Learned, Learned]
+    tracks: tuple[Learned, Learned]  # runs with the law, before and after
 
     def __repr__(self) -> str:
-        before, after = (
-            self.report[k]["smallest_eigenvalue"] for k in ("before", "after")
-        )
-        return f"<Design of {len(self.scenario.waypoints)} waypoints: {before:.3g} to {after:.3g}>"
+        before, after = _kappas(self.report)
+        count = len(self.scenario.waypoints)
+        return f"<Design of {count} waypoints: {before:.3g} to {after:.3g}>"
+
+
+def _kappas(report: dict[str, Any]) -> list[float]:
+    """Return kappa_1 before and after."""
+    return [report[key]["smallest_eigenvalue"] for key in ("before", "after")]
 
 
 @public
@@ -171,45 +173,32 @@ def design_track(
     >>> found.report["after"]["smallest_eigenvalue"] > 0, len(found.scenario.waypoints)
     (True, 2)
     """
-    if goal not in GOALS:
-        raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
-    own, law = scenario.waypoints, goal == "law"
-    if len(own) > MOST_WAYPOINTS:
-        raise ScenarioError(
-            f"reference: has {len(own)} waypoints; at most {MOST_WAYPOINTS} are designed"
-        )
-    if scenario.flow.parameters is None:
-        raise ScenarioError(
-            "flow.field: a track is designed for parameters theta; give flow.parameters in its "
-            "place, which `clpt fit` finds"
-        )
-    span = checked_window(scenario, window, start)
-    before = _look(scenario, span)
-    low, high = corners(scenario, area, before[1])
-    longest = float(closed_length(own)) if length is None else float(length)
+    _check(scenario, goal)
     report = progress or (lambda share: None)
-    best, runs = best_waypoints(
-        scenario,
-        Limits(longest, max_speed, low, high),
-        span,
-        seed,
-        report,
-        linear_gains(scenario) if law else None,
-    )
-    tracks = [with_waypoints(scenario, one) for one in best[: None if law else 1]]
-    ran = (
-        learned(scenario, level),
-        min((learned(one, level) for one in tracks), key=lambda one: one.cost),
-    )
-    designed = ran[1].scenario
-    points, after = designed.waypoints, _look(designed, span)
+    # Step 1: window and limits
+    span = checked_window(scenario, window, start)
+    kappa, extremes = _measure(scenario, span)
+    low, high = corners(scenario, area, extremes)
+    longest = float(length or closed_length(scenario.waypoints))
+    limits = Limits(longest, max_speed, low, high)
+    # Step 2: search
+    gains = linear_gains(scenario) if goal == "law" else None
+    tracks, tracks_tried = best_waypoints(scenario, limits, span, seed, report, gains)
+    if goal == "kappa":
+        tracks = tracks[:1]
+    # Step 3: runs with the law
+    before = learned(scenario, level)
+    runs = [learned(with_waypoints(scenario, track), level) for track in tracks]
+    after = min(runs, key=lambda run: run.cost)
+    designed = after.scenario
     report(1.0)
+    # Step 4: report
     summary: dict[str, Any] = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
         "law": scenario.learning.law,
         "goal": goal,
-        "own_track_kept": np.array_equal(points, own),
+        "own_track_kept": np.array_equal(designed.waypoints, scenario.waypoints),
         "window": span[0],
         "start": span[1],
         "trajectory": TRAJECTORY,
@@ -219,55 +208,69 @@ def design_track(
             "area": np.transpose([low, high]).ravel().tolist(),
         },
         "seed": seed,
-        "tracks_tried": runs,
-        "before": _reported(scenario, before, span, ran[0]),
-        "after": _reported(designed, after, span, ran[1]),
+        "tracks_tried": tracks_tried,
+        "before": _track_report(before, kappa, extremes, span),
+        "after": _track_report(after, *_measure(designed, span), span),
     }
-    first, last = (summary[key]["smallest_eigenvalue"] for key in ("before", "after"))
-    summary["ratio"] = last / first if first > 0 else None
-    return Design(designed, summary, ran)
+    old, new = _kappas(summary)
+    summary["ratio"] = new / old if old > 0 else None
+    return Design(designed, summary, (before, after))
+
+
+def _check(scenario: Scenario, goal: str) -> None:
+    """Raise an error for a goal or scenario without a design."""
+    if goal not in GOALS:
+        raise ScenarioError(f"goal {goal!r}: must be one of {', '.join(GOALS)}")
+    count = len(scenario.waypoints)
+    if count > MAX_WAYPOINTS:
+        raise ScenarioError(
+            f"reference: has {count} waypoints; at most {MAX_WAYPOINTS} are designed"
+        )
+    if scenario.flow.parameters is None:
+        raise ScenarioError(
+            "flow.field: a track is designed for parameters theta; give flow.parameters in its "
+            "place, which `clpt fit` finds"
+        )
 
 
 def linear_gains(scenario: Scenario) -> np.ndarray | None:
-    """Return the N + 2 gains of one of the paper's laws, Eq. (28); None of another."""
-    learning, gains = scenario.learning, gains_of_w(scenario)
+    """Return the N + 2 gains of one of the paper's laws, Eq. (28), or None."""
+    learning = scenario.learning
+    gains = gains_of_w(scenario)
     linear = learning.law in ("learned-flow", "known-flow") and learning.sample is None
     return gains if linear and gains.any() else None
 
 
-def _look(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extremes]:
-    """Return kappa_1 of one track, closely, and its extremes over the whole run."""
-    tracks = Tracks(scenario, span, scenario.run.duration, *CLOSE)
-    least, extremes = tracks(scenario.waypoints[None])
-    return float(least.min()), extremes
+def _measure(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extremes]:
+    """Return kappa_1 of a finely sampled track and its extremes over the run."""
+    tracks = Tracks(scenario, span, scenario.run.duration, *FINE)
+    kappa, extremes = tracks(scenario.waypoints[None])
+    return float(kappa.min()), extremes
 
 
-def _reported(
-    scenario: Scenario,
-    looked: tuple[float, Extremes],
-    span: tuple[float, float],
-    ran: Learned,
+def _track_report(
+    learning: Learned, kappa: float, extremes: Extremes, span: tuple[float, float]
 ) -> dict[str, Any]:
-    found, (least, extremes), ceiling = gramian(scenario, *span), looked, None
+    """Return the entries of one track."""
+    scenario = learning.scenario
+    ceiling = None
     if scenario.vehicle.max_speed is None:
-        alone = gramian(started_true(vehicle_alone(scenario)), *span)
-        # where the vehicle moves so
-        ceiling = min(alone.ceilings.values(), default=None)
+        exact = gramian(started_true(vehicle_alone(scenario)), *span)
+        ceiling = min(exact.ceilings.values(), default=None)
+    corner = extremes.low[0].min(axis=0), extremes.high[0].max(axis=0)
     return {
-        "smallest_eigenvalue": least,
-        "of_the_run": found.smallest,
+        "smallest_eigenvalue": kappa,
+        "of_the_run": gramian(scenario, *span).smallest,
         "ceiling": ceiling,
         "closed_length": float(closed_length(scenario.waypoints)),
         "largest_speed": float(extremes.speed.max()),
-        "positions": np.transpose(
-            [extremes.low[0].min(axis=0), extremes.high[0].max(axis=0)]
-        ).tolist(),
+        "positions": np.transpose(corner).tolist(),
         "waypoints": scenario.waypoints.tolist(),
-        **ran.summary,
+        **learning.summary,
     }
 
 
-LOWEST = 1e-16  # errors below are drawn there
+LOWEST = 1e-16  # smaller errors are drawn there
 
 
 @public
@@ -300,72 +303,65 @@ def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
     >>> old, new, error = clpt.theory.design_plot(found)
     """
     axes = axes_for(ax, 11.8, 4.9, ncols=3)
-    for k, one in enumerate(axes[:2]):
-        _track(one, design, k)
-        one.set_aspect("equal")
-        one.margins(0.06)
+    for key, learning, axis in zip(
+        ("before", "after"), design.tracks, axes[:2], strict=True
+    ):
+        _draw_track(axis, learning, design.report, key)
     axes[0].sharex(axes[1])
     axes[0].sharey(axes[1])
     legend_below(axes[1], 3)
-    _error(axes[2], design)
+    _draw_errors(axes[2], design)
     return axes
 
 
-def _track(ax: "Axes", design: Design, k: int) -> None:
+def _draw_track(
+    ax: "Axes", learning: Learned, report: dict[str, Any], key: str
+) -> None:
+    """Draw the area, the waypoints and the vehicle's path in the window."""
     from matplotlib.patches import Rectangle
 
-    one, report = design.tracks[k], design.report
-    found = report["before" if k == 0 else "after"]
-    unit, (x1, x1_end, x2, x2_end) = one.scenario.units.length, report["limits"]["area"]
-    dotted: dict[str, Any] = {"fill": False, "edgecolor": GREY, "linestyle": ":"}
-    ax.add_patch(Rectangle((x1, x2), x1_end - x1, x2_end - x2, label="area", **dotted))
-    points = one.scenario.waypoints
-    closed = np.vstack([points, points[:1]])
-    ax.plot(*closed.T, "--", color=ORANGE, linewidth=1.0, label="closed polygon")
-    t = one.run.time.values
-    inside = (t >= report["start"]) & (t <= report["start"] + report["window"])
-    path = one.run.position.values[inside]
-    ax.plot(*path.T, color=BLUE, linewidth=1.0, label="vehicle, in the window")
-    ranks: dict[str, Any] = {
-        "c": np.arange(len(points)),
-        "cmap": "viridis",
-        "zorder": 3,
-    }
-    ax.scatter(points[:, 0], points[:, 1], label="waypoints, the first dark", **ranks)
-    ax.plot(
-        *one.run.position.values[0], "s", color="black", markersize=5, label="start"
-    )
-    name = "old" if k == 0 else "new"
-    ax.set_title(
-        rf"{name}: $\kappa_1$ = {found['smallest_eigenvalue']:.3g}, "
-        f"length {found['closed_length']:.4g} {unit}",
-        **TITLE,
-    )
+    unit = report["units"]["length"]
+    left, right, bottom, top = report["limits"]["area"]
+    area = Rectangle((left, bottom), right - left, top - bottom, label="area")
+    area.set(fill=False, edgecolor=GREY, linestyle=":")
+    ax.add_patch(area)
+    waypoints = learning.scenario.waypoints
+    polygon = np.vstack([waypoints, waypoints[:1]])
+    ax.plot(*polygon.T, "--", color=ORANGE, linewidth=1.0, label="closed polygon")
+    since = learning.run.time.values - report["start"]
+    path = learning.run.position.values
+    inside = (since >= 0) & (since <= report["window"])
+    label = "vehicle, in the window"
+    ax.plot(*path[inside].T, color=BLUE, linewidth=1.0, label=label)
+    order = np.arange(len(waypoints))
+    label = "waypoints, the first dark"
+    ax.scatter(*waypoints.T, c=order, cmap="viridis", zorder=3, label=label)
+    ax.plot(*path[0], "s", color="black", markersize=5, label="start")
+    name = "old" if key == "before" else "new"
+    kappa, length = (report[key][k] for k in ("smallest_eigenvalue", "closed_length"))
+    title = rf"{name}: $\kappa_1$ = {kappa:.3g}, length {length:.4g} {unit}"
+    ax.set_title(title, **TITLE)
     ax.set(xlabel=f"$x_1$ ({unit})", ylabel=f"$x_2$ ({unit})")
+    ax.set_aspect("equal")
+    ax.margins(0.06)
 
 
-def _error(ax: "Axes", design: Design) -> None:
-    units = design.report["units"]
-    for one, colour, style, name in zip(
-        design.tracks,
-        (ORANGE, BLUE),
-        ("--", "-"),
-        ("old track", "new track"),
-        strict=True,
+def _draw_errors(ax: "Axes", design: Design) -> None:
+    """Draw the largest flow-parameter error on both tracks."""
+    time, length = (design.report["units"][key] for key in ("time", "length"))
+    old, new = design.tracks
+    for learning, style, color, label in (
+        (old, "--", ORANGE, "old track"),
+        (new, "-", BLUE, "new track"),
     ):
-        error = np.maximum(one.error, LOWEST)
-        ax.semilogy(one.run.time, error, style, color=colour, linewidth=1.6, label=name)
-    speed, level = f"{units['length']}/{units['time']}", design.report["after"]["level"]
-    ax.axhline(
-        level,
-        color=GREY,
-        linewidth=1.0,
-        linestyle=":",
-        label=f"level {level:.3g} {speed}",
-    )
-    ax.set(
-        xlabel=f"time ({units['time']})",
-        ylabel=f"largest flow-parameter error ({speed})",
-    )
-    ax.set_title(f"what {design.report['law']} learns", **TITLE)
+        error = np.maximum(learning.error, LOWEST)
+        ax.semilogy(
+            learning.run.time, error, style, color=color, linewidth=1.6, label=label
+        )
+    level = new.summary["level"]
+    label = f"level {level:.3g} {length}/{time}"
+    ax.axhline(level, color=GREY, linewidth=1.0, linestyle=":", label=label)
+    ax.set_xlabel(f"time ({time})")
+    ax.set_ylabel(f"largest flow-parameter error ({length}/{time})")
+    ax.set_title(f"learning of {design.report['law']}", **TITLE)
     ax.legend(fontsize=8, frameon=False)
