@@ -32,7 +32,7 @@ STARTS = 16  # short climbs
 FINALISTS = 2  # climbs that continue
 SEPARATION = 0.1  # rms distance between starts, share of the area's box
 SHORT_CLIMB = 8  # iterations of SLSQP
-LONG_CLIMB = 45
+LONG_CLIMB = 60
 SLACK = 1e-5  # of each limit, which a climb leaves free
 LINE = 33  # points checked between the start and the end of a climb
 

@@ -1,1 +1,1 @@
-"""How exciting a track is: the joint Gramian and what follows from it."""
+"""Excitation of the joint regressor: Gramians and certificates of decay."""

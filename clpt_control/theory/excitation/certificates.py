@@ -1,37 +1,20 @@
-"""How fast V must fall over a window: exactly, and guaranteed.
+"""Decay of V over a window: exact and guaranteed drops.
 
 Axis by axis, with k = KD_i, w the joint regressor and S = diag(1, I/sqrt(gamma)),
 
     exact       V(t+T) / V(t) <= |S Phi(t+T, t) S^-1|^2, attained
-    drop        1 - that = smallest eigenvalue of 2 k S^-1 (int Phi_e^T Phi_e) S^-1,
-                from V' = -k e^2, Eq. (25); Phi_e is the row of e, and no digits are lost
+    drop        1 - that = smallest eigenvalue of 2 k S^-1 (int Phi_e^T Phi_e) S^-1, from
+                V' = -k e^2, Eq. (25), with all its digits; Phi_e is the row of e
     guaranteed  rho = k min(1, gamma) lambda_min(G) / (1 + q^2),  q = gamma wbar^2 T / k,
                 G = int R^T R,  R(s) = [e^{-k (s-t)}, (int_t^s e^{-k (s-r)} w(r) dr)^T]
 
-Why: R x_0 = e + gamma F, F(s) = int_t^s e^{-k (s-r)} w^T(r) int_t^r w e, and
-|F| <= |e| wbar^2 T/k in L2, so that x_0^T G x_0 <= (1 + q)^2 int e^2 <= 2 (1 + q^2) int e^2,
-while V falls by k int e^2.  R is the row of e in Phi where adaptation rests (gamma = 0): the
-output injection of Theorem 3.3.  V is the sum over axes, so the worst axis counts.  wbar is the
-largest |w| at the nodes.
-
-From the drop of V over a window follow bounds under a disturbance, and times:
-
-    limsup |e| <= T Dmax (1 + 1/(1 - sqrt(1 - rho)))              Theorem 3.4, corrected
-    |eta(t + n T)| <= sqrt(2 gamma V(t)) (1 - drop)^{n/2}         from V, Eq. (24)
-
-The first holds because v = sqrt(2 V) obeys v' <= |Delta| beside the linear
-part: from window to window v <= sqrt(1 - rho) v + T Dmax, and within a window v
-grows by T Dmax at most.  It asks that w does not depend on Delta.
-
-Phi is found by collocation at the Gauss-Legendre nodes of each piece of length h, the implicit
-Runge-Kutta method of order 2 NODES.  Within a piece eta moves along the w at the nodes, the rows of
-W, so that only e at the nodes, E, is to be solved for; with G = W W^T and the method's a, b,
-entries of a and G multiplied one by one in a*G,
-
-    (I + h k a + gamma h^2 a (a*G)) E = e + h a W eta
-    e   -> e + h b (W eta - k E - gamma h (a*G) E)
-    eta -> eta - gamma h sum_j b_j w_j E_j
+`propagate` computes Phi, `ultimate_bound` the bound of Theorem 3.4, corrected.
 """
+
+# Proof of the guaranteed drop: R x_0 = e + gamma F, F(s) = int_t^s e^{-k (s-r)} w^T(r) int_t^r w e,
+# and |F| <= |e| wbar^2 T/k in L2, so that x_0^T G x_0 <= (1 + q)^2 int e^2 <= 2 (1 + q^2) int e^2,
+# while V falls by k int e^2.  R is the row of e in Phi without adaptation (gamma = 0): the output
+# injection of Theorem 3.3.  wbar is the largest |w| at the nodes.
 
 from dataclasses import dataclass
 from functools import cache
@@ -44,27 +27,27 @@ from ...scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
 
 TURN = 10.0  # radians that e and eta may turn within a piece
-MOST = 20000  # pieces
+MAX_PIECES = 20000
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What one window does to V, for one trajectory, axes ``"x1"`` and ``"x2"``."""
+    """Decay of V over one window for one trajectory, axes ``"x1"`` and ``"x2"``."""
 
     start: float  # of the window, units.time
     window: float  # its length
-    trajectory: str  # that w was taken from: w holds z, which depends on the learner
-    # axis -> exact 1 - V(t+T)/V(t) at worst, with all its digits
+    trajectory: str  # description; w contains z, which depends on the learner
+    # axis -> exact 1 - V(t+T)/V(t) at worst
     drops: dict[str, float]
     rhos: dict[str, float]  # axis -> the guaranteed drop
-    # whether Delta, or a flow beside theta phi, adds to V' as well
+    # Delta, or a flow that theta phi does not span, adds to V'
     disturbed: bool = False
 
     def __repr__(self) -> str:
-        worst = f"V falls to {self.contraction:.6g} of itself at worst"
-        when = f"t = {self.start:g} to {self.start + self.window:g}"
+        span = f"t = {self.start:g} to {self.start + self.window:g}"
         but = ", but for what the disturbance adds" if self.disturbed else ""
-        return f"<Certificate: {worst}, {when}{but}>"
+        share = f"{self.contraction:.6g}"
+        return f"<Certificate: V falls to {share} of itself at worst, {span}{but}>"
 
     @property
     def contraction(self) -> float:
@@ -92,15 +75,15 @@ def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 
 def gains_of_w(scenario: Scenario) -> np.ndarray:
-    """Return the N + 2 gains with which a law adapts the parameter beside each of w; 0: held."""
-    learning, gains = scenario.learning, scenario.learning.used_gains
-    flow = 0.0 if learning.row.given_estimate else gains.parameters
+    """Return the N + 2 adaptation gains of the parameters that multiply w; 0 if fixed."""
+    gains = scenario.learning.used_gains
+    flow = 0.0 if scenario.learning.row.given_estimate else gains.parameters
     return np.array([*[flow] * scenario.basis.N, gains.feedback, gains.feedforward])
 
 
 def refuse_turns(turns: float) -> None:
-    """Refuse a window in which e and eta turn so many radians that they cannot be followed."""
-    if turns > MOST * TURN:
+    """Raise an error for a window in which e and eta turn too many radians."""
+    if turns > MAX_PIECES * TURN:
         raise ScenarioError(
             f"e and eta turn {turns:.3g} rad in a window, too many to follow; give a shorter one, "
             "waypoints nearer to 0, or smaller gains"
@@ -108,29 +91,32 @@ def refuse_turns(turns: float) -> None:
 
 
 def finely(w: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return w (..., pieces, nodes, n) and weights of pieces in which e and eta turn at most TURN.
+    """Return w (..., pieces, nodes, n) and weights of pieces that turn e and eta by at most TURN.
 
-    A gain of 1 is in w.  Pieces are cut evenly; w is the polynomial through its nodes.
+    w includes the roots of the gains.  Each piece is divided evenly; w is interpolated by the
+    polynomial through its nodes.
     """
-    turns = np.sqrt(np.max(np.sum(w**2, axis=-1), initial=0.0)) * weights.sum(axis=1)
+    largest = np.sqrt(np.max(np.sum(w**2, axis=-1), initial=0.0))
+    turns = largest * weights.sum(axis=1)
     refuse_turns(turns.sum())
-    parts, (pieces, nodes) = int(np.ceil(max(1.0, turns.max() / TURN))), weights.shape
+    division = int(np.ceil(max(1.0, turns.max() / TURN)))
+    nodes = weights.shape[1]
     node = np.polynomial.legendre.leggauss(nodes)[0]
-    basis = np.polynomial.legendre.legvander
-    fine = (2 * np.arange(parts)[:, None] + 1 + node) / parts - 1
-    between = basis(fine, nodes - 1) @ np.linalg.inv(basis(node, nodes - 1))
-    w = (between @ w[..., None, :, :]).reshape(
-        *w.shape[:-3], pieces * parts, nodes, w.shape[-1]
-    )
-    return w, np.repeat(weights / parts, parts, axis=0)
+    fine_node = (2 * np.arange(division)[:, None] + 1 + node) / division - 1
+    legendre = np.polynomial.legendre.legvander
+    inverse = np.linalg.inv(legendre(node, nodes - 1))
+    interpolation = legendre(fine_node, nodes - 1) @ inverse
+    w = interpolation @ w[..., None, :, :]
+    w = w.reshape(*w.shape[:-4], -1, nodes, w.shape[-1])
+    return w, np.repeat(weights / division, division, axis=0)
 
 
 @cache
 def collocation(nodes: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the Gauss method's a (nodes, nodes) and b (nodes,) on a step of length 1."""
+    """Return a (nodes, nodes) and b (nodes,) of the Gauss method on a step of length 1."""
     legendre = np.polynomial.legendre
     c, weight = legendre.leggauss(nodes)
-    # of P_j to each node
+    # integrals of P_j from -1 to each node
     integrals = legendre.legval(c, legendre.legint(np.eye(nodes), lbnd=-1))
     a = integrals.T @ np.linalg.inv(legendre.legvander(c, nodes - 1))
     return a / 2, weight / 2
@@ -141,24 +127,30 @@ def propagate(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the row of e in Phi at the nodes, (..., pieces, nodes, n + 1), and Phi at the end.
 
-    w (..., pieces, nodes, n) stands at the Gauss-Legendre nodes of pieces with these lengths
-    (pieces,), k (...) is the feedback gain; Phi = I at the start.
+    w (..., pieces, nodes, n) is given at the Gauss-Legendre nodes of pieces with these lengths
+    (pieces,), k (...) is the feedback gain; Phi = I at the start.  The implicit Runge-Kutta
+    method of order 2 NODES is reduced to e at the nodes, E, because eta moves along w; with
+    G = W W^T, entries of a and G multiplied one by one in a*G, on a piece of length h
+
+        (I + h k a + gamma h^2 a (a*G)) E = e + h a W eta
+        e   -> e + h b (W eta - k E - gamma h (a*G) E)
+        eta -> eta - gamma h sum_j b_j w_j E_j
     """
-    *batch, pieces, nodes, n = w.shape
+    *batch, count, nodes, n = w.shape
     a, b = collocation(nodes)
     k = np.asarray(k)[..., None, None]
-    rows = np.empty((*batch, pieces, nodes, n + 1))
+    rows = np.empty((*batch, count, nodes, n + 1))
     end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
     e, eta = end[..., :1, :], end[..., 1:, :]
-    for piece in range(pieces):
-        h, W = lengths[piece], w[..., piece, :, :]
+    for j in range(count):
+        h, W = lengths[j], w[..., j, :, :]
         Wt = np.swapaxes(W, -1, -2)
         fed_back, pushed = gain * h * a * (W @ Wt), W @ eta
         system = np.eye(nodes) + h * a @ (k * np.eye(nodes) + fed_back)
         E = np.linalg.solve(system, e + h * a @ pushed)
         e += h * b[None] @ (pushed - k * E - fed_back @ E)
         eta -= gain * h * (Wt * b) @ E
-        rows[..., piece, :, :] = E
+        rows[..., j, :, :] = E
     return rows, end
 
 
@@ -167,8 +159,8 @@ def worst_drop(
 ) -> np.ndarray:
     """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
 
-    With w_j times the root of gamma_j, and the error of parameter j over it, one gain of 1 remains;
-    what has no gain does not adapt.
+    w_j is scaled by the root of gamma_j, the parameter error by its inverse; the gain is then 1.
+    A parameter without a gain does not adapt.
     """
     adapted = gains > 0
     w, weights = finely(np.sqrt(gains[adapted]) * w[..., adapted], weights)
@@ -179,23 +171,21 @@ def worst_drop(
 def window_drops(
     w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the drop of V over a window, exact and guaranteed, each (2, ...), axis first.
+    """Return the exact and the guaranteed drop of V over a window, each (2, ...), axis first.
 
-    w (2, ..., pieces, nodes, n), of what adapts, stands at Gauss-Legendre nodes with weights
-    (pieces, nodes).
+    w (2, ..., pieces, nodes, n) is given at Gauss-Legendre nodes with weights (pieces, nodes).
     """
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
     drop = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
     lengths = weights.sum(axis=1)
     filtered, _ = propagate(w, k, 0.0, lengths)
+    kappa = smallest_eigenvalue(filtered, weights)
     q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
-    return drop, k * min(1.0, gain) * smallest_eigenvalue(filtered, weights) / (
-        1 + q**2
-    )
+    return drop, k * min(1.0, gain) * kappa / (1 + q**2)
 
 
 def refuse_unproved(scenario: Scenario) -> None:
-    """Refuse what adds to V' beside the theorems' own terms."""
+    """Raise an error for terms in V' that the theorems do not have."""
     learning, fixes = scenario.learning, scenario.localization
     limited = scenario.vehicle.max_speed is not None
     refused = {
@@ -204,10 +194,11 @@ def refuse_unproved(scenario: Scenario) -> None:
         "learning.sample": learning.sample is not None,
         "learning.hedging = false": limited and not scenario.hedged,
     }
-    if why := next((why for why, holds in refused.items() if holds), ""):
-        raise ScenarioError(
-            f"no certificate: {why} changes V' of the theorems; leave it out"
-        )
+    for setting, present in refused.items():
+        if present:
+            raise ScenarioError(
+                f"no certificate: {setting} changes V' of the theorems; leave it out"
+            )
 
 
 @public
@@ -216,8 +207,7 @@ def certificate(
 ) -> Certificate:
     """Certify the decay of V over one window of a run.
 
-    For the learned-flow law all parameters adapt, for the known-flow law K and
-    Gamma alone.
+    All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.
 
     Parameters
     ----------
@@ -230,8 +220,8 @@ def certificate(
     -------
     Certificate
         For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
-        with all its digits, and `rho`, a guaranteed drop. With a
-        disturbance (`disturbed`) all of it is said of the learner without; see `ultimate_bound`.
+        with all its digits, and `rho`, a guaranteed drop. They exclude the effect of a
+        disturbance (`disturbed`); see `ultimate_bound`.
 
     Raises
     ------
@@ -248,29 +238,27 @@ def certificate(
     >>> 0 < found.rho < found.drop < 1
     True
     """
-    along = (
-        source
-        if isinstance(source, Regressor)
-        else joint_regressor(source, window, start)
-    )
-    scenario, gains = along.scenario, along.scenario.learning.used_gains
-    law = scenario.learning.law
-    if along.python_parts or law not in ("learned-flow", "known-flow") or not gains.one:
+    regressor = joint_regressor(source, window, start)
+    scenario = regressor.scenario
+    law, gains = scenario.learning.law, scenario.learning.used_gains
+    paper_law = law in ("learned-flow", "known-flow")
+    if regressor.python_parts or not paper_law or not gains.one:
         raise ScenarioError(
             "no certificate: it is of the paper's two laws with one gain for all, the run has "
-            f"{along.python_parts or f'the law {law}'}"
+            f"{regressor.python_parts or f'the law {law}'}"
             + ("" if gains.one else " with a gain each")
         )
     refuse_unproved(scenario)
-    adapted = slice(
-        scenario.basis.N if scenario.learning.row.given_estimate else 0, None
+    fixed = scenario.basis.N if scenario.learning.row.given_estimate else 0
+    w, KD = regressor.w[..., fixed:], np.array(scenario.vehicle.feedback)
+    drops, rhos = (
+        dict(zip(("x1", "x2"), values.tolist(), strict=True))
+        for values in window_drops(w, regressor.weights, KD, gains.parameters)
     )
-    w, KD = along.w[..., adapted], np.array(scenario.vehicle.feedback)
-    found = window_drops(w, along.weights, KD, gains.parameters)
-    drops, rhos = (dict(zip(("x1", "x2"), one.tolist(), strict=True)) for one in found)
-    first, last = along.cuts[[0, -1]].tolist()
-    disturbed = scenario.flow.disturbance is not None or scenario.flow.field is not None
-    return Certificate(first, last - first, along.trajectory, drops, rhos, disturbed)
+    begin, end = regressor.cuts[[0, -1]].tolist()
+    flow = scenario.flow
+    disturbed = flow.disturbance is not None or flow.field is not None
+    return Certificate(begin, end - begin, regressor.trajectory, drops, rhos, disturbed)
 
 
 @public
@@ -306,12 +294,13 @@ def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> fl
         raise ScenarioError(f"drop = {drop:g}: must lie in [0, 1]")
     if drop == 0:
         return float("inf")
+    # v = sqrt(2 V) rises by T Dmax within a window and is multiplied by sqrt(1 - rho);
     # 1 - sqrt(1 - rho) = rho/(1 + sqrt(1 - rho)) keeps the digits of a small rho
     return float(window * largest_disturbance * (1 + (1 + np.sqrt(1 - drop)) / drop))
 
 
 def time_to_tenth(window: float, drop: float) -> float:
-    """Return the time until |eta| must be a tenth: whole windows of this drop; inf for none."""
+    """Return the whole windows of this drop in which |eta| falls to a tenth, as a time or inf."""
     with np.errstate(divide="ignore"):
         windows = 2 * np.log(0.1) / np.log1p(-np.float64(drop))
     return float(window * max(1.0, np.ceil(windows * (1 - 1e-12))))

@@ -1,11 +1,8 @@
-"""What a track can teach, as one dictionary, `clpt excitation --json`, and as a picture.
+"""Report and figure of the excitation of a track, for `clpt excitation`.
 
-Definition 3.1 over one window, the exact contraction of V of Eq. (24) and the guaranteed drop
-of it, for one trajectory.
-
-In the picture stand above the eigenvalues of the Gramian in the sliding window; below, the least
-excited direction of one window by parameter name, and how much of each parameter lies in the
-identifiable subspace.
+The report has Definition 3.1 over one window, the exact contraction of V of Eq. (24) and its
+guaranteed drop, for one trajectory.  The figure has the eigenvalues of the Gramian in a sliding
+window, and below the least excited direction and the identifiable share of each parameter.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -19,77 +16,78 @@ from ...scenario.experiment import Scenario
 from ...scenario.team import Team
 from .certificates import certificate, time_to_tenth
 from .gramian import NOT_LEARNABLE, Excitation, gramian, sliding_excitation
-from .regressor import AnySource, Source, joint_regressor, system_of, thinned
+from .regressor import AnySource, Source, joint_regressor, system_of
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.axes import Axes
 
-ROUGHEST = 0.1  # change of an eigenvalue by which its error is judged
-LOWEST = 1e-30  # eigenvalues below this share of the largest are drawn there
+MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
+LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
+CERTIFIED = ("rho", "contraction", "drop", "disturbed")
 
 
 def excitation_report(
     source: AnySource, window: float | None = None, start: float | None = None
 ) -> dict[str, Any]:
-    """Return what a scenario's run, a team's, or a recorded one can teach over one window.
+    """Return the excitation of a scenario's run, a team's or a recorded one over one window.
 
-    ``window``, ``start``, ``time_unit``, ``trajectory``; by axis ``eigenvalues`` (ascending),
-    ``ceilings`` (of the smallest eigenvalue), ``least_excited`` and ``dimension`` (of what can be
-    learned); ``not_learnable`` (sentences);
-    ``rho`` (V falls by at least this share), ``contraction`` (exact V(t+T)/V(t) at worst),
-    ``drop`` (1 less that, with all its digits) and ``time_to_tenth`` (of windows like this one,
-    until sqrt(V) is a tenth; None: never), without what a disturbance adds where ``disturbed``; all
-    are None where the window cannot be certified and ``not_certified`` says why.  For a recorded
-    run ``accuracy`` is the largest relative change of an eigenvalue when every second sample is
-    left out, which is above the error; None where that is more than `ROUGHEST`, or no sample can be
-    left out: the error is not known.
+    Its entries are ``window``, ``start``, ``time_unit``, ``trajectory``, ``not_learnable``
+    (sentences), and by axis ``eigenvalues`` (ascending), ``ceilings`` (of the smallest
+    eigenvalue), ``least_excited`` and ``dimension`` (of the identifiable subspace).
 
-    Of a team ``measured`` says of which parameters; ``vehicles`` by name and ``team`` have
-    ``eigenvalues``, ``dimension`` and ``not_learnable``, ``smallest`` the smallest eigenvalues.
+    ``rho`` (guaranteed drop of V), ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
+    (1 - contraction, with all its digits) and ``time_to_tenth`` (time in which sqrt(V) falls to
+    a tenth in windows like this one, or None) exclude the effect of a disturbance if
+    ``disturbed``.  All are None if the window cannot be certified; ``not_certified`` is the reason.
+
+    A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
+    second sample is left out, which is above the error; None if that is more than `MAX_CHANGE`.
+    A team has ``measured`` (description of the parameters), ``smallest`` (eigenvalues by name),
+    and ``vehicles`` by name and ``team`` with ``eigenvalues``, ``dimension``, ``not_learnable``.
     """
     if isinstance(source, Team) or isinstance(system_of(source), Team):
-        return _of_a_team(gramian(source, window, start))
-    along = joint_regressor(source, window, start)
-    found = gramian(along)
-    report: dict[str, Any] = found.report
-    report |= dict.fromkeys(
-        ("rho", "contraction", "drop", "disturbed", "time_to_tenth")
-    )
+        return _team_report(gramian(source, window, start))
+    regressor = joint_regressor(source, window, start)
+    excitation = gramian(regressor)
+    report: dict[str, Any] = excitation.report
+    report |= dict.fromkeys((*CERTIFIED, "time_to_tenth"))
     try:
-        certified = certificate(along)
-        time = time_to_tenth(found.window, min(certified.drop, 1.0))
-        names = ("rho", "contraction", "drop", "disturbed")
-        report |= {name: getattr(certified, name) for name in names}
+        certified = certificate(regressor)
+        report |= {name: getattr(certified, name) for name in CERTIFIED}
+        time = time_to_tenth(excitation.window, min(certified.drop, 1.0))
         report["time_to_tenth"] = time if np.isfinite(time) else None
     except ScenarioError as error:
         report["not_certified"] = str(error)
     if not isinstance(source, Scenario):
-        thin = thinned(source)
-        rough = gramian(thin, found.window, found.start)
-        floor = {
-            a: NOT_LEARNABLE * values[-1] for a, values in found.eigenvalues.items()
-        }
-        change = max(
-            float(
-                np.max(
-                    np.abs(rough.eigenvalues[a] - values) / np.maximum(values, floor[a])
-                )
-            )
-            for a, values in found.eigenvalues.items()
-        )
-        known = thin.sizes["time"] < source.sizes["time"] and change <= ROUGHEST
-        report["accuracy"] = change if known else None
+        report["accuracy"] = _accuracy(source, excitation)
     return report
 
 
-def _of_a_team(found: Excitation) -> dict[str, Any]:
-    every = {**found.vehicles, "team": found}
+def _accuracy(run: "xarray.Dataset", excitation: Excitation) -> float | None:
+    """Return the relative change of the eigenvalues without every second sample."""
+    last = run.sizes["time"] - 1
+    thin = run.isel(time=np.unique([*range(0, last, 2), last]))
+    thin.encoding.update(run.encoding)
+    coarse = gramian(thin, excitation.window, excitation.start).eigenvalues
+    changes = [
+        np.abs(coarse[axis] - values) / np.maximum(values, NOT_LEARNABLE * values[-1])
+        for axis, values in excitation.eigenvalues.items()
+    ]
+    change = float(np.max(changes))
+    known = thin.sizes["time"] <= last and change <= MAX_CHANGE
+    return change if known else None
+
+
+def _team_report(excitation: Excitation) -> dict[str, Any]:
+    """Return the report of a team."""
+    by_name = {**excitation.vehicles, "team": excitation}
     return {
-        **found.report,
+        **excitation.report,
         "measured": "the flow parameters, which all share, and each one's gains where they adapt",
-        "smallest": {name: one.smallest for name, one in every.items()},
-        "vehicles": {name: one.report for name, one in found.vehicles.items()},
-        "team": found.report,
+        "smallest": {name: single.smallest for name, single in by_name.items()},
+        "vehicles": {n: single.report for n, single in excitation.vehicles.items()},
+        "team": excitation.report,
     }
 
 
@@ -101,7 +99,7 @@ def excitation_plot(
     *,
     ax: Any = None,
 ) -> np.ndarray:
-    """Draw what can be learned along time, and what least.
+    """Draw the excitation along time and the least excited direction.
 
     Parameters
     ----------
@@ -133,55 +131,52 @@ def excitation_plot(
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 60})
     >>> axes = clpt.theory.excitation_plot(scenario, window=20.0)
     """
-    at = gramian(source, window, start)
-    starts, values = sliding_excitation(source, at.window)
+    excitation = gramian(source, window, start)
+    starts, values = sliding_excitation(source, excitation.window)
     axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
-    for column, axis in enumerate(at.names):
-        _eigenvalues(axes[0, column], starts, values[axis], at, axis)
-        _direction(axes[1, column], at, axis)
+    for (top, bottom), axis in zip(axes.T, excitation.names, strict=True):
+        _draw_eigenvalues(top, starts, values[axis], excitation, axis)
+        _draw_direction(bottom, excitation, axis)
+        bottom.set(ylim=(-1.6, 1.15), yticks=[-1, -0.5, 0, 0.5, 1], axisbelow=True)
     axes[0, 0].set_ylabel(r"eigenvalue of $\int w w^T dt$")
     axes[1, 0].set_ylabel("component")
-    axes[0, 0].legend(
-        fontsize=8, frameon=False, ncols=3, loc="lower left", bbox_to_anchor=(0, 1.1)
-    )
-    axes[1, 1].legend(fontsize=8, frameon=False, loc="lower left")
-    for one in axes[1]:
-        one.set_ylim(-1.6, 1.15)
-        one.set_axisbelow(True)
-        one.set_yticks([-1, -0.5, 0, 0.5, 1])
+    legend: dict[str, Any] = {"fontsize": 8, "frameon": False, "loc": "lower left"}
+    axes[0, 0].legend(ncols=3, bbox_to_anchor=(0, 1.1), **legend)
+    axes[1, 1].legend(**legend)
     return axes
 
 
-def _eigenvalues(
-    ax: "Axes", starts: np.ndarray, values: np.ndarray, at: Excitation, axis: str
+def _draw_eigenvalues(
+    ax: "Axes",
+    starts: np.ndarray,
+    values: np.ndarray,
+    excitation: Excitation,
+    axis: str,
 ) -> None:
+    """Draw the eigenvalues of one axis in the sliding window."""
     values = np.maximum(values, LOWEST * values.max())
     ax.semilogy(starts, values[:, 1:-1], ".-", color=GREY, linewidth=0.7, markersize=1)
     rows = ((-1, RED, r"$\kappa_2$, largest"), (0, BLUE, r"$\kappa_1$, smallest"))
     for k, color, label in rows:
         ax.semilogy(starts, values[:, k], ".-", color=color, markersize=3, label=label)
-    ax.axvline(
-        at.start, color="black", linestyle=":", linewidth=1.0, label="window below"
-    )
-    ax.set_xlabel(f"start of the window ({at.time_unit})")
-    ax.set_title(f"{axis}: window of {at.window:g} {at.time_unit}", **TITLE)
+    style: dict[str, Any] = {"color": "black", "linestyle": ":", "linewidth": 1.0}
+    ax.axvline(excitation.start, label="window below", **style)
+    unit = excitation.time_unit
+    ax.set_xlabel(f"start of the window ({unit})")
+    ax.set_title(f"{axis}: window of {excitation.window:g} {unit}", **TITLE)
 
 
-def _direction(ax: "Axes", at: Excitation, axis: str) -> None:
-    least = at.least_excited[axis]
-    shares = np.linalg.norm(at.identifiable[axis], axis=1)
-    ax.bar(
-        [*least],
-        [*least.values()],
-        width=0.55,
-        color=BLUE,
-        label="least excited direction",
-    )
-    ax.plot([*least], shares, "D", color=RED, markersize=5, label="learnable share")
+def _draw_direction(ax: "Axes", excitation: Excitation, axis: str) -> None:
+    """Draw the least excited direction and the identifiable shares of one axis."""
+    components = excitation.least_excited[axis]
+    names = [*components]
+    label = "least excited direction"
+    ax.bar(names, [*components.values()], width=0.55, color=BLUE, label=label)
+    shares = np.linalg.norm(excitation.identifiable[axis], axis=1)
+    ax.plot(names, shares, "D", color=RED, markersize=5, label="learnable share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)
-    ax.set_title(
-        rf"{axis}: $\kappa_1$ = {at.eigenvalues[axis][0]:.3g}, "
-        f"{at.start:.4g} to {at.start + at.window:.4g} {at.time_unit}",
-        **TITLE,
-    )
+    start, end = excitation.start, excitation.start + excitation.window
+    kappa = excitation.eigenvalues[axis][0]
+    span = f"{start:.4g} to {end:.4g} {excitation.time_unit}"
+    ax.set_title(rf"{axis}: $\kappa_1$ = {kappa:.3g}, {span}", **TITLE)

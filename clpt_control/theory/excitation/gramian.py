@@ -2,29 +2,15 @@
 
     kappa_2 I > int_t^{t+T} w(s) w(s)^T ds > kappa_1 I            Definition 3.1
 
-Axis by axis the joint regressor is w = [phi(x), z_i, zc_i], of Eq. (31).  The
-integral is not divided by the window.  Its eigenvalues say how well the
-parameters of that axis can be told apart on this track; w holds z, which
-depends on the learner, so a Gramian belongs to the trajectory it came from.
+The joint regressor of an axis is w = [phi(x), z_i, zc_i], Eq. (31).  The eigenvalues of its
+Gramian measure the identifiability of the parameters on this trajectory.  The Gramian is stored
+as a triangular factor R, R^T R, from the QR factors of sqrt(weight) w^T, so that an eigenvalue of
+1e-21 keeps its digits next to one of 1e3.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i),
+Eqs. (1), (3), (7) give w^T c_i = x_i' + KD_i e_i and so the ceiling
 
-A Gramian is kept as a triangular factor R, Gramian = R^T R, R from the QR factors of
-sqrt(weight) w^T: so an eigenvalue of 1e-21 keeps its digits beside one of 1e3.
+    kappa_1 <= int (x_i' + KD_i e_i)^2 dt / |c_i|^2
 
-There is a ceiling.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i) Eqs. (1), (3), (7) say
-
-    w^T c_i = x_i' + KD_i e_i,    so    kappa_1 <= int (x_i' + KD_i e_i)^2 dt / |c_i|^2
-
-which where e = 0 is how far the vehicle moves: one that waits teaches nothing.
-
-Of a team all vehicles share the flow parameters of an axis; K_i and Gamma_i are each vehicle's own:
-
-    G = sum_m int w_m w_m^T dt,    w_m = [phi(x_m), 0, ..., z_i, zc_i of m, ..., 0]
-
-so that its flow part is sum_m int phi(x_m) phi(x_m)^T dt.  Where the gains are held only the flow
-part counts, of each vehicle and of the team.
-
-Persistent excitation asks for kappa_1 > 0 for all t; `sliding_excitation` takes a window along a
-run, and where the smallest eigenvalue falls to zero, the track stops teaching.
+The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
 from dataclasses import dataclass, field
@@ -48,11 +34,21 @@ from .regressor import (
     system_of,
 )
 
-NOT_LEARNABLE = 1e-9  # eigenvalues below this share of the largest say: not learnable
-LETTERS = 250  # of one sentence
-MOST = 100  # functions of a basis whose track is judged beside other work
-# a parameter belongs to a subspace if its unit vector has this length in it
-INVOLVED = 0.05
+AXES = ("x1", "x2")
+REPORTED = (
+    "window",
+    "start",
+    "time_unit",
+    "trajectory",
+    "ceilings",
+    "least_excited",
+    "dimension",
+    "not_learnable",
+)
+NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
+INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
+MAX_LETTERS = 250  # of a summary sentence
+MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
 @dataclass(frozen=True)
@@ -61,58 +57,42 @@ class Excitation:
 
     start: float  # of the window, units.time
     window: float  # its length
-    trajectory: str  # which one it was measured on
+    trajectory: str  # description of the trajectory
     time_unit: str
     names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    # axis -> c; none with a field
-    truth: dict[str, np.ndarray] = field(default_factory=dict)
-    # of a team, each alone
-    vehicles: dict[str, "Excitation"] = field(default_factory=dict)
+    truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c, if known
+    vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team
 
     def __repr__(self) -> str:
-        learnable = ", ".join(
-            f"{axis} {n} of {len(self.names[axis])}"
-            for axis, n in self.dimension.items()
-        )
-        return f"<Excitation {self._when()}: can be learned {learnable}>"
+        learnable = [f"{axis} {count}" for axis, count in self._counts().items()]
+        return f"<Excitation {self._span()}: can be learned {', '.join(learnable)}>"
 
     def _repr_html_(self) -> str:
-        rows = [
-            (
-                f"{name} {axis}",
-                f"{values[0]:.4g}",
-                f"{values[-1]:.4g}",
-                one.dimension[axis],
-            )
-            for name, one in {**self.vehicles, "": self}.items()
-            for axis, values in one.eigenvalues.items()
-        ]
+        rows = []
+        for name, excitation in {**self.vehicles, "": self}.items():
+            for axis, values in excitation.eigenvalues.items():
+                extremes = [f"{values[k]:.4g}" for k in (0, -1)]
+                rows.append((f"{name} {axis}", *extremes, excitation.dimension[axis]))
         table = facts(rows, ("", "smallest eigenvalue", "largest", "can be learned"))
-        said = [*self.not_learnable, f"Measured: {self.trajectory}."]
-        return fragment("Excitation", self._when(), table, paragraphs(said))
+        sentences = [*self.not_learnable, f"Measured: {self.trajectory}."]
+        return fragment("Excitation", self._span(), table, paragraphs(sentences))
 
     @property
     def report(self) -> dict[str, Any]:
-        """What JSON says of it."""
-        names = (
-            "window",
-            "start",
-            "time_unit",
-            "trajectory",
-            "ceilings",
-            "least_excited",
-        )
-        found = {
-            name: getattr(self, name) for name in (*names, "dimension", "not_learnable")
+        """Entries of a JSON report."""
+        values = {axis: array.tolist() for axis, array in self.eigenvalues.items()}
+        return {name: getattr(self, name) for name in REPORTED} | {
+            "eigenvalues": values
         }
-        eigenvalues = {
-            axis: values.tolist() for axis, values in self.eigenvalues.items()
-        }
-        return found | {"eigenvalues": eigenvalues}
 
-    def _when(self) -> str:
+    def _span(self) -> str:
+        """Return the window as text."""
         return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
+
+    def _counts(self) -> dict[str, str]:
+        """Return the dimension of each axis out of its number of parameters."""
+        return {a: f"{n} of {len(self.names[a])}" for a, n in self.dimension.items()}
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
@@ -122,7 +102,7 @@ class Excitation:
     @property
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, from kappa_1 to kappa_2."""
-        return {axis: sizes[::-1] ** 2 for axis, (_, sizes, _) in self._spectra.items()}
+        return {axis: values for axis, (values, _) in self._spectra.items()}
 
     @property
     def smallest(self) -> float:
@@ -132,25 +112,23 @@ class Excitation:
     @property
     def directions(self) -> dict[str, np.ndarray]:
         """Unit eigenvectors as columns, in the order of the eigenvalues."""
-        return {axis: rows[::-1].T for axis, (_, _, rows) in self._spectra.items()}
+        return {axis: vectors for axis, (_, vectors) in self._spectra.items()}
 
     @property
     def least_excited(self) -> dict[str, dict[str, float]]:
         """Unit eigenvector of the smallest eigenvalue, by parameter name."""
-        found = {}
+        components = {}
         for axis, vectors in self.directions.items():
-            vector = vectors[:, 0] * np.sign(
-                vectors[np.argmax(np.abs(vectors[:, 0])), 0]
-            )
-            found[axis] = dict(zip(self.names[axis], map(float, vector), strict=True))
-        return found
+            vector = vectors[:, 0]
+            vector = vector * np.sign(vector[np.argmax(np.abs(vector))])
+            components[axis] = dict(zip(self.names[axis], vector.tolist(), strict=True))
+        return components
 
     @property
     def identifiable(self) -> dict[str, np.ndarray]:
-        """Orthonormal basis of what can be learned, (N + 2, dimension)."""
-        return {
-            axis: self.directions[axis][:, ~idle] for axis, idle in self._idle().items()
-        }
+        """Orthonormal basis of the identifiable subspace, (N + 2, dimension)."""
+        idle = self._idle()
+        return {axis: self.directions[axis][:, ~idle[axis]] for axis in idle}
 
     @property
     def dimension(self) -> dict[str, int]:
@@ -159,7 +137,7 @@ class Excitation:
 
     @property
     def ceilings(self) -> dict[str, float]:
-        """Upper bounds of the smallest eigenvalue where the vehicle moves so, by axis."""
+        """Upper bounds of the smallest eigenvalue for this motion of the vehicle, by axis."""
         return {
             axis: float(np.sum((self.factors[axis] @ c) ** 2) / np.sum(c**2))
             for axis, c in self.truth.items()
@@ -167,72 +145,69 @@ class Excitation:
 
     @property
     def not_learnable(self) -> list[str]:
-        """Sentences that name what cannot be learned on this track.
+        """Sentences that name the parameters that cannot be learned on this track.
 
-        A parameter whose own direction is not excited is named alone; those that are excited in
-        combinations only are named together.
+        A parameter whose own direction is not excited has its own sentence; parameters that are
+        excited in combinations only share one.
         """
         sentences = []
         for axis, idle in self._idle().items():
-            lean = np.linalg.norm(self.directions[axis][:, idle], axis=1)
-            alone, names = lean > np.sqrt(1 - INVOLVED**2), np.array(self.names[axis])
-            sentences += [
-                f"{name} is not learnable on this track" for name in names[alone]
-            ]
-            if mixed := names[(lean > INVOLVED) & ~alone].tolist():
-                listed = (
-                    ", ".join(mixed[:-1]) + f" and {mixed[-1]}"
-                    if mixed[1:]
-                    else mixed[0]
-                )
-                sentences.append(f"{listed} are not learnable one by one on this track")
+            length = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            single = length > np.sqrt(1 - INVOLVED**2)
+            names = np.array(self.names[axis])
+            sentences += [f"{n} is not learnable on this track" for n in names[single]]
+            if mixed := names[(length > INVOLVED) & ~single].tolist():
+                joined = ", ".join(mixed[:-1])
+                joined = f"{joined} and {mixed[-1]}" if joined else mixed[0]
+                sentences.append(f"{joined} are not learnable one by one on this track")
         return sentences
 
     @property
     def in_one_sentence(self) -> str:
-        """What cannot be learned on this track, in one sentence; "" where all can."""
+        """Summary of `not_learnable`; "" if every parameter is learnable."""
         if not self.not_learnable:
             return ""
-        counts = [
-            f"{n} of {len(self.names[axis])} along {axis}"
-            for axis, n in self.dimension.items()
-        ]
-        whole = (
+        counts = [f"{count} along {axis}" for axis, count in self._counts().items()]
+        sentence = (
             f"of the combinations of parameters this track teaches {', '.join(counts)}: "
             f"{'; '.join(self.not_learnable)}"
         )
-        return shorten(whole, LETTERS, placeholder=" ... (`clpt excitation` names all)")
+        ending = " ... (`clpt excitation` names all)"
+        return shorten(sentence, MAX_LETTERS, placeholder=ending)
 
     @cached_property
-    def _spectra(self) -> dict[str, Any]:
-        return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
+    def _spectra(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+        """Return rising eigenvalues and the eigenvectors of each axis."""
+        spectra = {}
+        for axis, R in self.factors.items():
+            _, singular_values, rows = np.linalg.svd(R)
+            spectra[axis] = singular_values[::-1] ** 2, rows[::-1].T
+        return spectra
 
     def _idle(self) -> dict[str, np.ndarray]:
-        return {
-            a: values <= NOT_LEARNABLE * values[-1]
-            for a, values in self.eigenvalues.items()
-        }
+        """Return the eigenvalues of each axis that count as zero, as a mask."""
+        values = self.eigenvalues
+        return {axis: v <= NOT_LEARNABLE * v[-1] for axis, v in values.items()}
 
 
 def parameter_names(N: int) -> dict[str, list[str]]:
     """Return the N + 2 names of each axis's parameters, numbered from 1."""
     return {
-        f"x{i}": [f"theta_{i}[{k}]" for k in range(1, N + 1)] + [f"K_{i}", f"Gamma_{i}"]
+        f"x{i}": [*(f"theta_{i}[{k + 1}]" for k in range(N)), f"K_{i}", f"Gamma_{i}"]
         for i in (1, 2)
     }
 
 
-def weighted(along: Regressor) -> np.ndarray:
-    """Return the rows of which the Gramian of each axis is made, (2, pieces, nodes, N + 2)."""
-    return np.sqrt(along.weights)[..., None] * along.w
+def weighted(regressor: Regressor) -> np.ndarray:
+    """Return the rows of each axis's Gramian, (2, pieces, nodes, N + 2)."""
+    return np.sqrt(regressor.weights)[..., None] * regressor.w
 
 
 def factor(rows: np.ndarray) -> np.ndarray:
     """Return R (n, n), R^T R the Gramian of rows (..., n)."""
     n = rows.shape[-1]
-    return np.asarray(
-        np.linalg.qr(np.vstack([np.zeros((n, n)), rows.reshape(-1, n)]), mode="r")
-    )
+    padded = np.vstack([np.zeros((n, n)), rows.reshape(-1, n)])
+    return np.asarray(np.linalg.qr(padded, mode="r"))
 
 
 @public
@@ -296,8 +271,8 @@ def gramian(
     Excitation
         By axis, ``"x1"`` and ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1,
         `eigenvalues` (ascending), `least_excited` (parameter name -> component), `identifiable`
-        and its `dimension`; `not_learnable` are sentences. Of a team it is the pooled Gramian;
-        `vehicles`, by name, has each alone. Where its gains are held, of the flow parameters.
+        and its `dimension`; `not_learnable` are sentences. The Gramian of a team is pooled, and
+        `vehicles` has each vehicle's by name. If gains are fixed, it has the flow parameters only.
 
     Raises
     ------
@@ -314,55 +289,61 @@ def gramian(
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
     """
-    along = (
-        {"": source}
-        if isinstance(source, Regressor)
-        else joint_regressors(source, window, start)
-    )
-    one = next(iter(along.values()))
-    N, names = one.scenario.basis.N, parameter_names(one.scenario.basis.N)
-    if "" in along:
-        truth = {} if one.python_parts else _truth(one.scenario)
-        return _excitation(one, names, weighted(one), truth)
-    adapted = slice(None if one.scenario.learning.adapt_gains else N)
-    names = {axis: own[adapted] for axis, own in names.items()}
-    rows = {name: weighted(own)[..., adapted] for name, own in along.items()}
-    vehicles = {
-        name: _excitation(along[name], names, own) for name, own in rows.items()
+    regressors = joint_regressors(source, window, start)
+    if "" not in regressors:
+        return _team_excitation(regressors)
+    regressor = regressors[""]
+    truth = {} if regressor.python_parts else _truth(regressor.scenario)
+    names = parameter_names(regressor.scenario.basis.N)
+    return _excitation(regressor, names, weighted(regressor), truth=truth)
+
+
+def _team_excitation(regressors: dict[str, Regressor]) -> Excitation:
+    """Return the pooled excitation of a team, with each vehicle's."""
+    regressor = next(iter(regressors.values()))
+    N = regressor.scenario.basis.N
+    gains = 2 if regressor.scenario.learning.adapt_gains else 0
+    names = {axis: labels[: N + gains] for axis, labels in parameter_names(N).items()}
+    vehicles = {}
+    pooled = []
+    for k, (name, single) in enumerate(regressors.items()):
+        rows = weighted(single)[..., : N + gains]
+        vehicles[name] = _excitation(single, names, rows)
+        # the vehicle's gains have columns of their own
+        wide = np.zeros((*rows.shape[:-1], N + gains * len(regressors)))
+        wide[..., :N] = rows[..., :N]
+        wide[..., N + gains * k : N + gains * (k + 1)] = rows[..., N:]
+        pooled.append(wide)
+    team_names = {
+        axis: labels[:N] + [f"{g} of {name}" for name in regressors for g in labels[N:]]
+        for axis, labels in names.items()
     }
-    gains, wide = len(names["x1"]) - N, list[np.ndarray]()
-    for k, own in enumerate(rows.values()):
-        # its gains in their columns among all vehicles'
-        wide.append(np.zeros((*own.shape[:-1], N + gains * len(along))))
-        wide[k][..., :N] = own[..., :N]
-        wide[k][..., N + gains * k : N + gains * (k + 1)] = own[..., N:]
-    names = {
-        axis: own[:N] + [f"{gain} of {name}" for name in along for gain in own[N:]]
-        for axis, own in names.items()
-    }
-    pooled = [np.concatenate([own[axis] for own in wide]) for axis in range(2)]
-    return _excitation(one, names, pooled, vehicles=vehicles)
+    rows = np.concatenate(pooled, axis=1)
+    return _excitation(regressor, team_names, rows, vehicles=vehicles)
 
 
 def _excitation(
-    along: Regressor, names: dict[str, list[str]], rows: Any, *more: Any, **also
+    regressor: Regressor, names: dict[str, list[str]], rows: np.ndarray, **fields: Any
 ) -> Excitation:
-    """Return the excitation of parameters by axis, of the rows of Gramians (2, ..., n)."""
-    first, last = along.cuts[[0, -1]].tolist()
+    """Return the excitation of named parameters from the rows (2, ..., n) of their Gramians."""
+    start, end = regressor.cuts[[0, -1]].tolist()
+    unit = regressor.scenario.units.time
     factors = dict(zip(names, map(factor, rows), strict=True))
-    where = first, last - first, along.trajectory, along.scenario.units.time
-    return Excitation(*where, names, factors, *more, **also)
+    window = end - start
+    return Excitation(
+        start, window, regressor.trajectory, unit, names, factors, **fields
+    )
 
 
 def not_learned(source: Source) -> str:
-    """Return in one sentence what a cycle of the track cannot teach; "" where it teaches all.
+    """Return a sentence on the parameters that a cycle of the track cannot identify.
 
-    It is empty too of a team, and where that is not known: of a recorded run with fixes, of a
-    learner that leaves its field, of more than 100 functions, which take longer than the run.
+    The sentence is empty if all are identifiable, and for a team, a recorded run with fixes, a
+    learner that leaves its field, and more than 100 functions, which take longer than the run.
     """
     try:
         system = system_of(source)
-        if not isinstance(system, Scenario) or system.basis.N > MOST:
+        if not isinstance(system, Scenario) or system.basis.N > MAX_FUNCTIONS:
             return ""
         return gramian(source).in_one_sentence
     except ClptError:
@@ -370,32 +351,31 @@ def not_learned(source: Source) -> str:
 
 
 def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return c of each axis, w^T c = x' + KD e; none where something else moves the vehicle."""
-    car, theta = scenario.vehicle, scenario.flow.parameters
-    else_moved = car.max_speed, scenario.flow.disturbance, scenario.localization
-    if theta is None or any(one is not None for one in else_moved):
+    """Return c of each axis, w^T c = x' + KD e, unless another force moves the vehicle."""
+    vehicle, theta = scenario.vehicle, scenario.flow.parameters
+    forces = vehicle.max_speed, scenario.flow.disturbance, scenario.localization
+    if theta is None or any(force is not None for force in forces):
         return {}
     flow = np.array(theta) - np.array(scenario.model_parameters)
-    c = np.column_stack([flow, -np.array(car.feedback), np.array(car.feedforward)])
-    return {axis: row for axis, row in zip(("x1", "x2"), c, strict=True) if row.any()}
+    feedback, feedforward = np.array(vehicle.feedback), np.array(vehicle.feedforward)
+    c = np.column_stack([flow, -feedback, feedforward])
+    return {axis: row for axis, row in zip(AXES, c, strict=True) if row.any()}
 
 
 def sliding_excitation(
     source: Source, window: float, count: int = 100
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return starts of a window that slides over a run, evenly, and the eigenvalues in it.
-
-    Of each axis they are (count, N + 2), ascending.
-    """
-    first, last = span_of(source)
-    starts = np.unique(np.linspace(first, max(first, last - window), count))
-    along = joint_regressor(
-        source, last - first, first, np.concatenate([starts, starts + window])
-    )
-    left = np.searchsorted(along.cuts, starts - 1e-9 * window)
-    right = np.searchsorted(along.cuts, starts + window * (1 - 1e-9))
-    found = {}
-    for axis, pieces in zip(("x1", "x2"), weighted(along), strict=True):
-        whole = [factor(pieces[a:b]) for a, b in zip(left, right, strict=True)]
-        found[axis] = np.linalg.svd(whole, compute_uv=False)[:, ::-1] ** 2
-    return starts, found
+    """Return starts of a sliding window and the eigenvalues of each axis, (count, N + 2)."""
+    begin, end = span_of(source)
+    starts = np.unique(np.linspace(begin, max(begin, end - window), count))
+    edges = np.concatenate([starts, starts + window])
+    regressor = joint_regressor(source, end - begin, begin, edges)
+    tolerance = 1e-9 * window
+    from_piece = np.searchsorted(regressor.cuts, starts - tolerance)
+    to_piece = np.searchsorted(regressor.cuts, starts + window - tolerance)
+    slices = [slice(*pair) for pair in zip(from_piece, to_piece, strict=True)]
+    eigenvalues = {}
+    for axis, rows in zip(AXES, weighted(regressor), strict=True):
+        factors = [factor(rows[piece]) for piece in slices]
+        eigenvalues[axis] = np.linalg.svd(factors, compute_uv=False)[:, ::-1] ** 2
+    return starts, eigenvalues

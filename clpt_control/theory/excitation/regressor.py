@@ -1,19 +1,13 @@
-"""The joint regressor along a trajectory, Eq. (31), at the nodes of a quadrature.
+"""Joint regressor along a trajectory, Eq. (31), at Gauss-Legendre nodes.
 
     w = [phi(x), z_i, zc_i],    axis i = 1, 2                                Eq. (31)
     [e_i, eta_i]' = A_i(t) [e_i, eta_i],    A_i = [[-k, w^T], [-gamma w, 0]],    k = KD_i
     eta_i = [theta_i + alpha_i, K_i - KD_i, GammaD_i - Gamma_i]              Eq. (28)
 
-The latter is what the blocks `error_system` and `parameter_system` are, whose two axes do not meet;
-a test asks that.
-
-A scenario is simulated to the very nodes; a recorded run is read between its samples.  Between two
-switches of the waypoint a spline of degree 5 joins the samples of a position: it is
-continuous at a switch, with a kink there.  zc and the tides are the scenario's own, so that
-jumps are exact.  On the paper's scenario, started true, eigenvalues of the Gramian over a cycle
-are then within 0.2 % at samples each 1 s and 1e-6 at each 0.2 s; in the first cycle of a run
-started at zero, where the learner oscillates, within 16 % and 2e-5.  For any run, `thinned`
-shows what changes when every second sample is left out.
+A scenario is simulated at the nodes.  A recorded run is interpolated by splines of degree 5
+between the switches of the waypoint; zc and the tides are those of the scenario.  On the paper's
+scenario, started true, samples each 1 s give the eigenvalues of the Gramian within 0.2 %, samples
+each 0.2 s within 1e-6.
 """
 
 from collections.abc import Mapping
@@ -37,19 +31,25 @@ if TYPE_CHECKING:
     import xarray
 
 DEGREE = 5
-OF_W = {"reference", "basis_x"}  # blocks that make w beside x and z
-PLACES = ("position", "predicted_position")
+REGRESSOR_BLOCKS = {"reference", "basis_x"}  # whose outputs w contains
+POSITION = "position"
+PREDICTED = "predicted_position"
+PYTHON_PARTS = {
+    OWN_LAW: "the law",
+    OWN_PARTS: "parts given in Python,",
+    CHANGED: "parameters",
+}
 Source = Union[Scenario, "xarray.Dataset"]
 AnySource = Union[Scenario, Team, "xarray.Dataset"]  # of one vehicle or several
 
 
 def system_of(source: AnySource) -> Scenario | Team:
-    """Return a scenario or team, or that which a run carries in its attributes."""
+    """Return a scenario or team, or that of a recorded run."""
     if isinstance(source, Scenario | Team):
         return source
     system = system_of_run(source)
-    check_run(source, system, "time", *PLACES)
-    if unknown := OF_W & unknown_parts(source):
+    check_run(source, system, "time", POSITION, PREDICTED)
+    if unknown := REGRESSOR_BLOCKS & unknown_parts(source):
         raise DataError(
             f"the run was made with a {unknown.pop()} that its scenario does not hold, so the "
             "regressor along it is not known; give a run of the scenario's own"
@@ -58,12 +58,12 @@ def system_of(source: AnySource) -> Scenario | Team:
 
 
 def members_of(system: Scenario | Team) -> Mapping[str, Scenario]:
-    """Return the scenario of each vehicle by name; "" is that of one alone."""
+    """Return the scenario of each vehicle by name, "" for a single vehicle."""
     return {"": system} if isinstance(system, Scenario) else system.members
 
 
 def span_of(source: AnySource) -> tuple[float, float]:
-    """Return the first and last time of a run; a scenario's starts at 0."""
+    """Return the start and end of a run."""
     if isinstance(source, Scenario | Team):
         return 0.0, float(source.run.duration)
     if source.sizes.get("time", 0) < 2:
@@ -71,101 +71,94 @@ def span_of(source: AnySource) -> tuple[float, float]:
     return float(source.time[0]), float(source.time[-1])
 
 
-def thinned(run: "xarray.Dataset") -> "xarray.Dataset":
-    """Return a run without every second sample; the first and last stay."""
-    last = run.sizes["time"] - 1
-    thin = run.isel(time=np.unique([*range(0, last + 1, 2), last]))
-    thin.encoding.update(run.encoding)
-    return thin
-
-
 def positions_between(
     t: np.ndarray, x: np.ndarray, dwell: float, times: np.ndarray
 ) -> np.ndarray:
-    """Return positions x (nt, 2) between their samples t, (pieces, nodes, 2).
+    """Return positions x (nt, 2), sampled at t, at times (pieces, nodes) -> (pieces, nodes, 2).
 
-    Each row of the times lies within one dwell, whose samples a spline joins.
+    Each piece lies within one dwell; one spline joins the samples of a dwell.
     """
     from scipy.interpolate import make_interp_spline
 
-    number = np.floor(times.mean(1) / dwell).astype(int)
-    found = np.empty((*times.shape, 2))
-    for j in np.unique(number):
-        near = 1e-9 * dwell
-        inside = np.flatnonzero((t >= j * dwell - near) & (t <= (j + 1) * dwell + near))
-        if len(inside) < 2:  # fewer samples than switches: what can be done with them
-            last = int(np.clip(np.searchsorted(t, (j + 0.5) * dwell), 1, len(t) - 1))
-            inside = np.array([last - 1, last])
-        k = min(DEGREE, len(inside) - 1)
-        spline = make_interp_spline(t[inside], x[inside], k - (k + 1) % 2)
-        found[number == j] = spline(times[number == j])
-    return found
+    dwells = np.floor(times.mean(1) / dwell).astype(int)
+    positions = np.empty((*times.shape, 2))
+    tolerance = 1e-9 * dwell
+    for j in np.unique(dwells):
+        begin = np.searchsorted(t, j * dwell - tolerance)
+        end = np.searchsorted(t, (j + 1) * dwell + tolerance)
+        if end - begin < 2:  # fewer samples than switches
+            end = 1 + int(np.clip(np.searchsorted(t, (j + 0.5) * dwell), 1, len(t) - 1))
+            begin = end - 2
+        degree = min(DEGREE, end - begin - 1)
+        degree -= 1 - degree % 2
+        spline = make_interp_spline(t[begin:end], x[begin:end], degree)
+        positions[dwells == j] = spline(times[dwells == j])
+    return positions
 
 
 NODES = 16  # Gauss-Legendre nodes of a piece: exact to degree 31
-MOST_PIECES = 1e6  # of a window
-SHORTEST = 1e-9  # window, of a run: times that rounding tells apart
-# of the largest w: its last coefficients; how often pieces are cut
-ROUGH, ROUNDS = (1e-6, 5)
+MAX_PIECES = 1e6
+SHORTEST = 1e-9  # window, share of the run
+ROUGH = 1e-6  # last Legendre coefficients of a piece, share of the largest w
+REFINEMENTS = 5
 TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 
 @dataclass(frozen=True)
 class Regressor:
-    """w at the nodes of a quadrature."""
+    """Joint regressor at the nodes of a quadrature."""
 
     scenario: Scenario  # for names, gains and the law
-    trajectory: str  # how it was made; w holds z, which depends on the learner
-    # (pieces + 1,), edges of the pieces, units.time; every switch is one
-    cuts: np.ndarray
+    trajectory: str  # its description; w contains z, which depends on the learner
+    cuts: np.ndarray  # (pieces + 1,), units.time; every switch is a cut
     weights: np.ndarray  # (pieces, NODES)
     w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
-    python_parts: str = ""  # what a recorded run has that its scenario does not hold
+    python_parts: str = ""  # parts of a recorded run that its scenario does not contain
 
 
-# A quadrature: cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
-Nodes = tuple[np.ndarray, np.ndarray, np.ndarray]
+# cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
+Quadrature = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def quadrature(
     scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
-) -> Nodes:
+) -> Quadrature:
     """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
-    No node lies on a switch: pieces end at each and at `edges`, and are no longer than half a
-    period of the fastest tide and ten time constants of the vehicle.
+    Pieces end at each switch and at `edges`.  They are at most half a period of the fastest tide
+    and ten time constants of the vehicle long.
     """
     dwell = scenario.reference.dwell
     tides = scenario.periods[np.isfinite(scenario.periods)] / 2
     longest = min([dwell, TRANSIENT / max(scenario.vehicle.feedback), *tides])
-    if (end - start) / longest > MOST_PIECES:
+    if (end - start) / longest > MAX_PIECES:
         raise ScenarioError(
             f"window {end - start:g}: takes {(end - start) / longest:.0e} pieces of {longest:.1g} "
             f"{scenario.units.time}, the shortest of reference.dwell, half a tide and "
-            f"{TRANSIENT:g}/vehicle.feedback; at most {MOST_PIECES:.0e} are allowed"
+            f"{TRANSIENT:g}/vehicle.feedback; at most {MAX_PIECES:.0e} are allowed"
         )
-    inner = np.concatenate(
-        [multiples(dwell, start, end), [] if edges is None else edges]
-    )
-    spans = {} if scenario.localization is None else scenario.localization.spans
-    inner = np.concatenate(
-        [inner, *(multiples(span, start, end) for span in spans.values())]
-    )
-    near = 1e-9 * min(longest, end - start)
-    inner = np.sort(inner[(inner > start + near) & (inner < end - near)])
-    ends = start, *inner[np.diff(inner, prepend=start) > near], end
+    # Step 1: cuts at the switches, the fixes and the edges
+    spans = [dwell]
+    if scenario.localization is not None:
+        spans += scenario.localization.spans.values()
+    inner = [multiples(span, start, end) for span in spans]
+    inner = np.sort(np.concatenate([*inner, [] if edges is None else edges]))
+    tolerance = 1e-9 * min(longest, end - start)
+    inner = inner[(inner > start + tolerance) & (inner < end - tolerance)]
+    ends = start, *inner[np.diff(inner, prepend=start) > tolerance], end
+    # Step 2: equal pieces between two cuts
     pieces = [
         np.linspace(a, b, int(np.ceil((b - a) / longest * (1 - 1e-12))) + 1)[:-1]
         for a, b in pairwise(ends)
     ]
     cuts = np.append(np.concatenate(pieces), end)
     node, weight = np.polynomial.legendre.leggauss(NODES)
-    half = np.diff(cuts)[:, None] / 2
-    return cuts, cuts[:-1, None] + half * (1 + node), half * weight
+    radius = np.diff(cuts)[:, None] / 2
+    return cuts, cuts[:-1, None] + radius * (1 + node), radius * weight
 
 
 def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
-    """Return which waypoint the vehicle holds in each piece between cuts, (pieces,)."""
+    """Return the index of the waypoint in each piece between cuts, (pieces,)."""
     dwell, count = scenario.reference.dwell, len(scenario.waypoints)
     return np.floor((cuts[:-1] + cuts[1:]) / 2 / dwell).astype(int) % count
 
@@ -173,122 +166,128 @@ def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
 def checked_window(
     source: AnySource, window: float | None, start: float | None
 ) -> tuple[float, float]:
-    """Return the window's length and start; by default the second cycle, or as late as fits."""
-    first, last = span_of(source)
+    """Return the window's length and start, by default the second cycle, or as late as fits."""
+    begin, end = span_of(source)
     members = members_of(system_of(source)).values()
-    cycle, time = max(one.cycle for one in members), next(iter(members)).units.time
-    window = float(min(cycle, last - first) if window is None else window)
+    cycle = max(scenario.cycle for scenario in members)
+    window = float(min(cycle, end - begin) if window is None else window)
     if start is None:
-        start = max(first, min(first + cycle, last - window))
+        start = max(begin, min(begin + cycle, end - window))
     start = float(start)
-    least = SHORTEST * (last - first)
-    if not (
-        least < window < np.inf
-        and start >= first
-        and start + window <= last * (1 + 1e-12)
-    ):
+    shortest = SHORTEST * (end - begin)
+    inside = start >= begin and start + window <= end * (1 + 1e-12)
+    if not (shortest < window < np.inf and inside):
         raise ScenarioError(
             f"window {window:g} from {start:g}: must be positive and lie within the run, "
-            f"{first:g} to {last:g} {time}; at least {least:.0e} long"
+            f"{begin:g} to {end:g} {next(iter(members)).units.time}; at least {shortest:.0e} long"
         )
     return window, start
 
 
-def joint_regressor(source: Source, *where: Any, **how: Any) -> Regressor:
-    """Return w of one vehicle, as `joint_regressors` has it."""
-    found = joint_regressors(source, *where, **how)
-    if "" not in found:
+def joint_regressor(
+    source: Source | Regressor, *args: Any, **options: Any
+) -> Regressor:
+    """Return the joint regressor of one vehicle, as `joint_regressors` does."""
+    regressors_by_name = joint_regressors(source, *args, **options)
+    if "" not in regressors_by_name:
         raise DataError("the run is a team's; clpt.theory.gramian measures a team")
-    return found[""]
+    return regressors_by_name[""]
 
 
 def joint_regressors(
-    source: AnySource,
+    source: AnySource | Regressor,
     window: float | None = None,
     start: float | None = None,
     edges: np.ndarray | None = None,
-    predicted: str = "predicted_position",
+    predicted: str = PREDICTED,
 ) -> dict[str, Regressor]:
-    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, of each vehicle.
+    """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle.
 
-    A scenario is run from its own initial values; a run is read.  Pieces end at `edges` too, and z
-    is the variable `predicted` of a run.
-    Pieces are cut in four where w turns too often in them: there its last Legendre coefficients
-    are not small, as the learner swings within a dwell.
+    Pieces end at `edges` too; z is the variable `predicted` of a run.  A piece with large last
+    Legendre coefficients is cut in four, because the learner oscillates within a dwell.
     """
+    if isinstance(source, Regressor):
+        return {"": source}
     system = system_of(source)
     window, start = checked_window(source, window, start)
     node, weight = np.polynomial.legendre.leggauss(NODES)
-    last = (np.polynomial.legendre.legvander(node, NODES - 1) * weight[:, None])[
-        :, -2:
-    ] * NODES
-    for _ in range(ROUNDS):
+    legendre = np.polynomial.legendre.legvander(node, NODES - 1)
+    last_coefficients = (legendre * weight[:, None])[:, -2:] * NODES
+    for _ in range(REFINEMENTS):
         nodes = {
-            name: quadrature(one, start, start + window, edges)
-            for name, one in members_of(system).items()
+            name: quadrature(scenario, start, start + window, edges)
+            for name, scenario in members_of(system).items()
         }
-        found = _along(source, system, nodes, (PLACES[0], predicted))
-        ends = []
-        for one in found.values():
-            tails = np.abs(np.swapaxes(one.w, -1, -2) @ last).max(axis=-1)
-            rough = np.any(
-                tails > ROUGH * np.abs(one.w).max(axis=(1, 2))[:, None], axis=(0, 2)
-            )
-            ends.append(
-                np.linspace(one.cuts[:-1][rough], one.cuts[1:][rough], 5)[1:-1].ravel()
-            )
-        if not any(map(len, ends)):
+        result = _sampled(source, system, nodes, predicted)
+        new_cuts = []
+        for regressor in result.values():
+            w, cuts = regressor.w, regressor.cuts
+            tails = np.abs(np.swapaxes(w, -1, -2) @ last_coefficients).max(axis=-1)
+            largest = np.abs(w).max(axis=(1, 2))[:, None]
+            rough = np.any(tails > ROUGH * largest, axis=(0, 2))
+            quarters = np.linspace(cuts[:-1][rough], cuts[1:][rough], 5)
+            new_cuts.append(quarters[1:-1].ravel())
+        if not any(map(len, new_cuts)):
             break
-        edges = np.concatenate([*ends, *(one.cuts for one in found.values())])
-    return found
+        edges = np.concatenate([*new_cuts, *(r.cuts for r in result.values())])
+    return result
 
 
-def _along(
+def _sampled(
     source: AnySource,
     system: Scenario | Team,
-    nodes: dict[str, Nodes],
-    places: tuple[str, ...],
+    nodes: dict[str, Quadrature],
+    predicted: str,
 ) -> dict[str, Regressor]:
-    """Return w of each vehicle at its nodes, to which a scenario is run."""
-    found, parts = dict[str, Regressor](), ""
-    if simulated := isinstance(source, Scenario | Team):
-        times = np.unique(np.concatenate([own.ravel() for _, own, _ in nodes.values()]))
-        run = simulate(system, times)
-        trajectory = "simulated from the initial values"
-        if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
-            raise ScenarioError(
-                f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
-            )
-    else:
-        run, step = source, np.median(np.diff(source.time.values))
-        kinds = {
-            OWN_LAW: "the law",
-            OWN_PARTS: "parts given in Python,",
-            CHANGED: "parameters",
-        }
-        parts = " and ".join(
-            f"{kinds[a]} {run.attrs[a]}" for a in kinds if a in run.attrs
+    """Return w of each vehicle at its nodes, simulated or interpolated."""
+    simulated = isinstance(source, Scenario | Team)
+    python_parts = ""
+    if simulated:
+        run = _simulated(
+            system, np.unique(np.concatenate([t.ravel() for _, t, _ in nodes.values()]))
         )
+        trajectory = "simulated from the initial values"
+    else:
+        run = source
+        named = [
+            f"{PYTHON_PARTS[a]} {run.attrs[a]}" for a in PYTHON_PARTS if a in run.attrs
+        ]
+        python_parts = " and ".join(named)
+        unit = next(iter(members_of(system).values())).units.time
+        step = np.median(np.diff(run.time.values))
+        trajectory = f"recorded run, sampled each {step:g} {unit}"
+    result = {}
+    samples = run.time.values
     for name, scenario in members_of(system).items():
-        (cuts, at, weights), dwell = nodes[name], scenario.reference.dwell
-        of_vehicle = run.sel(vehicle=name) if name else run
-        x, z = (of_vehicle[place].values for place in places)
-        if simulated:
-            x, z = (one[np.searchsorted(run.time.values, at)] for one in (x, z))
-        else:
-            trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-            if scenario.localization is not None and scenario.localization.interval > 0:
-                raise DataError(
-                    "localization.interval: z of a recorded run jumps at fixes, and is not known "
-                    "between samples; give the scenario in place of the run"
-                )
-            x, z = (
-                positions_between(run.time.values, one, dwell, at) for one in (x, z)
+        cuts, times, weights = nodes[name]
+        fixes = scenario.localization
+        if not simulated and fixes is not None and fixes.interval > 0:
+            raise DataError(
+                "localization.interval: z of a recorded run jumps at fixes, and is not known "
+                "between samples; give the scenario in place of the run"
             )
-        zc = scenario.waypoints[waypoint_in(scenario, cuts)]
-        w = w_along(scenario, at, x, z, np.broadcast_to(zc[:, None], z.shape))
-        found[name] = Regressor(scenario, trajectory, cuts, weights, w, parts)
-    return found
+        vehicle = run.sel(vehicle=name) if name else run
+        positions = [vehicle[POSITION].values, vehicle[predicted].values]
+        if simulated:
+            indices = np.searchsorted(samples, times)
+            x, z = (values[indices] for values in positions)
+        else:
+            dwell = scenario.reference.dwell
+            x, z = (positions_between(samples, v, dwell, times) for v in positions)
+        zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
+        w = w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
+        result[name] = Regressor(scenario, trajectory, cuts, weights, w, python_parts)
+    return result
+
+
+def _simulated(system: Scenario | Team, times: np.ndarray) -> "xarray.Dataset":
+    """Return the run at these times, which must reach the last one."""
+    run = simulate(system, times)
+    if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
+        raise ScenarioError(
+            f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
+        )
+    return run
 
 
 @public
