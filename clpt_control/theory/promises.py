@@ -1,19 +1,15 @@
-"""What the laws promise: predicates with their conditions, each checked along a run.
+"""Promises of the laws as predicates with conditions, checked along runs.
 
-A row of the table names its `promises`; here stand their words, conditions and predicates.  The
-number that a predicate returns is above 1 where a run breaks the promise.  They are V' integrated
-over a time:
+A row of the table names its `promises`; this module has their words, conditions and predicates.
+A predicate returns a ratio that is above 1 if a run breaks the promise:
 
     falls          V(t) <= V(s), s <= t
     settles        int e^T KD e <= V(0), so CLPE goes to zero
     mean square    int e^T KD e <= 2 V(0) + int d^T KD^-1 d,    d = F - theta_hat phi
     zone           int D^T KD D <= V(0), D = e - clip(e, -zone, zone)
     exponential    V(t) <= V(s) exp(-2 r(s) (t - s)), r the least of KD and of the pull
-    level          V(t) <= max(V(0), level) under a bounded disturbance
-    balls          norms stay below (1 + layer) times their limits, or where they started
-    shrinks        |eta_ik(t)| <= |eta_ik(s)|
-    estimate       tr(d P^-1 d^T), d = theta_hat - theta, never rises
-    readout        the readout is theta where w <= 1 - margin
+    level, balls   V(t) <= max(V(0), level); norms <= (1 + layer) times their limits
+    shrinks        |eta_ik(t)| <= |eta_ik(s)|;  estimate: tr(d P^-1 d^T) does not rise
 """
 
 from collections.abc import Callable
@@ -29,28 +25,28 @@ from ..scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate
 
-FLOOR = 1e-9  # of what a value started at: what the solver leaves
-QUADRATURE = 1.02  # what sums over samples may be beside integrals
+FLOOR = 1e-9  # share of the initial value: error of the solver
+QUADRATURE = 1.02  # largest ratio of a sum over samples to the integral
 EXACT = 1e-5  # of the largest parameter
-STEPS = 60  # pairs of times
-UNIFORM = 1e8  # times the reach: widths of functions that are the same everywhere
+STEPS = 60  # times that are compared in pairs
+UNIFORM = 1e8  # times the reach: width of a function that is constant
 
 
 @dataclass(frozen=True)
 class LawRun:
-    """A run of a scenario, along which the promises of its law are checked."""
+    """A run of a scenario with the quantities that promises refer to."""
 
     scenario: Scenario
     run: Any = None
 
     @cached_property
     def p(self) -> Any:
-        """The law's parameters."""
+        """Parameters of the law."""
         return self.row.parameters_of(self.scenario.known_to_law)
 
     @property
     def row(self) -> Any:
-        """The law's row."""
+        """Row of the law in the table."""
         return self.scenario.learning.row
 
     @property
@@ -59,35 +55,39 @@ class LawRun:
         return self.run.lyapunov.values
 
     @property
+    def e(self) -> np.ndarray:
+        """CLPE along the run, shape (time, 2)."""
+        return self.run.clpe.values
+
+    @property
     def KD(self) -> np.ndarray:
-        """The vehicle's feedback gains."""
+        """Feedback gains of the vehicle."""
         return np.array(self.scenario.vehicle.feedback)
 
     @property
-    def off(self) -> np.ndarray:
-        """theta_hat - theta, shape (time, 2, N)."""
-        return (
-            self.run.flow_parameters_estimate.values - self.run.flow_parameters.values
-        )
+    def estimate(self) -> np.ndarray:
+        """theta_hat along the run, shape (time, 2, N)."""
+        return self.run.flow_parameters_estimate.values
+
+    @property
+    def error(self) -> np.ndarray:
+        """theta_hat - theta along the run, shape (time, 2, N)."""
+        return self.estimate - self.run.flow_parameters.values
 
     def state(self, name: str) -> np.ndarray:
-        """A matrix of the law, shape (time, n, n)."""
-        own = [
-            str(label).startswith(f"adaptation_{name}[")
-            for label in self.run.state.values
-        ]
-        n = int(np.sqrt(np.count_nonzero(own)))
-        return self.run.states.values[:, own].reshape(-1, n, n)
+        """Return a matrix of the law, shape (time, n, n)."""
+        columns = self.run.state.str.startswith(f"adaptation_{name}[").values
+        n = int(np.sqrt(np.count_nonzero(columns)))
+        return self.run.states.values[:, columns].reshape(-1, n, n)
 
-    def share(self, e: np.ndarray, allowed: float) -> float:
-        """The integral of e^T KD e over what is allowed."""
-        return self.integral(e, self.KD) / (QUADRATURE * allowed + FLOOR)
+    def square_integral(self, values: np.ndarray, weights: np.ndarray) -> float:
+        """Return the integral of sum weights values^2."""
+        integrand = np.sum(weights * values**2, axis=1)
+        return float(np.trapezoid(integrand, self.run.time.values))
 
-    def integral(self, values: np.ndarray, weights: np.ndarray) -> float:
-        """The integral of sum weights values^2."""
-        return float(
-            np.trapezoid(np.sum(weights * values**2, axis=1), self.run.time.values)
-        )
+    def dissipation(self, e: np.ndarray, allowed: float) -> float:
+        """Return the integral of e^T KD e over the allowed one."""
+        return self.square_integral(e, self.KD) / (QUADRATURE * allowed + FLOOR)
 
 
 def rise(values: np.ndarray) -> float:
@@ -97,85 +97,83 @@ def rise(values: np.ndarray) -> float:
     return float(np.max((values + floor) / (np.minimum.accumulate(values) + floor)))
 
 
-def mean_square(along: LawRun) -> float:
+def mean_square(law: LawRun) -> float:
     """Return int e^T KD e over 2 V(0) + int d^T KD^-1 d."""
-    run, theta_hat = along.run, along.run.flow_parameters_estimate.values
-    known = flow_velocity(
-        along.scenario, run.position.values, run.time.values, theta_hat
-    )
-    unknown = along.integral(run.true_flow.values - known, 1 / along.KD)
-    return along.share(run.clpe.values, 2 * along.V[0] + unknown)
+    run = law.run
+    positions, times = run.position.values, run.time.values
+    modelled = flow_velocity(law.scenario, positions, times, law.estimate)
+    unmodelled = law.square_integral(run.true_flow.values - modelled, 1 / law.KD)
+    return law.dissipation(law.e, 2 * law.V[0] + unmodelled)
 
 
-def pace(along: LawRun) -> np.ndarray:
-    """Return r, per time: the least of KD and of the rates at which the memories pull."""
-    p, matrices = along.p, along.row.semidefinite
-    pulls = [
-        p.memory_gain * along.state(name) for name in matrices if name in ("Q", "S")
+def decay_rate(law: LawRun) -> np.ndarray:
+    """Return r, per time: the least of KD and of the rates of the memories."""
+    p, matrices = law.p, law.row.semidefinite
+    memories = [
+        p.memory_gain * law.state(name) for name in matrices if name in ("Q", "S")
     ]
     roots = np.sqrt([p.get("gain_K", 0.0), p.get("gain_Gamma", 0.0)])
-    gains = [name for name in matrices if name in ("Q_1", "Q_2") and np.all(roots > 0)]
-    pulls += [np.outer(roots, roots) * along.state(name) for name in gains]
-    least = [np.linalg.eigvalsh(M)[:, 0] for M in pulls]
-    return np.minimum(np.min(least, axis=0), np.min(along.KD))
+    if np.all(roots > 0):
+        weights = np.outer(roots, roots)
+        gains = [name for name in matrices if name in ("Q_1", "Q_2")]
+        memories += [weights * law.state(name) for name in gains]
+    least = [np.linalg.eigvalsh(M)[:, 0] for M in memories]
+    return np.minimum(np.min(least, axis=0), np.min(law.KD))
 
 
-def exponential(along: LawRun) -> float:
-    """Return the largest ratio of V to the bound that r has promised since an earlier time."""
-    every = max(1, len(along.V) // STEPS)
-    t, V, r = along.run.time.values[::every], along.V[::every], pace(along)[::every]
-    since = np.maximum(t - t[:, None], 0.0)  # a row for each earlier time
-    promised = V[:, None] * np.exp(-2 * np.maximum(r, 0.0)[:, None] * since)
+def exponential(law: LawRun) -> float:
+    """Return the largest ratio of V to the bound from an earlier time and its r."""
+    every = max(1, len(law.V) // STEPS)
+    t, V = law.run.time.values[::every], law.V[::every]
+    rate = np.maximum(decay_rate(law)[::every], 0.0)
+    elapsed = np.maximum(t - t[:, None], 0.0)  # a row for each earlier time
+    bound = V[:, None] * np.exp(-2 * rate[:, None] * elapsed)
     floor = FLOOR * V[0] + FLOOR**2
-    return float(np.max(np.triu((V + floor) / (promised + floor))))
+    return float(np.max(np.triu((V + floor) / (bound + floor))))
 
 
-def level(along: LawRun) -> float:
+def level(law: LawRun) -> float:
     """Return the largest V over that of V(0) and the level of the disturbance."""
-    largest = largest_disturbance(along.scenario)
-    bound = along.row.level(along.p, truth_of(along.scenario), largest)
-    return float(np.max(along.V) / max(along.V[0] + FLOOR, bound))
+    largest = largest_disturbance(law.scenario)
+    bound = law.row.level(law.p, truth_of(law.scenario), largest)
+    return float(np.max(law.V) / max(law.V[0] + FLOOR, bound))
 
 
-def balls(along: LawRun) -> float:
-    """Return the largest norm of alpha, K or Gamma over what it may have."""
-    limits = (
-        along.p.largest_flow,
-        along.p.largest_feedback,
-        along.p.largest_feedforward,
-    )
-    found = []
-    for name, M in zip(
-        ("alpha", "feedback_gain", "feedforward_gain"), limits, strict=True
-    ):
-        norms = np.linalg.norm(along.run[name].values.reshape(len(along.V), -1), axis=1)
-        found.append(np.max(norms) / max((1 + along.p.layer) * M, norms[0]))
-    return float(max(found))
+def balls(law: LawRun) -> float:
+    """Return the largest norm of alpha, K or Gamma over its limit."""
+    limits = {
+        "alpha": law.p.largest_flow,
+        "feedback_gain": law.p.largest_feedback,
+        "feedforward_gain": law.p.largest_feedforward,
+    }
+    ratios = []
+    for name, limit in limits.items():
+        norms = np.linalg.norm(law.run[name].values.reshape(len(law.V), -1), axis=1)
+        ratios.append(np.max(norms) / max((1 + law.p.layer) * limit, norms[0]))
+    return float(max(ratios))
 
 
-def estimate(along: LawRun) -> float:
+def estimate(law: LawRun) -> float:
     """Return the rise of tr(d P^-1 d^T)."""
-    d = np.swapaxes(along.off, 1, 2)
-    return rise(np.sum(d * np.linalg.solve(along.state("P"), d), axis=(1, 2)))
+    d = np.swapaxes(law.error, 1, 2)
+    return rise(np.sum(d * np.linalg.solve(law.state("P"), d), axis=(1, 2)))
 
 
-def readout(along: LawRun) -> float:
-    """Return the error of the readout, where it is one, over what rounding leaves."""
-    run, theta = along.run, along.run.flow_parameters.values
-    read = run.error_left.values <= 1 - along.p.margin
-    off = np.abs(run.flow_parameters_readout.values[read] - theta)
-    return float(
-        np.max(off, initial=0.0) / (EXACT * np.max(np.abs([theta, along.off[0]])))
-    )
+def readout(law: LawRun) -> float:
+    """Return the error of the valid readouts over the rounding error."""
+    theta = law.run.flow_parameters.values
+    valid = law.run.error_left.values <= 1 - law.p.margin
+    error = np.abs(law.run.flow_parameters_readout.values[valid] - theta)
+    size = np.max(np.abs([theta, law.error[0]]))
+    return float(np.max(error, initial=0.0) / (EXACT * size))
 
 
-CHECKS: dict[
-    str, tuple[str, Callable[[LawRun], float]]
-] = {  # words; above 1 where it is broken
-    "falls": ("V never rises", lambda along: rise(along.V)),
+# words and predicate by name
+CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {
+    "falls": ("V never rises", lambda law: rise(law.V)),
     "settles": (
         "CLPE goes to zero, its weighed square integral at most V(0)",
-        lambda along: along.share(along.run.clpe.values, along.V[0]),
+        lambda law: law.dissipation(law.e, law.V[0]),
     ),
     "mean square": (
         "in the mean CLPE is at most the flow that the law does not know, over KD",
@@ -183,9 +181,7 @@ CHECKS: dict[
     ),
     "zone": (
         "CLPE comes to the zone",
-        lambda along: along.share(
-            beyond(along.run.clpe.values, along.p.zone), along.V[0]
-        ),
+        lambda law: law.dissipation(beyond(law.e, law.p.zone), law.V[0]),
     ),
     "exponential": (
         "V falls exponentially, at the rate that the memories have reached, for good",
@@ -195,7 +191,7 @@ CHECKS: dict[
     "balls": ("what is learned stays within the limits", balls),
     "shrinks": (
         "each parameter's error only shrinks",
-        lambda along: rise(abs(along.off)),
+        lambda law: rise(abs(law.error)),
     ),
     "estimate": (
         "the error of the estimate, over its covariance, never rises",
@@ -206,33 +202,36 @@ CHECKS: dict[
 
 
 def true_or_adapted(scenario: Scenario) -> bool:
-    """Return whether K and Gamma adapt, or are the vehicle's own."""
-    learning, car = scenario.learning, scenario.vehicle
-    true = (learning.feedback, learning.feedforward) == (car.feedback, car.feedforward)
+    """Return True if K and Gamma adapt or are the vehicle's own."""
+    learning, vehicle = scenario.learning, scenario.vehicle
+    gains = learning.feedback, learning.feedforward
+    true = gains == (vehicle.feedback, vehicle.feedforward)
     return learning.adapt_gains or learning.row.at_fixes or true
 
 
-def exact(scenario: Scenario) -> bool:
-    """Return whether positions are exact, and z(0) where it counts as a fix."""
+def exact_positions(scenario: Scenario) -> bool:
+    """Return True if positions are exact, also z(0) if it is a fix."""
     fixes, learning = scenario.localization, scenario.learning
-    begins = learning.position == scenario.vehicle.position or not learning.row.at_fixes
-    return begins and (fixes is None or fixes.noise == 0)
+    true_start = learning.position == scenario.vehicle.position
+    exact = fixes is None or fixes.noise == 0
+    return exact and (true_start or not learning.row.at_fixes)
 
 
-def within(scenario: Scenario) -> bool:
-    """Return whether the truth lies within the limits."""
-    return not LawRun(scenario).row.doubt(LawRun(scenario).p, truth_of(scenario))
+def truth_within_limits(scenario: Scenario) -> bool:
+    """Return True if the truth lies within the limits."""
+    law = LawRun(scenario)
+    return not law.row.doubt(law.p, truth_of(scenario))
 
 
-def small(scenario: Scenario) -> bool:
-    """Return whether the disturbance is at most KD times the zone."""
+def small_disturbance(scenario: Scenario) -> bool:
+    """Return True if the disturbance is at most KD times the zone."""
     law, delta = LawRun(scenario), scenario.flow.disturbance
-    below = delta is None or np.all(np.abs(delta.amplitude) <= law.KD * law.p.zone)
-    return bool(bounded(scenario) and below)
+    small = delta is None or np.all(np.abs(delta.amplitude) <= law.KD * law.p.zone)
+    return bool(bounded(scenario) and small)
 
 
 def bounded(scenario: Scenario) -> bool:
-    """Return whether the disturbance has a bound."""
+    """Return True if the disturbance has a bound."""
     delta = scenario.flow.disturbance
     return scenario.flow.field is None and (delta is None or delta.kind != "noise")
 
@@ -242,10 +241,10 @@ CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
         "the functions span the flow",
         lambda scenario: bounded(scenario) and scenario.flow.disturbance is None,
     ),
-    "exact": ("positions are exact (at fixes z(0) too)", exact),
+    "exact": ("positions are exact (at fixes z(0) too)", exact_positions),
     "true": ("K and Gamma adapt, or are held at the vehicle's own", true_or_adapted),
-    "within": ("the truth lies within the limits", within),
-    "small": ("the disturbance is at most KD times the zone", small),
+    "within": ("the truth lies within the limits", truth_within_limits),
+    "small": ("the disturbance is at most KD times the zone", small_disturbance),
     "bounded": ("the disturbance is bounded", bounded),
     "uniform": (
         "phi at the prediction is phi at the vehicle",
@@ -255,18 +254,18 @@ CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
 
 
 def what_it_promises(row: Law) -> str:
-    """Return all that a law promises, without the conditions."""
+    """Return the promises of a law without conditions."""
     return "; ".join(CHECKS[promise.what][0] for promise in row.promises)
 
 
 def promises_in_words(row: Law) -> dict[str, str]:
-    """Return each promise of a law in words, with its conditions."""
-    return {
-        promise.what: CHECKS[promise.what][0]
-        + (", where: " if promise.where else "")
-        + "; ".join(CONDITIONS[name][0] for name in promise.where)
-        for promise in row.promises
-    }
+    """Return each promise of a law as text, with its conditions."""
+    texts = {}
+    for promise in row.promises:
+        conditions = "; ".join(CONDITIONS[name][0] for name in promise.where)
+        words = CHECKS[promise.what][0]
+        texts[promise.what] = f"{words}, where: {conditions}" if conditions else words
+    return texts
 
 
 def largest_disturbance(scenario: Scenario) -> float:
@@ -277,20 +276,19 @@ def largest_disturbance(scenario: Scenario) -> float:
 
 def truth_of(scenario: Scenario) -> Truth:
     """Return theta, KD and GammaD of a scenario."""
-    car = scenario.vehicle
-    return Truth(
-        *map(np.array, (scenario.flow.parameters, car.feedback, car.feedforward))
-    )
+    vehicle = scenario.vehicle
+    values = scenario.flow.parameters, vehicle.feedback, vehicle.feedforward
+    return Truth(*map(np.array, values))
 
 
 def checked_promises(scenario: Scenario, **solver: Any) -> dict[str, float]:
-    """Run a scenario; return each promise of its law whose conditions hold, above 1 if broken."""
-    wanted = [
+    """Return the ratio of each promise whose conditions a scenario meets, above 1 if broken."""
+    names = [
         promise.what
         for promise in scenario.learning.row.promises
-        if all(CONDITIONS[name][1](scenario) for name in promise.where)
+        if all(CONDITIONS[condition][1](scenario) for condition in promise.where)
     ]
-    if not wanted:
+    if not names:
         return {}
-    along = LawRun(scenario, simulate(scenario, **solver))
-    return {what: CHECKS[what][1](along) for what in wanted}
+    law = LawRun(scenario, simulate(scenario, **solver))
+    return {name: CHECKS[name][1](law) for name in names}

@@ -35,8 +35,8 @@ window of the run is assumed for all windows.
 #    D/(2 k): a is the root of 5, or D/(2 k) where that is more.  Within the window V is at most
 #    V(t) + D^2/(4 k), so v is twice that.
 # 7  The root rises with V and so does the bound on V(t+T) (c k <= 1).  Therefore windows chain,
-#    and V ends where a = D/k.  |e| <= (2 V)^(1/2), |eta_j| <= (2 gamma_j V)^(1/2).  If V(t) is small
-#    and D = 0, V(t+T)/V(t) <= 1 - delta, which is attained.
+#    and V ends where a = D/k.  |e| <= (2 V)^(1/2), |eta_j| <= (2 gamma_j V)^(1/2).  If V(t) is
+#    small and D = 0, V(t+T)/V(t) <= 1 - delta, which is attained.
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -251,7 +251,7 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     windows = [slice(*pair) for pair in pairwise(cuts.tolist())]
     return np.array(
         [
-            worst_drop(regressor.w[:, piece], k, gains, regressor.weights[piece])
-            for piece in windows
+            worst_drop(regressor.w[:, span], k, gains, regressor.weights[span])
+            for span in windows
         ]
     )

@@ -1,7 +1,7 @@
-"""The paper's misprints, each with a check that tells print from correction.
+"""Misprints of the paper, each with a check of the printed and the corrected form.
 
-Its residual is what the printed form, or the corrected one, leaves of the blocks that run, for
-N = 2: it is zero for the corrected form alone.
+The residual of a check is the difference between the printed or corrected form and the running
+blocks for N = 2; it is zero for the corrected form alone.
 """
 
 from collections.abc import Callable
@@ -30,24 +30,22 @@ from .theorem_loop import (
 
 @dataclass(frozen=True)
 class Misprint:
-    """One misprint."""
+    """A misprint with its correction and a check."""
 
-    equation: str  # where it stands in the paper
+    equation: str  # its location in the paper
     printed: str
     corrected: str
-    check: str  # what tells them apart
-    # of the printed form or the corrected one; zero where it fits
-    residual: Callable[[bool], Any]
+    check: str  # the quantity that is compared
+    residual: Callable[[bool], Any]  # of the printed form if True; zero if it is right
 
     def holds(self, printed: bool) -> bool:
-        """Return whether the check passes on the printed form, or the corrected one."""
-        return all(
-            map(vanishes, np.ravel(np.array(self.residual(printed), dtype=object)))
-        )
+        """Return True if the residual of the printed or the corrected form vanishes."""
+        residual = np.array(self.residual(printed), dtype=object)
+        return all(map(vanishes, residual.flat))
 
     @property
     def confirmed(self) -> bool:
-        """Whether the check fails on the print, passes corrected."""
+        """True if the check fails on the print and passes on the correction."""
         return checked("", lambda: not self.holds(True) and self.holds(False)).holds
 
 
@@ -57,8 +55,8 @@ def misprints() -> tuple[Misprint, ...]:
     Returns
     -------
     tuple of Misprint
-        Each with `equation`, `printed`, `corrected`, `check` and `confirmed`, whether the check
-        fails on the print and passes on the correction.
+        Each with `equation`, `printed`, `corrected`, `check` and `confirmed`, True if the
+        check fails on the print and passes on the correction.
 
     Examples
     --------
@@ -67,8 +65,8 @@ def misprints() -> tuple[Misprint, ...]:
     >>> found.equation, found.holds(True), found.holds(False)
     ('(18)', False, True)
     """
-    for read in (any_gains, paper_loop, error_dynamics):
-        read.cache_clear()  # the blocks may have been changed
+    for cached in (any_gains, paper_loop, error_dynamics):
+        cached.cache_clear()  # the blocks may have been changed
     return MISPRINTS
 
 
@@ -94,20 +92,16 @@ def wanted_rate(loop: SymbolicLoop, before_eta_3: str = "z") -> Any:
     return rate + inputs["zc"] * error["eta_4"]
 
 
-# --- what they are compared with ---------------------------------------------------------------
+# --- symbolic loops ----------------------------------------------------------------------------
 
 
 @cache
 def any_gains(law: str, disturbed: bool = False) -> SymbolicLoop:
-    """Return a loop with any injection, before a law is chosen: what adapts has any rate."""
+    """Return a loop with free injection and free rates of the adapted parameters."""
     loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
-    free = {
-        port: np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))(
-            loop.states[port]
-        )
-        for port in LEARNED
-        if port in loop.states
-    }
+    rate_symbol = np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))
+    adapted = [port for port in LEARNED if port in loop.states]
+    free = {port: rate_symbol(loop.states[port]) for port in adapted}
     return replace(loop, rates=loop.rates | free)
 
 
@@ -132,63 +126,57 @@ def rate_of_e(loop: SymbolicLoop) -> np.ndarray:
 
 
 def brackets(loop: SymbolicLoop, flow: Any, K: bool, alpha: bool = False) -> sympy.Expr:
-    """Return V' less e^T (flow - KD e - psi) + the errors, each times what a law makes zero.
+    """Return V' less e^T (flow - KD e - psi) and less the brackets of the parameter errors.
 
-    Before K' and alpha' stands 1/gamma, or nothing, as printed.
+    K' and alpha' are divided by gamma, or not, if `K` or `alpha` is as printed.
     """
-    error, s, rates, phi = errors(loop), loop.states, loop.rates, loop.inputs["phi_x"]
-    e, gamma, zc = error["e"], loop.parameters["adaptation"].gain, loop.inputs["zc"]
-    before_K, before_alpha = (1 if printed else 1 / gamma for printed in (K, alpha))
-    form = e @ (
-        flow - loop.parameters["vehicle_controller"].KD * e - loop.signals["psi"]
-    )
-    form += error["eta_3"] @ (before_K * rates["K"] + s["z"] * e)
-    form += error["eta_4"] @ (zc * e - rates["Gamma"] / gamma)
+    error, rates, inputs = errors(loop), loop.rates, loop.inputs
+    e, gamma = error["e"], loop.parameters["adaptation"].gain
+    KD = loop.parameters["vehicle_controller"].KD
+    of_K = rates["K"] / (1 if K else gamma)
+    form = e @ (flow - KD * e - loop.signals["psi"])
+    form += error["eta_3"] @ (of_K + loop.states["z"] * e)
+    form += error["eta_4"] @ (inputs["zc"] * e - rates["Gamma"] / gamma)
     if "eta" in error:
-        form += np.sum(
-            error["eta"] * (before_alpha * rates["alpha"] + np.outer(e, phi))
-        )
+        of_alpha = rates["alpha"] / (1 if alpha else gamma)
+        form += np.sum(error["eta"] * (of_alpha + np.outer(e, inputs["phi_x"])))
     return rate_of_V(loop) - form
 
 
-def left_of_injection(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
-    """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or as (25) has it."""
+def modelled_flow(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
+    """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or that of (25)."""
     alpha_M, alpha = loop.parameters["vehicle_controller"].alpha_M, loop.states["alpha"]
     phi, phi_z = loop.inputs["phi_x"], loop.inputs["phi_z"]
-    return (
-        -2 * alpha_M @ phi
-        if printed
-        else -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
-    )
+    if printed:
+        return -2 * alpha_M @ phi
+    return -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
 
 
-# --- one by one --------------------------------------------------------------------------------
+# --- residuals ---------------------------------------------------------------------------------
 
 
 def equation_18(printed: bool) -> Any:
     """V' of Eq. (18)."""
     loop = any_gains("known-flow")
-    p = loop.parameters
-    flow = (p["true_flow"].theta - p["vehicle_controller"].alpha_M) @ loop.inputs[
-        "phi_x"
-    ]
-    return brackets(loop, flow, printed)
+    theta = loop.parameters["true_flow"].theta
+    alpha_M = loop.parameters["vehicle_controller"].alpha_M
+    return brackets(loop, (theta - alpha_M) @ loop.inputs["phi_x"], printed)
 
 
 def equation_25(
     K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False
 ):
-    """V' of the learned-flow law by Eq. (25) or, with Delta, (34), parts of it as printed."""
+    """V' of the learned-flow law by Eq. (25) or, with Delta, (34), with terms as printed."""
     loop = any_gains("learned-flow", delta)
-    left = left_of_injection(loop, flow) + loop.inputs.get("delta", 0)
-    return brackets(loop, left, K, alpha)
+    total = modelled_flow(loop, flow) + loop.inputs.get("delta", 0)
+    return brackets(loop, total, K, alpha)
 
 
 def second_derivative(printed: bool) -> Any:
-    """e' as V'' after Eq. (26) has it."""
+    """e' in V'' after Eq. (26)."""
     loop = any_gains("learned-flow")
-    beside = left_of_injection(loop, printed) - loop.signals["psi"]
-    return rate_of_e(loop) - wanted_rate(loop) - beside
+    flow = modelled_flow(loop, printed) - loop.signals["psi"]
+    return rate_of_e(loop) - wanted_rate(loop) - flow
 
 
 def equation_27(printed: bool) -> Any:
@@ -201,18 +189,16 @@ def equation_28_rows(printed: bool) -> Any:
     """The lower rows of A, Eq. (28)."""
     A, W, _, gamma = error_dynamics()
     blocks = [W[j : j + 2, :] for j in range(0, 8, 2)]
-    return A[2:, :2] + gamma * sympy.Matrix.vstack(
-        *(b.T if printed else b for b in blocks)
-    )
+    if printed:
+        blocks = [block.T for block in blocks]
+    return A[2:, :2] + gamma * sympy.Matrix.vstack(*blocks)
 
 
 def equation_28_P(printed: bool) -> Any:
-    """All blocks of A^T P + P A but e e, P of Eq. (28)."""
+    """All blocks of A^T P + P A but that of e, P of Eq. (28)."""
     A, _, KD, gamma = error_dynamics()
-    first, others = (
-        (KD.inv(), [KD.inv()] * 4) if printed else (sympy.eye(2), [sympy.eye(8)])
-    )
-    P = sympy.diag(first, *(one / gamma for one in others)) / 2
+    block = KD.inv() if printed else sympy.eye(2)
+    P = sympy.diag(block, *[block / gamma] * 4) / 2
     Q = A.T * P + P * A
     return [*Q[:2, 2:], *Q[2:, 2:]]
 
@@ -225,45 +211,49 @@ def output_injection(printed: bool) -> Any:
 
 
 def hats(printed: bool) -> Any:
-    """V' by which theta Eqs. (12)-(16) mean."""
+    """V' with theta or theta_hat in Eqs. (12)-(16)."""
     loop = paper_loop("known-flow")
-    return rate_of_V(loop) - (decay if printed else decay_and_known_error)(loop)
+    rate = decay(loop) if printed else decay_and_known_error(loop)
+    return rate_of_V(loop) - rate
 
 
 def gaussian(printed: bool) -> Any:
-    """Return how log phi of Eq. (5) bends with distance."""
+    """Curvature of log phi of Eq. (5) along the distance d."""
     d, width = sympy.symbols("d sigma", positive=True)
-    kernel, one = (
-        "exponential" if printed else "gaussian",
-        (np.zeros((1, 2)), np.ones(1)),
-    )
-    block = flow.flow_basis("basis_x", "x", kernel, *one, np.zeros(1), np.zeros(1))
-    known = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}  # all else is zero
+    kernel = "exponential" if printed else "gaussian"
+    center, unit, zero = np.zeros((1, 2)), np.ones(1), np.zeros(1)
+    block = flow.flow_basis("basis_x", "x", kernel, center, unit, zero, zero)
+    symbols = {("u", "x", (0,)): d, ("p", "widths", (0,)): width}
+
+    def leaf(name: tuple[str, str], shape: Any, index: Any) -> Any:
+        return symbols.get((*name, index), 0)
+
     record = block.array_record("output")
-    leaf = lambda at, shape, k: known.get((*at, k), 0)  # noqa: E731
     phi = Symbols(record.operations, leaf, sizes=block.sizes).outputs(record)[0]
-    return sympy.diff(sympy.expand_log(sympy.log(phi), force=True), d, 2) + 1 / width**2
+    log_phi = sympy.expand_log(sympy.log(phi), force=True)
+    return sympy.diff(log_phi, d, 2) + 1 / width**2
 
 
 def converges_to(printed: bool) -> Any:
-    """The slopes of V of Eq. (24) where it shall have its minimum."""
+    """Gradient of V of Eq. (24) at the supposed minimum."""
     loop = paper_loop("learned-flow")
-    alpha, theta = (
-        np.ravel(a) for a in (loop.states["alpha"], loop.parameters["true_flow"].theta)
-    )
-    place = dict(zip(alpha, theta if printed else -theta, strict=True))
-    return [sympy.diff(loop.signals["V"][0], a).xreplace(place) for a in place]
+    alpha = loop.states["alpha"].flat
+    theta = loop.parameters["true_flow"].theta.ravel()
+    minimum = dict(zip(alpha, theta if printed else -theta, strict=True))
+    return [sympy.diff(loop.signals["V"][0], a).xreplace(minimum) for a in minimum]
 
 
 def bounded_z(printed: bool) -> Any:
-    """What the argument for bounded z says is zero, proof of Theorem 3.2."""
+    """Term that vanishes by the argument for bounded z, proof of Theorem 3.2."""
     loop = paper_loop("learned-flow")
-    s, rates = loop.states, zip(loop.rates["z"], loop.states["z"], strict=True)
+    states = loop.states
     if not printed:
-        return s["z"] - (s["x"] - loop.signals["e"])
-    return [
-        rate.diff(z, a) for rate, z in rates for port in LEARNED for a in s[port].flat
+        return states["z"] - (states["x"] - loop.signals["e"])
+    adapted = [symbol for port in LEARNED for symbol in states[port].flat]
+    slopes = [
+        rate.diff(z) for rate, z in zip(loop.rates["z"], states["z"], strict=True)
     ]
+    return [slope.diff(symbol) for slope in slopes for symbol in adapted]
 
 
 BEFORE_K = "(K - KD)^T (K' + z e)", "(K - KD)^T (K'/gamma + z e)"
