@@ -335,7 +335,8 @@ def _draw_track(
     ax.plot(*path[inside].T, color=BLUE, linewidth=1.0, label=label)
     order = np.arange(len(waypoints))
     label = "waypoints, the first dark"
-    ax.scatter(*waypoints.T, c=order, cmap="viridis", zorder=3, label=label)
+    x1, x2 = waypoints.T
+    ax.scatter(x1, x2, c=order, cmap="viridis", zorder=3, label=label)
     ax.plot(*path[0], "s", color="black", markersize=5, label="start")
     name = "old" if key == "before" else "new"
     kappa, length = (report[key][k] for k in ("smallest_eigenvalue", "closed_length"))

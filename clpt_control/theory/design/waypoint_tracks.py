@@ -77,8 +77,8 @@ class Tracks:
         )
         edges, _, _ = quadrature(self.scenario, 0.0, end)
         self.samples = np.linspace(edges[:-1], edges[1:], samples, axis=1)
-        times = [[0.0], self.nodes.ravel(), self.samples.ravel(), [end]]
-        self.times, self.index = np.unique(np.concatenate(times), return_inverse=True)
+        times = np.concatenate([self.nodes.ravel(), self.samples.ravel()])
+        self.times, self.index = np.unique(times, return_inverse=True)
         self.node_waypoint = waypoint_in(self.scenario, cuts)[:, None]
         self.sample_waypoint = waypoint_in(self.scenario, edges)[:, None]
 
@@ -100,7 +100,7 @@ class Tracks:
         batch = Batch(self.callee, states, parameters, self.times, [self.schedule])
         batch.adaptive(self.rtol, ATOL * self.rtol)
         x = batch.out[:, self.index]
-        nodes, samples = np.split(x[:, 1:-1], [self.nodes.size], axis=1)
+        nodes, samples = np.split(x, [self.nodes.size], axis=1)
         return (
             self._kappa(nodes.reshape(m, *self.nodes.shape, 2), waypoints),
             self._extremes(samples.reshape(m, *self.samples.shape, 2), waypoints),

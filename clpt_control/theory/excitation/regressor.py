@@ -141,8 +141,8 @@ def quadrature(
     spans = [dwell]
     if scenario.localization is not None:
         spans += scenario.localization.spans.values()
-    inner = [multiples(span, start, end) for span in spans]
-    inner = np.sort(np.concatenate([*inner, [] if edges is None else edges]))
+    switches = [multiples(span, start, end) for span in spans]
+    inner = np.sort(np.concatenate([*switches, [] if edges is None else edges]))
     tolerance = 1e-9 * min(longest, end - start)
     inner = inner[(inner > start + tolerance) & (inner < end - tolerance)]
     ends = start, *inner[np.diff(inner, prepend=start) > tolerance], end
@@ -218,7 +218,10 @@ def joint_regressors(
             name: quadrature(scenario, start, start + window, edges)
             for name, scenario in members_of(system).items()
         }
-        result = _sampled(source, system, nodes, predicted)
+        if isinstance(source, Scenario | Team):
+            result = _simulated(source, nodes, predicted)
+        else:
+            result = _recorded(source, system, nodes, predicted)
         new_cuts = []
         for regressor in result.values():
             w, cuts = regressor.w, regressor.cuts
@@ -233,61 +236,78 @@ def joint_regressors(
     return result
 
 
-def _sampled(
-    source: AnySource,
+def _simulated(
+    system: Scenario | Team, nodes: dict[str, Quadrature], predicted: str
+) -> dict[str, Regressor]:
+    """Return the regressor of each vehicle from a run that is sampled at the nodes."""
+    samples = np.unique(np.concatenate([t.ravel() for _, t, _ in nodes.values()]))
+    run = simulate(system, samples)
+    if run.sizes["time"] < samples.size or run.attrs["status"] != "finished":
+        raise ScenarioError(
+            f"window up to {samples[-1]:g}: the run ended before: {run.attrs['message']}"
+        )
+    regressors_by_name = {}
+    for name, scenario in members_of(system).items():
+        cuts, times, weights = nodes[name]
+        indices = np.searchsorted(samples, times)
+        x, z = (values[indices] for values in _positions(run, name, predicted))
+        w = _w_at_nodes(scenario, cuts, times, x, z)
+        trajectory = "simulated from the initial values"
+        regressors_by_name[name] = Regressor(scenario, trajectory, cuts, weights, w)
+    return regressors_by_name
+
+
+def _recorded(
+    run: "xarray.Dataset",
     system: Scenario | Team,
     nodes: dict[str, Quadrature],
     predicted: str,
 ) -> dict[str, Regressor]:
-    """Return w of each vehicle at its nodes, simulated or interpolated."""
-    simulated = isinstance(source, Scenario | Team)
-    python_parts = ""
-    if simulated:
-        run = _simulated(
-            system, np.unique(np.concatenate([t.ravel() for _, t, _ in nodes.values()]))
-        )
-        trajectory = "simulated from the initial values"
-    else:
-        run = source
-        named = [
-            f"{PYTHON_PARTS[a]} {run.attrs[a]}" for a in PYTHON_PARTS if a in run.attrs
-        ]
-        python_parts = " and ".join(named)
-        unit = next(iter(members_of(system).values())).units.time
-        step = np.median(np.diff(run.time.values))
-        trajectory = f"recorded run, sampled each {step:g} {unit}"
-    result = {}
+    """Return the regressor of each vehicle, interpolated between the samples of a run."""
+    parts = [
+        f"{PYTHON_PARTS[a]} {run.attrs[a]}" for a in PYTHON_PARTS if a in run.attrs
+    ]
     samples = run.time.values
+    step = np.median(np.diff(samples))
+    regressors_by_name = {}
     for name, scenario in members_of(system).items():
-        cuts, times, weights = nodes[name]
         fixes = scenario.localization
-        if not simulated and fixes is not None and fixes.interval > 0:
+        if fixes is not None and fixes.interval > 0:
             raise DataError(
                 "localization.interval: z of a recorded run jumps at fixes, and is not known "
                 "between samples; give the scenario in place of the run"
             )
-        vehicle = run.sel(vehicle=name) if name else run
-        positions = [vehicle[POSITION].values, vehicle[predicted].values]
-        if simulated:
-            indices = np.searchsorted(samples, times)
-            x, z = (values[indices] for values in positions)
-        else:
-            dwell = scenario.reference.dwell
-            x, z = (positions_between(samples, v, dwell, times) for v in positions)
-        zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
-        w = w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
-        result[name] = Regressor(scenario, trajectory, cuts, weights, w, python_parts)
-    return result
-
-
-def _simulated(system: Scenario | Team, times: np.ndarray) -> "xarray.Dataset":
-    """Return the run at these times, which must reach the last one."""
-    run = simulate(system, times)
-    if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
-        raise ScenarioError(
-            f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
+        cuts, times, weights = nodes[name]
+        x, z = (
+            positions_between(samples, values, scenario.reference.dwell, times)
+            for values in _positions(run, name, predicted)
         )
-    return run
+        w = _w_at_nodes(scenario, cuts, times, x, z)
+        trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
+        regressors_by_name[name] = Regressor(
+            scenario, trajectory, cuts, weights, w, " and ".join(parts)
+        )
+    return regressors_by_name
+
+
+def _positions(
+    run: "xarray.Dataset", name: str, predicted: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the position and the predicted position of a vehicle."""
+    vehicle = run.sel(vehicle=name) if name else run
+    return vehicle[POSITION].values, vehicle[predicted].values
+
+
+def _w_at_nodes(
+    scenario: Scenario,
+    cuts: np.ndarray,
+    times: np.ndarray,
+    x: np.ndarray,
+    z: np.ndarray,
+) -> np.ndarray:
+    """Return w at nodes, with the waypoint of each piece."""
+    zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
+    return w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
 
 
 @public
