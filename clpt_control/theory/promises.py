@@ -94,7 +94,8 @@ def rise(values: np.ndarray) -> float:
     """Return the largest ratio of a value to an earlier one."""
     values = values.reshape(len(values), -1)
     floor = FLOOR * np.max(values[0]) + FLOOR**2
-    return float(np.max((values + floor) / (np.minimum.accumulate(values) + floor)))
+    smallest = np.minimum.accumulate(values)
+    return float(np.max((values + floor) / (smallest + floor)))
 
 
 def mean_square(law: LawRun) -> float:

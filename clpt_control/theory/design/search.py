@@ -14,7 +14,6 @@ run.  A round whose result exceeds a limit is repeated with tighter limits.
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
@@ -78,9 +77,11 @@ class TrackSearch:
     def multistart(self, initial: np.ndarray, seed: int) -> np.ndarray:
         """Return the ends of all climbs, those of the long ones first, by cost."""
         rng = np.random.default_rng(seed)
-        half = (SAMPLES // 2, len(initial))
-        nearby = initial + SPREAD * rng.standard_normal(half)
-        samples = np.vstack([initial, np.clip(nearby, 0.0, 1.0), rng.random(half)])
+        shape = SAMPLES // 2, len(initial)
+        nearby = initial + SPREAD * rng.standard_normal(shape)
+        nearby = np.clip(nearby, 0.0, 1.0)
+        uniform = rng.random(shape)
+        samples = np.vstack([initial, nearby, uniform])
         starts = self.distinct(samples, STARTS)
         ends = np.array([self.climb(start, SHORT_CLIMB) for start in starts])
         finalists = self.distinct(ends, FINALISTS)
@@ -148,55 +149,48 @@ def best_waypoints(
     duration = scenario.run.duration
     with_speed = limits.max_speed is not None
     fine = Tracks(scenario, window, duration, *FINE, with_speed, gains)
-    waypoints = shortened(scenario.waypoints, limits.length)
-    candidates = [_candidate(fine, limits, waypoints)]
-    initial_kappa = candidates[0].kappa
+    tracks = shortened(scenario.waypoints, limits.length)[None]
+    candidates = [(tracks, *_measure(fine, limits, tracks))]
+    initial_kappa = candidates[0][1][0]
     tracks_tried, margin = 0, MARGIN
     for iteration in range(ROUNDS):
         # Step 1: climb, from many samples in the first round
         end = duration if iteration else sum(window)
         coarse = Tracks(scenario, window, end, *COARSE, with_speed, gains)
         search = TrackSearch(coarse, limits.tighter(margin))
-        unknowns = search.unknowns(waypoints)
+        start = search.unknowns(tracks[0])
         if iteration == 0:
-            ends = search.multistart(unknowns, seed)
+            ends = search.multistart(start, seed)
         else:
-            ends = search.climb(unknowns, LONG_CLIMB)[None]
+            ends = search.climb(start, LONG_CLIMB)[None]
         # Step 2: check the limits closely over the whole run
-        found = [_candidate(fine, limits, track) for track in search.waypoints(ends)]
-        candidates += found
-        best = found[0]
-        waypoints = best.waypoints
+        tracks = search.waypoints(ends)
+        kappa, excess = _measure(fine, limits, tracks)
+        candidates.append((tracks, kappa, excess))
         tracks_tried += coarse.runs
         report(0.9 * (iteration + 1) / ROUNDS)
         # Step 3: stop, or tighten the limits by what the best track exceeds
-        checked = iteration > 0 or end == duration or best.kappa >= initial_kappa
-        if best.kappa >= 0 and checked:
+        if kappa[0] >= (0 if iteration else max(0, initial_kappa)):
             break
         if iteration:
-            margin = min(0.3, margin + max(MARGIN, 1.1 * best.excess))
-    allowed = sorted((c for c in candidates if c.kappa >= 0), key=lambda c: -c.kappa)
-    if not allowed:
-        excess = 100 * min(candidate.excess for candidate in candidates)
+            margin = min(0.3, margin + max(MARGIN, 1.1 * float(excess[0])))
+    tracks, kappa, excess = map(np.concatenate, zip(*candidates, strict=True))
+    if kappa.max() < 0:
         raise ScenarioError(
             "no track was found that keeps to the limits in this flow all the time; the nearest "
-            f"is {excess:.2g} % beyond; allow more speed or a larger area, or give another seed"
+            f"is {100 * excess.min():.2g} % beyond; allow more speed or a larger area, or give "
+            "another seed"
         )
-    return [candidate.waypoints for candidate in allowed], tracks_tried
+    order = np.argsort(-kappa, kind="stable")
+    return list(tracks[order[kappa[order] >= 0]]), tracks_tried
 
 
-class _Candidate(NamedTuple):
-    """Waypoints, their kappa_1 or -1 beyond a limit, and their excess over the limits."""
-
-    waypoints: np.ndarray
-    kappa: float
-    excess: float
-
-
-def _candidate(fine: Tracks, limits: Limits, waypoints: np.ndarray) -> _Candidate:
-    """Return the candidate of finely sampled waypoints."""
-    kappa, extremes = fine(waypoints[None])
-    excess = float(limits.excess(extremes)[0])
-    outside = np.any((waypoints < limits.low) | (waypoints > limits.high))
-    allowed = excess == 0 and not outside
-    return _Candidate(waypoints, float(kappa.min()) if allowed else -1.0, excess)
+def _measure(
+    fine: Tracks, limits: Limits, tracks: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return kappa_1 of tracks (m, n, 2), -1 beyond a limit, and their excess."""
+    kappa, extremes = fine(tracks)
+    excess = limits.excess(extremes)
+    outside = (tracks < limits.low) | (tracks > limits.high)
+    exceeded = (excess > 0) | outside.any(axis=(1, 2))
+    return np.where(exceeded, -1.0, kappa.min(axis=0)), excess

@@ -84,7 +84,8 @@ class Tracks:
 
     def __call__(self, waypoints: np.ndarray) -> tuple[np.ndarray, Extremes]:
         """Return kappa_1 or the drop of V, (2, m), and the extremes of tracks (m, n, 2)."""
-        numbers = self.nodes.size * (self.scenario.basis.N + 2) + len(self.times)
+        numbers = len(self.times)
+        numbers += self.nodes.size * (self.scenario.basis.N + 2)
         size = max(8, BATCH_BYTES // (16 * numbers))
         batches = np.split(waypoints, range(size, len(waypoints), size))
         kappa, extremes = zip(*map(self._run, batches), strict=True)
@@ -101,10 +102,10 @@ class Tracks:
         batch.adaptive(self.rtol, ATOL * self.rtol)
         x = batch.out[:, self.index]
         nodes, samples = np.split(x, [self.nodes.size], axis=1)
-        return (
-            self._kappa(nodes.reshape(m, *self.nodes.shape, 2), waypoints),
-            self._extremes(samples.reshape(m, *self.samples.shape, 2), waypoints),
-        )
+        nodes = nodes.reshape(m, *self.nodes.shape, 2)
+        samples = samples.reshape(m, *self.samples.shape, 2)
+        kappa = self._kappa(nodes, waypoints)
+        return kappa, self._extremes(samples, waypoints)
 
     def _parameters(self, waypoints: np.ndarray) -> np.ndarray:
         """Return the parameters of the diagram with the waypoints of each track."""
@@ -128,22 +129,28 @@ class Tracks:
         else:
             k = np.array(self.scenario.vehicle.feedback)[:, None]
             kappa = worst_drop(w, k, self.gains, self.weights)
-        return np.where(np.isfinite(x).all(axis=(1, 2, 3)), kappa, 0.0)
+        finite = np.isfinite(x).all(axis=(1, 2, 3))
+        return np.where(finite, kappa, 0.0)
 
     def _extremes(self, x: np.ndarray, waypoints: np.ndarray) -> Extremes:
         """Return the extremes of positions x and of the commanded speed there."""
         speed = np.full(x.shape[:-1], np.nan)
         if self.with_speed:
-            zc = np.broadcast_to(waypoints[:, self.sample_waypoint], x.shape)
-            times = np.broadcast_to(self.samples, x.shape[:-1]).ravel()
-            signals = {"x": x.reshape(-1, 2), "zc": zc.reshape(-1, 2)}
-            for block in self.blocks:  # in order of evaluation
-                if block.name in SPEED_BLOCKS:
-                    inputs = np.hstack([signals[port] for port in block.input_ports])
-                    (port,) = block.output_ports
-                    signals[port] = evaluate(block, times, inputs)
-            speed = np.hypot(*signals["v_x"].T).reshape(x.shape[:-1])
-        return Extremes(speed.max(axis=2), x.min(axis=2), x.max(axis=2))
+            speed = self._speed(x, waypoints)
+        return Extremes(speed=speed.max(axis=2), low=x.min(axis=2), high=x.max(axis=2))
+
+    def _speed(self, x: np.ndarray, waypoints: np.ndarray) -> np.ndarray:
+        """Return |v_x| at positions x (m, pieces, samples, 2)."""
+        zc = np.broadcast_to(waypoints[:, self.sample_waypoint], x.shape)
+        times = np.broadcast_to(self.samples, x.shape[:-1]).ravel()
+        signals = {"x": x.reshape(-1, 2), "zc": zc.reshape(-1, 2)}
+        for block in self.blocks:  # in order of evaluation
+            if block.name in SPEED_BLOCKS:
+                inputs = [signals[port] for port in block.input_ports]
+                (port,) = block.output_ports
+                signals[port] = evaluate(block, times, np.hstack(inputs))
+        v_x = signals["v_x"]
+        return np.hypot(v_x[:, 0], v_x[:, 1]).reshape(x.shape[:-1])
 
 
 def with_waypoints(scenario: Scenario, waypoints: np.ndarray) -> Scenario:
@@ -182,8 +189,13 @@ class Limits(NamedTuple):
     def tighter(self, share: float) -> "Limits":
         """Return limits that leave a share of speed and area free."""
         border = share * (self.high - self.low)
-        speed = None if self.max_speed is None else (1 - share) * self.max_speed
-        return Limits(self.length, speed, self.low + border, self.high - border)
+        speed = self.max_speed
+        return Limits(
+            length=self.length,
+            max_speed=None if speed is None else (1 - share) * speed,
+            low=self.low + border,
+            high=self.high - border,
+        )
 
     def excess(self, extremes: Extremes) -> np.ndarray:
         """Return the largest relative excess of each track, 1 if its run failed."""
@@ -193,10 +205,11 @@ class Limits(NamedTuple):
     def slack(self, extremes: Extremes) -> np.ndarray:
         """Return the relative distances to the limits, piece by piece, (k, m)."""
         size = self.high - self.low
-        rows = [(extremes.low - self.low) / size, (self.high - extremes.high) / size]
+        slacks = [(extremes.low - self.low) / size, (self.high - extremes.high) / size]
         if self.max_speed is not None:
-            rows.append(1 - extremes.speed[..., None] / self.max_speed)
-        return np.concatenate([row.reshape(len(row), -1) for row in rows], axis=1).T
+            slacks.append(1 - extremes.speed[..., None] / self.max_speed)
+        rows = [slack.reshape(len(slack), -1) for slack in slacks]
+        return np.concatenate(rows, axis=1).T
 
 
 def closed_length(waypoints: np.ndarray) -> np.ndarray:

@@ -67,11 +67,13 @@ class Certificate:
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
     """Return the smallest eigenvalue of the Gramian of rows, 0 where they are too few."""
-    flat = np.sqrt(weights)[..., None] * rows
-    flat = flat.reshape(*rows.shape[:-3], -1, rows.shape[-1])
-    if flat.shape[-2] < flat.shape[-1]:
-        return np.zeros(flat.shape[:-2])
-    return np.linalg.svd(flat, compute_uv=False)[..., -1] ** 2
+    *batch, _, _, n = rows.shape
+    weighted = np.sqrt(weights)[..., None] * rows
+    matrix = weighted.reshape(*batch, -1, n)
+    if matrix.shape[-2] < n:
+        return np.zeros(batch)
+    singular_values = np.linalg.svd(matrix, compute_uv=False)
+    return singular_values[..., -1] ** 2
 
 
 def gains_of_w(scenario: Scenario) -> np.ndarray:
@@ -142,13 +144,16 @@ def propagate(
     rows = np.empty((*batch, count, nodes, n + 1))
     end = np.broadcast_to(np.eye(n + 1), (*batch, n + 1, n + 1)).copy()
     e, eta = end[..., :1, :], end[..., 1:, :]
+    identity = np.eye(nodes)
     for j in range(count):
-        h, W = lengths[j], w[..., j, :, :]
+        h = lengths[j]
+        W = w[..., j, :, :]
         Wt = np.swapaxes(W, -1, -2)
-        fed_back, pushed = gain * h * a * (W @ Wt), W @ eta
-        system = np.eye(nodes) + h * a @ (k * np.eye(nodes) + fed_back)
-        E = np.linalg.solve(system, e + h * a @ pushed)
-        e += h * b[None] @ (pushed - k * E - fed_back @ E)
+        forcing = W @ eta
+        damping = k * identity + gain * h * a * (W @ Wt)
+        system = identity + h * a @ damping
+        E = np.linalg.solve(system, e + h * a @ forcing)
+        e += h * b[None] @ (forcing - damping @ E)
         eta -= gain * h * (Wt * b) @ E
         rows[..., j, :, :] = E
     return rows, end

@@ -218,10 +218,18 @@ def joint_regressors(
             name: quadrature(scenario, start, start + window, edges)
             for name, scenario in members_of(system).items()
         }
-        if isinstance(source, Scenario | Team):
-            result = _simulated(source, nodes, predicted)
-        else:
-            result = _recorded(source, system, nodes, predicted)
+        simulated = isinstance(source, Scenario | Team)
+        run: Any = _simulated(system, nodes) if simulated else source
+        result = {
+            name: _regressor(
+                scenario,
+                run.sel(vehicle=name) if name else run,
+                nodes[name],
+                predicted,
+                simulated,
+            )
+            for name, scenario in members_of(system).items()
+        }
         new_cuts = []
         for regressor in result.values():
             w, cuts = regressor.w, regressor.cuts
@@ -237,77 +245,50 @@ def joint_regressors(
 
 
 def _simulated(
-    system: Scenario | Team, nodes: dict[str, Quadrature], predicted: str
-) -> dict[str, Regressor]:
-    """Return the regressor of each vehicle from a run that is sampled at the nodes."""
-    samples = np.unique(np.concatenate([t.ravel() for _, t, _ in nodes.values()]))
-    run = simulate(system, samples)
-    if run.sizes["time"] < samples.size or run.attrs["status"] != "finished":
+    system: Scenario | Team, nodes: dict[str, Quadrature]
+) -> "xarray.Dataset":
+    """Return the run at the nodes."""
+    times = np.unique(np.concatenate([times.ravel() for _, times, _ in nodes.values()]))
+    run = simulate(system, times)
+    if run.sizes["time"] < times.size or run.attrs["status"] != "finished":
         raise ScenarioError(
-            f"window up to {samples[-1]:g}: the run ended before: {run.attrs['message']}"
+            f"window up to {times[-1]:g}: the run ended before: {run.attrs['message']}"
         )
-    regressors_by_name = {}
-    for name, scenario in members_of(system).items():
-        cuts, times, weights = nodes[name]
-        indices = np.searchsorted(samples, times)
-        x, z = (values[indices] for values in _positions(run, name, predicted))
-        w = _w_at_nodes(scenario, cuts, times, x, z)
-        trajectory = "simulated from the initial values"
-        regressors_by_name[name] = Regressor(scenario, trajectory, cuts, weights, w)
-    return regressors_by_name
+    return run
 
 
-def _recorded(
+def _regressor(
+    scenario: Scenario,
     run: "xarray.Dataset",
-    system: Scenario | Team,
-    nodes: dict[str, Quadrature],
+    quadrature: Quadrature,
     predicted: str,
-) -> dict[str, Regressor]:
-    """Return the regressor of each vehicle, interpolated between the samples of a run."""
-    parts = [
-        f"{PYTHON_PARTS[a]} {run.attrs[a]}" for a in PYTHON_PARTS if a in run.attrs
-    ]
+    simulated: bool,
+) -> Regressor:
+    """Return w of one vehicle at the nodes, which are samples of a simulated run."""
+    cuts, times, weights = quadrature
     samples = run.time.values
-    step = np.median(np.diff(samples))
-    regressors_by_name = {}
-    for name, scenario in members_of(system).items():
+    positions = [run[POSITION].values, run[predicted].values]
+    trajectory = "simulated from the initial values"
+    python_parts = ""
+    if simulated:
+        indices = np.searchsorted(samples, times)
+        x, z = (values[indices] for values in positions)
+    else:
         fixes = scenario.localization
         if fixes is not None and fixes.interval > 0:
             raise DataError(
                 "localization.interval: z of a recorded run jumps at fixes, and is not known "
                 "between samples; give the scenario in place of the run"
             )
-        cuts, times, weights = nodes[name]
-        x, z = (
-            positions_between(samples, values, scenario.reference.dwell, times)
-            for values in _positions(run, name, predicted)
-        )
-        w = _w_at_nodes(scenario, cuts, times, x, z)
+        dwell = scenario.reference.dwell
+        x, z = (positions_between(samples, v, dwell, times) for v in positions)
+        step = np.median(np.diff(samples))
         trajectory = f"recorded run, sampled each {step:g} {scenario.units.time}"
-        regressors_by_name[name] = Regressor(
-            scenario, trajectory, cuts, weights, w, " and ".join(parts)
-        )
-    return regressors_by_name
-
-
-def _positions(
-    run: "xarray.Dataset", name: str, predicted: str
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the position and the predicted position of a vehicle."""
-    vehicle = run.sel(vehicle=name) if name else run
-    return vehicle[POSITION].values, vehicle[predicted].values
-
-
-def _w_at_nodes(
-    scenario: Scenario,
-    cuts: np.ndarray,
-    times: np.ndarray,
-    x: np.ndarray,
-    z: np.ndarray,
-) -> np.ndarray:
-    """Return w at nodes, with the waypoint of each piece."""
+        named = [key for key in PYTHON_PARTS if key in run.attrs]
+        python_parts = " and ".join(f"{PYTHON_PARTS[k]} {run.attrs[k]}" for k in named)
     zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
-    return w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
+    w = w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
+    return Regressor(scenario, trajectory, cuts, weights, w, python_parts)
 
 
 @public
