@@ -249,7 +249,9 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     fine = np.linspace(60.0, 100.0, 40 * 100 + 1)
     times = (fine[1:] + fine[:-1]) / 2
     run = clpt.simulate(along, times)
-    w = w_along(along, times, *[run.position.values] * 2, run.reference.values)
+    w = w_along(
+        along.basis_block(), times, *[run.position.values] * 2, run.reference.values
+    )
     kept = [0, *(1 + np.flatnonzero(gains > 0))]
     S = np.array([1.0, *gains[gains > 0] ** -0.5])
     for i in range(2):

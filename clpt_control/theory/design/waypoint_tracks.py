@@ -70,6 +70,7 @@ class Tracks:
         self.blocks: list[Any] = remaining_parts(*loop)[0]
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.callee = self.native.callee(self.native.lanes(LANES))
+        self.basis = self.scenario.basis_block()
         self.schedule = self.native.schedule((0.0, end))
         self.initial_state = state_of(self.scenario, self.blocks)
         cuts, self.nodes, self.weights = quadrature(
@@ -123,7 +124,7 @@ class Tracks:
         """Return kappa_1 of each axis or the drop of V; 0 if the run failed."""
         times = np.broadcast_to(self.nodes, x.shape[:-1])
         zc = np.broadcast_to(waypoints[:, self.node_waypoint], x.shape)
-        w = np.nan_to_num(w_along(self.scenario, times, x, x, zc))
+        w = np.nan_to_num(w_along(self.basis, times, x, x, zc))
         if self.gains is None:
             kappa = smallest_eigenvalue(w, self.weights)
         else:

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from ...arguments import numbers, public
-from ...engine.model.block import evaluate
+from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
 from ...errors import ArgumentError, DataError, ScenarioError
 from ...scenario.experiment import Scenario
@@ -287,7 +287,7 @@ def _regressor(
         named = [key for key in PYTHON_PARTS if key in run.attrs]
         python_parts = " and ".join(f"{PYTHON_PARTS[k]} {run.attrs[k]}" for k in named)
     zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
-    w = w_along(scenario, times, x, z, np.broadcast_to(zc, z.shape))
+    w = w_along(scenario.basis_block(), times, x, z, np.broadcast_to(zc, z.shape))
     return Regressor(scenario, trajectory, cuts, weights, w, python_parts)
 
 
@@ -347,8 +347,8 @@ def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:
 
 
 def w_along(
-    scenario: Scenario, times: np.ndarray, x: np.ndarray, z: np.ndarray, zc: np.ndarray
+    basis: Block, times: np.ndarray, x: np.ndarray, z: np.ndarray, zc: np.ndarray
 ) -> np.ndarray:
     """Return w at times (...) and positions (..., 2), shape (2, ..., N + 2)."""
-    phi = evaluate(scenario.basis_block(), times.ravel(), x.reshape(-1, 2))
+    phi = evaluate(basis, times.ravel(), x.reshape(-1, 2))
     return regressors(phi.reshape(*times.shape, -1), z, zc)
