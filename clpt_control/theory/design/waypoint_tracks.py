@@ -7,10 +7,8 @@ For a linear law with gains, the worst-case drop of V of Eq. (24) over the windo
 1 - |Phi|^2 in the units of V (`certificates`), replaces kappa_1.  W of Eq. (31) contains z,
 which depends on the law.  Every law that converges ends at e = 0, z = x, where W depends on the
 vehicle alone.  Therefore the vehicle's blocks run without the learner, disturbance and noise.
-All tracks run in one compiled diagram and differ only in the waypoints.
-
-Limits: the closed length sum_j |w_{j+1} - w_j|, the speed |v_x| of Eq. (7), and a box for
-waypoints and vehicle.
+All tracks run in one compiled diagram.  Limits are the closed length sum_j |w_{j+1} - w_j|, the
+speed |v_x| of Eq. (7), and a box for waypoints and vehicle.
 """
 
 from typing import Any, NamedTuple

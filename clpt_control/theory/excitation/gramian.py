@@ -3,10 +3,9 @@
     kappa_2 I > int_t^{t+T} w(s) w(s)^T ds > kappa_1 I            Definition 3.1
 
 The joint regressor of an axis is w = [phi(x), z_i, zc_i], Eq. (31).  The eigenvalues of its
-Gramian measure the identifiability of the parameters on this trajectory.  The Gramian is stored
-as a triangular factor R, R^T R, from the QR factors of sqrt(weight) w^T, so that an eigenvalue of
-1e-21 keeps its digits next to one of 1e3.  With c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i),
-Eqs. (1), (3), (7) give w^T c_i = x_i' + KD_i e_i and so the ceiling
+Gramian measure the identifiability of the parameters on this trajectory.  The Gramian R^T R is
+stored as its QR factor R, so that eigenvalues of 1e-21 and 1e3 keep their digits.  With
+c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = x_i' + KD_i e_i, so
 
     kappa_1 <= int (x_i' + KD_i e_i)^2 dt / |c_i|^2
 
