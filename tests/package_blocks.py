@@ -20,7 +20,7 @@ from clpt_control.blocks import (
 from clpt_control.blocks.laws.law import Gains, Truth
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.currents.plane import GriddedField
-from clpt_control.theory.proving.theorem_loop import theorem_scenario
+from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 GAINS = {  # of alpha, K and Gamma, by the number of functions
     1: Gains(0.7, 0.4, 1.3, one=False),

@@ -90,7 +90,7 @@ def prove(
     Example:
         clpt prove --theorem 3.2
     """
-    from ..theory.proving.outcomes import (
+    from ..theory.proofs.cached_verdicts import (
         CachedOutcomes,
         make_ready,
         prove_all,
@@ -101,7 +101,7 @@ def prove(
         cached = CachedOutcomes()
         if pool is not None and theorem is None and (again or not cached.outcomes):
             pool.submit(make_ready)
-        from ..theory.proving.all_proofs import statements
+        from ..theory.proofs.all_proofs import statements
 
         wanted = statements(theorem)
         new = [one for one in wanted if again or one not in cached.outcomes]

@@ -6,10 +6,10 @@ from .excitation.excitation_report import excitation_plot
 from .excitation.gramian import gramian, started_true
 from .excitation.regressor import error_matrices
 from .lyapunov_function import lyapunov
-from .proving.judge import Verdict
-from .proving.misprints import misprints
-from .proving.own_law import prove
-from .proving.theorems import audit
+from .proofs.judge import Verdict
+from .proofs.misprints import misprints
+from .proofs.own_law import prove
+from .proofs.theorems import audit
 from .refuting import Search, refute
 
 __all__ = [

@@ -14,9 +14,9 @@ import sympy
 
 from ..arguments import Count, Seed, public
 from ..errors import DiagramError
-from .proving.judge import Verdict, judge, refuted
-from .proving.proof import Step, first_failure, short, worked_out
-from .proving.system_candidate import SystemCandidate, function_of_signals
+from .proofs.judge import Verdict, judge, refuted
+from .proofs.steps import Step, first_failure, short, worked_out
+from .proofs.system_candidate import SystemCandidate, function_of_signals
 from .region import Region
 from .searching import candidates
 

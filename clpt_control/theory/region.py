@@ -35,8 +35,8 @@ from ..arguments import check_holds, numbers
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
 from ..errors import DiagramError
-from .proving.exact import tidied, vanishes
-from .proving.facts import (
+from .proofs.exact import tidied, vanishes
+from .proofs.facts import (
     COMPARISONS,
     along,
     decided,
@@ -46,8 +46,8 @@ from .proving.facts import (
     meets_smoothly,
     pieces_of,
 )
-from .proving.proof import short
-from .proving.system_candidate import SystemCandidate
+from .proofs.steps import short
+from .proofs.system_candidate import SystemCandidate
 
 Interval = tuple[np.ndarray, np.ndarray]  # low and high, of shape (boxes,)
 UNITS = 16.0 * 2.0**-52  # as a share: of a function of NumPy, in the last place

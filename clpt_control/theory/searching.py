@@ -24,10 +24,10 @@ import sympy
 
 from ..engine.diagram.symbol_names import TIME
 from ..errors import DiagramError
-from .proving.exact import vanishes
-from .proving.facts import ODD, along, decided
-from .proving.proof import short
-from .proving.system_candidate import SystemCandidate
+from .proofs.exact import vanishes
+from .proofs.facts import ODD, along, decided
+from .proofs.steps import short
+from .proofs.system_candidate import SystemCandidate
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient

@@ -11,7 +11,7 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
 from clpt_control.scenario.quantities import keys_of, keys_of_law
 from clpt_control.simulation.user_parts import functions_of
-from clpt_control.theory.proving.theorem_loop import theorem_scenario
+from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 N = 2
 TRUTH = Truth(

@@ -15,7 +15,7 @@ from clpt_control.blocks.laws.table import LAWS
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.equations import Block
 from clpt_control.errors import DataError, DiagramError, ScenarioError
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 THETA = "flow.parameters~normal:0.1"
 GAIN = "learning.gain=0.2:2.0"

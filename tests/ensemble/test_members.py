@@ -12,7 +12,7 @@ from clpt_control.ensemble.of_scenarios import VariedScenario
 from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
 from clpt_control.simulation.summary import run_and_report
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 
 def members_of(count):

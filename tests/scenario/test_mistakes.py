@@ -23,7 +23,7 @@ from clpt_control.scenario.learning import KINDS, Learning
 from clpt_control.scenario.quantities import CALL_TIME_NAMES
 from clpt_control.scenario.tables import Disturbance, Kernel
 from clpt_control.scenario.team import system_from_text, team_to_text
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()
 SINE = {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}

@@ -10,7 +10,7 @@ import clpt_control as clpt
 from clpt_control.base.random_numbers import hash_fraction
 from clpt_control.blocks import localization
 from clpt_control.equations import evaluate
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"
 PAPER = clpt.paper_scenario().with_values(

@@ -10,7 +10,7 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ClptError, DiagramError, ScenarioError
-from clpt_control.theory.proving.theorem_loop import AT_FIXES
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
 

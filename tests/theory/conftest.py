@@ -3,7 +3,7 @@
 import pytest
 
 import clpt_control
-from clpt_control.theory.proving import point_search, same_as_running
+from clpt_control.theory.proofs import point_search, same_as_running
 
 
 @pytest.fixture(scope="session")

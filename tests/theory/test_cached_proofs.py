@@ -10,15 +10,15 @@ from processes import GUARD
 from clpt_control.blocks import vehicle
 from clpt_control.engine.codegen import machine
 from clpt_control.files import CACHE
-from clpt_control.theory.proving import outcomes
-from clpt_control.theory.proving.all_proofs import Statement, statements
-from clpt_control.theory.proving.outcomes import (
+from clpt_control.theory.proofs import cached_verdicts as outcomes
+from clpt_control.theory.proofs.all_proofs import Statement, statements
+from clpt_control.theory.proofs.cached_verdicts import (
     CachedOutcomes,
     digest,
     prove_all,
     second_process,
 )
-from clpt_control.theory.proving.proof import Step, theorem
+from clpt_control.theory.proofs.steps import Step, theorem
 
 SHORT = Statement("limited_speed", "without hedging")
 of_its_own = pytest.mark.usefixtures("folder")

@@ -17,7 +17,7 @@ from clpt_control.theory import certificate, excitation_plot, gramian, started_t
 from clpt_control.theory.excitation import certificates, regressor
 from clpt_control.theory.excitation.excitation_report import excitation_report
 from clpt_control.theory.excitation.gramian import sliding_excitation
-from clpt_control.theory.proving.circle import circle_step
+from clpt_control.theory.proofs.circle import circle_step
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 

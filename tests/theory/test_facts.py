@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy
 
-from clpt_control.theory.proving.facts import (
+from clpt_control.theory.proofs.facts import (
     FACTS,
     NUMPY_OF,
     along,

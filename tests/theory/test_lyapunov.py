@@ -12,10 +12,10 @@ from written_systems import written
 import clpt_control as clpt
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import lyapunov as judge
-from clpt_control.theory.proving import point_search
-from clpt_control.theory.proving.exact import factored
-from clpt_control.theory.proving.sums_of_squares import squares
-from clpt_control.theory.proving.theorem_loop import theorem_loop
+from clpt_control.theory.proofs import point_search
+from clpt_control.theory.proofs.exact import factored
+from clpt_control.theory.proofs.sums_of_squares import squares
+from clpt_control.theory.proofs.theorem_loop import theorem_loop
 
 lyapunov = partial(judge, points=50)  # at which the running blocks are called
 

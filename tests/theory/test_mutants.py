@@ -15,14 +15,14 @@ from source_checks import CHECKS
 
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import audit, misprints
-from clpt_control.theory.proving import (
+from clpt_control.theory.proofs import (
     all_proofs,
     invariant_loop,
     team_proof,
     theorem_loop,
     theorems,
 )
-from clpt_control.theory.proving.proof import proof_or_failure
+from clpt_control.theory.proofs.steps import proof_or_failure
 
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
 ALL_SIZES = invariant_loop.SIZES

@@ -17,9 +17,9 @@ from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.errors import ClptError, DiagramError
 from clpt_control.progress import interrupt
 from clpt_control.theory import audit, prove, started_true
-from clpt_control.theory.proving import invariants
-from clpt_control.theory.proving.proof import exact
-from clpt_control.theory.proving.theorem_loop import theorem_scenario
+from clpt_control.theory.proofs import invariants
+from clpt_control.theory.proofs.steps import exact
+from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100  # of running blocks in each case; the default is 10,000

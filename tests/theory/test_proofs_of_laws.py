@@ -17,12 +17,12 @@ from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DiagramError
 from clpt_control.theory.promises import truth_of
-from clpt_control.theory.proving import all_proofs, invariant_loop, invariants
-from clpt_control.theory.proving.all_proofs import proof_of_law
-from clpt_control.theory.proving.invariants import ARRIVE, AtFixes, fix_steps
-from clpt_control.theory.proving.own_law import prove
-from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
-from clpt_control.theory.proving.theorem_loop import AT_FIXES, theorem_loop
+from clpt_control.theory.proofs import all_proofs, invariant_loop, invariants
+from clpt_control.theory.proofs.all_proofs import proof_of_law
+from clpt_control.theory.proofs.invariants import ARRIVE, AtFixes, fix_steps
+from clpt_control.theory.proofs.own_law import prove
+from clpt_control.theory.proofs.symbolic_loop import ArrayLoop, symbolic_loop
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES, theorem_loop
 
 pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 100

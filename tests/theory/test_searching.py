@@ -11,8 +11,8 @@ from written_systems import NUMPY, written
 
 import clpt_control as clpt
 from clpt_control.theory import lyapunov
-from clpt_control.theory.proving.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
-from clpt_control.theory.proving.theorem_loop import theorem_scenario
+from clpt_control.theory.proofs.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
+from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 from clpt_control.theory.region import enclosed
 
 SYSTEMS = {  # rates, and a state to start from

@@ -13,12 +13,12 @@ from clpt_control.engine.diagram.interconnection import connect
 from clpt_control.engine.model.block import Block
 from clpt_control.engine.record.derivative import Direction
 from clpt_control.engine.trace.arrays import Tape, Unread
-from clpt_control.theory.proving.every_n import SUM, EveryN
-from clpt_control.theory.proving.exact import vanishes
-from clpt_control.theory.proving.point_search import PointSearch
-from clpt_control.theory.proving.same_as_running import compare
-from clpt_control.theory.proving.symbolic_loop import ArrayLoop, symbolic_loop
-from clpt_control.theory.proving.theorem_loop import (
+from clpt_control.theory.proofs.every_n import SUM, EveryN
+from clpt_control.theory.proofs.exact import vanishes
+from clpt_control.theory.proofs.point_search import PointSearch
+from clpt_control.theory.proofs.same_as_running import compare
+from clpt_control.theory.proofs.symbolic_loop import ArrayLoop, symbolic_loop
+from clpt_control.theory.proofs.theorem_loop import (
     law_and_V,
     law_loop,
     theorem_loop,

@@ -11,17 +11,17 @@ from clpt_control.blocks import consensus as blocks
 from clpt_control.blocks import learner, vehicle
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.theory import audit, counterexamples, misprints
-from clpt_control.theory.proving import all_proofs
-from clpt_control.theory.proving.all_proofs import LIMITED_SPEED, statements
-from clpt_control.theory.proving.outcomes import CachedOutcomes, prove_all
-from clpt_control.theory.proving.proof import (
+from clpt_control.theory.proofs import all_proofs
+from clpt_control.theory.proofs.all_proofs import LIMITED_SPEED, statements
+from clpt_control.theory.proofs.cached_verdicts import CachedOutcomes, prove_all
+from clpt_control.theory.proofs.steps import (
     Step,
     checked,
     cited,
     proof_or_failure,
     theorem,
 )
-from clpt_control.theory.proving.team_proof import GRAPHS, team_steps
+from clpt_control.theory.proofs.team_proof import GRAPHS, team_steps
 
 
 @pytest.fixture(scope="module")

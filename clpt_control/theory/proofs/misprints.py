@@ -17,7 +17,7 @@ from ...blocks.laws.law import LEARNED
 from ...engine.record.symbolic import Symbols
 from ...simulation.loops import error_loop
 from .exact import vanishes
-from .proof import checked
+from .steps import checked
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import (
     decay,

@@ -21,8 +21,8 @@ import sympy
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbolic_equations import Equations
 from ...html import facts, fragment
-from .proof import Step, exact, first_failure, short
 from .states_outside_V import states_outside_V
+from .steps import Step, exact, first_failure, short
 from .symbolic_loop import Point
 
 

@@ -28,8 +28,8 @@ from .exact import factored, tidied, vanishes
 from .facts import along, is_continuous, meets_smoothly
 from .judge import Candidate, Fall, Refutation, Verdict
 from .point_search import Failure, PointSearch
-from .proof import Step, checked, exact, short
 from .same_as_running import compare
+from .steps import Step, checked, exact, short
 from .sums_of_squares import squares
 from .symbolic_loop import NO_VALUE, no_value, refuse_names
 

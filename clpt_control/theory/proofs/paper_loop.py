@@ -14,7 +14,7 @@ import numpy as np
 
 from ...simulation.loops import error_loop
 from .exact import vanishes
-from .proof import Step
+from .steps import Step
 from .symbolic_loop import ArrayLoop
 from .theorem_loop import WIRED, Hedging, theorem_loop, theorem_scenario, vanish
 

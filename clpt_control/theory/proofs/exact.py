@@ -15,7 +15,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from ...errors import DiagramError
 from .facts import CLIP, INSIDE
-from .proof import short
+from .steps import short
 
 MOST_TERMS = 20_000  # more are not multiplied out
 HIGHEST = 4  # higher powers are not factored

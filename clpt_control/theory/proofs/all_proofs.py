@@ -18,7 +18,7 @@ from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .own_law import prove
 from .paper_loop import PaperLoop
-from .proof import Proof, proof_or_failure, where_all_hold
+from .steps import Proof, proof_or_failure, where_all_hold
 from .team_proof import proof_of_team
 from .theorem_loop import law_and_V
 from .theorems import KNOWN_ERROR, THEOREMS, known_flow_steps, numbers_of

@@ -23,8 +23,8 @@ from .every_n import base_and_term, reindexed
 from .exact import tidied, vanishes
 from .facts import CLIP, SIGN, along, degree, interval
 from .judge import Candidate, Fall, Refutation, Verdict
-from .proof import Step, checked, exact, short
 from .same_as_running import running_step, search_of
+from .steps import Step, checked, exact, short
 from .sums_of_squares import dead_zone, least_place, rising_in
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in

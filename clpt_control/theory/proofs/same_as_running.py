@@ -16,7 +16,7 @@ import sympy
 
 from ...progress.interrupt import check
 from .point_search import PointSearch
-from .proof import Step, checked
+from .steps import Step, checked
 from .symbolic_loop import Numbers, SymbolicLoop
 
 THROUGH_CONTROL = 40  # points at which python-control calls the blocks

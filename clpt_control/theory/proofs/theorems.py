@@ -28,8 +28,8 @@ from ..counterexamples import (
 )
 from .circle import circle_step
 from .paper_loop import PaperLoop, algebra, errors_loop, line
-from .proof import Proof, Step, counterexample, proof_or_failure, theorem
 from .same_as_running import running_step
+from .steps import Proof, Step, counterexample, proof_or_failure, theorem
 from .symbolic_loop import ArrayLoop, symbolic_loop
 from .theorem_loop import vanish
 

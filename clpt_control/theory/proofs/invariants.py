@@ -64,8 +64,8 @@ from . import invariant_loop
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE, decided
 from .invariant_loop import InvariantLoop
-from .proof import Step, exact_step
 from .same_as_running import running_step
+from .steps import Step, exact_step
 from .symbolic_loop import equated, symbolic_loop
 from .theorem_loop import decay, law_and_V, rate_of_V, theorem_scenario
 from .theorems import mean_square

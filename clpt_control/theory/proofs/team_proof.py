@@ -21,8 +21,8 @@ from ...engine.diagram.interconnection import Diagram, connect
 from ...engine.model.ports import named, split, within
 from ...scenario.team import TEAM_LAW, Team
 from ...simulation.team_loops import team_blocks
-from .proof import Proof, Step, where_all_hold
 from .same_as_running import running_step
+from .steps import Proof, Step, where_all_hold
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
     SOURCES,

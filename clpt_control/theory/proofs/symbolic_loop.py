@@ -31,7 +31,7 @@ from ...engine.trace.arrays import Tape, operand
 from ...errors import DiagramError
 from .every_n import EveryN
 from .facts import NUMPY_OF, along, is_input
-from .symbols import PaperNames, parameter_symbol, undefined
+from .paper_symbols import PaperNames, parameter_symbol, undefined
 
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 

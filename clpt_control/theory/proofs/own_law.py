@@ -37,9 +37,9 @@ from .invariant_loop import InvariantLoop
 from .invariants import invariant_steps
 from .judge import Verdict, judge
 from .law_candidate import LawCandidate
-from .proof import first_failure, worked_out
+from .paper_symbols import paper_name
+from .steps import first_failure, worked_out
 from .symbolic_loop import TIME, flat, refuse_no_value, symbolic_loop
-from .symbols import paper_name
 from .theorem_loop import (
     mixed_candidate,
     rate_of_V,

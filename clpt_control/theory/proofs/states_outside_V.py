@@ -16,7 +16,7 @@ from sympy.core.function import AppliedUndef
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from .facts import degree, is_input
-from .proof import How, Step, exact
+from .steps import How, Step, exact
 from .sums_of_squares import squares
 
 ANGLES = (sympy.sin, sympy.cos)

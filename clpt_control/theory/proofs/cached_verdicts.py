@@ -26,7 +26,7 @@ from ...engine.codegen.machine import ENGINE, code_name
 from ...files import cache_folder, read_cached, write_cached
 from ...progress import interrupt
 from ...progress.processes import Pool, processes
-from .proof import Proof
+from .steps import Proof
 
 if TYPE_CHECKING:  # the other process starts before all this is imported
     from .all_proofs import Outcome, Outcomes, Statement

@@ -25,8 +25,8 @@ from ..promises import truth_of
 from .decide import never_positive, nonpositive
 from .exact import as_factors, left_over, vanishes
 from .facts import positive_maximum
-from .proof import Step, short
 from .states_outside_V import states_outside_V
+from .steps import Step, short
 from .sums_of_squares import holds_all, squares
 from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import (

@@ -8,7 +8,7 @@ of q = exp(4 pi i/n), which is not 1 and whose n-th power is.
 
 import sympy
 
-from .proof import Step, checked
+from .steps import Step, checked
 
 
 def circle_step() -> Step:

@@ -28,7 +28,7 @@ from ...scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
 from .exact import left_over
-from .proof import Step, checked
+from .steps import Step, checked
 from .symbolic_loop import ArrayLoop, SymbolicLoop
 
 SOURCES = {
