@@ -8,7 +8,7 @@ from .excitation.regressor import error_matrices
 from .lyapunov_function import lyapunov
 from .proofs.judge import Verdict
 from .proofs.misprints import misprints
-from .proofs.own_law import prove
+from .proofs.prove_law import prove
 from .proofs.theorems import audit
 from .refuting import Search, refute
 

@@ -17,10 +17,10 @@ from clpt_control.blocks.laws.remembering import next_window
 from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DiagramError
 from clpt_control.theory.promises import truth_of
-from clpt_control.theory.proofs import all_proofs, invariant_loop, invariants
+from clpt_control.theory.proofs import all_proofs, fixes, invariant_loop
 from clpt_control.theory.proofs.all_proofs import proof_of_law
-from clpt_control.theory.proofs.invariants import ARRIVE, AtFixes, fix_steps
-from clpt_control.theory.proofs.own_law import prove
+from clpt_control.theory.proofs.fixes import ARRIVE, AtFixes, fix_steps
+from clpt_control.theory.proofs.prove_law import prove
 from clpt_control.theory.proofs.symbolic_loop import ArrayLoop, symbolic_loop
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES, theorem_loop
 
@@ -312,7 +312,7 @@ def test_every_step_is_shown(monkeypatch):
     # a fix that is not exact
     assert "V" in AtFixes(FIXES, 1, late=False).after(ARRIVE, 1, off=1)
     # a law that forgets the integral
-    monkeypatch.setattr(invariants, "MOVING", ("x", "z"))
+    monkeypatch.setattr(fixes, "MOVING", ("x", "z"))
     assert not fix_steps(FIXES, 10)[0].holds
 
 

@@ -19,7 +19,7 @@ from clpt_control.blocks.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
 from clpt_control.theory.promises import truth_of
-from clpt_control.theory.proofs.own_law import prove
+from clpt_control.theory.proofs.prove_law import prove
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 pytestmark = pytest.mark.usefixtures("few_calls")

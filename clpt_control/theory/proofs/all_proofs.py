@@ -13,11 +13,12 @@ from typing import Any, NamedTuple
 
 from ...blocks.laws.law import Law
 from ...blocks.laws.table import LAWS
-from .invariants import fix_steps, invariant_steps
+from .fixes import fix_steps
+from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
-from .own_law import prove
 from .paper_loop import PaperLoop
+from .prove_law import prove
 from .steps import Proof, proof_or_failure, where_all_hold
 from .team_proof import proof_of_team
 from .theorem_loop import law_and_V

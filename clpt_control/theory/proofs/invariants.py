@@ -36,38 +36,24 @@ More is said of laws with a covariance P of least squares:
 
 and where CLPE does not drive alpha, tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda times it.
 With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
-
-The proof of a law that learns at fixes: what stays between them, and what each fix does.
-
-    (x - z - eta m)' = 0, V' = 0              between fixes, where phi(x) = phi(z)
-    V_after - V = -r^2 |eta m|^2/(2 d)        at an exact fix, d = r^2 + m^T P m
-    x - z = eta m                             still, and P is the inverse of P^-1 + m m^T/r^2
-    nothing changes                           where a fix is missing, or only sent
-
-A fix that arrives late has m of when it was sent; what was integrated since stands beside it,
-x - z = eta (m_sent + m).  So V never rises, P^-1 never falls, and |eta_k| <= (2 V(0) P_kk)^(1/2)/r.
-Not shown: phi(x) = phi(z), which holds the better the nearer the prediction is.
 """
 
 from collections.abc import Callable
 from functools import partial
-from itertools import chain, combinations, filterfalse, product
+from itertools import chain, combinations, filterfalse
 from typing import Any
 
 import numpy as np
 import sympy
 
 from ...blocks.laws.law import Law
-from ...engine.diagram.interconnection import connect
-from ...simulation.loops import LoopOf, remaining_parts
 from . import invariant_loop
 from .exact import vanishes
-from .facts import MAXIMUM, WHERE, decided
+from .facts import MAXIMUM, WHERE
 from .invariant_loop import InvariantLoop
 from .same_as_running import running_step
 from .steps import Step, exact_step
-from .symbolic_loop import equated, symbolic_loop
-from .theorem_loop import decay, law_and_V, rate_of_V, theorem_scenario
+from .theorem_loop import decay
 from .theorems import mean_square
 
 Claims = dict[str, Callable[[InvariantLoop], bool | str]]
@@ -203,128 +189,3 @@ def _cauchy(case: InvariantLoop) -> bool:
         for a, b in combinations(range(n), 2)
     )
     return vanishes(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares)
-
-
-SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
-SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
-# what comes from blocks that are left out
-OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
-MOVING = ("x", "z", "m")  # states that change between fixes
-READ = ("alpha", "z", "information")  # and those that others read as they are
-States = dict[str, np.ndarray]
-
-
-def wrong(rows: dict[str, Any]) -> str:
-    """Return the names of the rows that are not zero for all symbols."""
-    names = [
-        name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))
-    ]
-    return f"{', '.join(names)} differs" if names else ""
-
-
-class AtFixes:
-    """Vehicle, law and V on symbols; fixes and what moves the vehicle are inputs."""
-
-    def __init__(self, law: Law, N: int, late: bool):
-        self.N, self.late = N, late
-        block, V = law_and_V(law, N)
-        block.parameters = block.parameters._replace(latency=float(late))
-        parts, _ = remaining_parts(
-            *LoopOf(theorem_scenario(N, law.name), external=OUTSIDE)
-        )
-        parts = [one for one in parts if one.name != block.name]
-        self.loop = symbolic_loop(
-            connect([*parts, block, V], OUTSIDE, name="between"), jumps=True
-        )
-        p = self.loop.parameters
-        self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
-        P = sympy.Matrix(N, N, lambda j, k: self.loop.states["P"][min(j, k), max(j, k)])
-        before = {"P": P, "information": P.adjugate() / P.det()}
-        self.known = {p["lyapunov"].noise: self.r} | equated(self.loop.states, before)
-
-    def eta(self, states: States) -> np.ndarray:
-        """Return theta + alpha, shape (2, N)."""
-        return self.theta + states["alpha"]
-
-    def missed(self, states: States) -> np.ndarray:
-        """Return eta m, m with that of a fix under way."""
-        return self.eta(states) @ (states["m"] + states["waiting"] * states["m_sent"])
-
-    def V(self, states: States) -> sympy.Expr:
-        """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
-        known = self.known | equated(self.loop.states, states)
-        return self.loop.signals["V"][0].xreplace(known)
-
-    def stays(self) -> str:
-        """Return what changes between fixes where phi(x) = phi(z), or nothing."""
-        loop, s = self.loop, self.loop.states
-        same = dict(zip(loop.inputs["phi_x"], loop.inputs["phi_z"], strict=True))
-        return wrong(
-            {
-                "x - z - eta m": [
-                    loop.derivative(e).subs(same)
-                    for e in s["x"] - s["z"] - self.missed(s)
-                ],
-                "V": rate_of_V(loop),
-                **{f"{port} read": loop.signals[port] - s[port] for port in READ},
-                **{port: loop.rates[port] for port in s if port not in MOVING},
-            }
-        )
-
-    def learns(self) -> str:
-        """Return what a jump does wrong, or nothing; there is a fix, or it is missing."""
-        jumps = (self.after(*one) for one in product((SEND, ARRIVE), (0, 1)))
-        return next(filter(None, jumps), "")
-
-    def after(self, interval: int, taken: int, off: float = 0) -> str:
-        """Return which of the claims fails at the jump with which an interval begins.
-
-        `off` is by how much the fix is not exact.
-        """
-        s, r, one = self.loop.states, self.r, np.eye(self.N, dtype=int)
-        got = taken if interval == ARRIVE or not self.late else 0
-        known = self.known | equated(self.loop.inputs, {"taken": taken})
-        known[self.loop.parameters["adaptation"].interval] = sympy.Integer(interval)
-        sent = s["z_sent"] + self.eta(s) @ s["m_sent"] if self.late else s["sent"]
-        known |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
-
-        def states(new: dict[Any, sympy.Expr]) -> States:
-            put = np.vectorize(
-                lambda a: decided(a.xreplace(new).xreplace(known)), otypes=[object]
-            )
-            return {port: put(symbols) for port, symbols in s.items()}
-
-        before = states({})
-        x, m = before["z"] + self.missed(before), before["m_sent" if self.late else "m"]
-        known |= equated(self.loop.inputs, {"fix": x + off})
-        after = states(*self.loop.jumps.values())
-        y, d = self.eta(before) @ m, r**2 + m @ before["P"] @ m
-        sent = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
-        gained = after["information"] - before["information"]
-        return wrong(
-            {
-                "V": self.V(after) - self.V(before) + got * r**2 * sum(y**2) / (2 * d),
-                "P": after["P"] @ after["information"] - one,
-                "P^-1": gained - got * np.outer(m, m) / r**2,
-                "x - z - eta m": x - after["z"] - self.missed(after),
-                "what is missing": (1 - got) * (after["alpha"] - before["alpha"]),
-                "the fix under way": [
-                    *after["waiting"] * sent,
-                    *after["waiting"] - taken + got,
-                ],
-            }
-        )
-
-
-def fix_steps(law: Law, points: int) -> list[Step]:
-    """Check a law that learns at fixes, for N = 1, 2."""
-    cases = [AtFixes(law, N, late) for N in SIZES for late in (False, True)]
-    claims = {
-        "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
-        "whatever v is flown": AtFixes.stays,
-        "at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m)), P^-1 rises by m m^T/r^2 "
-        "and x - z = eta m, also where it arrives late; one that is missing or on its way "
-        "changes nothing": AtFixes.learns,
-    }
-    steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
-    return [*steps, running_step(lambda: cases[-1].loop, points)]
