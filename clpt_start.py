@@ -9,7 +9,7 @@ import signal
 
 def main() -> None:
     """Run the command line, which answers interrupts from where it begins."""
-    from clpt_control.cli import main
+    from clpt_control.app.cli import main
 
     main(_leave)
 

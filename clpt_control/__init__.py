@@ -24,7 +24,7 @@ def _diagram_html(diagram: Any) -> str:
 
 
 def _accessor() -> type:
-    from .notebook.accessor import ClptAccessor
+    from .app.notebook.accessor import ClptAccessor
 
     return ClptAccessor
 

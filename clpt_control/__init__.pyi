@@ -15,11 +15,8 @@ from . import (
     simulation,
     theory,
 )
-from .engine.diagram.interconnection import connect
-from .engine.diagram.linearization import linearize
-from .engine.model.block import Block
-from .ensemble import run_ensemble
-from .errors import (
+from .app.pages.writing import report
+from .base.errors import (
     ArgumentError,
     BlockError,
     ClptError,
@@ -29,16 +26,14 @@ from .errors import (
     SimulationError,
     Uncompiled,
 )
-from .pages import report
+from .engine.diagram.interconnection import connect
+from .engine.diagram.linearization import linearize
+from .engine.model.block import Block
+from .ensemble import run_ensemble
+from .paper.scenario.experiment import Scenario
+from .paper.scenario.file import load_scenario, paper_scenario, save_scenario
+from .paper.scenario.team import Team, load_team
 from .plots.drawing.figure import draw
-from .scenario import (
-    Scenario,
-    Team,
-    load_scenario,
-    load_team,
-    paper_scenario,
-    save_scenario,
-)
 from .simulation import (
     animate,
     closed_loop,

@@ -1,6 +1,6 @@
 """`python -m clpt_control` is `clpt`."""
 
-from .cli import main
+from .app.cli import main
 
 if __name__ == "__main__":
     main()

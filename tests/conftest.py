@@ -29,11 +29,11 @@ class Outcome(NamedTuple):
 @pytest.fixture
 def clpt(monkeypatch, capsys):
     """Run `clpt ARGUMENTS` and give its outcome."""
-    from clpt_control.cli import main
-    from clpt_control.progress import interrupt
+    from clpt_control.app.cli import main
+    from clpt_control.base.progress import interrupt
 
     # no lines that only a slow machine shows
-    monkeypatch.setattr("clpt_control.progress.PATIENCE", float("inf"))
+    monkeypatch.setattr("clpt_control.base.progress.PATIENCE", float("inf"))
     monkeypatch.setattr(interrupt, "_ended", False)  # at the end of the test, too
 
     def run(*arguments):

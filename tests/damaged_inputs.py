@@ -82,8 +82,8 @@ def _run(folder, words, out, err):
             os.fdopen(number, "w", closefd=False) for number in (1, 2)
         )
         sys.argv = ["clpt", *words.split(" ")]
-        from clpt_control import progress
-        from clpt_control.cli import main
+        from clpt_control.app.cli import main
+        from clpt_control.base import progress
 
         progress.PATIENCE = float("inf")  # no lines that only a slow machine shows
         try:
@@ -131,7 +131,7 @@ def draw_nothing():
     """Let figures be made and not drawn, which takes most of the time."""
     from matplotlib.figure import Figure
 
-    from clpt_control import figures  # before pages take it
+    from clpt_control.base import figures  # before pages take it
 
     figures.inline_svg = lambda *_: ""
     Figure.savefig = lambda self, file, **_: Path(file).write_bytes(b"drawn")
@@ -148,7 +148,7 @@ def main(first, count, drawn=1):
         import typer
         from PIL import Image  # noqa: F401
 
-        from clpt_control import cli
+        from clpt_control.app import cli
 
         made = typer.main.get_command(cli.application())
         cli.application = lambda: made

@@ -160,7 +160,7 @@ def put(valid, folder, words):
 
 def call(words, folder):
     """Run a command here, which must do its work; return what it prints."""
-    from clpt_control.cli import application
+    from clpt_control.app.cli import application
 
     said = io.StringIO()
     with redirect_stdout(said), redirect_stderr(io.StringIO()), chdir(folder):

@@ -9,7 +9,7 @@ longitude is 6378137 m * pi/180 (WGS84), so every number is known without a read
 import netCDF4
 import numpy as np
 
-from clpt_control.gliders.dive_files import read_dive_file
+from clpt_control.ocean.gliders.dive_files import read_dive_file
 
 VELOCITY = np.array([0.24, -0.10])  # m/s through the water, east and north
 T0, DURATION, FIRST, LAST, DEPTH = 1.5e9, 9000.0, 60.0, 140.0, 400.0

@@ -11,9 +11,9 @@ import re
 import numpy as np
 from law_blocks import LEARNED, filled
 
-from clpt_control.blocks.clpe import clpe
-from clpt_control.blocks.laws.law import Truth
 from clpt_control.equations import Block, lookup
+from clpt_control.paper.blocks.clpe import clpe
+from clpt_control.paper.laws.law import Truth
 
 N = 2
 GAIN = {"gain": 0.5}

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 from clpt_control import parts
-from clpt_control.blocks import (
+from clpt_control.ocean.currents.plane import GriddedField
+from clpt_control.paper.blocks import (
     clpe,
-    consensus,
     disturbance,
     field,
     flow,
@@ -17,9 +17,9 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.blocks.laws.law import Gains, Truth
-from clpt_control.blocks.laws.table import LAWS
-from clpt_control.currents.plane import GriddedField
+from clpt_control.paper.laws import consensus
+from clpt_control.paper.laws.law import Gains, Truth
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 GAINS = {  # of alpha, K and Gamma, by the number of functions

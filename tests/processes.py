@@ -10,7 +10,7 @@ from pathlib import Path
 GUARD = 600  # seconds after which a test that hangs is given up, on any machine
 CODE = (
     "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # as in a terminal
-    "from clpt_control.cli import main; main()"
+    "from clpt_control.app.cli import main; main()"
 )
 CLPT = [sys.executable, "-c", CODE]
 # lines that only a slow machine shows

@@ -12,9 +12,9 @@ import pytest
 from test_layout import trees
 
 import clpt_control
-from clpt_control import figures
-from clpt_control.blocks.laws.table import LAWS
-from clpt_control.scenario.tidal_periods import SPEEDS
+from clpt_control.base import figures
+from clpt_control.paper.laws.table import LAWS
+from clpt_control.paper.scenario.tidal_periods import SPEEDS
 from clpt_control.theory.promises import promises_in_words
 
 EQUATION = ["t", "x", "u", "p"]

@@ -17,11 +17,11 @@ from sentences import says
 
 import clpt_control
 from clpt_control import DataError
-from clpt_control.figures import new_figure
-from clpt_control.files import beside, make_folder, write_file, write_together
-from clpt_control.files.reading import open_netcdf, zarr_store
-from clpt_control.gliders.dive_files import read_dive_file
-from clpt_control.progress import interrupt
+from clpt_control.base.figures import new_figure
+from clpt_control.base.files import beside, make_folder, write_file, write_together
+from clpt_control.base.files.reading import open_netcdf, zarr_store
+from clpt_control.base.progress import interrupt
+from clpt_control.ocean.gliders.dive_files import read_dive_file
 
 
 def inner(path):
@@ -104,7 +104,7 @@ def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch
         return 0
 
     for name, status in (("x" * 300, 2), ("", 0)):
-        monkeypatch.setattr("clpt_control.cli._run", lambda name=name: work(name))
+        monkeypatch.setattr("clpt_control.app.cli._run", lambda name=name: work(name))
         assert (clpt().status, names(tmp_path)) == (status, {"used"})
 
 

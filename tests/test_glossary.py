@@ -9,7 +9,7 @@ from sentences import says
 
 import clpt_control as clpt
 from clpt_control import errors
-from clpt_control.units import (
+from clpt_control.base.units import (
     length_in_metres,
     seconds_since_1970,
     speed_in_metres_per_second,

@@ -26,7 +26,7 @@ import pytest
 from processes import GUARD, ran
 from typer.main import get_command
 
-from clpt_control.cli import application
+from clpt_control.app.cli import application
 
 ROOT = Path(__file__).parent.parent
 # `clpt tune` and `clpt design` look for minutes; cluster, watch, film and pages to send take a

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 from processes import ran
 
-from clpt_control import progress
+from clpt_control.base import progress
 
 
 @pytest.fixture
@@ -57,7 +57,7 @@ def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
 
 UNGUARDED = """
 import os
-from clpt_control.progress.processes import processes
+from clpt_control.base.progress.processes import processes
 
 print("once", flush=True)
 with processes(1) as pool:

@@ -166,7 +166,7 @@ COMMANDS = {
 }
 TOLD = f"""
 import contextlib, io, json
-from clpt_control.cli import main
+from clpt_control.app.cli import main
 told = {{}}
 for words in {["init mine.toml", "laws", *COMMANDS]}:
     sys.argv = ["clpt", *words.split()]

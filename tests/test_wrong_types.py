@@ -23,9 +23,9 @@ from synthetic_vehicle import Made
 from test_documentation import methods, public_objects
 
 import clpt_control as clpt
-from clpt_control.arguments import Seed, fits, kinds_of, plain, public
-from clpt_control.blocks.clpe import clpe
-from clpt_control.scenario.team import team_to_text
+from clpt_control.base.arguments import Seed, fits, kinds_of, plain, public
+from clpt_control.paper.blocks.clpe import clpe
+from clpt_control.paper.scenario.team import team_to_text
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
 LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})

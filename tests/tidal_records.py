@@ -6,7 +6,7 @@ import numpy as np
 import xarray
 from made_fields import gridded_current, saying
 
-from clpt_control.scenario.tidal_periods import SPEEDS
+from clpt_control.paper.scenario.tidal_periods import SPEEDS
 
 MARACOOS = Path(__file__).parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
 LATITUDE = 41.2

@@ -11,8 +11,8 @@ import re
 from itertools import groupby
 from pathlib import Path
 
-from clpt_control.blocks.laws import regressions
-from clpt_control.blocks.laws.table import LAWS
+from clpt_control.paper.laws import regressions
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import promises_in_words
 
 PAGE = Path(__file__).parents[1] / "docs" / "each_law.md"

@@ -18,6 +18,14 @@ PUBLIC_MODULES = {
     "diagrams": "Wiring, linearization, equations and drawing of diagrams.",
     "equations": "Blocks of equations; called with a system, its equations in SymPy.",
     "native": "Diagrams as machine code.",
+    "blocks": "Blocks of the paper's diagram, and the table of laws.",
+    "currents": "Gridded currents, tides and fits.",
+    "errors": "Errors that a user can cause.",
+    "estimation": "Flow parameters and currents estimated from positions.",
+    "gliders": "Vehicle files and their dives.",
+    "pages": "HTML reports.",
+    "replay": "Forecasts of surfacings, dive by dive.",
+    "scenario": "Typed experiments and their TOML files.",
 }
 
 

@@ -20,10 +20,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.laws.law import PRIOR, Law
-from ..blocks.laws.table import LAWS
-from ..errors import ScenarioError
-from ..scenario.experiment import Scenario
+from ..base.errors import ScenarioError
+from ..paper.laws.law import PRIOR, Law
+from ..paper.laws.table import LAWS
+from ..paper.scenario.experiment import Scenario
 
 GAINS = (0.25, 1.0, 4.0)
 FILTERS = (0.5, 1.0, 2.0)

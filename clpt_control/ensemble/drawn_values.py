@@ -31,9 +31,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import brief, nearest
-from ..errors import ScenarioError
-from ..html import shortened
+from ..base.arguments import brief, nearest
+from ..base.errors import ScenarioError
+from ..base.html import shortened
 from .members import Values, Varied
 
 FORMS = (

@@ -23,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.errors import DiagramError, SimulationError
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
@@ -34,7 +35,6 @@ from ..engine.solver.runner import PythonDiagram
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import STUCK, sampled_start
-from ..errors import DiagramError, SimulationError
 
 BATCH_BYTES = 64_000_000  # states in flight, a thread
 MOST_MEMBERS = 512  # a batch

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.errors import DiagramError, ScenarioError
 from ..engine.codegen.directional_derivatives import (
     Place,
     place_of,
@@ -31,7 +32,6 @@ from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.solver_layout import Status
 from ..engine.trace.arrays import Unread
-from ..errors import DiagramError, ScenarioError
 from ..simulation.frame import Axes, Series, port_variables
 from ..simulation.integrate import request_of, sizes_of_run
 from ..simulation.running import labels_of, signal_units

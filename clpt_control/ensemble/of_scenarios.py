@@ -7,14 +7,20 @@ from typing import Any
 
 import numpy as np
 
+from ..base.errors import DiagramError
 from ..engine.codegen.directional_derivatives import Place
 from ..engine.diagram.interconnection import wiring_of_blocks
 from ..engine.diagram.wiring import Wiring
 from ..engine.model.block import Block
-from ..errors import DiagramError
-from ..scenario.experiment import Scenario
-from ..scenario.file import scenario_to_text
-from ..scenario.quantities import QUANTITIES, STARTS, key_hint, keys_of, keys_of_law
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import scenario_to_text
+from ..paper.scenario.quantities import (
+    QUANTITIES,
+    STARTS,
+    key_hint,
+    keys_of,
+    keys_of_law,
+)
 from ..simulation.loops import changed_blocks
 from ..simulation.starts import state_columns, state_of
 from ..simulation.user_parts import LAW, UNCHANGED, Changes, functions_of

@@ -23,12 +23,12 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..arguments import Seed, public
-from ..errors import ClptError, DataError, ScenarioError, SimulationError, needed
-from ..files import check_writable
-from ..progress import interrupt, warn
-from ..progress.processes import processes
-from ..scenario.experiment import Scenario
+from ..base.arguments import Seed, public
+from ..base.errors import ClptError, DataError, ScenarioError, SimulationError, needed
+from ..base.files import check_writable
+from ..base.progress import interrupt, warn
+from ..base.progress.processes import processes
+from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .drawn_values import check_varies, draw_members, grid_count, read_varies
 from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of

@@ -4,9 +4,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import check_holds, public
-from ..errors import ArgumentError, DataError
-from ..figures import BLUE, GREY, RED, TITLE, axes_for
+from ..base.arguments import check_holds, public
+from ..base.errors import ArgumentError, DataError
+from ..base.figures import BLUE, GREY, RED, TITLE, axes_for
 from .store import ARGUMENTS
 from .summaries import STATUS
 

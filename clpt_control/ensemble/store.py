@@ -22,9 +22,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..errors import DataError, needed
-from ..files import beside
-from ..files.reading import LARGEST, SLASH, renamed, zarr_store
+from ..base.errors import DataError, needed
+from ..base.files import beside
+from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from .members import Values
 from .summaries import Arrays, StoredArray
 

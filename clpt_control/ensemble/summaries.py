@@ -16,11 +16,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..base.errors import ScenarioError
 from ..engine.model.ports import ports_of
 from ..engine.solver.solver_layout import Status
-from ..errors import ScenarioError
-from ..scenario.experiment import Scenario
-from ..scenario.quantities import QUANTITIES, Quantity
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.quantities import QUANTITIES, Quantity
 from ..simulation.dataset import VARIABLES
 from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times

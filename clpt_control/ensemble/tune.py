@@ -17,15 +17,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public
-from ..blocks.laws.law import Law
-from ..blocks.laws.table import LAWS
-from ..errors import ClptError, ScenarioError, needed
-from ..scenario.experiment import Scenario
+from ..base.arguments import public
+from ..base.errors import ClptError, ScenarioError, needed
+from ..base.units import known
+from ..paper.laws.law import Law
+from ..paper.laws.table import LAWS
+from ..paper.scenario.experiment import Scenario
 from ..theory.design.track_design import time_below
 from ..theory.design.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
-from ..units import known
 from .candidates import (
     Candidate,
     Unknown,

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import brief, numbers
+from ..base.arguments import brief, numbers
+from ..base.errors import BlockError
 from ..engine.model.block import Block
 from ..engine.model.ports import renamed
-from ..errors import BlockError
 
 Ports = Mapping[str, str]  # name of a port -> the user's name
 

@@ -15,9 +15,9 @@ Source: Astrom and Murray 2008, Feedback Systems, sections 10.4 and 10.5.
 
 import numpy as np
 
-from ..arguments import public
+from ..base.arguments import public
+from ..base.errors import BlockError
 from ..engine.model.block import Block
-from ..errors import BlockError
 from .common import check_order, check_positive, make_block, with_period
 
 

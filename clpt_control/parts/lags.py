@@ -20,9 +20,9 @@ Digital Control of Dynamic Systems (hold).
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import public
+from ..base.arguments import public
+from ..base.errors import BlockError
 from ..engine.model.block import Block
-from ..errors import BlockError
 from .common import check_positive, checked_sizes, make_block, signal_block
 
 

@@ -30,9 +30,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import brief, numbers, public
+from ..base.arguments import brief, numbers, public
+from ..base.errors import BlockError
 from ..engine.model.block import Block
-from ..errors import BlockError
 from .common import (
     check_order,
     check_positive,

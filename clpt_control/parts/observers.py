@@ -22,12 +22,12 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import Seed, numbers, public
+from ..base.arguments import Seed, numbers, public
+from ..base.errors import BlockError
 from ..base.random_numbers import normal
 from ..engine.model.block import Block
 from ..engine.model.declaration import Each
 from ..engine.model.system import SHAPES
-from ..errors import BlockError
 from .common import check_positive, checked_sizes, make_block
 
 

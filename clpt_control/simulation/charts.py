@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import public
-from ..errors import ClptError
-from ..figures import BLUE, COLOURS, GREY, RED, TITLE, axes_for, legend_below
-from ..scenario.experiment import Scenario
-from ..scenario.file import scenario_of_run
-from ..scenario.recorded_run import check_run, waypoints_of
+from ..base.arguments import public
+from ..base.errors import ClptError
+from ..base.figures import BLUE, COLOURS, GREY, RED, TITLE, axes_for, legend_below
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import scenario_of_run
+from ..paper.scenario.recorded_run import check_run, waypoints_of
 
 if TYPE_CHECKING:
     import xarray
@@ -146,7 +146,7 @@ def square_chart(
     )
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     if scenario.field_path is not None:
-        from ..currents.plane import read_field
+        from ..ocean.currents.plane import read_field
 
         field = read_field(scenario.field_path, scenario.units)
         first, last = ([x[k] for x in (field.x1, field.x2)] for k in (0, -1))

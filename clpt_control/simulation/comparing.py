@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import public
-from ..errors import ClptError, DataError
-from ..figures import COLOURS, axes_for, line_style, literal
+from ..base.arguments import public
+from ..base.errors import ClptError, DataError
+from ..base.figures import COLOURS, axes_for, line_style, literal
 from .charts import told_apart, track_plot
 from .frame import INDEX
 from .plots import clpe_plot, learning_plot, run_plot

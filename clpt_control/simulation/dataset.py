@@ -13,15 +13,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..blocks.laws.law import Truth
-from ..blocks.laws.regressions import error_by_P
-from ..blocks.localization import TRUE
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.ports import ports_of
 from ..engine.trace.traced_block import on_arrays
-from ..scenario.experiment import Scenario
-from ..scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
+from ..paper.blocks.localization import TRUE
+from ..paper.laws.law import Truth
+from ..paper.laws.regressions import error_by_P
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
 from .frame import Frame, Labels, Series, columns, port_variables
 from .user_parts import LAW
 
@@ -167,7 +167,7 @@ def _beside_the_basis(scenario: Scenario) -> str:
 def _attributes(scenario: Scenario) -> dict[str, Any]:
     origin = {}
     if scenario.field_path is not None:
-        from ..currents.plane import time_origin
+        from ..ocean.currents.plane import time_origin
 
         origin = time_origin(scenario.field_path)
     return {

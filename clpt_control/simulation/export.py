@@ -15,16 +15,16 @@ from typing import Any
 import control
 import numpy as np
 
-from ..arguments import public
+from ..base.arguments import public
+from ..base.errors import DiagramError, Uncompiled
+from ..base.files import write_file
 from ..engine.codegen.c_text import CProgram, CRecord, c_number
 from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
 from ..engine.solver.engine_choice import beside, misread_function
-from ..errors import DiagramError, Uncompiled
-from ..files import write_file
-from ..scenario.experiment import Scenario
+from ..paper.scenario.experiment import Scenario
 from .integrate import as_diagram
 from .running import DiagramRun, compiled
 from .starts import stacked_state

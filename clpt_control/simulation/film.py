@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import public
-from ..errors import ClptError
-from ..figures import (
+from ..base.arguments import public
+from ..base.errors import ClptError
+from ..base.figures import (
     BLUE,
     GREEN,
     GREY,
@@ -24,11 +24,11 @@ from ..figures import (
     legend_below,
     new_figure,
 )
-from ..files import check_writable, write_file
-from ..html import fragment
-from ..progress import progress_bar
-from ..progress.interrupt import check
-from ..scenario.recorded_run import waypoints_of
+from ..base.files import check_writable, write_file
+from ..base.html import fragment
+from ..base.progress import progress_bar
+from ..base.progress.interrupt import check
+from ..paper.scenario.recorded_run import waypoints_of
 from .charts import scenario_with, square_chart
 from .flows import flow_to_draw
 

@@ -16,11 +16,11 @@ from typing import Any
 import control
 import numpy as np
 
-from ..arguments import brief, numbers, public
+from ..base.arguments import brief, numbers, public
+from ..base.errors import ArgumentError, SimulationError
 from ..engine.model.ports import ports_of
 from ..engine.solver.schedule import checked_times
-from ..errors import ArgumentError, SimulationError
-from ..scenario.experiment import Scenario
+from ..paper.scenario.experiment import Scenario
 from .tangents import RunWithDerivatives, Sensitive, varied_places
 
 UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified

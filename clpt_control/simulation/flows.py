@@ -26,16 +26,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments import numbers, public
-from ..blocks.field import gridded_flow
-from ..currents.plane import read_field
+from ..base.arguments import numbers, public
+from ..base.errors import DataError
+from ..base.units import percent
 from ..engine.model.block import evaluate
-from ..errors import DataError
-from ..estimation.least_squares import explained_share
-from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import unknown_parts
-from ..scenario.tables import Units
-from ..units import percent
+from ..ocean.currents.plane import read_field
+from ..ocean.estimation.least_squares import explained_share
+from ..paper.blocks.field import gridded_flow
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.recorded_run import unknown_parts
+from ..paper.scenario.tables import Units
 from .loops import paper_blocks
 
 if TYPE_CHECKING:

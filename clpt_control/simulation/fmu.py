@@ -24,12 +24,12 @@ from xml.sax.saxutils import quoteattr
 
 import control
 
-from ..arguments import public
-from ..errors import DiagramError
-from ..files import write_file
-from ..html import plain
-from ..progress import note
-from ..scenario.experiment import Scenario
+from ..base.arguments import public
+from ..base.errors import DiagramError
+from ..base.files import write_file
+from ..base.html import plain
+from ..base.progress import note
+from ..paper.scenario.experiment import Scenario
 from .export import FIXED, CFile, as_lines, c_file
 
 FUNCTIONS, DOCUMENTS = (

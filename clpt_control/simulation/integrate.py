@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 import control
 import numpy as np
 
-from ..arguments import public
+from ..base.arguments import public
+from ..base.errors import SimulationError
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times, stacked
-from ..errors import SimulationError
-from ..scenario.experiment import Scenario
-from ..scenario.team import Team
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.team import Team
 from .flows import note_speeds, speeds_of
 from .loops import closed_loop
 from .plain_data import diagram_key

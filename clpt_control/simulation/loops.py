@@ -12,19 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public
-from ..blocks import (
-    clpe,
-    disturbance,
-    field,
-    flow,
-    learner,
-    localization,
-    reference,
-    vehicle,
-)
-from ..blocks.laws.table import LAWS
-from ..blocks.localization import TRUE
+from ..base.arguments import public
+from ..base.errors import DiagramError
 from ..engine.diagram.interconnection import (
     PARAMETER_HINTS,
     Diagram,
@@ -42,11 +31,22 @@ from ..engine.diagram.wiring import (
 )
 from ..engine.model.block import Block
 from ..engine.model.declaration import Parameters
-from ..errors import DiagramError
-from ..scenario.experiment import Scenario
-from ..scenario.file import OWN_LAW, OWN_PARTS
-from ..scenario.quantities import call_time_hint
-from ..scenario.tables import Units
+from ..paper.blocks import (
+    clpe,
+    disturbance,
+    field,
+    flow,
+    learner,
+    localization,
+    reference,
+    vehicle,
+)
+from ..paper.blocks.localization import TRUE
+from ..paper.laws.table import LAWS
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import OWN_LAW, OWN_PARTS
+from ..paper.scenario.quantities import call_time_hint
+from ..paper.scenario.tables import Units
 from .dataset import LIMITED, MEASURED, SPEEDS, VARIABLES
 from .user_parts import UNCHANGED, Changes, changes_of, functions_of, inserted, replaced
 
@@ -171,7 +171,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     if scenario.field_path is None:
         assert scenario.flow.parameters is not None
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
-    from ..currents.plane import read_field
+    from ..ocean.currents.plane import read_field
 
     gridded = read_field(scenario.field_path, scenario.units)
     return field.gridded_flow(

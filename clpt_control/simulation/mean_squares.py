@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..scenario.experiment import Scenario
+from ..paper.scenario.experiment import Scenario
 
 if TYPE_CHECKING:
     import xarray

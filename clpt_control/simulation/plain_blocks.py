@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ..base.errors import BlockError
 from ..engine.codegen.diagram_record import is_read
 from ..engine.model.block import Block
 from ..engine.model.declaration import Each, Guard
@@ -21,7 +22,6 @@ from ..engine.record.graph import Operation, Record, Shape, bound
 from ..engine.record.operations import ELEMENTWISE
 from ..engine.trace.arrays import Unread
 from ..engine.trace.traced_block import on_arrays
-from ..errors import BlockError
 
 KINDS = ("input", "output", "state")
 LARGEST = 10**7  # numbers of one value of a record

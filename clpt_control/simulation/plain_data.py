@@ -11,6 +11,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ..base.errors import DiagramError
 from ..engine.diagram.interconnection import MOST_BYTES, Diagram
 from ..engine.diagram.wiring import Params, Wiring
 from ..engine.model.block import Block
@@ -18,7 +19,6 @@ from ..engine.model.sampled import Sampled
 from ..engine.model.system import System
 from ..engine.trace.arrays import Unread
 from ..engine.trace.fingerprint import reachable
-from ..errors import DiagramError
 from .plain_blocks import block_of, plain_block
 
 Entry = tuple[int, int, float]  # row, column, gain

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import public
-from ..errors import ClptError
-from ..figures import BLUE, GREY, TITLE, axes_for, line_style
-from ..scenario.recorded_run import unknown_parts, waypoints_of
+from ..base.arguments import public
+from ..base.errors import ClptError
+from ..base.figures import BLUE, GREY, TITLE, axes_for, line_style
+from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
 from .charts import positive, scenario_with, told_apart, track_plot
 
 if TYPE_CHECKING:

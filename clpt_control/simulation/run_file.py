@@ -12,18 +12,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import public
+from ..base.arguments import public
+from ..base.errors import ClptError, DataError
+from ..base.files import write_file
+from ..base.files.reading import open_netcdf
 from ..engine.diagram.interconnection import Diagram
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.schedule import Inputs
 from ..engine.trace.arrays import Unread
-from ..errors import ClptError, DataError
-from ..files import write_file
-from ..files.reading import open_netcdf
-from ..scenario import file
-from ..scenario.experiment import MOST_BYTES, Scenario
-from ..scenario.recorded_run import check_response, check_run, is_response
-from ..scenario.team import Team, system_of_run, team_to_text
+from ..paper.scenario import file
+from ..paper.scenario.experiment import MOST_BYTES, Scenario
+from ..paper.scenario.recorded_run import check_response, check_run, is_response
+from ..paper.scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
 from .plain_data import diagram_of, plain_diagram
 

@@ -14,7 +14,7 @@ from warnings import catch_warnings, simplefilter
 import control
 import numpy as np
 
-from ..blocks.localization import TRUE
+from ..base.errors import SimulationError
 from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.interconnection import wiring_of_blocks, with_stop
 from ..engine.diagram.wiring import (
@@ -31,10 +31,10 @@ from ..engine.solver.engine_choice import make_runner, run_checked
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.schedule import read_inputs
 from ..engine.solver.termination import Solution
-from ..errors import SimulationError
-from ..scenario.experiment import MOST_BYTES, Scenario
-from ..scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
-from ..scenario.team import Team, team_to_text
+from ..paper.blocks.localization import TRUE
+from ..paper.scenario.experiment import MOST_BYTES, Scenario
+from ..paper.scenario.file import EQUATIONS, OWN_PARTS, REFERENCE, TEAM
+from ..paper.scenario.team import Team, team_to_text
 from .dataset import Signals, beyond_scenario_of, diagram_frame, run_frame
 from .flows import faster_flow, speeds_of
 from .frame import STATE, STATES, Frame

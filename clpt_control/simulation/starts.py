@@ -6,18 +6,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import numbers, public
-from ..blocks.localization import TRUE
+from ..base.arguments import numbers, public
+from ..base.errors import DataError, DiagramError
+from ..base.progress import warn
 from ..engine.diagram.interconnection import Diagram
 from ..engine.diagram.wiring import Part, leaves, output_ports
 from ..engine.model.block import Block
 from ..engine.model.system import is_linear
 from ..engine.solver.schedule import checked_state
-from ..errors import DataError, DiagramError
-from ..progress import warn
-from ..scenario.experiment import Scenario
-from ..scenario.quantities import STARTS
-from ..scenario.team import Team
+from ..paper.blocks.localization import TRUE
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.quantities import STARTS
+from ..paper.scenario.team import Team
 from .loops import paper_blocks
 
 if TYPE_CHECKING:

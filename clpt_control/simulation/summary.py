@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..arguments import check_holds, public
-from ..errors import DataError
-from ..scenario.experiment import Scenario
-from ..scenario.recorded_run import unknown_parts
-from ..scenario.team import Team
+from ..base.arguments import check_holds, public
+from ..base.errors import DataError
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.recorded_run import unknown_parts
+from ..paper.scenario.team import Team
 from .flows import explained_variance, speeds_of
 from .integrate import sample_times, simulate
 from .mean_squares import MOST, clpe_of_samples, nearest, step_of_means, union

@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import control
 import numpy as np
 
-from ..arguments import nearest, public
+from ..base.arguments import nearest, public
+from ..base.errors import SimulationError, Uncompiled
 from ..engine.codegen.directional_derivatives import (
     Directions,
     Place,
@@ -36,8 +37,7 @@ from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.schedule import read_inputs
 from ..engine.solver.termination import Solution
 from ..engine.trace.arrays import Unread
-from ..errors import SimulationError, Uncompiled
-from ..scenario.experiment import Scenario
+from ..paper.scenario.experiment import Scenario
 from .dataset import diagram_frame
 from .integrate import request_of, sizes_of_run
 from .running import compiled, signal_units

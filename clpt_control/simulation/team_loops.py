@@ -1,12 +1,12 @@
 """A team's loop: the paper's blocks for each vehicle, in a namespace of its name, `west/alpha`."""
 
-from ..arguments import public
-from ..blocks.consensus import consensus_block, pulled_law
-from ..blocks.laws.table import LAWS
+from ..base.arguments import public
 from ..engine.diagram.interconnection import Diagram, connect
 from ..engine.model.block import Block
 from ..engine.model.ports import within
-from ..scenario.team import TEAM_LAW, Team
+from ..paper.laws.consensus import consensus_block, pulled_law
+from ..paper.laws.table import LAWS
+from ..paper.scenario.team import TEAM_LAW, Team
 from .loops import changed_blocks
 from .user_parts import changes_of
 

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..arguments import public
-from ..figures import COLOURS, GREY, TITLE, axes_for, figure_of
-from ..scenario.file import TEAM
-from ..scenario.recorded_run import check_run
-from ..scenario.team import team_of_run
+from ..base.arguments import public
+from ..base.figures import COLOURS, GREY, TITLE, axes_for, figure_of
+from ..paper.scenario.file import TEAM
+from ..paper.scenario.recorded_run import check_run
+from ..paper.scenario.team import team_of_run
 from .charts import (
     draw_first_flow,
     draw_track,

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import control
 
+from ..base.errors import DiagramError
 from ..engine.diagram.wiring import (
     Part,
     as_part,
@@ -21,7 +22,6 @@ from ..engine.model.block import Block
 from ..engine.model.declaration import ports_line
 from ..engine.model.ports import counts_of, labels, renamed
 from ..engine.model.system import block_of_ports, is_linear, on_each_axis
-from ..errors import DiagramError
 
 LAW = "adaptation"  # the part that is the adaptive law
 

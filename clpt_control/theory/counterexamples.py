@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..arguments import check_holds, public
-from ..errors import ScenarioError
-from ..scenario.experiment import Scenario
-from ..scenario.file import paper_scenario
+from ..base.arguments import check_holds, public
+from ..base.errors import ScenarioError
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import paper_scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import sample_times, simulate
 from .excitation.gramian import started_true

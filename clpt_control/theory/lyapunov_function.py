@@ -12,8 +12,8 @@ from typing import Any
 import control
 import sympy
 
-from ..arguments import Count, Seed, public
-from ..errors import DiagramError
+from ..base.arguments import Count, Seed, public
+from ..base.errors import DiagramError
 from .proofs.judge import Verdict, judge, refuted
 from .proofs.steps import Step, first_failure, short, worked_out
 from .proofs.system_candidate import SystemCandidate, function_of_signals

@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from ..blocks.laws.law import Law, Truth
-from ..blocks.laws.robust import beyond
-from ..scenario.experiment import Scenario
+from ..paper.laws.law import Law, Truth
+from ..paper.laws.robust import beyond
+from ..paper.scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate
 

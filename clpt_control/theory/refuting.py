@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import Positive, Seed, public
-from ..blocks.laws.table import LAWS
-from ..errors import ScenarioError, SimulationError
-from ..scenario.experiment import Scenario
-from ..scenario.file import paper_scenario
+from ..base.arguments import Positive, Seed, public
+from ..base.errors import ScenarioError, SimulationError
+from ..paper.laws.table import LAWS
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import paper_scenario
 from .promises import UNIFORM, checked_promises, promises_in_words
 
 BROKEN = 1.001

@@ -31,10 +31,10 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ..arguments import check_holds, numbers
+from ..base.arguments import check_holds, numbers
+from ..base.errors import DiagramError
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
-from ..errors import DiagramError
 from .proofs.exact import tidied, vanishes
 from .proofs.facts import (
     COMPARISONS,

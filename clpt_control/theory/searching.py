@@ -22,8 +22,8 @@ import scipy.optimize
 import scipy.sparse
 import sympy
 
+from ..base.errors import DiagramError
 from ..engine.diagram.symbol_names import TIME
-from ..errors import DiagramError
 from .proofs.exact import vanishes
 from .proofs.facts import ODD, along, decided
 from .proofs.steps import short

@@ -14,7 +14,7 @@ class Commands(SphinxDirective):
         """Read the command line and parse what it says as Markdown."""
         from typer.main import get_command
 
-        from clpt_control import cli
+        from clpt_control.app import cli
 
         for file in Path(cli.__file__).parent.glob("*.py"):
             self.env.note_dependency(str(file))

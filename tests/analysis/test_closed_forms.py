@@ -24,7 +24,7 @@ from analysis.worst_disturbance import (
     regressor_matrices,
     worst_disturbance,
 )
-from clpt_control.geodesy import place_from
+from clpt_control.base.geodesy import place_from
 from clpt_control.theory.counterexamples import (
     exact_run,
     scalar_matrix,

@@ -14,7 +14,9 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.base import random_numbers
-from clpt_control.blocks import (
+from clpt_control.engine.model.declaration import Each, multiples
+from clpt_control.ocean.currents.plane import GriddedField
+from clpt_control.paper.blocks import (
     disturbance,
     field,
     flow,
@@ -22,8 +24,6 @@ from clpt_control.blocks import (
     reference,
     vehicle,
 )
-from clpt_control.currents.plane import GriddedField
-from clpt_control.engine.model.declaration import Each, multiples
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)

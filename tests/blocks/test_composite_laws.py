@@ -12,7 +12,7 @@ from scipy.integrate import quad, simpson
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.remembering import COMPOSITE_MEMORY, CONCURRENT
+from clpt_control.paper.laws.remembering import COMPOSITE_MEMORY, CONCURRENT
 
 LAWS = (
     "composite-least-squares",

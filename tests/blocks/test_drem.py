@@ -11,8 +11,8 @@ from scipy.integrate import cumulative_simpson
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.remembering import DREM as LAW
-from clpt_control.blocks.laws.remembering import mixing
+from clpt_control.paper.laws.remembering import DREM as LAW
+from clpt_control.paper.laws.remembering import mixing
 
 STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
 

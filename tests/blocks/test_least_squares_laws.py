@@ -13,8 +13,8 @@ from scipy.integrate import cumulative_trapezoid, quad, simpson
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.least_squares import LEAST_SQUARES, NORMALISED_GRADIENT
-from clpt_control.blocks.laws.paper import KALMAN_FLOW, kalman_flow
+from clpt_control.paper.laws.least_squares import LEAST_SQUARES, NORMALISED_GRADIENT
+from clpt_control.paper.laws.paper import KALMAN_FLOW, kalman_flow
 from clpt_control.simulation.starts import state_columns
 
 SQUARES = ("least-squares", "composite-least-squares")

@@ -41,7 +41,7 @@ class Interrupted:
 done, chosen = [], sys.argv[1]
 sys.meta_path.insert(0, Interrupted())
 sys.argv[:2] = ["clpt"]
-from clpt_control.cli import main
+from clpt_control.app.cli import main
 main()
 """
 
@@ -59,7 +59,7 @@ def names(folder):
 
 IMPORTS = {  # what is imported when the interrupt comes -> the command
     "typer": RUN,
-    "clpt_control.estimation.estimators": FOLLOW,
+    "clpt_control.ocean.estimation.estimators": FOLLOW,
     "numpy": FOLLOW,
     "llvmlite.binding": RUN,
     "netCDF4": RUN,
@@ -79,8 +79,8 @@ def test_an_interrupt_in_an_import_is_an_interrupt(files, module):
 
 
 MODULE = f"""{HEARS}
-from clpt_control import cli
-from clpt_control.progress import interrupt
+from clpt_control.app import cli
+from clpt_control.base.progress import interrupt
 interrupt.PATIENCE = 0.1
 
 def work():
@@ -119,7 +119,7 @@ def test_an_interrupt_that_a_callback_drops_ends_the_command_by(then):
 def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
     work = f"""
     from pathlib import Path
-    from clpt_control.files import beside
+    from clpt_control.base.files import beside
     with beside(Path({str(tmp_path)!r}) / "file"):
         print("up", flush=True)
         hashlib.pbkdf2_hmac("sha256", b"", b"", 2_000_000_000)  # in C, for most of an hour
@@ -135,7 +135,7 @@ def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
 def test_a_cluster_ends_with_the_command(files):
     pytest.importorskip("distributed")
     words = (*ENSEMBLE, "3000", "--chunk", "20", "--dask", "local", "--threads", "1")
-    hear = "import clpt_control.progress as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
+    hear = "import clpt_control.base.progress as c; c.PATIENCE = c.LOG_EVERY = 0.0\n"
     with started([sys.executable, "-c", hear + CODE, *words], cwd=files) as process:
         await_line(process, process.stderr, "20 of 3000 members")
         out, err = interrupt(process)

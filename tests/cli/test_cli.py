@@ -20,13 +20,13 @@ from sentences import says
 from written import COMMANDS, FOLLOW, seldom, write, write_each
 
 import clpt_control
-from clpt_control import cli
-from clpt_control.cli import application
-from clpt_control.cli.printing import print_json, print_table
+from clpt_control.app import cli
+from clpt_control.app.cli import application
+from clpt_control.app.cli.printing import print_json, print_table
 
 HERE = Path(__file__).parents[1]
 HEARD = CODE.replace(
-    "; main()", "; import clpt_control.progress as p; p.PATIENCE = 0.0; main()"
+    "; main()", "; import clpt_control.base.progress as p; p.PATIENCE = 0.0; main()"
 )
 NAMES = sorted(path.stem for path in (HERE / "reference").glob("*.toml"))
 
@@ -183,7 +183,7 @@ def hear(event, given):
         seen.append(event)
 
 sys.addaudithook(hear)
-from clpt_control.cli import main
+from clpt_control.app.cli import main
 for line in sys.argv[1:]:
     sys.argv = ["clpt", *line.split()]
     try:
@@ -220,7 +220,7 @@ def steers(text):
 
 @pytest.mark.usefixtures("undrawn")
 def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch):
-    monkeypatch.setattr("clpt_control.progress.LOG_EVERY", 0.0)
+    monkeypatch.setattr("clpt_control.base.progress.LOG_EVERY", 0.0)
     title, file, run = f"title {HOSTILE}", f"s {HOSTILE}.toml", f"r {HOSTILE}.nc"
     write({"run.duration": 20, "title": title})
     Path("s.toml").rename(file)
@@ -414,9 +414,7 @@ COMPLETING = {
     "COMP_CWORD": "1",
     "COMP_WORDS": "clpt ref",
 }
-COMMAND = (
-    "sys.argv = {}; os.environ.update({}); from clpt_control.cli import main; main()"
-)
+COMMAND = "sys.argv = {}; os.environ.update({}); from clpt_control.app.cli import main; main()"
 LIGHT = {  # code, and what it says
     "the package": ("import clpt_control", ""),
     "help": (COMMAND.format(["clpt", "--help"], {}), "clpt init mine.toml"),

@@ -17,7 +17,7 @@ import clpt_control
 from clpt_control import paper_scenario
 from clpt_control.engine.diagram import interconnection
 from clpt_control.engine.model.declaration import multiples
-from clpt_control.scenario.file import paper_text
+from clpt_control.paper.scenario.file import paper_text
 
 LARGE = 20_000
 MANY = {"basis.centers": [[1.0, 1.0]] * LARGE, "flow.parameters": [[0.1] * LARGE] * 2}
@@ -282,7 +282,7 @@ def test_a_damaged_run_is_refused_by_all_that_open_runs(refused_for, run, name):
 
 
 WARNING = """
-import warnings; from clpt_control import cli
+import warnings; from clpt_control.app import cli
 warn = lambda **options: warnings.warn('a word of a library', RuntimeWarning)
 cli.application = lambda: warn
 cli.main()

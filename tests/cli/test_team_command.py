@@ -10,7 +10,7 @@ from pictures import inked
 from strait import FILE, team, vehicle
 
 import clpt_control
-from clpt_control.scenario.team import team_to_text
+from clpt_control.paper.scenario.team import team_to_text
 from examples import team as example
 
 

@@ -10,7 +10,7 @@ from synthetic_vehicle import one_file_each
 from tidal_records import times, waves, write_table
 
 import clpt_control as clpt
-from clpt_control.scenario.file import paper_text, toml
+from clpt_control.paper.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
 ENSEMBLE = (

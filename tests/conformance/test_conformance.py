@@ -11,8 +11,6 @@ from package_blocks import BLOCKS, EACH
 from recorded import static
 from sentences import says
 
-from clpt_control.blocks import clpe
-from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
 from clpt_control.conformance import check_block, conformance, readings
 from clpt_control.engine.codegen import vectors
 from clpt_control.engine.conformance.checks import (
@@ -24,6 +22,8 @@ from clpt_control.engine.conformance.checks import (
 from clpt_control.engine.model.system import linear
 from clpt_control.equations import Block
 from clpt_control.errors import ArgumentError, BlockError, ClptError
+from clpt_control.paper.blocks import clpe
+from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 
 @pytest.mark.parametrize("block", EACH)

@@ -9,8 +9,8 @@ import xarray
 from made_fields import as_it_is, gridded_current, saying
 from refusals import refuses
 
-from clpt_control.currents.current_record import read_record
-from clpt_control.currents.grid_file import read_currents, sample_currents
+from clpt_control.ocean.currents.current_record import read_record
+from clpt_control.ocean.currents.grid_file import read_currents, sample_currents
 
 GRIDS = Path(__file__).parents[1] / "data/grids"
 BOX = (40.9, 41.55, -69.9, -69.0)

@@ -11,10 +11,10 @@ from pyproj import Proj
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.blocks.field import gridded_flow
 from clpt_control.currents import fit_scenario, read_currents, sample_currents, save_fit
-from clpt_control.currents.plane import LocalPlane
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
+from clpt_control.ocean.currents.plane import LocalPlane
+from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()

@@ -8,13 +8,14 @@ from refusals import refuses
 from scipy.interpolate import make_interp_spline
 from xarray.backends.netCDF4_ import NetCDF4ArrayWrapper
 
-from clpt_control.blocks.field import gridded_flow
-from clpt_control.currents import fit_scenario, plane, read_currents, read_record
-from clpt_control.currents.plane import LocalPlane, fill_gaps
+from clpt_control.base.files import write_file
+from clpt_control.currents import fit_scenario, read_currents, read_record
 from clpt_control.equations import evaluate
-from clpt_control.files import write_file
+from clpt_control.ocean.currents import plane
+from clpt_control.ocean.currents.plane import LocalPlane, fill_gaps
+from clpt_control.paper.blocks.field import gridded_flow
+from clpt_control.paper.scenario.tables import Units
 from clpt_control.replay import read_flow_model
-from clpt_control.scenario.tables import Units
 
 HOURS = np.arange(26.0)
 LAT, LON = np.linspace(40.9, 41.5, 7), np.linspace(-69.9, -69.0, 8)

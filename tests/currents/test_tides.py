@@ -28,10 +28,10 @@ from clpt_control.currents import (
     read_record,
     tidal_basis,
 )
-from clpt_control.currents.constituents import OTHER_NAMES, nodal_corrections
-from clpt_control.currents.telling_apart import nyquist
 from clpt_control.errors import ScenarioError
-from clpt_control.scenario.tidal_periods import SPEEDS, period, speed
+from clpt_control.ocean.currents.constituents import OTHER_NAMES, nodal_corrections
+from clpt_control.ocean.currents.telling_apart import nyquist
+from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed
 
 
 def test_speeds_are_those_of_utide():

@@ -6,10 +6,10 @@ import pytest
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks import flow, vehicle
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.errors import BlockError, DiagramError
+from clpt_control.paper.blocks import flow, vehicle
 from clpt_control.simulation.starts import initial_state
 
 TIMES = np.linspace(0.0, 3.0, 7)

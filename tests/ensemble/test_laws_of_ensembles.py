@@ -11,10 +11,10 @@ from law_blocks import EACH, HELD, papers_law, remembering_law
 from swept import assert_identical
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.equations import Block
 from clpt_control.errors import DataError, DiagramError, ScenarioError
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 THETA = "flow.parameters~normal:0.1"

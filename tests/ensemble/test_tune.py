@@ -5,7 +5,6 @@ import pytest
 from sentences import says
 
 import clpt_control
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.ensemble import tune_law
 from clpt_control.ensemble.candidates import (
     Candidate,
@@ -17,6 +16,7 @@ from clpt_control.ensemble.candidates import (
 )
 from clpt_control.ensemble.tune import Score, ranked, score_of
 from clpt_control.errors import ScenarioError
+from clpt_control.paper.laws.table import LAWS
 
 
 @pytest.fixture(scope="module")

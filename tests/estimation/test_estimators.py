@@ -9,19 +9,19 @@ from scipy.integrate import trapezoid
 from scipy.special import erf
 from synthetic_vehicle import STEADY, further, turned, vehicle
 
+from clpt_control.base.geodesy import place_from
 from clpt_control.estimation import FixModel, Priors
-from clpt_control.estimation.dive import Dive, mid_time
-from clpt_control.estimation.estimators import ESTIMATORS
-from clpt_control.estimation.fix_model import inertial_frequency
-from clpt_control.estimation.gaussian_places import (
+from clpt_control.ocean.estimation.dive import Dive, mid_time
+from clpt_control.ocean.estimation.estimators import ESTIMATORS
+from clpt_control.ocean.estimation.fix_model import inertial_frequency
+from clpt_control.ocean.estimation.gaussian_places import (
     SPACING,
     Places,
     near,
     places_columns,
 )
-from clpt_control.geodesy import place_from
+from clpt_control.paper.scenario.tidal_periods import period
 from clpt_control.replay import Replay, clpe_rms, replay_dataset, replay_dives, summary
-from clpt_control.scenario.tidal_periods import period
 
 STEADY_ONLY = FixModel(("steady",))
 

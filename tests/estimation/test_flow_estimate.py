@@ -14,15 +14,15 @@ from hypothesis import strategies as st
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.estimation import fix_to_fix
-from clpt_control.estimation import segments as between_fixes
-from clpt_control.estimation.fix_to_fix import (
+from clpt_control.ocean.estimation import fix_to_fix
+from clpt_control.ocean.estimation import segments as between_fixes
+from clpt_control.ocean.estimation.fix_to_fix import (
     METHODS,
     batch_least_squares,
     kalman,
     tomography,
 )
-from clpt_control.estimation.segments import Segments, run_segments
+from clpt_control.ocean.estimation.segments import Segments, run_segments
 
 estimate = clpt.estimation.flow_estimate
 PAPER = clpt.paper_scenario()

@@ -8,13 +8,13 @@ from refusals import refuses
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import vehicle
 
-from clpt_control.blocks.flow import flow_basis
 from clpt_control.equations import evaluate
 from clpt_control.estimation import FixModel, Priors
-from clpt_control.estimation.dive import mid_time, miss
-from clpt_control.estimation.estimators import KalmanBank, with_hidden
-from clpt_control.estimation.least_squares import explained_share, least_squares
-from clpt_control.estimation.priors import DAY, Sea
+from clpt_control.ocean.estimation.dive import mid_time, miss
+from clpt_control.ocean.estimation.estimators import KalmanBank, with_hidden
+from clpt_control.ocean.estimation.least_squares import explained_share, least_squares
+from clpt_control.ocean.estimation.priors import DAY, Sea
+from clpt_control.paper.blocks.flow import flow_basis
 from clpt_control.replay import replay_dives
 
 M2 = 2 * np.pi / 12.4206

@@ -12,7 +12,7 @@ from glider_dialects import basestation, basestation3, dives_in, og1, og1_rows
 from refusals import refuses
 
 from clpt_control.gliders import read_dives, usable, write_dive_table
-from clpt_control.gliders.samples import variation, with_variation
+from clpt_control.ocean.gliders.samples import variation, with_variation
 from clpt_control.replay import replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2

@@ -13,7 +13,7 @@ import pytest
 from glider_dialects import basestation, dives_in, og1, og1_rows
 from refusals import refuses
 
-from clpt_control.files import reading
+from clpt_control.base.files import reading
 from clpt_control.gliders import (
     make_dive,
     read_dives,
@@ -21,7 +21,7 @@ from clpt_control.gliders import (
     usable,
     write_dive_table,
 )
-from clpt_control.gliders.dive_files import dive_paths, read_dive_file
+from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
 ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"

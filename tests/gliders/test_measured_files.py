@@ -12,7 +12,6 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pyproj import Geod
 
-from clpt_control.estimation.dive import dac_difference
 from clpt_control.gliders import (
     make_dive,
     read_dives,
@@ -20,9 +19,10 @@ from clpt_control.gliders import (
     usable,
     write_dive_table,
 )
-from clpt_control.gliders.dive_files import read_dive_file
-from clpt_control.gliders.dive_table import OPTIONAL
-from clpt_control.gliders.samples import variation, with_variation
+from clpt_control.ocean.estimation.dive import dac_difference
+from clpt_control.ocean.gliders.dive_files import read_dive_file
+from clpt_control.ocean.gliders.dive_table import OPTIONAL
+from clpt_control.ocean.gliders.samples import variation, with_variation
 
 WGS84 = Geod(ellps="WGS84")
 

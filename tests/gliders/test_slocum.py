@@ -11,11 +11,12 @@ from pyproj import Geod
 from refusals import refuses
 from slocum_bytes import FLAG, OWN, PLACES, SENSORS, VARIATION, Mission, ddmm, segment
 
-from clpt_control.estimation.dive import dac_difference
-from clpt_control.gliders import read_dives, slocum_file, usable
-from clpt_control.gliders.dives import files_before
-from clpt_control.gliders.slocum_file import read_segment, uncompressed
-from clpt_control.replay.follow import Follower
+from clpt_control.gliders import read_dives, usable
+from clpt_control.ocean.estimation.dive import dac_difference
+from clpt_control.ocean.forecast.follow import Follower
+from clpt_control.ocean.gliders import slocum_file
+from clpt_control.ocean.gliders.dives import files_before
+from clpt_control.ocean.gliders.slocum_file import read_segment, uncompressed
 
 LZ4 = pytest.importorskip("numcodecs").LZ4
 

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from clpt_control import Block
+from clpt_control.base.files import CACHE, cache_folder, trusted
 from clpt_control.engine.codegen import machine
 from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.codegen.machine import (
@@ -23,7 +24,6 @@ from clpt_control.engine.codegen.machine import (
     code_name,
 )
 from clpt_control.engine.codegen.plan import Program
-from clpt_control.files import CACHE, cache_folder, trusted
 from clpt_control.native import NativeDiagram
 
 

@@ -17,7 +17,7 @@ import clpt_control as clpt
 ORDERS = (
     "clpt_control, xarray",
     "xarray, clpt_control",
-    "clpt_control.scenario, xarray.core",
+    "clpt_control.paper.scenario, xarray.core",
 )
 
 

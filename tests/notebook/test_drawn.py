@@ -12,7 +12,7 @@ from sentences import says
 
 import clpt_control as clpt
 from clpt_control import save_run
-from clpt_control.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
+from clpt_control.base.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
 from clpt_control.simulation.film import draw_samples
 
 PLOTS = {  # what it draws -> name of a plot, how many axes

@@ -7,7 +7,7 @@ import pytest
 from html_reader import Reader
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.paper import LEARNED_FLOW as LAW
+from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 EVIL = '<b onload="x">&'
 

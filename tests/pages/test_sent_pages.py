@@ -14,12 +14,12 @@ from sentences import says
 from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
+from clpt_control.app.pages.page import page_html
+from clpt_control.app.pages.results import run_result
+from clpt_control.app.pages.writing import page_of, report
+from clpt_control.base.figures import inline_svg, new_figure
 from clpt_control.ensemble.store import Store
 from clpt_control.errors import ClptError, DataError
-from clpt_control.figures import inline_svg, new_figure
-from clpt_control.pages.page import page_html
-from clpt_control.pages.results import run_result
-from clpt_control.pages.writing import page_of, report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = [
@@ -72,7 +72,9 @@ def words(data):
     """What a page says, without its figures."""
     with pytest.MonkeyPatch.context() as patch:
         for file in ("page", "run_page"):
-            patch.setattr(f"clpt_control.pages.{file}.figure_of", lambda *_: Figure())
+            patch.setattr(
+                f"clpt_control.app.pages.{file}.figure_of", lambda *_: Figure()
+            )
         page = page_of(data)
     parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
     return "\n".join([*page.sentences, *page.warnings, *parts])
@@ -95,7 +97,7 @@ def test_each_figure_of_a_run_has_words_of_its_own(run):
 
 
 def test_nothing_of_a_run_is_markup(run, monkeypatch):
-    monkeypatch.setattr("clpt_control.pages.page.inline_svg", lambda *_: "")
+    monkeypatch.setattr("clpt_control.app.pages.page.inline_svg", lambda *_: "")
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
     bad = run.assign_attrs(
         title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario

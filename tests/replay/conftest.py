@@ -6,9 +6,10 @@ from typing import NamedTuple
 import pytest
 from typer.testing import CliRunner
 
-from clpt_control.cli import application
+from clpt_control.app.cli import application
 from clpt_control.gliders import sample_dives, usable
-from clpt_control.replay import replay_dives, route
+from clpt_control.ocean.forecast import route
+from clpt_control.replay import replay_dives
 
 
 def run(*words):

@@ -12,13 +12,19 @@ from hypothesis import strategies as st
 from refusals import refuses
 from synthetic_vehicle import STEADY, along, chained, vehicle
 
+from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.errors import ScenarioError
 from clpt_control.estimation import FixModel
-from clpt_control.geodesy import displacement, place_from
-from clpt_control.gliders.samples import turned
-from clpt_control.replay import aims, map_plot, replay_dives, route
-from clpt_control.replay.aim import aim, triangle
-from clpt_control.replay.wording import AGAINST, REACHED, UNDER_WAY, route_sentences
+from clpt_control.ocean.forecast import route
+from clpt_control.ocean.forecast.aim import aim, triangle
+from clpt_control.ocean.forecast.wording import (
+    AGAINST,
+    REACHED,
+    UNDER_WAY,
+    route_sentences,
+)
+from clpt_control.ocean.gliders.samples import turned
+from clpt_control.replay import aims, map_plot, replay_dives
 
 ways = st.floats(-5000, 5000)
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from synthetic_vehicle import along, chained, turned, vehicle
 
+from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.estimation import FixModel
-from clpt_control.estimation.estimators import ESTIMATORS, KalmanBank
-from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import read_dives, usable
+from clpt_control.ocean.estimation.estimators import ESTIMATORS, KalmanBank
+from clpt_control.ocean.forecast.doubts import SpeedFactorWatch
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
-from clpt_control.replay.doubts import SpeedFactorWatch
 
 CURRENT = np.array([0.12, -0.05])  # m/s
 T, STAY, SWUM = 9000.0, 300.0, 2500.0  # s, s, m

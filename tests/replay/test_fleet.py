@@ -16,11 +16,11 @@ from html_reader import Reader
 from processes import CLPT, kill_while_it_writes, ran, started
 from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
 
-from clpt_control.geodesy import place_from
+from clpt_control.base.geodesy import place_from
+from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import make_dive, write_dive_table
-from clpt_control.replay import fleet
-from clpt_control.replay.fleet import events, standing
-from clpt_control.units import seconds_since_1970
+from clpt_control.ocean.forecast import fleet
+from clpt_control.ocean.forecast.fleet import events, standing
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"

@@ -12,12 +12,12 @@ from made_fields import as_it_is, gridded_current, saying
 from refusals import refuses
 from synthetic_vehicle import Made
 
+from clpt_control.base.geodesy import place_from
 from clpt_control.currents import fit_scenario, read_currents, save_fit
-from clpt_control.currents.grid_file import missing_steps
-from clpt_control.geodesy import place_from
 from clpt_control.gliders import make_dive
+from clpt_control.ocean.currents.grid_file import missing_steps
+from clpt_control.ocean.forecast.flow_models import depth_mean
 from clpt_control.replay import carried, read_flow_model, replay_dives, summary
-from clpt_control.replay.flow_models import depth_mean
 
 nan = math.nan
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])

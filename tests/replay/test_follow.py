@@ -14,9 +14,10 @@ from refusals import refuses
 from synthetic_vehicle import one_file_each, vehicle
 
 from clpt_control.gliders import read_dives, sample_dives, usable
-from clpt_control.gliders.dives import Skipped
-from clpt_control.replay import Replay, follow
-from clpt_control.replay.follow import Follower, following
+from clpt_control.ocean.forecast import follow
+from clpt_control.ocean.forecast.follow import Follower, following
+from clpt_control.ocean.gliders.dives import Skipped
+from clpt_control.replay import Replay
 
 SLOW = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 20)]
 

@@ -9,13 +9,13 @@ import pytest
 from glider_dialects import basestation3
 from synthetic_vehicle import along, chained
 
-from clpt_control.geodesy import displacement, place_from
+from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
-from clpt_control.gliders.dives import planned_course
+from clpt_control.ocean.forecast.exchange import next_geojson
+from clpt_control.ocean.forecast.habits import PLANNED, REPEATED, Habits
+from clpt_control.ocean.forecast.surfacing import ellipse
+from clpt_control.ocean.gliders.dives import planned_course
 from clpt_control.replay import replay_dives, summary
-from clpt_control.replay.exchange import next_geojson
-from clpt_control.replay.habits import PLANNED, REPEATED, Habits
-from clpt_control.replay.surfacing import ellipse
 
 DIVES = usable(sample_dives())[0]
 

@@ -15,15 +15,16 @@ from matplotlib.path import Path
 from pyproj import Geod
 from synthetic_vehicle import fixes_of, told
 
-from clpt_control.cli.replay_report import write
-from clpt_control.geodesy import near, place_from
-from clpt_control.gliders import sample_dives, slocum
-from clpt_control.html import plain
+from clpt_control.app.cli.replay_report import write
+from clpt_control.base.geodesy import near, place_from
+from clpt_control.base.html import plain
+from clpt_control.gliders import sample_dives
+from clpt_control.ocean.forecast.exchange import next_geojson, track_kml
+from clpt_control.ocean.forecast.layers import ring_of
+from clpt_control.ocean.forecast.replay_page import replay_page
+from clpt_control.ocean.forecast.track_map import grid_label
+from clpt_control.ocean.gliders import slocum
 from clpt_control.replay import map_plot
-from clpt_control.replay.exchange import next_geojson, track_kml
-from clpt_control.replay.layers import ring_of
-from clpt_control.replay.replay_page import replay_page
-from clpt_control.replay.track_map import grid_label
 
 GEOD = Geod(ellps="WGS84")
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"

@@ -13,23 +13,21 @@ from hypothesis import strategies as st
 from refusals import refuses
 from synthetic_vehicle import vehicle
 
+from clpt_control.base.files import write_file
+from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.errors import ArgumentError, ScenarioError
 from clpt_control.estimation import FixModel
-from clpt_control.files import write_file
-from clpt_control.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, sample_dives, usable
+from clpt_control.ocean.forecast import habits, places, surfacing
+from clpt_control.ocean.forecast.outcome import learned_words, speed_words
 from clpt_control.replay import (
     Replay,
     clpe_rms,
-    habits,
     next_dive,
-    places,
     replay_dataset,
     replay_dives,
     summary,
-    surfacing,
 )
-from clpt_control.replay.outcome import learned_words, speed_words
 
 DIVES = usable(sample_dives())[0]
 

@@ -20,7 +20,7 @@ from made_fields import gridded_current
 from processes import ran, without_progress
 from synthetic_vehicle import one_file_each
 
-from clpt_control.cli import replay_report
+from clpt_control.app.cli import replay_report
 from clpt_control.gliders import sample_dives
 
 TABLES = ("replay.nc", "replay.html", "next.geojson", "track.kml")
@@ -65,8 +65,8 @@ def test_the_command(sample, command):
 
 @pytest.mark.parametrize("width", [20, 80, 200])
 def test_the_table_keeps_what_matters(width, sample, capsys, monkeypatch):
-    from clpt_control.cli.printing import finish
-    from clpt_control.cli.replay_report import results
+    from clpt_control.app.cli.printing import finish
+    from clpt_control.app.cli.replay_report import results
 
     monkeypatch.setenv("COLUMNS", str(width))
     found = json.loads(json.dumps(sample.found)) | {"next_dive": None, "aim": []}
@@ -314,7 +314,7 @@ from pathlib import Path
 size = int(sys.argv.pop(1))
 import matplotlib.font_manager  # what it keeps for itself is written before
 resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
-from clpt_control.cli import main
+from clpt_control.app.cli import main
 main()
 """
 

@@ -15,14 +15,14 @@ from strait import DIFFERENT, FILE, ROW, team, vehicle
 from strait import PAPER as STRAIT
 
 import clpt_control as clpt
-from clpt_control.blocks import disturbance, flow
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ScenarioError
-from clpt_control.scenario.file import scenario_to_text
-from clpt_control.scenario.learning import KINDS, Learning
-from clpt_control.scenario.quantities import CALL_TIME_NAMES
-from clpt_control.scenario.tables import Disturbance, Kernel
-from clpt_control.scenario.team import system_from_text, team_to_text
+from clpt_control.paper.blocks import disturbance, flow
+from clpt_control.paper.laws.table import LAWS
+from clpt_control.paper.scenario.file import scenario_to_text
+from clpt_control.paper.scenario.learning import KINDS, Learning
+from clpt_control.paper.scenario.quantities import CALL_TIME_NAMES
+from clpt_control.paper.scenario.tables import Disturbance, Kernel
+from clpt_control.paper.scenario.team import system_from_text, team_to_text
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario()

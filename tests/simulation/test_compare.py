@@ -7,7 +7,7 @@ import xarray
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.figures import COLOURS
+from clpt_control.base.figures import COLOURS
 
 TIMES = np.linspace(0.0, 4.0, 41)
 SCENARIO = clpt.paper_scenario().with_values(

@@ -11,9 +11,9 @@ import pytest
 from models import MODELS, pendulum
 
 import clpt_control as clpt
-from clpt_control.blocks.field import gridded_flow
-from clpt_control.blocks.vehicle import vehicle
-from clpt_control.currents.plane import GriddedField
+from clpt_control.ocean.currents.plane import GriddedField
+from clpt_control.paper.blocks.field import gridded_flow
+from clpt_control.paper.blocks.vehicle import vehicle
 
 COMPILER = shutil.which("cc")
 needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")

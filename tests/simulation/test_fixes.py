@@ -8,8 +8,8 @@ from sentences import says
 
 import clpt_control as clpt
 from clpt_control.base.random_numbers import hash_fraction
-from clpt_control.blocks import localization
 from clpt_control.equations import evaluate
+from clpt_control.paper.blocks import localization
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"

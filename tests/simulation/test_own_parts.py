@@ -14,10 +14,10 @@ from sentences import says
 from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
-from clpt_control.blocks import vehicle
+from clpt_control.base.figures import new_figure
 from clpt_control.errors import BlockError, ClptError, DataError, DiagramError
-from clpt_control.figures import new_figure
-from clpt_control.scenario.file import OWN_PARTS
+from clpt_control.paper.blocks import vehicle
+from clpt_control.paper.scenario.file import OWN_PARTS
 from clpt_control.simulation.film import draw_samples
 from clpt_control.simulation.user_parts import LAW
 from clpt_control.theory import prove

@@ -11,11 +11,11 @@ from calm_water import PAPER
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks import field, vehicle
-from clpt_control.currents.plane import GriddedField
 from clpt_control.engine.model.declaration import Each
 from clpt_control.equations import Block
 from clpt_control.errors import SimulationError
+from clpt_control.ocean.currents.plane import GriddedField
+from clpt_control.paper.blocks import field, vehicle
 
 ENGINES = pytest.mark.parametrize("engine", [None, "python"])
 TIMES = np.linspace(0.0, 4.0, 5)

@@ -8,8 +8,8 @@ from scipy.integrate import simpson
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import ClptError, DiagramError, ScenarioError
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})

@@ -7,9 +7,9 @@ import threading
 import pytest
 from processes import GUARD
 
-from clpt_control.blocks import vehicle
+from clpt_control.base.files import CACHE
 from clpt_control.engine.codegen import machine
-from clpt_control.files import CACHE
+from clpt_control.paper.blocks import vehicle
 from clpt_control.theory.proofs import cached_verdicts as outcomes
 from clpt_control.theory.proofs.all_proofs import Statement, statements
 from clpt_control.theory.proofs.cached_verdicts import (

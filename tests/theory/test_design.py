@@ -14,8 +14,8 @@ from scipy.linalg import expm
 from sentences import says
 
 import clpt_control as clpt
-from clpt_control.figures import figure_of
-from clpt_control.files import write_file
+from clpt_control.base.figures import figure_of
+from clpt_control.base.files import write_file
 from clpt_control.theory.design import search
 from clpt_control.theory.design.track_design import (
     design_plot,

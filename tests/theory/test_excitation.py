@@ -10,9 +10,9 @@ from sentences import says
 from strait import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
-from clpt_control.blocks.reference import circle
+from clpt_control.app.pages.results import excitation_result
 from clpt_control.equations import evaluate
-from clpt_control.pages.results import excitation_result
+from clpt_control.paper.blocks.reference import circle
 from clpt_control.theory import certificate, excitation_plot, gramian, started_true
 from clpt_control.theory.excitation import certificates, regressor
 from clpt_control.theory.excitation.excitation_report import excitation_report

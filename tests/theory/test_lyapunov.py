@@ -10,7 +10,7 @@ from lyapunov_cases import CASES, ENERGY, PENDULUM, half
 from written_systems import written
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory import lyapunov as judge
 from clpt_control.theory.proofs import point_search
 from clpt_control.theory.proofs.exact import factored

@@ -13,7 +13,7 @@ from altered import alterations, altered, exchanged
 from package_blocks import BLOCKS
 from source_checks import CHECKS
 
-from clpt_control.blocks.laws.table import LAWS
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory import audit, misprints
 from clpt_control.theory.proofs import (
     all_proofs,
@@ -43,7 +43,7 @@ def helpers_of(function):
     return [
         one
         for one in named
-        if isinstance(one, FunctionType) and ".blocks." in one.__module__
+        if isinstance(one, FunctionType) and ".paper." in one.__module__
     ]
 
 
@@ -55,8 +55,9 @@ def reached(blocks):
     )
     while stack:
         function = stack.pop()
-        key = f"{function.__module__.partition('blocks.')[2]}.{function.__name__}"
-        if key not in found and ".blocks." in function.__module__:
+        module = function.__module__.partition("paper.")[2].removeprefix("blocks.")
+        key = f"{module}.{function.__name__}"
+        if key not in found and ".paper." in function.__module__:
             found[key] = function
             stack += helpers_of(function)[::-1]
     return found
@@ -164,7 +165,7 @@ def few_points(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "room", ["vehicle", "learner", "field", "laws", "consensus", "clpe"]
+    "room", ["vehicle", "learner", "field", "laws", "laws.consensus", "clpe"]
 )
 def test_altered_signs_fail_the_proof(room):
     first = next(mutant for mutant in mutants() if mutant[0].startswith(f"{room}."))

@@ -13,9 +13,9 @@ from written_systems import TICKS, whole_times
 from wrong_laws import WRONG
 
 import clpt_control as clpt
-from clpt_control.blocks.lyapunov import lyapunov_candidate, weighted
+from clpt_control.base.progress import interrupt
 from clpt_control.errors import ClptError, DiagramError
-from clpt_control.progress import interrupt
+from clpt_control.paper.blocks.lyapunov import lyapunov_candidate, weighted
 from clpt_control.theory import audit, prove, started_true
 from clpt_control.theory.proofs import invariants
 from clpt_control.theory.proofs.steps import exact

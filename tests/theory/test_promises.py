@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt_package
-from clpt_control.blocks.laws.law import Promise
-from clpt_control.blocks.laws.paper import learned_flow
-from clpt_control.blocks.laws.table import LAWS
+from clpt_control.paper.laws.law import Promise
+from clpt_control.paper.laws.paper import learned_flow
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import (
     CHECKS,
     CONDITIONS,

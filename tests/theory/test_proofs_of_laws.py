@@ -11,11 +11,11 @@ from responses import response
 from written_systems import whole_times
 
 import clpt_control as clpt
-from clpt_control.blocks.laws import regressions
-from clpt_control.blocks.laws.remembering import CONCURRENT as LAW
-from clpt_control.blocks.laws.remembering import next_window
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.errors import DiagramError
+from clpt_control.paper.laws import regressions
+from clpt_control.paper.laws.remembering import CONCURRENT as LAW
+from clpt_control.paper.laws.remembering import next_window
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proofs import all_proofs, fixes, invariant_loop
 from clpt_control.theory.proofs.all_proofs import proof_of_law

@@ -13,9 +13,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.blocks import clpe
-from clpt_control.blocks.laws.law import Gains
-from clpt_control.blocks.laws.table import LAWS as TABLE
+from clpt_control.paper.blocks import clpe
+from clpt_control.paper.laws.law import Gains
+from clpt_control.paper.laws.table import LAWS as TABLE
 from clpt_control.simulation.loops import paper_blocks
 from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
 from clpt_control.theory.promises import truth_of

@@ -298,7 +298,7 @@ def test_where_no_V_is_found_none_is_shown():
 
 
 def test_a_wrong_law_is_refuted_by_both():
-    from clpt_control.blocks.laws.table import LAWS
+    from clpt_control.paper.laws.table import LAWS
     from clpt_control.theory.proofs.theorem_loop import theorem_loop
 
     law = LAWS["learned-flow"].of(2, gain=0.5)

@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 from written_systems import written
 
 import clpt_control as clpt
-from clpt_control.blocks.laws.table import LAWS
 from clpt_control.engine.diagram.interconnection import connect
 from clpt_control.engine.model.block import Block
 from clpt_control.engine.record.derivative import Direction
 from clpt_control.engine.trace.arrays import Tape, Unread
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.every_n import SUM, EveryN
 from clpt_control.theory.proofs.exact import vanishes
 from clpt_control.theory.proofs.point_search import PointSearch

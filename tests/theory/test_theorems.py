@@ -7,9 +7,9 @@ import pytest
 
 import clpt_control as package
 from analysis.theorems import page
-from clpt_control.blocks import consensus as blocks
-from clpt_control.blocks import learner, vehicle
-from clpt_control.blocks.laws.table import LAWS
+from clpt_control.paper.blocks import learner, vehicle
+from clpt_control.paper.laws import consensus as blocks
+from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory import audit, counterexamples, misprints
 from clpt_control.theory.proofs import all_proofs
 from clpt_control.theory.proofs.all_proofs import LIMITED_SPEED, statements

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...errors import Uncompiled
+from ...base.errors import Uncompiled
 from ..record.graph import Operation
 from ..record.operations import CONDITIONS, LOGICAL, named
 from ..record.scalar_graph import Elements

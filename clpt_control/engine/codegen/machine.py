@@ -26,8 +26,8 @@ from typing import Any
 import llvmlite.binding as llvm
 import numpy as np
 
-from ...files import cache_folder, read_cached, write_cached
-from ...progress import note
+from ...base.files import cache_folder, read_cached, write_cached
+from ...base.progress import note
 
 VARIABLE = "CLPT_CONTROL_PROCESSOR"
 ENGINE = "CLPT_CONTROL_ENGINE"  # environment variable that names another default

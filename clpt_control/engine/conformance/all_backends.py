@@ -22,8 +22,8 @@ import control
 import numpy as np
 import sympy
 
-from ...arguments import public
-from ...errors import BlockError, DiagramError
+from ...base.arguments import public
+from ...base.errors import BlockError, DiagramError
 from ..codegen.machine import LANES
 from ..model.block import Block
 from ..record.graph import Shape, bound
@@ -79,7 +79,7 @@ def readings(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.clpe import clpe
+    >>> from clpt_control.paper.blocks.clpe import clpe
     >>> for name, backend in clpt.conformance.readings(clpe()).items():
     ...     print(name, backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
     python [2. 1.]

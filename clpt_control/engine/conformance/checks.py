@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import Seed, public
-from ...errors import BlockError, ClptError, DiagramError
+from ...base.arguments import Seed, public
+from ...base.errors import BlockError, ClptError, DiagramError
 from ..diagram.linearization import linearize
 from ..model.block import Block
 from ..model.declaration import powers
@@ -311,7 +311,7 @@ class ConformanceReport(NamedTuple):
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.vehicle import vehicle
+    >>> from clpt_control.paper.blocks.vehicle import vehicle
     >>> clpt.conformance.check_block(vehicle()).ok
     True
     """
@@ -359,7 +359,7 @@ def conformance(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.vehicle import vehicle
+    >>> from clpt_control.paper.blocks.vehicle import vehicle
     >>> clpt.conformance.conformance(vehicle())
     """
     report = check_block(block, seed, samples, units)
@@ -397,7 +397,7 @@ def check_block(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.vehicle import vehicle
+    >>> from clpt_control.paper.blocks.vehicle import vehicle
     >>> print(clpt.conformance.check_block(vehicle()))
     vehicle: conforms (6 checks)
     """

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import DiagramError
+from ...base.errors import DiagramError
 from ..model.block import Block
 from ..model.ports import places
 from ..model.sampled import Sampled

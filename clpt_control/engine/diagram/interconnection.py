@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...arguments import brief, nearest, public
+from ...base.arguments import brief, nearest, public
+from ...base.errors import BlockError, DiagramError
+from ...base.html import shortened
 from ...base.notebook_display import diagram_html
-from ...errors import BlockError, DiagramError
-from ...html import shortened
 from ..model.block import Block
 from ..model.declaration import Guard, Parameters, check_names, ports_line, same_unit
 from ..model.ports import counts_of, labels, whole_labels

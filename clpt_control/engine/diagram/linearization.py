@@ -18,9 +18,9 @@ import control
 import numpy as np
 from scipy.linalg import orth
 
-from ...arguments import numbers, public
-from ...errors import ArgumentError, DiagramError
-from ...progress import warn
+from ...base.arguments import numbers, public
+from ...base.errors import ArgumentError, DiagramError
+from ...base.progress import warn
 from ..model.ports import ports_of
 from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached

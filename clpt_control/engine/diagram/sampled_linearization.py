@@ -20,7 +20,7 @@ from math import gcd, lcm
 import numpy as np
 from scipy.linalg import expm
 
-from ...errors import DiagramError
+from ...base.errors import DiagramError
 from ..model.sampled import Sampled
 from .wiring import Wiring
 

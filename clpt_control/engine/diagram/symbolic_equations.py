@@ -16,8 +16,8 @@ import control
 import numpy as np
 import sympy
 
-from ...arguments import public
-from ...errors import DiagramError
+from ...base.arguments import public
+from ...base.errors import DiagramError
 from ..model.declaration import Parameters
 from ..model.ports import places, ports_of
 from ..model.sampled import Sampled

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 import control
 import numpy as np
 
-from ...errors import DiagramError
+from ...base.errors import DiagramError
 from ..model.block import Block
 from ..model.ports import ports_of
 from ..model.sampled import Sampled

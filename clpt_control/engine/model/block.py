@@ -18,8 +18,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import brief, numbers, public
-from ...errors import ArgumentError, BlockError
+from ...base.arguments import brief, numbers, public
+from ...base.errors import ArgumentError, BlockError
 from ..trace.branches import located
 from ..trace.traced_block import READ, ReadBlock, on_arrays
 from ..trace.tracing import RAISED
@@ -438,7 +438,7 @@ def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
 
     Examples
     --------
-    >>> from clpt_control.blocks.flow import flow_basis
+    >>> from clpt_control.paper.blocks.flow import flow_basis
     >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
     >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)
     array([[1.   ],

@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import brief, public
-from ...errors import BlockError
+from ...base.arguments import brief, public
+from ...base.errors import BlockError
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
 MOST_JUMPS = 2 * 10**7  # breakpoints in a list

@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import brief
-from ...errors import BlockError
+from ...base.arguments import brief
+from ...base.errors import BlockError
 from ..record.graph import Shape, bound, is_known
 
 Size = int | str  # a number, or its name

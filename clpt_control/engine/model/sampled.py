@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import DiagramError
+from ...base.arguments import public
+from ...base.errors import DiagramError
 from ..record.graph import Shape, compact
 from ..trace.arrays import Tape, operand
 from .block import Block

@@ -16,8 +16,8 @@ import control
 import numpy as np
 from scipy.linalg import block_diag
 
-from ...errors import BlockError, DiagramError
-from ...progress import warn
+from ...base.errors import BlockError, DiagramError
+from ...base.progress import warn
 from ..record.graph import MOST_NUMBERS, Record
 from ..trace.arrays import Unread
 from ..trace.branches import EVERY

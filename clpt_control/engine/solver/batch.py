@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...errors import SimulationError
-from ...progress.interrupt import check
+from ...base.errors import SimulationError
+from ...base.progress.interrupt import check
 from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
 from .rodas5p import NO_LINEAR, Jacobian
 from .schedule import Schedule

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy import ndarray
 
-from ...errors import SimulationError, Uncompiled
-from ...progress import warn
+from ...base.errors import SimulationError, Uncompiled
+from ...base.progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
 from ..trace.arrays import Unread

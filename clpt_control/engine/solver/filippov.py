@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy import ndarray
 
-from ...errors import Uncompiled
+from ...base.errors import Uncompiled
 from ..codegen.switching_conditions import Port
 from ..record.derivative import Direction
 from ..record.graph import reached

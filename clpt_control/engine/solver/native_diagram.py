@@ -9,8 +9,8 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ...arguments import public
-from ...errors import DiagramError, Uncompiled
+from ...base.arguments import public
+from ...base.errors import DiagramError, Uncompiled
 from ..codegen.diagram_record import FORMS, DiagramRecord, Layout, lay_out
 from ..codegen.directional_derivatives import Directions, add_derivatives
 from ..codegen.llvm_text import print_program

@@ -16,8 +16,8 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ...arguments import numbers
-from ...errors import SimulationError
+from ...base.arguments import numbers
+from ...base.errors import SimulationError
 from ..codegen.machine import callback
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of

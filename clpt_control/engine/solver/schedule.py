@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy import ndarray
 
-from ...arguments import numbers
-from ...errors import SimulationError
+from ...base.arguments import numbers
+from ...base.errors import SimulationError
 from .evaluation_pass import moved_back, moved_to, rounding
 
 SHARP = 10.0  # a bend is sharp if it is so many times as large as most

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy import ndarray
 
-from ...errors import SimulationError
+from ...base.errors import SimulationError
 from .batch import Batch, Callee
 from .evaluation_pass import Sweep, rounding
 from .schedule import Inputs, Schedule, inputs_at

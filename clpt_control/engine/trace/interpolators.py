@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import brief, public
-from ...errors import ArgumentError
+from ...base.arguments import brief, public
+from ...base.errors import ArgumentError
 from ..record.graph import picked
 from .arrays import Array, Tape, Unread, numbers_of, operand
 from .elementwise import boxed, constant, lifted, where

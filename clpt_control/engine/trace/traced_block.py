@@ -12,7 +12,7 @@ from typing import Any
 import control
 import numpy as np
 
-from ...errors import BlockError
+from ...base.errors import BlockError
 from ..model.declaration import Guard
 from ..model.ports import counts_of, labels, places, port_of, sized, sizes_of
 from ..record.graph import Record, Shape, evaluated

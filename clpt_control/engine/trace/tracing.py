@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...errors import BlockError
+from ...base.errors import BlockError
 from ..model.declaration import Parameters
 from ..model.ports import check_ports, places, shaped
 from ..record.graph import Record, Shape, compact

@@ -14,13 +14,13 @@ from typing import Any
 
 import control
 
-from ...arguments import public
+from ...base.arguments import public
+from ...base.errors import ClptError, DiagramError
+from ...base.figures import inline_svg, literal
+from ...base.files import check_name, write_file
+from ...base.html import fragment, paragraphs
 from ...engine.diagram.wiring import Node, Part, wiring_of
 from ...engine.model.declaration import docs_of
-from ...errors import ClptError, DiagramError
-from ...figures import inline_svg, literal
-from ...files import check_name, write_file
-from ...html import fragment, paragraphs
 from .layers import Net, arrange, gather, ports
 from .routing import Routed, route
 

@@ -17,9 +17,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...errors import ScenarioError
-from ...progress.interrupt import check
-from ...scenario.experiment import Scenario
+from ...base.errors import ScenarioError
+from ...base.progress.interrupt import check
+from ...paper.scenario.experiment import Scenario
 from .waypoint_tracks import MARGIN, Limits, Tracks, shortened
 
 EXCEEDED = 1e4  # cost of an exceeded limit, above -log of any eigenvalue

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...arguments import Positive, Seed, public
-from ...errors import ScenarioError
-from ...figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
-from ...scenario.experiment import Scenario
+from ...base.arguments import Positive, Seed, public
+from ...base.errors import ScenarioError
+from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
+from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import sample_times, simulate
 from ...simulation.mean_squares import clpe_of_samples, step_of_means
 from ..excitation.certificates import gains_of_w

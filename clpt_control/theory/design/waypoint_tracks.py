@@ -15,14 +15,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...blocks.laws.law import LEARNED
+from ...base.errors import ScenarioError
 from ...engine.codegen.machine import LANES
 from ...engine.diagram.interconnection import wiring_of_blocks
 from ...engine.model.block import evaluate
 from ...engine.solver.batch import Batch
 from ...engine.solver.native_diagram import NativeDiagram
-from ...errors import ScenarioError
-from ...scenario.experiment import Scenario
+from ...paper.laws.law import LEARNED
+from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import LoopOf, remaining_parts
 from ...simulation.starts import state_of
 from ..excitation.certificates import smallest_eigenvalue, worst_drop

@@ -21,9 +21,9 @@ from functools import cache
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import ScenarioError
-from ...scenario.experiment import Scenario
+from ...base.arguments import public
+from ...base.errors import ScenarioError
+from ...paper.scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
 
 TURN = 10.0  # radians that e and eta may turn within a piece

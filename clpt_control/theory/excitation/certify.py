@@ -45,11 +45,11 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from ...arguments import Positive, public
-from ...errors import ScenarioError
-from ...scenario.experiment import Scenario
+from ...base.arguments import Positive, public
+from ...base.errors import ScenarioError
+from ...base.units import at_most
+from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
-from ...units import at_most
 from ..promises import bounded, largest_disturbance
 from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
 from .regressor import checked_window, joint_regressor

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import ScenarioError
-from ...figures import BLUE, GREY, RED, TITLE, axes_for
-from ...scenario.experiment import Scenario
-from ...scenario.team import Team
+from ...base.arguments import public
+from ...base.errors import ScenarioError
+from ...base.figures import BLUE, GREY, RED, TITLE, axes_for
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.team import Team
 from .certificates import certificate, time_to_tenth
 from .gramian import NOT_LEARNABLE, Excitation, gramian, sliding_excitation
 from .regressor import AnySource, Source, joint_regressor, system_of

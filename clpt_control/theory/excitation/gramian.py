@@ -19,10 +19,10 @@ from typing import Any
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import ClptError, ScenarioError
-from ...html import facts, fragment, paragraphs
-from ...scenario.experiment import Scenario
+from ...base.arguments import public
+from ...base.errors import ClptError, ScenarioError
+from ...base.html import facts, fragment, paragraphs
+from ...paper.scenario.experiment import Scenario
 from .regressor import (
     AnySource,
     Regressor,

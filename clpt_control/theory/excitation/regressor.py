@@ -17,14 +17,14 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from ...arguments import numbers, public
+from ...base.arguments import numbers, public
+from ...base.errors import ArgumentError, DataError, ScenarioError
 from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
-from ...errors import ArgumentError, DataError, ScenarioError
-from ...scenario.experiment import Scenario
-from ...scenario.file import CHANGED, OWN_LAW, OWN_PARTS
-from ...scenario.recorded_run import check_run, unknown_parts
-from ...scenario.team import Team, system_of_run
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import CHANGED, OWN_LAW, OWN_PARTS
+from ...paper.scenario.recorded_run import check_run, unknown_parts
+from ...paper.scenario.team import Team, system_of_run
 from ...simulation.integrate import simulate
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
-from ...blocks.laws.law import Law
-from ...blocks.laws.table import LAWS
+from ...paper.laws.law import Law
+from ...paper.laws.table import LAWS
 from .fixes import fix_steps
 from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED

@@ -22,10 +22,10 @@ from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING, Any
 
+from ...base.files import cache_folder, read_cached, write_cached
+from ...base.progress import interrupt
+from ...base.progress.processes import Pool, processes
 from ...engine.codegen.machine import ENGINE, code_name
-from ...files import cache_folder, read_cached, write_cached
-from ...progress import interrupt
-from ...progress.processes import Pool, processes
 from .steps import Proof
 
 if TYPE_CHECKING:  # the other process starts before all this is imported

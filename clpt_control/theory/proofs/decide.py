@@ -13,8 +13,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
-from ...errors import DiagramError
 from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
 from .facts import decided, functions_in, interval, is_input, pieces_of, sector_of
 from .sums_of_squares import squares

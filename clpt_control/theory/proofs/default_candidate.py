@@ -19,12 +19,12 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks.laws.law import LEARNED, Truth
-from ...blocks.lyapunov import lyapunov_candidate, weighted
+from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import connect
 from ...engine.diagram.wiring import read_anew
 from ...engine.model.block import Block
-from ...errors import DiagramError
+from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
+from ...paper.laws.law import LEARNED, Truth
 from ...simulation.user_parts import functions_of
 from ..promises import truth_of
 from .exact import tidied

@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
 
-from ...errors import DiagramError
+from ...base.errors import DiagramError
 from .facts import CLIP, INSIDE
 from .steps import short
 

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks.laws.law import Law
 from ...engine.diagram.interconnection import connect
+from ...paper.laws.law import Law
 from ...simulation.loops import LoopOf, remaining_parts
 from .exact import vanishes
 from .facts import decided

@@ -17,8 +17,8 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...blocks.laws.law import LEARNED, Law
 from ...engine.record.symbolic import extent, rational
+from ...paper.laws.law import LEARNED, Law
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of

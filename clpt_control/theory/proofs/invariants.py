@@ -46,7 +46,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks.laws.law import Law
+from ...paper.laws.law import Law
 from . import invariant_loop
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE

@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 
 import sympy
 
+from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbolic_equations import Equations
-from ...html import facts, fragment
 from .states_outside_V import states_outside_V
 from .steps import Step, exact, first_failure, short
 from .symbolic_loop import Point
@@ -72,7 +72,7 @@ class Verdict:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.laws.table import LAWS
+    >>> from clpt_control.paper.laws.table import LAWS
     >>> wrong = LAWS["learned-flow"].of(1, gain=-0.5)
     >>> verdict = clpt.theory.prove(wrong, points=200)
     >>> verdict.status, verdict.value > 0

@@ -19,10 +19,10 @@ from functools import partial
 import numpy as np
 import sympy
 
-from ...blocks.laws.law import Law
-from ...blocks.laws.table import LAWS
-from ...blocks.vehicle import speed_limit
 from ...engine.diagram.interconnection import connect
+from ...paper.blocks.vehicle import speed_limit
+from ...paper.laws.law import Law
+from ...paper.laws.table import LAWS
 from ..counterexamples import limited_speed_counterexample
 from .exact import left_over, vanishes
 from .facts import MAXIMUM

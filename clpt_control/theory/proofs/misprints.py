@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...blocks import flow
-from ...blocks.laws.law import LEARNED
 from ...engine.record.symbolic import Symbols
+from ...paper.blocks import flow
+from ...paper.laws.law import LEARNED
 from ...simulation.loops import error_loop
 from .exact import vanishes
 from .steps import checked

@@ -24,7 +24,7 @@ from ...engine.model.ports import named, split
 from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import extent
-from ...scenario.quantities import QUANTITIES
+from ...paper.scenario.quantities import QUANTITIES
 from .facts import interval, positive_maximum
 
 # fields that stand for one thing, by its name in the paper

@@ -14,10 +14,10 @@ import control
 import numpy as np
 import sympy
 
+from ...base.errors import DiagramError
+from ...base.progress.interrupt import check
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from ...errors import DiagramError
-from ...progress.interrupt import check
 from .facts import along
 from .running_blocks import RunningBlocks
 from .symbolic_loop import Numbers, Point

@@ -12,13 +12,13 @@ from typing import Any
 import control
 import numpy as np
 
-from ...arguments import Count, Seed, public
-from ...blocks.laws.law import Law
+from ...base.arguments import Count, Seed, public
+from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.wiring import read_anew
 from ...engine.model.block import Block
-from ...errors import DiagramError
-from ...scenario.experiment import Scenario
+from ...paper.laws.law import Law
+from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_parts import functions_of
 from ...simulation.user_parts import law_block as as_law_block
@@ -98,7 +98,7 @@ def prove(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks.laws.table import LAWS
+    >>> from clpt_control.paper.laws.table import LAWS
     >>> clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
     'proved'
     """

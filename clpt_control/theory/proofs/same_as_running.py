@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ...progress.interrupt import check
+from ...base.progress.interrupt import check
 from .point_search import PointSearch
 from .steps import Step, checked
 from .symbolic_loop import Numbers, SymbolicLoop

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from traceback import format_exception_only
 from typing import Any, Literal
 
+from ...base.errors import ClptError, DiagramError
 from ...engine.trace.arrays import Unread
-from ...errors import ClptError, DiagramError
 
 LONG = 10**12  # denominators beyond are rounded where they are printed
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]

@@ -18,6 +18,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.errors import DiagramError
 from ...engine.diagram.merged_record import TapeRecord
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
@@ -28,7 +29,6 @@ from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
-from ...errors import DiagramError
 from .every_n import EveryN
 from .facts import NUMPY_OF, along, is_input
 from .paper_symbols import PaperNames, parameter_symbol, undefined

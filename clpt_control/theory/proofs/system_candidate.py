@@ -17,12 +17,12 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...arguments import check_holds
+from ...base.arguments import check_holds
+from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
-from ...errors import DiagramError
 from .decide import never_positive
 from .exact import factored, tidied, vanishes
 from .facts import along, is_continuous, meets_smoothly

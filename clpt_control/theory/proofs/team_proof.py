@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from ...blocks.consensus import total_candidate
 from ...engine.diagram.interconnection import Diagram, connect
 from ...engine.model.ports import named, split, within
-from ...scenario.team import TEAM_LAW, Team
+from ...paper.laws.consensus import total_candidate
+from ...paper.scenario.team import TEAM_LAW, Team
 from ...simulation.team_loops import team_blocks
 from .same_as_running import running_step
 from .steps import Proof, Step, where_all_hold

@@ -17,14 +17,14 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ...blocks.laws.law import Law, Truth
-from ...blocks.laws.table import LAWS
-from ...blocks.lyapunov import PORTS, lyapunov_candidate, weighted
-from ...blocks.ports import paper_block
 from ...engine.diagram.interconnection import Diagram, connect
 from ...engine.model.block import Block
-from ...scenario.experiment import Scenario
-from ...scenario.file import paper_scenario
+from ...paper.blocks.lyapunov import PORTS, lyapunov_candidate, weighted
+from ...paper.blocks.ports import paper_block
+from ...paper.laws.law import Law, Truth
+from ...paper.laws.table import LAWS
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
 from .exact import left_over

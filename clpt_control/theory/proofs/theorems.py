@@ -16,9 +16,9 @@ from functools import partial
 
 import numpy as np
 
-from ...arguments import public
-from ...errors import ClptError
-from ...progress import interrupt
+from ...base.arguments import public
+from ...base.errors import ClptError
+from ...base.progress import interrupt
 from ..counterexamples import (
     burst_counterexample,
     disturbance_counterexample,

@@ -1,0 +1,1 @@
+"""Command line, HTML pages and notebook display."""

@@ -1,0 +1,224 @@
+"""`clpt laws`: their table; `clpt prove`: theorems and laws; `clpt refute`: a law's promise."""
+
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from ...base.errors import ClptError, SimulationError
+from ...base.html import Result
+from ...base.progress import progress_bar
+from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
+
+OF_THEOREM = (
+    "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
+)
+OF_LAW = "status claim for_every_N steps"
+ROOMS = {  # of proofs -> what one is called, its fields in JSON
+    "theorems": ("Theorem {}", OF_THEOREM),
+    "limited_speed": ("Limited speed, {}", OF_THEOREM),
+    "laws": ("Law {}", f"law {OF_LAW}"),
+    "team": ("A team that learns one flow", f"{OF_LAW} cited"),
+}
+
+
+def laws(
+    name: str | None = arg("LAW", "Its page; default: the table.", default=None),
+    as_json: Json = False,
+) -> None:
+    """List the adaptive laws; of one, print its page.
+
+    Example:
+        clpt laws concurrent
+    """
+    from ...paper.laws.table import LAWS
+    from ...theory.promises import promises_in_words, what_it_promises
+
+    if name is not None and name not in LAWS:
+        raise ClptError(f"{name}: is no law; `clpt laws` lists them")
+    wanted = list(LAWS.values()) if name is None else [LAWS[name]]
+    listed: Report = {}
+    rows, keys = [], []
+    for law in wanted:
+        settings = {}
+        for key, one in law.settings.items():
+            settings[key] = {
+                name: getattr(one, name) for name in ("default", "allowed", "meaning")
+            }
+            default = "of the scenario" if one.default is None else f"{one.default:g}"
+            keys.append(
+                [f"learning.{law.table}.{key}", one.allowed, default, one.meaning]
+            )
+        rows.append([law.name, what_it_promises(law), law.needs])
+        listed[law.name] = {
+            "promises": list(promises_in_words(law).values()),
+            "needs": law.needs,
+            "default_gain": law.gain,
+            "table": f"learning.{law.table}" if settings else None,
+            "settings": settings,
+        }
+    sentences = [""]
+    if name is not None:
+        page = listed[name]["page"] = wanted[0].page
+        promises = [f"- {words}" for words in listed[name]["promises"]]
+        sentences = [page, "Asked along runs:", *promises, ""]
+    found = [
+        Result(
+            "Laws (learning.law)",
+            ["law", "promise, on conditions", "needs"],
+            rows,
+            sentences,
+        )
+    ]
+    if keys:
+        found.append(
+            Result("Settings", ["key", "allowed", "default", "what it is"], keys)
+        )
+    finish(found, {"laws": listed}, as_json)
+
+
+def prove(
+    theorem: str | None = opt(
+        "NUMBER", "3.1 to 3.4; default: all, limits and every law."
+    ),
+    again: bool = flag("Judge what was judged before.", "--again"),
+    as_json: Json = False,
+) -> None:
+    """Check the paper's theorems, and every law, by symbols.
+
+    The equations are those that run, read from the same blocks.
+
+    Example:
+        clpt prove --theorem 3.2
+    """
+    from ...theory.proofs.cached_verdicts import (
+        CachedOutcomes,
+        make_ready,
+        prove_all,
+        second_process,
+    )
+
+    with second_process() as pool:
+        cached = CachedOutcomes()
+        if pool is not None and theorem is None and (again or not cached.outcomes):
+            pool.submit(make_ready)
+        from ...theory.proofs.all_proofs import statements
+
+        wanted = statements(theorem)
+        new = [one for one in wanted if again or one not in cached.outcomes]
+        if new:
+            with progress_bar("proving", len(new)) as report:
+                cached.store(prove_all(new, report, pool))
+    outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
+    summary: Report = {}
+    results, wrong = [], []
+    for room, (title, fields) in ROOMS.items():
+        proofs = {s.name: outcomes[s] for s in wanted if s.room == room}
+        summary[room] = {
+            name: _fields(one, fields, name) for name, one in proofs.items()
+        }
+        if room == "laws":
+            rows = [
+                [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
+                for law, one in proofs.items()
+            ]
+            columns = ["law", "status", "V' along the closed loop"]
+            results += [Result("Laws", columns, rows, [""])] if rows else []
+        else:
+            results += [
+                _result(title.format(name), one) for name, one in proofs.items()
+            ]
+        wrong += [
+            f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds
+        ]
+    misprints = outcomes[wanted[-1]]
+    proved_at = max(cached.times[one] for one in wanted)
+    summary |= {"team": summary["team"].get(""), "misprints": misprints}
+    summary["judged"] = {"time": proved_at, "before": not new}
+    columns = ["equation", "printed", "should be", "confirmed"]
+    rows = [
+        [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
+        for m in misprints
+    ]
+    before = f"judged on {proved_at} of the same equations; --again judges anew"
+    results.append(Result("Misprints", columns, rows, [] if new else [before]))
+    finish(results, summary, as_json)
+    wrong += [
+        f"the misprint of {m['equation']} is not confirmed"
+        for m in misprints
+        if not m["confirmed"]
+    ]
+    if wrong:
+        more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
+        raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+
+
+def refute(
+    law: str = arg("LAW", "Its name."),
+    budget: float = opt("SECONDS", "How long to search.", default=60.0),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),
+    as_json: Json = False,
+) -> None:
+    """Search for a run that breaks what a law promises.
+
+    Not to find one is no proof.
+
+    Example:
+        clpt refute concurrent --budget 20 --out broken.toml
+    """
+    from ...base.files import write_file
+    from ...paper.laws.table import LAWS
+    from ...paper.scenario.file import scenario_to_text
+    from ...theory.promises import promises_in_words
+    from ...theory.refuting import refute as search
+
+    check_out(out, "a scenario")
+    with progress_bar(f"searching {law}", 1.0) as report:
+        found = search(law, budget=budget, seed=seed, progress=report)
+    text = None if found.scenario is None else scenario_to_text(found.scenario)
+    if out is not None and text is not None:
+        write_file(out, text)
+    rows = [
+        [
+            words,
+            "never asked"
+            if what not in found.closest
+            else cell_text(found.closest[what]),
+        ]
+        for what, words in promises_in_words(LAWS[law]).items()
+    ]
+    title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
+    result = Result(title, ["promise", "came to, above 1 is broken"], rows)
+    finish([result], {**vars(found), "scenario": text}, as_json, out if text else None)
+    if found.broken:
+        raise SimulationError(f"{law} breaks its promise: {found.broken}")
+
+
+def _fields(proof: Any, fields: str, name: str) -> Report:
+    """Return the fields of a proof in JSON."""
+    known = {**asdict(proof), "law": name, "conclusion": proof.claim}
+    return {field: known[field] for field in fields.split()}
+
+
+def _failure(proof: Any) -> str:
+    """Return the step at which a proof fails, or what is claimed."""
+    return f" at step '{proof.failed[0].claim}'" if proof.failed else f": {proof.claim}"
+
+
+def _result(name: str, proof: Any) -> Result:
+    """Return the steps of a proof, and what is printed, holds, is cited or not proved."""
+    rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
+    every = ", for every N" if proof.for_every_N else ""
+    sentences = [
+        ("printed", proof.printed),
+        ("holds", proof.corrected),
+        ("cited", proof.cited),
+    ]
+    sentences += [("not shown", rest) for rest in proof.not_proved]
+    lines = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
+    return Result(
+        f"{name}: {proof.status}{every}",
+        ["holds", "how", "claim", ""],
+        rows,
+        [*lines, ""],
+    )

@@ -1,0 +1,216 @@
+"""Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
+
+from pathlib import Path
+
+import clpt_control as clpt
+
+from ...base.errors import DataError, ScenarioError
+from ...base.html import Result
+from ...base.units import known, percent
+from .printing import Json, Report, arg, cell_text, check_out, finish, opt
+
+
+def fit(
+    currents: Path = arg(
+        "FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."
+    ),
+    out: Path = opt(
+        "SCENARIO", "Scenario file to write; the field lies beside it.", default=...
+    ),
+    box: tuple[float, float, float, float] | None = opt(
+        "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."
+    ),
+    rows: int = opt("COUNT", "Places of functions, south to north.", default=3),
+    columns: int = opt("COUNT", "Places of functions, west to east.", default=3),
+    width_km: float | None = opt(
+        "KM", "Width of the Gaussians, km; default: 0.6 of the distance between places."
+    ),
+    constituents: str = opt(
+        "NAMES", "steady and named tides, such as steady,M2.", default="steady,M2"
+    ),
+    units: str | None = opt(
+        "UNIT", "Of u and v, such as m/s, where the file has none."
+    ),
+    as_json: Json = False,
+) -> None:
+    """Make a scenario in a measured current, and fit its flow.
+
+    Example:
+        clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
+    """
+    from ...theory.excitation.gramian import not_learned
+
+    fitted = clpt.currents.fit_scenario(
+        currents,
+        box,
+        rows=rows,
+        columns=columns,
+        width_km=width_km,
+        constituents=tuple(name.strip() for name in constituents.split(",")),
+        units=units,
+    )
+    scenario = clpt.currents.save_fit(fitted, out)
+    length, speed = fitted.report["width_units"], fitted.report["speed_units"]
+    beside = dict.fromkeys(("track_radius", "width"), f" {length}")
+    beside |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
+    lines = [
+        [key.replace("_", " "), cell_text(value) + beside.get(key, "")]
+        for key, value in fitted.report.items()
+        if key not in ("theta", "width_units", "speed_units")
+    ]
+    missing, wider = not_learned(scenario), ""
+    if (fitted.report["explained_variance"] or 0) < 0:
+        wider = "the fit is worse than the mean current alone; --width-km wider than that may do"
+    sentences = [said for said in (wider, missing) if said]
+    found = Result(
+        f"{out}: written, with the field beside it", ["", ""], lines, sentences
+    )
+    finish([found], fitted.report | {"not_learnable": missing}, as_json)
+
+
+def tides(
+    record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
+    constituents: str = opt(
+        "NAMES",
+        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
+        default=...,
+    ),
+    latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
+    at: tuple[float, float] | None = opt(
+        "LAT LON", "Degrees: the nearest cell of a grid."
+    ),
+    units: str | None = opt(
+        "UNIT", "Of u and v, such as m/s, where the file has none."
+    ),
+    as_json: Json = False,
+) -> None:
+    """Fit tidal constituents to a current record.
+
+    Example:
+        clpt tides record.nc --constituents M2,S2,K1
+    """
+    from ...ocean.currents.tidal_constants import tides_report
+
+    measured = clpt.currents.read_record(record, latitude, at, units)
+    names = [name.strip() for name in constituents.split(",")]
+    current = measured.time, measured.u, measured.v, measured.latitude
+    fit = clpt.currents.fit_tides(*current, names, where=str(record))
+    report = {"source": measured.source, **tides_report(fit)}
+    finish([tides_result(report)], report, as_json)
+
+
+def tides_result(report: Report) -> Result:
+    """Return tidal constants: a row per constituent, then the whole."""
+    rows = []
+    for name, each in report["constituents"].items():
+        row = [name]
+        for key, error in each["standard_errors"].items():
+            digits = 4 if key in ("east", "north", "major", "minor") else 1
+            words = "any" if error is None else f"{error:.{digits}f}"
+            row.append(f"{each[key]:z.{digits}f} ({words})")
+        rows.append(row)
+    title = (
+        f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
+        "inclination in degrees (standard error)"
+    )
+    east, north = report["mean"]
+    sentences = [
+        f"{report['samples']} measurements over {report['hours']:.6g} h from "
+        f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
+        f"mean current: {east:+z.4f} east, {north:+z.4f} north (m/s)",
+        f"explained: {percent(report['explained_variance'])} of the variance; residual rms "
+        f"{report['residual_rms']:.4f} m/s",
+    ]
+    columns = [
+        "",
+        "east",
+        "phase",
+        "north",
+        "phase",
+        "major",
+        "minor",
+        "incl.",
+        "phase",
+    ]
+    return Result(title, columns, rows, sentences)
+
+
+def estimate(
+    run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
+    method: str = opt(
+        "NAME", "least-squares, kalman or tomography.", default="least-squares"
+    ),
+    every: float | None = opt(
+        "TIME", "Time between fixes; a tenth of reference.dwell."
+    ),
+    prior: float | None = opt(
+        "SPEED", "Standard deviation of each theta before any fix."
+    ),
+    noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),
+    until: float | None = opt("TIME", "Use the run up to this time."),
+    out: Path | None = opt(
+        "FILE", "Scenario file to write: the run's, with the estimate given."
+    ),
+    as_json: Json = False,
+) -> None:
+    """Estimate the flow from fix to fix, for the known-flow law.
+
+    Example:
+        clpt estimate run.nc --method kalman --out known.toml
+    """
+    import numpy as np
+
+    from ...ocean.estimation.segments import run_scenario
+
+    if run.suffix != ".nc":
+        raise DataError(
+            f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario"
+        )
+    check_out(out, "a scenario")
+    data = clpt.load_run(run)
+    scenario = run_scenario(data)
+    if until is not None:
+        if not data.time.values[1] < until <= data.time.values[-1]:
+            raise ScenarioError(f"--until {until:g}: must lie within the run")
+        data = data.sel(time=slice(None, until * (1 + 1e-12)))
+    found = clpt.estimation.flow_estimate(
+        data, method, every=every, prior=prior, noise=noise
+    )
+    if out is not None:
+        fed = clpt.estimation.known_flow_scenario(scenario, found.theta)
+        clpt.save_scenario(fed, out)
+    sd, length = found.standard_deviation, scenario.units.length
+    speed = f"{length}/{scenario.units.time}"
+    report = {
+        "method": method,
+        "units": {"length": length, "time": scenario.units.time},
+        "fixes": len(found.misses) + 1,
+        "theta": found.theta.tolist(),
+        "standard_deviation": sd.tolist(),
+        "condition_number": known(found.condition_number),
+        "rms_of_misses_left": float(np.sqrt(np.mean(np.sum(found.misses**2, axis=1)))),
+        "steps": len(found.steps),
+    }
+    if scenario.flow.parameters is not None:
+        error = np.abs(found.theta - np.array(scenario.flow.parameters))
+        report["largest_error"] = float(error.max())
+    rows = [
+        [str(k + 1), *(f"{found.theta[i, k]:#.4g}" for i in range(2)), f"{sd[k]:.1e}"]
+        for k in range(len(sd))
+    ]
+    names = "theta_1", "theta_2", "standard deviation"
+    columns = ["function", *(f"{name} ({speed})" for name in names)]
+    units = {
+        "condition_number": "",
+        "rms_of_misses_left": length,
+        "largest_error": speed,
+    }
+    sentences = [
+        f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()
+        for key, unit in units.items()
+        if report.get(key) is not None
+    ]
+    if out is not None:
+        sentences.append(f"{out}: written, with law = known-flow and this estimate")
+    title = f"{run}: {method}, {report['fixes']} fixes"
+    finish([Result(title, columns, rows, sentences)], report, as_json)

@@ -1,0 +1,302 @@
+"""What `clpt replay` prints and writes, and the dives to come that it forecasts: `--next`, `--aim`.
+
+The table has a row for each dive, as many columns as the terminal is wide: columns join in
+the order of their rank while they fit; those of rank 0 always stand.
+A folder that is followed is watched for new files of dives.
+"""
+
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from math import hypot, isfinite
+from pathlib import Path
+from typing import Any
+
+import clpt_control as clpt
+
+from ...base.errors import DataError, ScenarioError
+from ...base.files import write_together
+from ...base.html import Result
+from ...base.progress import interrupt, progress_bar, tell
+from .printing import LONG, Report, terminal_width
+
+EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
+ROWS = {
+    "clpe_rms": "after the first dive",
+    "clpe_rms_all": "all, the first with no flow",
+    "clpe_rms_after_3": "after the third dive",
+}
+LONGEST = 86400.0  # s between looks
+
+
+@dataclass
+class Job:
+    """A replay that grows, what is asked of it, and the formats of its figures.
+
+    Dives must last longer than `least`, s. `plan` is of the next dive (s; m east, m north);
+    `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
+    (degrees east) are for aiming. The way is drawn (`route`) where there is a list of areas to stay
+    out of, if an empty one. `follows`: what the dives so far do not allow is told once, and work
+    goes on.
+    """
+
+    replay: Any
+    plan: tuple = ()
+    targets: list[tuple[float, float]] = field(default_factory=list)
+    speed: float | None = None
+    duration: float | None = None
+    variation: float | None = None
+    areas: list[Any] | None = None
+    follows: bool = False
+    kinds: Sequence[str] = ()
+    least: float = 0.0
+    told: set[str] = field(default_factory=set)
+
+    def check(self) -> None:
+        """Refuse what cannot be, before work begins."""
+        from ...ocean.forecast.aim import checked_target
+        from ...ocean.forecast.surfacing import check_flown
+
+        if self.plan:
+            time, way = self.plan
+            check_flown(hypot(*way) / time if time > 0 else 0.0, time)
+        if not self.targets and (self.speed, self.duration) != (None, None):
+            raise ScenarioError(
+                "--speed and --hours are for --aim LAT LON; give a waypoint"
+            )
+        for target in self.targets:
+            checked_target(*target)
+        duration = 3600.0 if self.duration is None else self.duration
+        check_flown(1.0 if self.speed is None else self.speed, duration)
+
+    @contextmanager
+    def so_far(self) -> Iterator[None]:
+        """Go on, where a folder is followed, after what dives do not allow, which is told once."""
+        try:
+            yield
+        except (DataError, ScenarioError) as error:
+            if not self.follows:
+                raise
+            if str(error) not in self.told:
+                tell(f"so far, {error}")
+            self.told.add(str(error))
+
+    def aims(self) -> list[Any]:
+        """Return an `Aim` for each waypoint ahead; those that were come close to are dropped."""
+        from ...base.geodesy import distance
+        from ...ocean.forecast.aim import ARRIVED
+
+        last = self.replay.steps[-1].dive
+        fix = last.lat_gpse, last.lon_gpse
+        while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
+            self.targets.pop(0)
+        how = self.targets, self.speed, self.duration, self.variation
+        with self.so_far():
+            return clpt.replay.aims(self.replay, *how) if self.targets else []
+        return []
+
+    def found(self, dives: Any, unread: Any) -> Report:
+        """Replay the dives that can be used; return what `--json` prints."""
+        from ...ocean.forecast.replay import check_tides
+        from ...ocean.gliders.samples import with_variation
+
+        if self.variation is not None:
+            if not self.follows and all(dive.turned is None for dive in dives):
+                raise ScenarioError(
+                    f"--variation {self.variation:g}: no dive here has its dead reckoning from a "
+                    "magnetic heading; leave it out"
+                )
+            dives = [with_variation(dive, self.variation) for dive in dives]
+        used, unused = clpt.gliders.usable(dives, self.least)
+        skipped = [*unread, *unused]
+        if not (self.follows or used):
+            raise DataError(
+                f"no dive can be used; dive {unused[0].dive}: {unused[0].why}"
+            )
+        with self.so_far():
+            check_tides(self.replay.model.flow, used)
+        with progress_bar("replaying dives", max(len(used), 1)) as report:
+            self.replay.feed(used, report)
+        return self.summary(skipped)
+
+    def summary(self, skipped: Sequence[Any] = ()) -> Report:
+        """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
+        from ...ocean.forecast.exchange import paste
+        from ...ocean.forecast.route import DRAWS, arrivals
+
+        replay = self.replay
+        found = clpt.replay.summary(replay, skipped) | {
+            "next_dive": None,
+            "aim": [],
+            "paste": None,
+        }
+        if not replay.steps:
+            return found
+        legs = self.aims()
+        aimed = legs and not self.plan
+        goal = legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan)
+        found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
+        if self.areas is not None and legs:
+            with progress_bar("drawing the way", DRAWS) as report:
+                way = self.targets, self.areas, self.speed, self.duration
+                found["route"] = arrivals(replay, *way, report)
+        return found | {"paste": paste(found)}
+
+    def learn(
+        self, dives: tuple[Any, Any], files: int, out: Path
+    ) -> tuple[Report, str]:
+        """Replay dives and write the results; return them with a line on the new files."""
+        from ...ocean.forecast.places import place
+        from ...ocean.forecast.wording import aim_sentence, when
+
+        found = self.found(*dives)
+        used = len(self.replay.steps)
+        line = (
+            f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
+        )
+        if not used:
+            return found, line
+        write(found, out, self.kinds, again=True)
+        step, to_come = self.replay.steps[-1], found["next_dive"]
+        near = place(to_come["latitude"], to_come["longitude"])
+        return found, (
+            f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
+            + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
+            + f"; next surfacing {when(to_come)}, near {near}"
+            + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
+        )
+
+
+def fitted(
+    title: str, rows: list[dict[str, str]], columns: Any, sentences: Sequence[str] = ()
+) -> Result:
+    """Return rows of cells by title as a table of the columns that fit the terminal."""
+    size = {
+        name: EDGES + max(len(name), *(min(len(row[name]), LONG) for row in rows))
+        for name in rows[0]
+    }
+    left, chosen = terminal_width() - EDGE, set()
+    for name in sorted(size, key=lambda name: columns[name][0]):
+        if columns[name][0] == 0 or size[name] <= left:
+            chosen.add(name)
+            left -= size[name]
+    titles = [name for name in size if name in chosen]
+    return Result(
+        title, titles, [[row[one] for one in titles] for row in rows], sentences
+    )
+
+
+def results(summary: Report) -> list[Result]:
+    """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
+    from ...ocean.forecast import cells, wording
+
+    each, sentences = (
+        summary["each_dive"],
+        [*wording.remarks(summary), *wording.coming(summary)],
+    )
+    if summary.get("paste"):
+        sentences += [
+            f"to paste, {summary['paste']['file']}:",
+            summary["paste"]["text"].rstrip(),
+        ]
+    if not each:
+        return [Result(sentences=["no dives yet", *sentences])]
+    dives = [cells.cells(row) for row in each]
+    if summary["next_dive"]:
+        dives.append(cells.cells_ahead(summary["next_dive"]))
+    means = {name: summary[key] for key, name in ROWS.items()}
+    if (
+        "flow_model" in summary
+        and 0 < summary["flow_model"]["covered"] < summary["used"]
+    ):
+        means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
+    models = cells.MODELS[: len(each[0]["clpe"])]
+    rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
+    return [
+        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.COLUMNS),
+        Result("Miss, rms (m)", ["over", *models], rows, sentences),
+    ]
+
+
+def write(
+    found: Report, folder: Path, kinds: Sequence[str], again: bool = False
+) -> list[Path]:
+    """Write what `Job.summary` says of a replay into a folder, all or none.
+
+    The files, NetCDF, page, places and figures, are returned.  ``replay.nc`` is the first and is
+    put in place last: where it is new, the others are.  The page loads itself `again` where it
+    will be written anew.
+    """
+    from ...ocean.forecast.exchange import next_geojson, track_kml
+    from ...ocean.forecast.facts import replay_dataset
+    from ...ocean.forecast.plots import replay_figures
+    from ...ocean.forecast.replay_page import replay_page
+
+    results: dict[str, Any] = {
+        "replay.nc": replay_dataset(found),
+        "replay.html": replay_page(found, again),
+        "next.geojson": next_geojson(found),
+        "track.kml": track_kml(found, found["vehicle"]),
+    }
+    if found["paste"]:
+        results[found["paste"]["file"]] = found["paste"]["text"]
+    figures = replay_figures(found) if kinds else {}
+    for name, figure in figures.items():
+        results |= {f"{name}.{kind}": figure for kind in kinds}
+    placed = {folder / name: one for name, one in results.items()}
+    write_together(placed)
+    return list(placed)
+
+
+def check_pace(every: float, patience: float) -> None:
+    """Refuse times (s) between looks, or without a new file, that cannot be."""
+    if not (isfinite(every) and 0 < every <= LONGEST):
+        raise ScenarioError(
+            f"--every {every:g} s: must be above 0 s and at most {LONGEST:g} s, a day"
+        )
+    if not patience >= 0:
+        raise ScenarioError(f"--patience {patience:g} s: must be 0 s or more")
+
+
+def watch(
+    job: Job,
+    folder: Path,
+    out: Path,
+    every: float,
+    patience: float,
+    alert: Sequence[str],
+) -> Report:
+    """Replay all dives of a folder whenever a file arrives; return what the last replay found.
+
+    Times are in s.  Ctrl-C or SIGTERM ends it: while it waits, with the last replay; while
+    it learns, by a `KeyboardInterrupt`, as no replay has all dives yet.
+    """
+    from ...ocean.forecast.fleet import Alerts
+    from ...ocean.forecast.follow import following
+
+    with interrupt.terminated(), following(folder, out) as follower:
+        found = None  # None while results are not those of all files
+        alerts = Alerts(alert, out)
+        since = time.monotonic()
+        try:
+            while True:
+                before = follower.here
+                arrived = follower.look()
+                if arrived or follower.here != before or found is None:
+                    found = None
+                    learned, line = job.learn(follower.dives(), len(arrived), out)
+                    found = learned  # from where the line is seen, an interrupt has its results
+                    tell(line)
+                    if arrived:
+                        since = time.monotonic()
+                alerts.tell(found)
+                left = since + patience - time.monotonic()
+                if left <= 0:
+                    return found
+                interrupt.wait(min(every, left))
+        except KeyboardInterrupt:  # the user's way to end it
+            if found is None:
+                raise
+            interrupt.answer()
+            return found

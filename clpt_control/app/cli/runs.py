@@ -1,0 +1,351 @@
+"""One scenario: `clpt init`, `clpt paper`, `clpt run`, `clpt diagram`, `clpt export`.
+
+Many runs: `clpt ensemble`, with values that vary; `clpt tune`, which chooses law and gains.  What
+is sent or shown: `clpt report` writes a page, `clpt animate` a moving picture.
+"""
+
+import os
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import clpt_control as clpt
+
+from ...base.errors import ClptError
+from ...base.files import check_writable, make_folder, write_together
+from ...base.html import Result
+from ...base.progress import progress_bar
+from .printing import (
+    Formats,
+    Json,
+    Report,
+    ScenarioFile,
+    arg,
+    cell_text,
+    check_out,
+    draw_figure,
+    finish,
+    flag,
+    opt,
+    say,
+)
+
+MOST_SHOWN = 15  # candidates in the table; --json has all
+RUN = "run it with `clpt run {} --out run.nc`"
+FIT = "fit it with `clpt fit {} --out mine.toml`"
+EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the package, what to do then
+    "paper": ("paper.toml", "paper.toml", RUN),
+    "team": ("team.toml", "team.toml", RUN),
+    "currents": ("currents.nc", "maracoos_hfr_2019-01-01.nc", FIT),
+}
+
+
+def init(
+    file: Path | None = arg(
+        "FILE", "Where to write it; default: the name of the example.", default=None
+    ),
+    example: str = opt(
+        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"
+    ),
+) -> None:
+    """Write an example to start from: a scenario, by default.
+
+    The paper's scenario, commented; a team's; or a measured current for `clpt fit`.
+
+    Example:
+        clpt init mine.toml
+    """
+    if example not in EXAMPLES:
+        raise ClptError(f"--example {example}: must be one of {', '.join(EXAMPLES)}")
+    name, source, then = EXAMPLES[example]
+    file = file or Path(name)
+    if os.path.lexists(file):
+        raise ClptError(
+            f"{file}: exists already; name another file, or move this one away"
+        )
+    write_together({file: (resources.files("clpt_control.data") / source).read_bytes()})
+    say(f"{file}: written; {then.format(file)}")
+
+
+def paper(
+    out: Path = opt("FOLDER", "Folder for figures and run.nc.", default=Path("paper")),
+    formats: Formats = None,
+    as_json: Json = False,
+) -> None:
+    """Run section IV of the paper and judge its claims.
+
+    Example:
+        clpt paper --out paper
+    """
+    from ...base.figures import checked_formats
+    from ...simulation.run_file import as_written
+    from ...simulation.team_plots import run_figures
+    from ..pages.results import claims_result
+
+    kinds = checked_formats(formats or ["png"])
+    scenario, folder = clpt.paper_scenario(), make_folder(out)
+    with progress_bar("section IV", scenario.run.duration) as report:
+        run, fine, summary = clpt.simulation.run_and_report(scenario, report)
+    drawn, file = run_figures(fine, folder, kinds), folder / "run.nc"
+    write_together({file: as_written(run, file), **drawn})
+    summary["claims"] = clpt.simulation.claims(summary)
+    first, *_, last = drawn
+    sentences = [f"{folder}: {first.name} to {last.name}, run.nc"]
+    finish(
+        [claims_result(summary["claims"])._replace(sentences=sentences)],
+        summary,
+        as_json,
+    )
+
+
+def run(
+    scenario: ScenarioFile,
+    out: Path = opt("FILE", "NetCDF file for the run.", default=...),
+    figures: Path | None = opt("FOLDER", "Folder for the figures."),
+    formats: Formats = None,
+    as_json: Json = False,
+) -> None:
+    """Run a scenario, or a team: a scenario with a table [team].
+
+    The file of a diagram's run is run again, from the equations that it holds.
+
+    Example:
+        clpt run mine.toml --out run.nc --figures figures
+    """
+    from ...base.figures import checked_formats
+    from ...paper.scenario.team import load_either
+    from ...simulation.run_file import as_written, repeats_by_equations
+    from ...simulation.team_plots import run_figures
+    from ...theory.excitation.gramian import not_learned
+
+    kinds = checked_formats(formats or ["png"])
+    again = repeats_by_equations(scenario)
+    system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
+    check_writable(out)
+    if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
+        raise ClptError(
+            f"{out}: is the scenario; give its run another name, such as run.nc"
+        )
+    folder = None if figures is None else make_folder(figures)
+    if again:
+        from ..pages.run_page import extent_of, response_result
+
+        result = fine = clpt.simulate(system)
+        summary = {name: result.attrs[name] for name in ("title", "status", "message")}
+        found, summary["signals"] = response_result(result), extent_of(result)
+    else:
+        from ..pages.results import run_result
+
+        with progress_bar(f"running {scenario.name}", system.run.duration) as report:
+            result, fine, summary = clpt.simulation.run_and_report(system, report)
+        found = run_result(summary, summary["title"] or str(scenario))
+        if missing := not_learned(result):
+            found, summary["not_learnable"] = (
+                found._replace(sentences=[missing]),
+                missing,
+            )
+    drawn = {} if folder is None else run_figures(fine, folder, kinds)
+    write_together({out: as_written(result, out), **drawn})
+    finish([found], summary, as_json, out)
+
+
+def diagram(
+    scenario: ScenarioFile,
+    out: Path | None = opt(
+        "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
+    ),
+) -> None:
+    """Draw a scenario's block diagram.
+
+    Example:
+        clpt diagram mine.toml -o loop.svg
+    """
+    wired = clpt.closed_loop(clpt.load_scenario(scenario))
+    if out is None:
+        say(clpt.diagrams.mermaid(wired))
+        return
+    clpt.draw(wired, out)
+    say(f"{out}: written")
+
+
+def export(
+    scenario: ScenarioFile,
+    out: Path = opt(
+        "FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...
+    ),
+) -> None:
+    """Write a scenario's loop or a run's diagram as C99 or an FMU.
+
+    Example:
+        clpt export mine.toml -o loop.c
+    """
+    from ...simulation.run_file import repeats_by_equations
+
+    check_writable(out, "a program", (".c", ".h", ".fmu"))
+    again = repeats_by_equations(scenario)
+    write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
+    write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
+    say(f"{out}: written")
+
+
+# --- many runs -----------------------------------------------------------------------------------
+
+
+def ensemble(
+    scenario: ScenarioFile,
+    members: int = opt("COUNT", "How many runs.", default=...),
+    vary: list[str] = opt(
+        "KEY=LOW:HIGH",
+        "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.",
+        default=...,
+    ),
+    out: Path = opt(
+        "FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...
+    ),
+    design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
+    threads: int | None = opt("COUNT", "Default: all processors."),
+    trajectories: bool = flag("Keep the states too.", "--trajectories"),
+    figure: Path | None = opt(
+        "FILE", ".png, .pdf or .svg: percentiles of CLPE and errors."
+    ),
+    dask: str | None = opt("ADDRESS", "Run on a cluster: tcp://HOST:PORT, or local."),
+    chunk: int | None = opt("COUNT", "Members written at once."),
+    as_json: Json = False,
+) -> None:
+    r"""Run a scenario many times with values that vary.
+
+    Example:
+        clpt ensemble mine.toml --members 1000 --vary learning.gain=0.2:2.0 \
+            --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
+    """
+    from ..pages.ensemble_page import ensemble_result
+
+    experiment = clpt.load_scenario(scenario)
+    check_out(figure, "a figure")
+    with progress_bar(f"running {scenario.name}", members, "members") as report:
+        data = clpt.run_ensemble(
+            experiment,
+            vary,
+            members,
+            design,
+            seed,
+            out,
+            threads=threads,
+            trajectories=trajectories,
+            chunk=chunk,
+            progress=report,
+            dask=dask,
+        )
+    summary = clpt.ensemble.ensemble_summary(data)
+    draw_figure(figure, clpt.ensemble.ensemble_plot, data)
+    found = ensemble_result(data, summary, experiment.title or str(scenario))
+    finish([found], summary, as_json, out)
+
+
+def tune(
+    scenario: ScenarioFile,
+    out: Path | None = opt("FILE", "Scenario file to write, with the choice in it."),
+    members: int = opt("COUNT", "How many flows are drawn.", default=24),
+    prior: float | None = opt(
+        "SPEED", "Standard deviation of flow parameters; default: 0.3 k R."
+    ),
+    unmodelled: float | None = opt(
+        "SPEED", "Rms of flow beside the basis; default: the scenario's."
+    ),
+    law: list[str] | None = opt("NAME", "A law to compare; repeat it; default: all."),
+    seed: int = opt("NUMBER", "Seed of the draws.", default=0),
+    as_json: Json = False,
+) -> None:
+    """Choose law, gains and filter for a flow that is not known.
+
+    Example:
+        clpt tune mine.toml --law learned-flow --law sigma --out tuned.toml
+    """
+    experiment = clpt.load_scenario(scenario)
+    check_out(out, "a scenario")
+    with progress_bar(f"tuning {scenario.name}", 1.0) as report:
+        tuned = clpt.ensemble.tune_law(
+            experiment,
+            members=members,
+            prior=prior,
+            unmodelled=unmodelled,
+            laws=law or (),
+            seed=seed,
+            progress=report,
+        )
+    if out is not None:
+        clpt.save_scenario(tuned.scenario, out)
+    finish([_result(tuned.report)], tuned.report, as_json, out)
+
+
+TRIED = {  # what of a candidate is said, by key
+    "law": "law",
+    "gain": "gain",
+    "held": "K, Gamma held",
+    "filter": "filter",
+    "error": "error at the end ({length}/{time})",
+    "error_95": "95 %",
+    "learning_time": "to a tenth ({time})",
+    "clpe_rms": "CLPE rms ({length})",
+    "failed": "failed runs",
+}
+
+
+def _result(report: Report) -> Result:
+    units = report["units"]
+    rows = [
+        [cell_text(one[key]) for key in TRIED]
+        for one in report["candidates"][:MOST_SHOWN]
+    ]
+    more = len(report["candidates"]) - MOST_SHOWN
+    title = (
+        f"{report['members']} flows drawn with a prior of {report['prior']:.3g} "
+        f"{units['length']}/{units['time']}, the scenario's own flow unseen"
+        f"{f'; {more} more candidates' if more > 0 else ''}"
+    )
+    columns = [words.format(**units) for words in TRIED.values()]
+    skipped = [f"skipped {name}: {why}" for name, why in report["skipped"].items()]
+    return Result(title, columns, rows, [*skipped, report["because"]])
+
+
+# --- to show -------------------------------------------------------------------------------------
+
+
+def report(
+    run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc."),
+    out: Path = opt(
+        "FILE", "The page, .html.", "-o", "--out", default=Path("report.html")
+    ),
+    title: str | None = opt("TITLE", "In place of the scenario's."),
+    figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),
+    formats: Formats = None,
+    as_json: Json = False,
+) -> None:
+    """Write a page to send: one HTML file that needs nothing else.
+
+    Example:
+        clpt report run.nc -o report.html
+    """
+    page = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
+    written = f"{out}: written, {page['bytes'] / 1000:.0f} kB"
+    finish([Result(sentences=[*page["sentences"], written])], page, as_json)
+
+
+def animate(
+    run: Path = arg("RUN", "A run's NetCDF."),
+    out: Path = opt("FILE", "The film, .gif.", "-o", "--out", default=Path("run.gif")),
+    seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
+    fps: float = opt("NUMBER", "Frames a second.", default=12.5),
+    width: int = opt("PIXELS", "Pixels.", default=560),
+) -> None:
+    """Make a moving picture of a run.
+
+    It shows the vehicle and its prediction, the true and the learned flow, and CLPE.
+
+    Example:
+        clpt animate run.nc -o run.gif
+    """
+    data = clpt.load_run(run)
+    clpt.animate(data, out, seconds=seconds, fps=fps, width=width)
+    say(f"{out}: written")

@@ -1,0 +1,201 @@
+"""What a track teaches: `clpt excitation`, `clpt certify`, and `clpt design` for a better one."""
+
+from pathlib import Path
+from typing import Any
+
+import clpt_control as clpt
+
+from ...base.errors import ClptError
+from ...base.files import write_together
+from ...base.html import Result
+from ...base.progress import progress_bar
+from ...base.units import at_most
+from .printing import (
+    Json,
+    Report,
+    ScenarioFile,
+    Start,
+    Window,
+    cell_text,
+    check_out,
+    draw_figure,
+    finish,
+    opt,
+)
+
+Four = tuple[float, float, float, float]
+
+
+def excitation(
+    scenario: ScenarioFile,
+    window: Window = None,
+    start: Start = None,
+    figure: Path | None = opt(
+        "FILE", ".png, .pdf or .svg: eigenvalues and directions."
+    ),
+    as_json: Json = False,
+) -> None:
+    """Measure what can be learned on a track, and how fast.
+
+    Of a team: by each vehicle alone, and by all together.
+
+    Example:
+        clpt excitation mine.toml --figure excitation.png
+    """
+    from ...paper.scenario.team import load_either
+    from ...theory.excitation.excitation_report import excitation_report
+    from ..pages.results import excitation_result, is_team
+
+    source = (
+        clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+    )
+    if figure is not None and is_team(source):
+        raise ClptError("--figure: is for one vehicle; leave it out for a team")
+    check_out(figure, "a figure")
+    report = excitation_report(source, window, start)
+    draw_figure(
+        figure, clpt.theory.excitation_plot, source, report["window"], report["start"]
+    )
+    finish([excitation_result(report)], report, as_json, figure)
+
+
+def certify(
+    scenario: ScenarioFile,
+    radius: float | None = opt(
+        "R", "Largest V(0); default: that of the scenario's own start."
+    ),
+    error: float | None = opt(
+        "LENGTH", "CLPE to come to; default: a hundredth of what R allows."
+    ),
+    window: Window = None,
+    as_json: Json = False,
+) -> None:
+    """Bound CLPE and errors for every start of the learner.
+
+    Example:
+        clpt certify mine.toml --radius 0.1 --error 0.01
+    """
+    experiment = clpt.load_scenario(scenario)
+    found = clpt.certify(experiment, radius, error=error, window=window)
+    length, time = found.units["length"], found.units["time"]
+    columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
+    columns.append(f"error of a flow parameter at most ({length}/{time})")
+    numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
+    rows = [[f"{t:.6g}", *(at_most(one, 6) for one in row)] for t, *row in numbers]
+    title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
+    most = f"{at_most(found.clpe[0])} {length}{found.known_until}"
+    sentences = [found.said, f"CLPE is never above {most}"]
+    if found.disturbance > 0:
+        end = "is not shown to end below a bound"
+        if found.ultimate is not None:
+            end = f"ends at most at {at_most(found.ultimate)} {length}"
+        weakest = "if later windows excite like the run's weakest"
+        bound = f"|Delta| <= {at_most(found.disturbance)} {length}/{time}"
+        sentences.append(f"with {bound} it {end}, {weakest}")
+    sentences.append(
+        f"a window of small errors leaves {at_most(1 - found.drops.min())} of V at worst"
+    )
+    finish([Result(title, columns, rows, sentences)], found.report(), as_json)
+
+
+def design(
+    scenario: ScenarioFile,
+    out: Path = opt(
+        "FILE", "Scenario file to write, with the new waypoints.", default=...
+    ),
+    length: float | None = opt(
+        "LENGTH", "Longest closed polygon; default: the scenario's own."
+    ),
+    max_speed: float | None = opt(
+        "SPEED", "Largest speed through the water; default: any."
+    ),
+    area: Four | None = opt(
+        "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
+    ),
+    window: Window = None,
+    start: Start = None,
+    goal: str = opt(
+        "GOAL",
+        "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
+        "--for",
+        default="law",
+    ),
+    seed: int = opt("NUMBER", "Seed of the search.", default=0),
+    figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
+    as_json: Json = False,
+) -> None:
+    """Find waypoints from which most can be learned.
+
+    Example:
+        clpt design mine.toml --out better.toml --max-speed 1.5
+    """
+    from ...paper.scenario.file import scenario_to_text
+
+    experiment = clpt.load_scenario(scenario)
+    check_out(out, "a scenario")
+    check_out(figure, "a figure")
+    with progress_bar(f"designing {scenario.name}", 1.0) as report:
+        found = clpt.theory.design_track(
+            experiment,
+            length=length,
+            max_speed=max_speed,
+            area=area,
+            window=window,
+            start=start,
+            goal=goal,
+            seed=seed,
+            progress=report,
+        )
+    results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
+    if figure is not None:
+        from ...base.figures import figure_of
+
+        results[figure] = figure_of(clpt.theory.design_plot, found)
+    write_together(results)
+    finish([_result(found.report)], found.report, as_json, *results)
+
+
+DESIGNED = {  # what of a track is said, by key
+    "smallest_eigenvalue": "smallest eigenvalue",
+    "ceiling": "its ceiling where the vehicle moves so",
+    "of_the_run": "of the run with {law} (clpt excitation)",
+    "closed_length": "closed length ({length})",
+    "largest_speed": "largest speed through the water ({length}/{time})",
+    "positions": "x1 from, to; x2 from, to ({length})",
+    "learning_time": "time until no flow parameter is off by {level:.3g} {length}/{time} ({time})",
+    "error_at_end": "largest flow-parameter error at the end ({length}/{time})",
+    "clpe_rms_last_quarter": "CLPE rms, last quarter ({length})",
+    "waypoints": "waypoints ({length})",
+}
+
+
+def _result(report: Report) -> Result:
+    """Return the old track beside the new one."""
+    units, tracks = report["units"], (report["before"], report["after"])
+    words = {**units, "law": report["law"], "level": tracks[1]["level"]}
+    rows = [
+        [name.format(**words), *(_cell(key, track[key]) for track in tracks)]
+        for key, name in DESIGNED.items()
+        if key != "ceiling" or tracks[1][key] is not None
+    ]
+    title = (
+        f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to "
+        f"{report['start'] + report['window']:g} {units['time']}, along {report['trajectory']}"
+    )
+    said = f"the best of {report['tracks_tried']} tracks"
+    if report["own_track_kept"]:
+        said = (
+            f"no better one of {report['tracks_tried']} tracks was found within these limits, so "
+            "it stays as it is; give another seed, or allow more length, speed or area"
+        )
+    return Result(title, ["", "before", "after"], rows, [said])
+
+
+def _cell(key: str, value: Any) -> str:
+    if value is None:
+        return "not within the run"
+    if key == "waypoints":
+        return "\n".join(f"{x1:z8.3f} {x2:z8.3f}" for x1, x2 in value)
+    if key == "positions":
+        return "; ".join(cell_text(pair) for pair in value)
+    return cell_text(list(value.values()) if isinstance(value, dict) else value)

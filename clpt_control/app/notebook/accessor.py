@@ -1,0 +1,202 @@
+"""`dataset.clpt`: what clpt does with its own runs, ensembles and replays.
+
+Their attributes tell which of them a dataset is.
+
+A run is a wide table too, one column a signal, units in its header.  It is written as CSV, or for
+MATLAB with a matrix for each port, whose columns are its signals.
+"""
+
+import re
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ... import ensemble, simulation
+from ...base.arguments import check_holds, public
+from ...base.errors import DataError
+from ...base.files import beside, check_writable, write_file
+from ...engine.model.ports import ports_of
+from ...ocean import forecast as replay
+from ...paper.scenario.file import BEYOND
+from ...paper.scenario.recorded_run import kind_of
+from ...simulation.comparing import named, ports_along, signals_of
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from ...paper.scenario.experiment import Scenario
+    from ...paper.scenario.team import Team
+
+
+PLOTS: dict[str, tuple[Any, str]] = {  # of a kind of dataset, the one that shows most
+    "team": (simulation, "team_plot"),
+    "ensemble": (ensemble, "ensemble_plot"),
+    "run": (simulation, "run_plot"),
+    "replay": (replay, "replay_plot"),
+    "diagram": (simulation, "response_plot"),
+}
+LONGEST = 60  # letters of a name in MATLAB, of which 63 count
+
+
+# --- as a table ----------------------------------------------------------------------------------
+
+
+def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
+    """Return a run as a table, one column a signal, which is named with its unit.
+
+    >>> import clpt_control as clpt
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 5}))
+    >>> found = signal_table(run[["clpe"]])
+    >>> [*found.columns], found.shape
+    (['time (s)', 'clpe axis 1 (m)', 'clpe axis 2 (m)'], (6, 3))
+    """
+    from pandas import DataFrame
+
+    ports = [run[name] for name in ports_along(run)]
+    if "time" not in run.dims or not ports:
+        raise DataError(
+            "the dataset has no signal along time, of which a table could be made"
+        )
+    columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
+    for port in ports:
+        unit = port.attrs.get("units")
+        columns += [
+            (named(name, unit), values) for name, values in signals_of(port).items()
+        ]
+    names, values = zip(*columns, strict=True)
+    return DataFrame(np.column_stack(values), columns=[*names])
+
+
+def write_mat(run: "xarray.Dataset", path: Path) -> None:
+    """Write a file for MATLAB: ``time``, a matrix for each port, ``units`` and ``signals``.
+
+    Names are those of the ports, where MATLAB allows them.
+    """
+    from scipy.io import savemat
+
+    arrays: dict[str, Any] = {
+        "title": str(run.attrs.get("title", "")),
+        "units": {},
+        "signals": {},
+    }
+    for port in ("time", *ports_along(run)):
+        signals = signals_of(run[port]) if port != "time" else {"time": run.time.values}
+        name = _valid(port, arrays)
+        arrays[name] = np.column_stack([*signals.values()])
+        arrays["units"][name] = str(run[port].attrs.get("units", ""))
+        arrays["signals"][name] = np.array([*signals], dtype=object)
+    with beside(path) as made:
+        savemat(made, arrays, appendmat=False, long_field_names=True)
+
+
+def _valid(name: str, taken: Any) -> str:
+    """Return a name that MATLAB allows, and that is not taken.
+
+    >>> _valid("K", []), _valid("2nd flow", []), _valid("e", ["e"])
+    ('K', 'x_2nd_flow', 'e_')
+    """
+    word = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
+    word = word if word[:1].isalpha() else f"x_{word}"
+    while word in taken:
+        word += "_"
+    return word
+
+
+# --- what a dataset has ---------------------------------------------------------------------------
+
+
+class ClptAccessor:
+    """What clpt does with a dataset of its own, as ``run.clpt``."""
+
+    def __init__(self, data: "xarray.Dataset"):
+        self._data = data
+
+    @property
+    def kind(self) -> str:
+        """What the dataset is: "run", "team", "diagram", "ensemble" or "replay"."""
+        if kind := kind_of(self._data):
+            return kind
+        raise DataError(
+            "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
+            "clpt.load_run reads a run"
+        )
+
+    @property
+    def scenario(self) -> "Scenario | Team":
+        """The scenario that a run or an ensemble carries; the team of a team's run."""
+        from ...paper.scenario.team import system_of_run
+
+        return system_of_run(self._data)
+
+    def plot(self, *, ax: Any = None, **options: Any) -> Any:
+        """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives.
+
+        It is drawn on given axes or on a new figure; the Axes are returned.  A run takes a `label`
+        and a `color` too, as `clpt_control.compare` gives them.
+        """
+        room, plot = PLOTS[self.kind]
+        return getattr(room, plot)(self._data, ax=ax, **options)
+
+    def linearize(
+        self,
+        t: float,
+        input: str | None = None,
+        output: str | None = None,
+        minimal: bool = False,
+    ) -> Any:
+        """Linearize a run's diagram about where it is at a time, as `clpt_control.linearize`.
+
+        `input` names a port that comes from outside then, such as "zc", `output` one that is
+        looked at, such as "e"; without them there is no input, and every signal is an output.
+        """
+        from ...engine.diagram.linearization import linearize, minimal_of
+
+        at, attributes = simulation.state_at(self._data, t), self._data.attrs
+        beyond = [attributes[name] for name in BEYOND if name in attributes]
+        if self.kind != "run" or beyond:
+            what = f"{self.kind} with {beyond[0]}" if beyond else self.kind
+            raise DataError(
+                f"the dataset of a {what} does not hold its diagram; give it, and the state of "
+                "clpt.state_at(run, t), to clpt.linearize"
+            )
+        scenario: Any = self.scenario
+        whole = simulation.closed_loop(scenario)
+        system = simulation.closed_loop(scenario, external=input or ())
+        states = dict(zip(whole.state_labels, at, strict=True))
+        signals = dict(zip(whole.output_labels, whole.output(t, at, []), strict=True))
+        x = [states[label] for label in system.state_labels]
+        linear = linearize(
+            system, x, [signals[label] for label in system.input_labels], t
+        )
+        if output is not None:
+            ports = ports_of(system.output_labels)
+            check_holds("output", ports, [output], f"it has {', '.join(ports)}")
+            rows = ports[output]
+            linear.C, linear.D = linear.C[rows], linear.D[rows]
+            linear.set_outputs([system.output_labels[k] for k in rows])
+        return minimal_of(linear) if minimal else linear
+
+    @public
+    def table(self, path: str | PathLike[str] | None = None) -> "pandas.DataFrame":
+        """Return a run as a table, one column a signal; with a path it is written, .csv or .mat."""
+        table = signal_table(self._data)
+        if path is not None:
+            path = Path(path)
+            check_writable(path, "a table", (".csv", ".mat"))
+            if path.suffix.lower() == ".mat":
+                write_mat(self._data, path)
+            else:
+                write_file(path, table.to_csv(index=False, lineterminator="\n"))
+        return table
+
+    def __repr__(self) -> str:
+        kind = kind_of(self._data)
+        what = (
+            f"{kind} {self._data.attrs.get('title', '')}".strip()
+            if kind
+            else "none of clpt's"
+        )
+        return f"<clpt of a dataset: {what}>"

@@ -1,0 +1,115 @@
+"""The page of an ensemble: what varied, how many are done, how they ended, percentiles."""
+
+import json
+from typing import Any
+
+import numpy as np
+from xarray import Dataset
+
+from ...base.html import Result, folded, listing
+from ...base.units import percent
+from ...ensemble.spread import ensemble_plot, ensemble_summary, unit_of
+from .page import Page, Section, drawn, versions_section
+from .results import Numbers
+
+MOST_ROUNDS = 8
+Request = dict[str, Any]  # what was asked of `run_ensemble`
+
+
+def ensemble_page(data: Dataset, title: str | None) -> Page:
+    """Return the page of an ensemble, whole or begun."""
+    request = json.loads(data.attrs["ensemble"])
+    summary = ensemble_summary(data)
+    members, status = summary["members"], data["status"].values
+    done, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
+    warnings = []
+    if done < members:
+        warnings.append(
+            f"The ensemble is not complete: {done} of {members} members are done; figures are of "
+            "these. `clpt ensemble` with the same words goes on."
+        )
+    if finished < done:
+        warnings.append(
+            f"{done - finished} of {done} runs did not come to their end; what they reached counts."
+        )
+    if request.get("law"):
+        warnings.append(
+            f"The runs had a law given in Python, which no file holds: {request['law']}"
+        )
+    text = folded("The scenario that varied, TOML", listing(str(request["scenario"])))
+    return Page(
+        "Ensemble",
+        title or str(data.attrs.get("title") or "An ensemble without a title"),
+        [f"{members} runs of a scenario with values that vary."],
+        warnings,
+        [
+            _spread(data, summary, done),
+            _varied(data, request),
+            Section("scenario", "Scenario", more=text),
+            versions_section(data.attrs),
+        ],
+    )
+
+
+def _spread(data: Dataset, summary: Numbers, done: int) -> Section:
+    """Return percentiles, drawn and as a table."""
+    heading = "How the runs differ"
+    if not done:
+        result = Result(sentences=["No member is done: nothing to draw"])
+        return Section("spread", heading, result)
+    caption = (
+        "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
+        "learned: the median run, half of all runs, and nine in ten."
+    )
+    result = ensemble_result(data, summary, "Percentiles over the members")
+    figure = drawn("ensemble", 5.4, caption, ensemble_plot, data)
+    return Section("spread", heading, result, [figure])
+
+
+def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
+    """Return percentiles over the members; of many cycles the first and the last."""
+    length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
+    rows, cycles = [], summary["clpe_rms_per_cycle"]
+    for k, column in enumerate(cycles, 1):
+        if k < MOST_ROUNDS or k == len(cycles):
+            rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
+    rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
+    end = f"t = {float(data['mark'][-1]):g} {time}"
+    for key, what in (
+        ("flow_parameter_error", "flow parameter"),
+        ("gain_error", "gain"),
+    ):
+        if f"{key}_at_end" in summary:
+            row = f"largest {what} error ({unit_of(data[key])}), {end}"
+            rows.append([row, *_cells(summary[f"{key}_at_end"])])
+    ended = ", ".join(
+        f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
+    )
+    sentences = []
+    if "faster_flow" in summary and summary["faster_flow"]["members"]:
+        faster = summary["faster_flow"]
+        sentences.append(
+            f"in {faster['members']} members the flow was faster than the vehicle, for at most "
+            f"{percent(faster['largest_share'])} of the time"
+        )
+    if summary["first_failed"] is not None:
+        sentences.append(
+            f"the first member that did not finish is {summary['first_failed']}"
+        )
+    columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
+    return Result(f"{name}: {ended}", columns, rows, sentences)
+
+
+def _cells(column: list[float] | None) -> list[str]:
+    return ["-"] * 5 if column is None else [f"{value:.4g}" for value in column]
+
+
+def _varied(data: Dataset, request: Request) -> Section:
+    rows = []
+    for key, text in zip(request["keys"], request["vary"], strict=True):
+        cells = [f"{one:.4g}" for one in np.percentile(data[key], (0, 50, 100))]
+        rows.append([key, text.removeprefix(key), *cells])
+    columns = ["key", "asked for", "least", "median", "most"]
+    return Section(
+        "varied", "What varied", Result("Values of all members", columns, rows)
+    )

@@ -1,0 +1,132 @@
+"""The parts of a page to send, and its HTML.
+
+A sentence comes first, then sections: results beside their figures.  Figures stay
+figures until the page is written, so that they can be files of their own too.  The last section
+tells which versions made it.
+"""
+
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from importlib.metadata import version
+from textwrap import fill
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ...base.figures import TITLE, figure_of, inline_svg
+from ...base.html import Result, document, paragraphs, safe, table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PACKAGES = (
+    "clpt-control",
+    "control",
+    "numpy",
+    "scipy",
+    "llvmlite",
+    "xarray",
+    "matplotlib",
+)
+WIDTH = 4.8  # inches, of a figure that a telephone shows with letters of their size
+LETTERS = 50  # of a title's line there
+RECORDED = ("software", "engine", "method", "message")  # attributes
+
+
+class Drawn(NamedTuple):
+    """A figure with its caption; a wide one is moved sideways on a telephone."""
+
+    name: str
+    figure: "Figure"
+    caption: str
+    wide: bool = False
+
+
+class Section(NamedTuple):
+    """A part of a page under a heading: HTML, a result beside its figures, wide figures."""
+
+    name: str
+    heading: str
+    result: Result = Result()
+    figures: Sequence[Drawn] = ()
+    more: str = ""
+
+
+class Page(NamedTuple):
+    """A page: its kind, its title, what it is of, warnings and sections."""
+
+    kind: str
+    title: str
+    sentences: Sequence[str]
+    warnings: Sequence[str]
+    sections: Sequence[Section]
+
+    @property
+    def figures(self) -> list[Drawn]:
+        """The figures in their order."""
+        return [one for section in self.sections for one in section.figures]
+
+
+def drawn(
+    name: str, height: float, caption: str, plot: Callable[..., Any], *data: Any
+) -> Drawn:
+    """Return the figure of a plot, as wide as a telephone's screen, and so many inches high."""
+    figure = figure_of(plot, *data)
+    figure.set_size_inches(WIDTH, height)
+    for ax in figure.axes:
+        ax.set_title(fill(ax.get_title(loc="left"), LETTERS), **TITLE)
+    return Drawn(name, figure, caption)
+
+
+def page_html(page: Page) -> str:
+    """Return a page as HTML."""
+    links = "".join(
+        f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>'
+        for one in page.sections
+    )
+    body = "\n".join(
+        [
+            f'<header><p class="soft">{safe(page.kind)}</p><h1>{safe(page.title)}</h1>',
+            f'<div class="lead">{paragraphs(page.sentences)}</div>',
+            f"{paragraphs(page.warnings, 'alarm')}</header>",
+            f'<nav aria-label="Contents"><ul>{links}</ul></nav><main>',
+            *map(_section, page.sections),
+            '</main><footer class="soft">',
+            f"<p>Written by clpt-control {version('clpt-control')}.</p></footer>",
+        ]
+    )
+    return document(page.title, body, "report.css")
+
+
+def _section(section: Section) -> str:
+    result, name = section.result, section.name
+    wide = [_figure(one) for one in section.figures if one.wide]
+    beside = [_figure(one) for one in section.figures if not one.wide]
+    table_html = table(*result[:3]) if result.columns else ""
+    if beside:
+        table_html = f"<div>{table_html}</div>" if table_html else ""
+        table_html = f'<div class="figures">{"".join(beside)}{table_html}</div>'
+    sentences = paragraphs([f"{one.removesuffix('.')}." for one in result.sentences])
+    return (
+        f'<section aria-labelledby="{name}"><h2 id="{name}">{safe(section.heading)}</h2>'
+        + "\n".join([section.more, table_html, sentences, *wide])
+        + "</section>"
+    )
+
+
+def _figure(drawn: Drawn) -> str:
+    svg = inline_svg(drawn.figure, drawn.name, drawn.caption)
+    if drawn.wide:
+        caption = safe(drawn.caption)
+        svg = f'<div class="wide" role="region" aria-label="{caption}" tabindex="0">{svg}</div>'
+    return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
+
+
+def versions_section(attrs: Mapping[Any, Any]) -> Section:
+    """Return what the attributes record of versions and solver, and what made the page."""
+    here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    names = [str(name) for name in attrs]
+    recorded = [
+        name for name in names if name in RECORDED or name.startswith("solver_")
+    ]
+    rows = [[name.replace("_", " "), str(attrs[name])] for name in recorded]
+    rows.append(["page made with", f"Python {platform.python_version()}, {here}"])
+    return Section("versions", "Versions", Result("What ran", ["", ""], rows))

@@ -1,0 +1,202 @@
+"""What a run achieved, and what its track can teach, as a terminal and a page show it.
+
+A run carries its figures, or they are those of its samples: nothing is run again.  `clpt run` and
+`clpt paper` leave mean squares over many samples a cycle in the run.
+"""
+
+import json
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any
+
+from xarray import Dataset
+
+from ...base.html import Result, shortened
+from ...base.units import percent
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import TEAM
+from ...paper.scenario.team import Team
+from ...simulation.summary import SUMMARY, ending_of, figures_of
+
+MOST_CYCLES = 10
+
+
+OF_A_RUN = (  # figures that a run carries, of which pages speak
+    *(
+        "clpe_rms_per_cycle",
+        "clpe_rms",
+        "clpe_rms_last_quarter",
+        "max_flow_parameter_error",
+    ),
+    *("max_gain_error", "explained_variance", "speed"),
+)
+Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
+
+
+def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
+    """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less.
+
+    Those that the run carries count if they are of its own end and can be shown.
+    """
+    ending = ending_of(system, run)
+    with suppress(
+        LookupError,
+        ArithmeticError,
+        TypeError,
+        ValueError,
+        AttributeError,
+        RecursionError,
+    ):
+        # NaN is no number
+        own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)
+        numbers = {
+            **ending,
+            "of_samples": False,
+            **{k: own[k] for k in OF_A_RUN if k in own},
+        }
+        run_result(numbers, "")
+        if own["end"] == ending["end"]:
+            return numbers
+    return {**ending, "of_samples": True, **figures_of(system, run)}
+
+
+def asked(system: Scenario | Team, waypoints: int) -> str:
+    """Return in a sentence what a run is of, by its scenario or its team."""
+    if isinstance(system, Team):
+        first, names = system.first, shortened(", ".join(system.members), 80)
+        who = f"{len(system.members)} vehicles, {names},"
+    else:
+        first, who = system, "A vehicle"
+        if waypoints:
+            dwell = f"{first.reference.dwell:g} {first.units.time}"
+            who += f" at {waypoints} waypoints, {dwell} at each,"
+    measured = first.flow.field is not None
+    water = "a measured current" if measured else f"a flow of {first.basis.N} functions"
+    span = f"{first.run.duration:g} {first.units.time}"
+    return f"{who} for {span} in {water}; law {first.learning.law}"
+
+
+def run_result(summary: Numbers, title: str) -> Result:
+    """Return what a vehicle achieved in its run, or each of a team's."""
+    length, time = summary["units"]["length"], summary["units"]["time"]
+    rows = [["status", summary["message"]]]
+    if "vehicles" not in summary:
+        rows += _achieved(summary, length, time)
+        return Result(title, ["", ""], rows)
+    graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
+    rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
+    end, apart = list(summary["max_disagreement"].items())[-1]
+    rows.append(
+        [f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"]
+    )
+    by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
+    for name in summary["vehicles"]:
+        numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
+        rows += [
+            [f"{name}: {what}", value]
+            for what, value in _achieved(numbers, length, time)
+        ]
+    return Result(title, ["", ""], rows)
+
+
+def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
+    """Return rows of what one vehicle achieved."""
+    rows = []
+    if rms := numbers.get("clpe_rms_per_cycle"):
+        values = [f"{value:.3g}" for value in rms[:MOST_CYCLES]]
+        values += ["..."] if len(rms) > MOST_CYCLES else []
+        rows.append([f"CLPE rms per cycle ({length})", ", ".join(values)])
+    rows.append([f"CLPE rms, whole run ({length})", f"{numbers['clpe_rms']:.3g}"])
+    late = f"{numbers['clpe_rms_last_quarter']:.3g}"
+    rows.append([f"CLPE rms, last quarter ({length})", late])
+    if "speed" in numbers:
+        at_limit = f"{numbers['speed']['share_at_limit']:.3g}"
+        rows.append(["share of time at the speed limit", at_limit])
+        if numbers["speed"]["faster_flow"] is None:
+            rows.append(["flow faster than the vehicle", "never"])
+    for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
+        if by_time := numbers.get(f"max_{what.replace(' ', '_')}_error"):
+            end, error = list(by_time.items())[-1]
+            rows.append(
+                [f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"]
+            )
+    shares = numbers.get("explained_variance") or {}
+    for place in ("track", "box") if shares else ():
+        share = shares[place]
+        said = "none: the current hardly changes" if share is None else percent(share)
+        said += "; negative: worse than the mean current" if (share or 0) < 0 else ""
+        rows.append([f"share of the flow's variance learned, {place}", said])
+    return rows
+
+
+def claims_result(found: list[dict[str, str]]) -> Result:
+    """Return the claims of section IV, judged."""
+    rows = [list(one.values()) for one in found]
+    return Result(
+        "Claims of section IV", ["claim", "criterion", "measured", "verdict"], rows
+    )
+
+
+def is_team(source: Any) -> bool:
+    """Return whether a scenario or a run is of several vehicles."""
+    return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
+
+
+def excitation_result(report: Numbers) -> Result:
+    """Return the excitation of a track, or of the tracks of a team, each alone and together."""
+    end, unit = report["start"] + report["window"], report["time_unit"]
+    title = (
+        f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
+    )
+    team = "vehicles" in report
+    each = {**report["vehicles"], "team": report["team"]} if team else {"": report}
+    columns = ["", "smallest eigenvalue", "largest", "can be learned"]
+    columns += [] if team else ["ceiling of the smallest", "least excited direction"]
+    rows, sentences = [], [f"measured: {report['measured']}"] if team else []
+    for name, one in each.items():
+        for axis, values in one["eigenvalues"].items():
+            learned = f"{one['dimension'][axis]} of {len(values)}"
+            row = [
+                f"{name} {axis}".strip(),
+                f"{values[0]:.4g}",
+                f"{values[-1]:.4g}",
+                learned,
+            ]
+            if not team:
+                ceiling = report["ceilings"].get(axis)
+                parts = sorted(
+                    one["least_excited"][axis].items(), key=lambda part: -abs(part[1])
+                )
+                listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:4])
+                row += ["-" if ceiling is None else f"{ceiling:.4g}", listed]
+            rows.append(row)
+        who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
+        sentences += [who + said for said in one["not_learnable"]]
+    return Result(
+        title, columns, rows, sentences if team else [*sentences, *_how_fast(report)]
+    )
+
+
+def _how_fast(report: Numbers) -> Iterator[str]:
+    """Yield how fast errors fall, and how sure that is."""
+    if report["contraction"] is None:
+        yield f"contraction of V: {report['not_certified']}"
+    else:
+        time = report["time_to_tenth"]
+        within = "never" if time is None else f"within {time:.6g} {report['time_unit']}"
+        yield (
+            f"contraction of V, exact, at worst {report['contraction']:.6g}; guaranteed drop rho "
+            f"{report['rho']:.3g}; in windows like this one errors fall to a tenth {within}"
+        )
+    if report["disturbed"]:
+        yield "V and errors fall so but for what the disturbance adds to them"
+    if "accuracy" in report:
+        change = report["accuracy"]
+        said = "not known: the samples are too far apart; a smaller run.output_step says more"
+        said = said if change is None else f"{change:.2g} relative"
+        yield f"accuracy of the eigenvalues: {said}"
+    if report["ceilings"]:
+        yield (
+            "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
+            "GammaD^2): a vehicle that waits teaches nothing"
+        )

@@ -1,0 +1,336 @@
+"""The page of a run: of one vehicle or a team, of the paper's with its claims; of any diagram."""
+
+from typing import Any
+
+import numpy as np
+from xarray import Dataset
+
+from ...base.errors import ClptError
+from ...base.figures import figure_of, new_figure
+from ...base.html import Result, folded, listing
+from ...engine.diagram.interconnection import Diagram
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import (
+    BEYOND,
+    CHANGED,
+    NOT_REPEATED,
+    OWN_LAW,
+    OWN_PARTS,
+    TEAM,
+    paper_scenario,
+)
+from ...paper.scenario.recorded_run import unknown_parts, waypoints_of
+from ...paper.scenario.team import Team
+from ...plots.drawing.figure import MOST, block_figure
+from ...simulation.charts import track_plot
+from ...simulation.comparing import named, ports_along, response_plot, signals_of
+from ...simulation.film import draw_samples
+from ...simulation.loops import closed_loop
+from ...simulation.plots import DIRECTIONS, clpe_plot, learning_plot
+from ...simulation.run_file import diagram_of_text, equations_text
+from ...simulation.summary import claims
+from ...simulation.team_loops import team_loop
+from ...simulation.team_plots import team_plot
+from ...theory.excitation.excitation_report import excitation_plot, excitation_report
+from . import results
+from .page import Drawn, Page, Section, drawn, versions_section
+from .results import Numbers
+
+KINDS = ("Run of a scenario", "Run of a diagram")
+ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
+EACH = 5  # ports of a figure
+MOST_SIGNALS = 60  # in the table
+MOST_SAMPLES = 6000  # in a figure
+PAPERS_LOOP = (
+    "The loop as it ran. The number under a name is the equation of the paper."
+)
+ANY_LOOP = "The diagram that ran; a thick frame is a block with states."
+ONE_SAMPLE = Result(
+    sentences=["The run has one sample: nothing can be drawn over time"]
+)
+
+
+def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
+    """Return the page of a run that carries this scenario, or this team."""
+    numbers = results.numbers_of(run, system)
+    own, changed, parts = (
+        run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS)
+    )
+    paper = system == paper_scenario() and not (own or changed or parts)
+    text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
+    if isinstance(system, Team):
+        kind, scenario, waypoints = "Run of a team", system.first, 1
+    else:
+        kind, scenario, waypoints = (
+            KINDS[parts is not None],
+            system,
+            len(waypoints_of(run, system)),
+        )
+    if not waypoints:  # there are no rounds
+        numbers = {**numbers, "clpe_rms_per_cycle": []}
+    achieved = results.run_result(numbers, "What came of the run")
+    sections = [Section("achieved", achieved.title, achieved)]
+    if paper and not numbers["of_samples"]:  # else the run does not carry its figures
+        judged = results.claims_result(claims(numbers))
+        sections.append(Section("claims", judged.title, judged))
+    if not (own or parts):
+        loop = team_loop(system) if isinstance(system, Team) else closed_loop(system)
+        sections += loop_section(loop, PAPERS_LOOP)
+    unmeasured = (
+        "the run had what its scenario does not hold" if changed or parts else ""
+    )
+    return Page(
+        "Section IV of the paper" if paper else kind,
+        title,
+        [results.asked(system, waypoints)],
+        [*_ended(run), *_warnings(run, scenario, numbers)],
+        [
+            *sections,
+            *figure_sections(run, system),
+            excitation_section(run, unmeasured),
+            Section(
+                "scenario", "Scenario", more=ALL + folded("The scenario, TOML", text)
+            ),
+            versions_section(run.attrs),
+        ],
+    )
+
+
+def _ended(run: Dataset) -> list[str]:
+    """Return how a run ended, where it did not just come to its end."""
+    message = run.attrs.get("message", "no reason is recorded")
+    if run.attrs.get("status", "finished") != "finished":
+        return [f"The run ended early: {message}."]
+    return [f"{message}."] if "; " in str(message) else []
+
+
+def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
+    """Return what a reader must know before the figures."""
+    sentences = []
+    first, last = float(run.time[0]), float(run.time[-1])
+    if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
+        unit = scenario.units.time
+        sentences.append(
+            f"What is shown is t = {first:g} to {last:g} {unit} of the run."
+        )
+    kinds = [name for name in BEYOND if name in run.attrs]
+    if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
+        sentences.append(
+            f"The run had what its scenario does not hold: {'; '.join(beyond)}. What it followed, "
+            "the true flow and the law may be others than drawn."
+        )
+    if "measured_position" in run:
+        sentences.append(
+            "The CLPE is drawn of the measured position, which the vehicle reads with noise; mean "
+            "squares are of the true one."
+        )
+    if numbers["of_samples"]:
+        sentences.append(
+            f"Mean squares here are over the {run.sizes['time']} samples of the file."
+        )
+    return sentences
+
+
+def loop_section(diagram: Diagram, caption: str) -> list[Section]:
+    """Return the diagram that ran, drawn; nothing of one that is too large."""
+    if len(diagram.syslist) > MOST:
+        return []
+    figure = Drawn("loop", block_figure(diagram), caption, wide=True)
+    return [Section("loop", "The loop", figures=[figure])]
+
+
+def excitation_section(run: Dataset, why: str) -> Section:
+    """Return the excitation over one round of a run, or `why` it cannot be measured, if so."""
+    team = results.is_team(run)
+    heading, figures = f"What the track{'s' if team else ''} can teach", []
+    try:
+        if why:
+            raise ClptError(why)
+        report = excitation_report(run)
+        result = results.excitation_result(report)
+        if not team:
+            figure = figure_of(excitation_plot, run, report["window"], report["start"])
+            caption = (
+                "Above, eigenvalues of the Gramian in a window that slides over the run: the "
+                "smallest says how fast the slowest combination is learned. Below, that "
+                "combination in one window."
+            )
+            figures = [Drawn("excitation", figure, caption, wide=True)]
+    except ClptError as error:
+        result = Result(sentences=[f"Not measured: {error}"])
+    return Section("excitation", heading, result, figures)
+
+
+def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
+    """Return what is drawn along the run, and what was learned."""
+    learning = [] if isinstance(system, Team) else [_learned(run, system)]
+    if run.sizes["time"] < 2:
+        return [Section("track", "Track and errors", ONE_SAMPLE), *learning]
+    few, thin = samples_to_draw(run)
+
+    def figure(name: str, height: float, caption: str, plot: Any, *more: Any) -> Drawn:
+        return drawn(name, height, caption + thin, plot, few, *more)
+
+    if isinstance(system, Team):
+        caption = (
+            "Tracks and waypoints over the flow at the start; the size of each prediction error; "
+            "the largest error of what each vehicle learned."
+        )
+        return [
+            Section(
+                "track",
+                "Track and errors",
+                figures=[figure("team", 7.6, caption, team_plot)],
+            )
+        ]
+    unknown = unknown_parts(run)
+    track = [figure("track", 4.9, "Where it was to be, and the track.", track_plot)]
+    if "basis_x" not in unknown and "reference" in run:
+        caption = (
+            "The true flow, where it is known, and what was learned of it by the end. Where the "
+            "vehicle never was, what is learned is a guess."
+        )
+        track.append(figure("flows", 4.9, caption, end_plot))
+    caption = "The prediction error, at first; below, its size over the whole run, logarithmic."
+    clpe = [figure("clpe", 4.9, caption, clpe_plot)]
+    figures = []
+    for axis, direction in enumerate(DIRECTIONS, 1):
+        caption = f"What was learned of the flow to the {direction}, and the gains of that axis."
+        figures.append(figure(f"learning-{axis}", 4.9, caption, learning_plot, axis))
+    return [
+        Section("track", "Track and flow", figures=track),
+        Section("clpe", "Prediction error", figures=clpe),
+        learning[0]._replace(figures=figures),
+    ]
+
+
+def _learned(run: Dataset, scenario: Scenario) -> Section:
+    """Return what was learned beside the truth, without its figures."""
+    unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
+    theta = run.flow_parameters.values if "flow_parameters" in run else None
+    gains_known = "vehicle_controller" not in unknown_parts(run)
+    rate = f"1/{unit.time}"
+    parts = [
+        ("theta", f"{unit.length}/{unit.time}", last.flow_parameters_estimate, theta),
+        (
+            "K",
+            rate,
+            last.feedback_gain,
+            np.array(car.feedback) if gains_known else None,
+        ),
+        (
+            "Gamma",
+            rate,
+            last.feedforward_gain,
+            np.array(car.feedforward) if gains_known else None,
+        ),
+    ]
+    rows = [
+        [
+            f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in rest)} ({per})",
+            f"{learned.values[axis, *rest]:.4g}",
+            "not known" if true is None else f"{true[axis, *rest]:.4g}",
+        ]
+        for axis in range(2)
+        for name, per, learned, true in parts
+        for rest in np.ndindex(learned.shape[1:])
+    ]
+    title = f"Learned by t = {float(last.time):g} {unit.time}"
+    result = Result(title, ["", "learned", "true"], rows)
+    return Section("learning", "What was learned", result)
+
+
+def end_plot(run: Dataset) -> Any:
+    """Draw the end of a run: vehicle, prediction, the true flow and the learned one."""
+    _, ax = new_figure()
+    next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
+    return ax
+
+
+def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
+    """Return as many samples of a run as a figure shows, and a sentence if they are not all."""
+    count = run.sizes["time"]
+    step = -(-count // MOST_SAMPLES)
+    if step == 1:
+        return run, ""
+    few = run.isel(time=np.unique([*range(0, count, step), count - 1]))
+    few.encoding.update(run.encoding)
+    return few, f" Drawn from 1 in {step} of {count} samples."
+
+
+# --- of any diagram ------------------------------------------------------------------------------
+
+
+def diagram_page(run: Dataset, title: str) -> Page:
+    """Return the page of a diagram's run: its loop, each port over time."""
+    text, why = equations_text(run)
+    found, warnings = response_result(run), _ended(run)
+    sections = [
+        _over_time(run),
+        Section("signals", "Where they began and ended", found),
+        versions_section(run.attrs),
+    ]
+    if text:
+        sections = [*loop_section(diagram_of_text(text), ANY_LOOP), *sections]
+    else:
+        why = why or run.attrs.get(NOT_REPEATED, "")
+        warnings.append(
+            f"The run cannot be made again from its file{f': {why}' if why else ''}."
+        )
+    lead = f"What the signals of a diagram do, {span_of(run)}, at {run.sizes['time']} samples."
+    return Page(KINDS[1], title, [lead], warnings, sections)
+
+
+def span_of(run: Dataset) -> str:
+    """Return from when to when a run is."""
+    unit = run.time.attrs.get("units")
+    first, last = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
+    return f"t = {first} to {last}{f' {unit}' if unit else ''}"
+
+
+def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
+    """Return of each signal, by name and unit, where it began and ended and how far it went."""
+    return {
+        named(name, one.attrs.get("units")): {
+            "first": float(values[0]),
+            "last": float(values[-1]),
+            "least": float(values.min()),
+            "most": float(values.max()),
+        }
+        for one in (run[port] for port in ports_along(run))
+        for name, values in signals_of(one).items()
+    }
+
+
+def response_result(run: Dataset) -> Result:
+    """Return where the signals of a diagram's run began and ended, and how far they went."""
+    rows = [
+        [name, *(f"{v:.6g}" for v in own.values())]
+        for name, own in extent_of(run).items()
+    ]
+    sentences = (
+        [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+    )
+    title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
+    columns = ["signal", "first", "last", "least", "most"]
+    return Result(title, columns, rows[:MOST_SIGNALS], sentences)
+
+
+def _over_time(run: Dataset) -> Section:
+    """Return each port over time."""
+    heading = "Signals over time"
+    if run.sizes["time"] < 2:
+        return Section("response", heading, ONE_SAMPLE)
+    few, thin = samples_to_draw(run)
+    ports = ports_along(run)
+    figures = []
+    for first in range(0, len(ports), EACH):
+        some = ports[first : first + EACH]
+        name, caption = (
+            f"response-{first // EACH + 1}",
+            f"{', '.join(some)} over time.{thin}",
+        )
+        figures.append(
+            drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some])
+        )
+    return Section("response", heading, figures=figures)

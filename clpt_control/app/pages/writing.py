@@ -1,0 +1,201 @@
+"""Write a page to send of anything that clpt writes: a run, a team's, an ensemble or a replay.
+
+The file itself tells which of them it is.
+"""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+from ...base.arguments import public
+from ...base.errors import DataError
+from ...base.figures import checked_formats
+from ...base.files import check_writable, make_folder, write_together
+from ...base.files.reading import open_netcdf
+from ...paper.scenario.recorded_run import (
+    check_response,
+    check_run,
+    is_response,
+    kind_of,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ...ocean.forecast.replay import Replay
+    from .page import Page
+
+NEEDED = (  # variables of a run
+    *(
+        "time",
+        "position",
+        "predicted_position",
+        "clpe",
+        "feedback_gain",
+        "feedforward_gain",
+    ),
+    "flow_parameters_estimate",
+)
+
+
+@public
+def report(
+    run: Union["xarray.Dataset", "Replay", str, Path],
+    path: str | Path,
+    title: str | None = None,
+    figures: str | Path | None = None,
+    formats: Sequence[str] = ("svg", "pdf"),
+) -> dict[str, Any]:
+    """Write a page to send: one HTML file that needs nothing else.
+
+    Nothing is run again, nothing is fetched, and no script is needed to read it.
+
+    Parameters
+    ----------
+    run : xarray.Dataset, Replay, str or Path
+        A run, a team's run, a diagram's, an ensemble or a replay; or the file or folder of one.
+    path : str or Path
+        The page, such as ``report.html``.
+    title : str, optional
+        In place of the scenario's.
+    figures : str or Path, optional
+        Folder to write the figures to as well.
+    formats : sequence of str, optional
+        Of these figures: ``"svg"``, ``"pdf"``, ``"png"``.
+
+    Returns
+    -------
+    dict
+        ``file``, ``bytes``, ``kind``, ``title``, ``sentences`` (of what it is, and
+        warnings) and ``figures``, the files written.
+
+    Raises
+    ------
+    DataError
+        If it cannot be read, is nothing that clpt writes, or the page cannot be written.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> import tempfile
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 60}))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     made = clpt.report(run, folder + "/report.html", title="A first minute")
+    >>> made["kind"], made["title"]
+    ('Run of a scenario', 'A first minute')
+    """
+    from .page import page_html
+
+    path, kinds = Path(path), checked_formats(formats)
+    check_writable(path, "a page", (".html", ".htm"))
+    source: Any = run
+    name = "the replay"
+    if isinstance(run, str | Path):
+        source, name = read(Path(run)), str(Path(run))
+    results: dict[Path, Any] = {}
+    if hasattr(source, "steps") or kind_of(source) == "replay":
+        replay = replay_facts(source, name)
+        if figures is not None:
+            raise DataError(
+                "figures: a replay's are written by `clpt replay --out`; leave it out"
+            )
+        kind = "Replay of a glider's dives"
+        title_used = title or f"{replay['vehicle']}: where it comes up next"
+        text, sentences = _replay(replay, title)
+    else:
+        folder = None if figures is None else make_folder(figures)
+        page = page_of(source, title)
+        kind, title_used, text = page.kind, page.title, page_html(page)
+        sentences = [*page.sentences, *page.warnings]
+        if folder is not None:
+            results = {
+                folder / f"{one.name}.{end}": one.figure
+                for one in page.figures
+                for end in kinds
+            }
+    write_together({path: text, **results})
+    return {
+        "file": str(path),
+        "bytes": len(text.encode()),
+        "kind": kind,
+        "title": title_used,
+        "sentences": [*sentences],
+        "figures": [str(one) for one in results],
+    }
+
+
+def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
+    """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
+    from ...paper.scenario.team import system_of_run
+    from .ensemble_page import ensemble_page
+    from .run_page import diagram_page, run_page
+
+    if kind_of(data) == "ensemble":
+        return ensemble_page(data, title)
+    of_run = title or str(data.attrs.get("title") or "A run without a title")
+    if is_response(data):
+        check_response(data)
+        return diagram_page(data, of_run)
+    system = system_of_run(data)
+    check_run(data, system, *NEEDED)
+    return run_page(data, system, of_run)
+
+
+def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
+    """Return the page of a replay and its sentence."""
+    from ...ocean.forecast.replay_page import replay_page
+    from ...ocean.forecast.wording import next_surfacing
+
+    try:
+        return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]
+    except (
+        LookupError,
+        ArithmeticError,
+        TypeError,
+        ValueError,
+        AttributeError,
+    ) as error:
+        what = f"{type(error).__name__}: {error}"
+        raise DataError(
+            f"the replay is damaged or of another version, {what[:80]}; run `clpt replay` again"
+        ) from None
+
+
+# --- what a file or folder is --------------------------------------------------------------------
+
+
+def read(path: Path) -> "xarray.Dataset":
+    """Return what lies there: a run, an ensemble or a replay."""
+    if os.path.isdir(path):  # noqa: PTH112 - never raises
+        from ...ensemble.store import open_ensemble
+
+        return open_ensemble(path)
+    from ...simulation.run_file import load_run
+
+    with open_netcdf(path) as data:
+        if kind_of(data) == "replay":
+            return data.load()
+    return load_run(path)
+
+
+def replay_facts(replay: Any, name: str) -> dict[str, Any]:
+    """Return the summary of a replay or of its dataset; refuse one without a dive."""
+    from ...ocean.forecast.facts import summary_in
+    from ...ocean.forecast.outcome import summary
+    from ...ocean.forecast.replay import next_dive
+
+    if hasattr(replay, "steps"):
+        ahead = next_dive(replay).as_dict() if replay.steps else None
+        found = {**summary(replay), "next_dive": ahead}
+    else:
+        found = summary_in(replay, name)
+    if not (isinstance(found, dict) and "headlines" in found):
+        raise DataError(
+            f"{name}: is a replay of an earlier version; run `clpt replay` again"
+        )
+    if not found.get("each_dive") or found.get("next_dive") is None:
+        raise DataError(
+            f"{name}: is a replay without a dive; there is nothing to show yet"
+        )
+    return {"vehicle": "glider", "aim": [], **found}

@@ -1,3 +1,0 @@
-from .laws.table import table_of_laws
-
-__all__ = ["table_of_laws"]

@@ -1,0 +1,19 @@
+from .ocean.estimation.estimators import make_estimator
+from .ocean.estimation.fix_model import FixModel
+from .ocean.estimation.priors import Priors
+from .ocean.estimation.theta_from_fixes import (
+    FlowEstimate,
+    dive_basis,
+    flow_estimate,
+    known_flow_scenario,
+)
+
+__all__ = [
+    "FixModel",
+    "FlowEstimate",
+    "Priors",
+    "dive_basis",
+    "flow_estimate",
+    "known_flow_scenario",
+    "make_estimator",
+]

@@ -1,0 +1,1 @@
+"""Ocean currents, gliders, flow estimation and forecasts of surfacings."""

@@ -1,0 +1,293 @@
+"""Find velocities, coordinates, times and units in a NetCDF file.
+
+Names follow the CF standard name table (cfconventions.org); a file without
+standard names is read by the names that are common in practice.
+
+`valid_min` and `valid_max` are not used: files disagree on whether they are in
+packed or unpacked values (MARACOOS writes -300 cm/s beside a scale factor of
+0.01, which read by the letter of CF would throw most of the data away).  A
+speed that no sea has is refused instead.
+"""
+
+import re
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray
+from xarray.coders import CFDatetimeCoder
+
+from ...base.errors import DataError
+from ...base.units import speed_in_metres_per_second
+
+VELOCITY = {
+    "eastward": (
+        ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
+        ("u", "water_u", "uo", "u_velocity", "ucur", "u_current", "u_east", "usurf"),
+    ),
+    "northward": (
+        ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
+        ("v", "water_v", "vo", "v_velocity", "vcur", "v_current", "v_north", "vsurf"),
+    ),
+}
+AXES = {
+    "latitude": (("latitude",), ("lat", "latitude", "nav_lat", "y_lat")),
+    "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
+    "time": (("time",), ("time", "t", "ocean_time", "mtime")),
+}
+HEIGHTS = ("altitude", "height")
+DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
+DEPTH_NAMES = (
+    "depth",
+    "z",
+    "lev",
+    "level",
+    "altitude",
+    "s_rho",
+    "deptht",
+    "depthu",
+    "sigma",
+)
+CURE = (
+    "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
+    "north first: on such a grid they may lie along its own axes"
+)
+PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
+FASTEST = 9.9  # m/s; the sea is slower, a fill value taken as data, 999 cm/s, is not
+SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
+
+
+def said(variable: xarray.DataArray | xarray.Variable, attribute: str = "units") -> str:
+    """Return an attribute as text, '' where there is none."""
+    return str(variable.attrs.get(attribute, "")).strip()
+
+
+def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str:
+    """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
+
+    One with both comes first, then one with the standard name, then one with the name; a wind is
+    no current, whatever its name.
+    """
+    standard, names = table[what]
+    named = {name: said(one, "standard_name") for name, one in data.variables.items()}
+    by_standard = [name for name, one in named.items() if one in standard]
+    by_name = [
+        n for n, one in named.items() if str(n).lower() in names and "wind" not in one
+    ]
+    by_name.sort(key=lambda name: names.index(str(name).lower()))
+    if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
+        return str(found[0])
+    if table is AXES and any(one in PROJECTED for one in named.values()):
+        raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
+    kind = f"{what} velocity" if table is VELOCITY else what
+    wanted = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
+    raise DataError(f"no {kind}: {wanted} among {', '.join(map(str, data.variables))}")
+
+
+def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArray:
+    """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
+    name = find_variable(data, AXES, what)
+    axis = data[name]
+    if what != "time" and axis.ndim == 2:
+        raise DataError(
+            f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}"
+        )
+    if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
+        raise DataError(
+            f"{name} is on {_dims(axis)}; must be on one of {_dims(data[velocity])}"
+        )
+    if what == "time":
+        return axis
+    if not axis.size:
+        raise DataError(f"{name} has the length zero; must hold at least one {what}")
+    most = 90.0 if what == "latitude" else 720.0
+    degrees = numbers_of(axis)
+    if not np.all(np.abs(degrees) <= most + 1e-6):  # also where not finite
+        raise DataError(
+            f"{name} reaches {np.abs(degrees).max():.6g}; must be a {what}, degrees"
+        )
+    return axis
+
+
+def _dims(values: xarray.DataArray) -> str:
+    return f"({', '.join(map(str, values.dims))})"
+
+
+def is_depth(data: xarray.Dataset, dim: Any) -> bool:
+    """Return whether a dimension has a coordinate that is a depth by its names."""
+    if dim not in data.variables:
+        return False
+    by_standard = said(data[dim], "standard_name").startswith(DEPTHS)
+    return str(dim).lower() in DEPTH_NAMES or by_standard
+
+
+def distances_of(axis: xarray.DataArray) -> np.ndarray:
+    """Return how far levels are from the surface, in their unit; heights from below are refused."""
+    levels = np.atleast_1d(numbers_of(axis))
+    up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(
+        HEIGHTS
+    )
+    if up and np.any(levels > 0):
+        raise DataError(
+            f"{axis.name} counts up from the sea floor; must be depths below water"
+        )
+    return np.abs(levels)
+
+
+def numbers_of(variable: xarray.DataArray) -> np.ndarray:
+    """Return a variable's values as floats; characters and ragged rows are refused."""
+    # where rows are ragged, the variable says numbers and these do not
+    values = variable.values
+    if values.dtype.kind not in "iuf":
+        raise DataError(f"{variable.name} holds {values.dtype}; must hold numbers")
+    return values.astype(float)
+
+
+def number(cell: Any) -> float:
+    """Return the number that a cell or an attribute is, NaN where it is none."""
+    try:
+        return float(cell)
+    except (TypeError, ValueError, OverflowError):
+        return np.nan
+
+
+def decoded(
+    numbers: np.ndarray, unit: str, calendar: str = "standard"
+) -> np.ndarray | None:
+    """Return dates of numbers such as hours since a date, by xarray, as datetime64 in ns.
+
+    None where they are no dates, in calendars without real ones, such as of 360 days, and in years
+    that ns cannot count.
+
+    >>> decoded(np.array([36.0]), "hours since 2019-1-1")
+    array(['2019-01-02T12:00:00.000000000'], dtype='datetime64[ns]')
+    """
+    found = SINCE_A_DATE.fullmatch(unit)
+    if found is None:  # xarray would take 01/02/2019 too
+        return None
+    unit = " since ".join(found.groups())  # xarray knows the word in small letters only
+    variable = xarray.Variable("time", numbers, {"units": unit, "calendar": calendar})
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of years that ns cannot count
+            dates = CFDatetimeCoder().decode(variable).values
+    except (ValueError, TypeError, KeyError, OverflowError):
+        return None
+    return dates if dates.dtype.kind == "M" else None
+
+
+def dates_of(when: xarray.DataArray, least: int = 2) -> np.ndarray:
+    """Return the times of a file, to the nearest ms."""
+    if len(when) < least:
+        raise DataError(
+            f"{when.name} has {len(when)} of the {least} steps that are needed"
+        )
+    if not np.all(np.isfinite(numbers_of(when))):
+        raise DataError(f"{when.name} has values that are not finite")
+    unit, calendar = said(when), str(when.attrs.get("calendar", "standard"))
+    dates = decoded(when.values, unit, calendar)
+    if dates is None:
+        raise DataError(
+            f"{when.name} has units '{unit}' and the calendar '{calendar}'; must be such as "
+            "'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
+        )
+    return (dates + np.timedelta64(500, "us")).astype("datetime64[ms]")
+
+
+def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) -> None:
+    """Set both components of a current, m/s, to NaN where one is missing.
+
+    Gaps alone are refused, which `nothing` says, and a speed that no sea has.
+    """
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    if gap.all():
+        raise DataError(nothing)
+    u[gap] = v[gap] = np.nan
+    for name, values in zip(names, (u, v), strict=True):
+        most = np.nanmax(np.abs(values))
+        if most > FASTEST:
+            raise DataError(
+                f"{name} reaches {most:.4g} m/s: check its units and fill value"
+            )
+
+
+def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> float:
+    """Return in m/s the unit that a file states of a speed, or `units` where it states none."""
+    if not (wanted := stated or units):
+        raise DataError(f"{name} has no units; {cure}")
+    size = speed_in_metres_per_second(wanted, name)
+    if stated and units and speed_in_metres_per_second(units, "--units") != size:
+        raise DataError(
+            f"{name} is in '{stated}'; units = '{units}' is for a file without"
+        )
+    return size
+
+
+def velocity_values(
+    data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None
+) -> np.ndarray:
+    """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
+
+    Of a depth that is not among them the level nearest the surface is taken.  `units` are those
+    of a variable that says none.
+    """
+    values = data[name]
+    cure = "give --units, such as m/s, or write the attribute"
+    size = speed_unit(said(values), units, name, cure)
+    for dim in set(values.dims) - set(index):
+        level = 0
+        if values.sizes[dim] != 1:
+            if not is_depth(data, dim):
+                raise DataError(
+                    f"{name} has {values.sizes[dim]} {dim}; choose one, --at LAT LON"
+                )
+            level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
+        values = values.isel({dim: level})
+    if set(values.dims) != set(index):
+        raise DataError(
+            f"{name} is on {_dims(values)}; must be on {', '.join(map(str, index))}"
+        )
+    try:
+        chosen = _in_one_block(values, index).transpose(*index)
+    except (ValueError, TypeError):  # of letters that are to be scaled
+        raise DataError(f"{name} holds what is no number; must hold numbers") from None
+    numbers = numbers_of(chosen)
+    _check_packing(chosen, numbers, name)
+    return numbers * size
+
+
+def _in_one_block(
+    values: xarray.DataArray, index: dict[Any, np.ndarray]
+) -> xarray.DataArray:
+    """Return values at the `index` of each dimension, read as the block that holds them.
+
+    A library reads places one by one, and unpacks the whole part of a file for each of them.
+    """
+    block = values.isel(
+        {dim: slice(at.min(), at.max() + 1) for dim, at in index.items()}
+    )
+    return block.load().isel({dim: at - at.min() for dim, at in index.items()})
+
+
+def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) -> None:
+    """Refuse packed gaps that the fill value does not name.
+
+    A gap is packed as an end of the integers.  Where such a number is left as
+    data, twice or more and further from all others than these are apart, the
+    fill value of the file is another than the one that it declares.
+    """
+    kind = np.dtype(packed.encoding.get("dtype", float))
+    if kind.kind not in "iu":
+        return
+    scale = float(packed.encoding.get("scale_factor", 1.0))
+    offset = float(packed.encoding.get("add_offset", 0.0))
+    raw = (numbers[np.isfinite(numbers)] - offset) / scale
+    limits = np.iinfo(kind)
+    for end in (limits.min, limits.min + 1, limits.max):
+        at_end = np.abs(raw - end) <= 0.5
+        rest = raw[~at_end]
+        if at_end.sum() > 1 and rest.size and np.abs(rest - end).min() > np.ptp(rest):
+            raise DataError(
+                f"{where} holds {end} {at_end.sum()} times, a gap: correct _FillValue"
+            )

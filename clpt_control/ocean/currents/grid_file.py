@@ -1,0 +1,371 @@
+"""Read a gridded current, with its gaps: CF names or u/v, units from attributes.
+
+The result is always the same: latitudes and longitudes increasing, hours since the
+first step, u (east) and v (north) in m/s, NaN where either was not measured.  A
+drifter needs the level nearest the surface, a glider samples the water column.
+
+A current is a NetCDF file, a Zarr folder, or a folder of NetCDF files, each with other
+steps on the same grid; of a step that two files have, the later by name counts.  Where u
+and v are exactly 0 at all steps, and not everywhere, there is land, which is no water at
+rest: it is a gap.
+
+Steps are missing in an interval that is longer than 2.5 times the median of the two before it and
+the two after it, so that steps may become coarser further ahead, as forecasts have them.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray
+
+from ...base.arguments import public
+from ...base.errors import ClptError, DataError, naming
+from ...base.files.reading import open_netcdf, shown_name, zarr_store
+from ...base.units import length_in_metres
+from . import cf
+
+NAME = "maracoos_hfr_2019-01-01.nc"
+DEEPEST = 1000.0  # m; no level of a column further down is read, except the next
+# times the median step: no longer step is missing in a grid around the Earth
+AROUND = 1.5
+GAP = 2.5  # times the intervals around one: beyond, steps are missing
+SAME = 1e-6  # degrees: no cells are so near; 0.1 m
+MOST = 10**8  # values of one component: 0.8 GB
+SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
+Box = tuple[float, float, float, float]
+ZARR = ("zarr.json", ".zgroup", ".zmetadata")  # one is in each folder of Zarr
+
+
+def sample_currents() -> Path:
+    """Return the file of a measured current in the package.
+
+    Returns
+    -------
+    Path
+        NetCDF: the surface current of Nantucket Shoals on 1 January 2019 by HF radar, hourly, on
+        cells of 6 km; u and v in cm/s, with gaps (MARACOOS; MIT licence).
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.currents.read_currents(sample_currents()).u.shape
+    (24, 14, 18)
+    """
+    return Path(str(resources.files("clpt_control.data") / NAME))
+
+
+@dataclass(frozen=True)
+class Currents:
+    """A measured or modelled current on latitudes and longitudes."""
+
+    lat: np.ndarray  # degrees north, increasing, shape (ny,)
+    lon: np.ndarray  # degrees east, increasing, may pass 180, shape (nx,)
+    # levels, m, increasing from the surface; 0 where the file has none, NaN of
+    depth: np.ndarray
+    # one whose depth it does not say
+    dates: np.ndarray  # datetime64[ms], UTC, increasing, shape (nt,)
+    # to the east, m/s, NaN in gaps, shape (nt, ny, nx), or (nt, nz, ny, nx)
+    u: np.ndarray
+    v: np.ndarray  # to the north
+    box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
+    source: str  # name of the file or folder
+    land: int = 0  # cells, of all levels, whose zeros were taken as land
+
+    @property
+    def measured(self) -> np.ndarray:
+        """Where the current was measured, boolean, of the shape of u."""
+        return np.isfinite(self.u)
+
+    @property
+    def time(self) -> np.ndarray:
+        """Hours since the first step."""
+        return (self.dates - self.dates[0]) / np.timedelta64(1, "h")
+
+    @property
+    def start(self) -> str:
+        """The first step, ISO 8601."""
+        return self.dates[0].item().isoformat()
+
+
+@public
+def read_currents(
+    path: str | Path,
+    box: tuple[float, float, float, float] | None = None,
+    *,
+    column: bool = False,
+    units: str | None = None,
+) -> Currents:
+    """Read a gridded current: NetCDF, Zarr or a folder of files.
+
+    Parameters
+    ----------
+    path : str or Path
+        A NetCDF file, a Zarr folder or a folder of NetCDF files, with dims time,
+        latitude, longitude in any order, and perhaps a depth.
+        Files of one folder have the same grid and other steps.
+    box : tuple of float, optional
+        lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
+        read. Without it, the whole file.
+    column : bool, optional
+        Read all levels down to 1000 m and the next, in place of the level
+        nearest the surface.
+    units : str, optional
+        Of u and v, such as ``m/s``, where the file has none.
+
+    Returns
+    -------
+    Currents
+        In m/s, m, degrees and hours, gaps as NaN.
+
+    Raises
+    ------
+    DataError
+        If the file, a variable, a unit, or data in the box are missing, or
+        they are too many to be held; one sentence naming file, variable and
+        what is allowed.
+
+    Examples
+    --------
+    A current of two hours on four cells:
+
+    >>> import tempfile, xarray
+    >>> hours = ("time", [0.0, 1.0], {"units": "hours since 2019-01-01"})
+    >>> grid = {"time": hours, "lat": [41.0, 41.1], "lon": [-69.2, -69.1]}
+    >>> flow = (("time", "lat", "lon"), np.full((2, 2, 2), 25.0), {"units": "cm/s"})
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     xarray.Dataset({"u": flow, "v": flow}, grid).to_netcdf(f"{folder}/current.nc")
+    ...     currents = read_currents(f"{folder}/current.nc")
+    >>> currents.start, currents.time, float(currents.u[0, 0, 0])
+    ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
+    """
+    path, span = Path(path), None if box is None else _checked_box(box)
+    if not path.is_dir() or any((path / name).exists() for name in ZARR):
+        found = _read(path, span, column, units, 2)
+    else:
+        files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
+        if not files:
+            raise DataError(
+                f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
+            )
+        found = _concatenated(
+            path, [_read(file, span, column, units, 1) for file in files]
+        )
+    still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
+    if still.all() or not still.any():
+        return found
+    found.u[:, still] = found.v[:, still] = np.nan
+    return replace(found, land=int(still.sum()))
+
+
+def missing_steps(time: np.ndarray) -> np.ndarray:
+    """Return how many steps are missing in each interval between increasing steps.
+
+    >>> missing_steps(np.array([0.0, 6.0, 12.0, 78.0, 84.0])).tolist()
+    [0, 0, 10, 0]
+    >>> missing_steps(np.array([0.0, 1.0, 2.0, 5.0, 8.0, 11.0])).tolist()
+    [0, 0, 0, 0, 0]
+    """
+    steps = np.diff(time)
+    missing = np.zeros(len(steps), int)
+    for k, step in enumerate(steps):
+        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
+        if around.size > 0 and step > GAP * np.median(around):
+            missing[k] = round(step / np.median(around)) - 1
+    return missing
+
+
+def with_all_steps(currents: Currents) -> Currents:
+    """Return a current on one level with the steps that are missing, as gaps."""
+    missing = missing_steps(currents.time)
+    if missing.sum() > len(currents.time):
+        where = currents.time[np.argmax(missing)]
+        raise DataError(
+            f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there"
+        )
+    there = np.concatenate([[0], np.cumsum(1 + missing)])
+    dates = np.interp(np.arange(there[-1] + 1), there, currents.dates.astype(float))
+    u, v = (
+        np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v)
+    )
+    u[there], v[there] = currents.u, currents.v
+    return replace(currents, dates=dates.astype(currents.dates.dtype), u=u, v=v)
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[xarray.Dataset]:
+    """Open a NetCDF file or a Zarr folder, whose values are read when used."""
+    if not path.is_dir():
+        with open_netcdf(path) as data:
+            yield data
+        return
+    store = zarr_store(path)
+    try:
+        with xarray.open_zarr(
+            store, chunks=None, consolidated=False, decode_times=False
+        ) as data:
+            yield data
+    except ClptError:
+        raise
+    except Exception as error:  # whatever a damaged folder makes of itself
+        reason = str(error).partition("\n")[0][:120] or type(error).__name__
+        raise DataError(f"{path}: cannot be read as Zarr: {reason}") from None
+
+
+def _concatenated(path: Path, parts: list[Currents]) -> Currents:
+    """Return one current of several on one grid, each with steps of its own."""
+    first = parts[0]
+    for part in parts:
+        for name in ("lat", "lon", "depth"):
+            if not np.array_equal(
+                getattr(part, name), getattr(first, name), equal_nan=True
+            ):
+                raise DataError(
+                    f"{path}: {part.source} has another {name} than {first.source}"
+                )
+    dates, u, v = map(
+        np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True)
+    )
+    steps, last = np.unique(dates[::-1], return_index=True)
+    if len(steps) < 2:
+        raise DataError(f"{path}: has 1 of the 2 steps that are needed")
+    rows = len(u) - 1 - last
+    return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
+
+
+def _read(
+    path: Path, span: Box | None, column: bool, units: str | None, least: int
+) -> Currents:
+    """Read one file, or Zarr folder, of so many steps at least."""
+    with _opened(path) as data, naming(path):
+        if "fit_report" in data.attrs:
+            raise DataError(
+                "is the field of a fit; give the .toml file beside it as a flow model"
+            )
+        names = [
+            cf.find_variable(data, cf.VELOCITY, what)
+            for what in ("eastward", "northward")
+        ]
+        lat, lon, when = (
+            cf.find_axis(data, names[0], what)
+            for what in ("latitude", "longitude", "time")
+        )
+        if lat.dims == lon.dims:  # places, and no grid of them
+            raise DataError(
+                f"{lat.name} and {lon.name} are of each {lat.dims[0]}, no grid; {cf.CURE}"
+            )
+        dates = cf.dates_of(when, least)
+        latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
+        if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
+            longitudes = longitudes[:-1]
+        longitudes = _unwrapped(longitudes, span)
+        wanted = span or (
+            latitudes.min(),
+            latitudes.max(),
+            longitudes.min(),
+            longitudes.max(),
+        )
+        rows = _inside(latitudes, wanted[:2], str(lat.name))
+        columns = _inside(longitudes, wanted[2:], str(lon.name))
+        steps = np.argsort(dates)
+        if len(np.unique(dates)) < len(dates):
+            raise DataError(f"{when.name} has a step twice; keep each time once")
+        across = {lat.dims[0]: rows, lon.dims[0]: columns}
+        index, depth = {when.dims[0]: steps}, np.zeros(1)
+        if column:
+            level, depth = _levels(data, names[0], {*index, *across})
+            order = np.argsort(depth)
+            order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
+            depth = depth[order]
+            index |= {} if level is None else {level: order}
+        index |= across
+        size = np.prod([len(places) for places in index.values()], dtype=float)
+        if size > MOST:
+            raise DataError(
+                f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file"
+            )
+        u, v = (cf.velocity_values(data, name, index, units) for name in names)
+        nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}"
+        cf.mark_gaps(u, v, names, nothing)
+        if column and u.ndim == 3:
+            u, v = u[:, None], v[:, None]
+        lat0, lat1, lon0, lon1 = map(float, wanted)
+        of_grid = latitudes[rows], longitudes[columns], depth, dates[steps], u, v
+        return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(path))
+
+
+def _checked_box(box: Any) -> Box:
+    """Return lat0, lat1, lon0, lon1 with lon1 > lon0, also across 180 degrees."""
+    lat0, lat1, lon0, lon1 = map(float, box)
+    width = (lon1 - lon0) % 360.0
+    if not -90 <= lat0 < lat1 <= 90 or not 0 < width <= 180:
+        raise DataError(
+            f"box = {_edges(box)}: must be SOUTH NORTH WEST EAST, up to 180 wide"
+        )
+    return lat0, lat1, lon0, lon0 + width
+
+
+def _unwrapped(lon: np.ndarray, box: Box | None) -> np.ndarray:
+    """Return longitudes without a jump: cut opposite a box, or at the circle's largest gap.
+
+    A grid around the Earth has none and is cut where the file begins.
+    """
+    if box is not None:
+        first = box[2] + 0.5 * (box[3] - box[2]) - 180.0
+    else:
+        order = np.argsort(lon % 360.0)
+        gaps = np.diff(lon[order] % 360.0, append=lon[order[0]] % 360.0 + 360.0)
+        after = order[(int(np.argmax(gaps)) + 1) % len(lon)]
+        first = lon[after] if np.max(gaps) > AROUND * np.median(gaps) else lon[0]
+    return lon - 360.0 * np.floor((lon - first) / 360.0)
+
+
+def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
+    """Return the indices of the axis inside the span, in increasing order."""
+    slack = 1e-9
+    order = np.argsort(axis)
+    inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
+    if len(inside) < 2:
+        there = f"{len(inside)} of the 2 cells that are needed"
+        raise DataError(
+            f"{where} has {there}; it goes from {axis.min():.6g} to {axis.max():.6g}"
+        )
+    if not np.all(np.diff(axis[inside]) > SAME):
+        raise DataError(
+            f"{where} has a value twice (0 and 360 degrees are one); keep it once"
+        )
+    return inside
+
+
+def _levels(
+    data: xarray.Dataset, name: str, axes: set
+) -> tuple[Any | None, np.ndarray]:
+    """Return the dimension of several levels, if any, and their depths, m; NaN if not known."""
+    across = set(data[name].dims) - axes
+    found = [n for n in data.variables if cf.is_depth(data, n)]
+    found = [n for n in found if n in across or data[n].size == 1]
+    if not found:  # what else there is, `velocity_values` refuses
+        return None, np.zeros(1)
+    where = str(max(found, key=lambda n: data[n].size))
+    unit, one = cf.said(data[where]), data[where].size == 1
+    try:
+        depth = cf.distances_of(data[where])
+        if unit or not where.lower().startswith(("depth", "z")):  # else taken as m
+            depth *= length_in_metres(unit, where)
+    except DataError:
+        if not one:
+            raise
+        depth = np.array([np.nan])
+    if not np.all(np.diff(np.sort(depth)) > 0):
+        raise DataError(
+            f"{where} has {len(depth)} levels; must be finite depths, each once"
+        )
+    return None if one else where, depth
+
+
+def _edges(box: Any) -> str:
+    return " ".join(f"{value:g}" for value in box)

@@ -1,0 +1,271 @@
+"""A local plane, and a current without gaps on a regular grid of it: the file beside a scenario.
+
+The plane, in km, x1 east, x2 north, is the azimuthal equidistant projection of the WGS84 ellipsoid
+(J. P. Snyder, "Map Projections: A Working Manual", US Geological Survey
+Professional Paper 1395, 1987, pages 191-202), by pyproj: distance and bearing
+from the origin are true, and 50 km away lengths are off by 1e-5.
+
+Away from the origin's meridian, north is not x2: it leans by the meridian
+convergence, about dlon sin(lat), 0.3 degrees at the edge of a box of 70 km at
+41 N.  Velocities are rotated by it, which leaves their speed.
+
+Gaps are filled harmonically in space and time: each missing value is the
+weighted mean of its neighbours,
+
+    sum_n w_n (f_n - f) = 0,   w_n = 1 / (d_n h),   d_n = |dx_n|, or c |dt_n| in time,
+
+h the size of the cell along that axis, with no flow of information through the
+edge of the box.  This is the discrete Laplace equation (finite volumes) with
+measured values as boundary values; times the volumes of the cells it is symmetric, and is solved by
+conjugate gradients.  Reasons: one linear
+equation does the work in time where a cell has hours nearby and in space where
+it has none, in proportion to the distances; a filled value never exceeds the
+measured ones (maximum principle), where splines and radial functions shoot
+over in a corner that was never seen; and no basis function enters, so that the
+true flow is not drawn towards what the learner can represent.  The speed c
+says how much space one hour is worth: 10 km/h, as structures 20 km wide change
+with the tide in about 2 h (one radian of M2).  Twice continuously
+differentiable it becomes by the cubic spline through all values, in
+`regular_grid` and in the field block.
+
+The file is NetCDF with dims time, y, x (uniform, increasing), variables `u` and `v`, and
+CF units; `read_field` converts it to the scenario's units of length and time.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...base.errors import DataError, naming, needed
+from ...base.files.reading import open_netcdf
+from ...base.geodesy import near
+from ...base.units import (
+    METRES,
+    SECONDS,
+    length_in_metres,
+    speed_in_metres_per_second,
+    time_in_seconds,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
+ROUNDING = 1e-14  # of what flows in: the solver's residual
+SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
+
+
+class LocalPlane:
+    """The plane around one place: latitude and longitude of its origin, degrees.
+
+    >>> plane = LocalPlane(41.0, -69.0)
+    >>> x1, x2 = plane.to_plane(41.1, -69.0)
+    >>> round(float(x1), 6) + 0.0, round(float(x2), 2)
+    (0.0, 11.11)
+    """
+
+    def __init__(self, lat: float, lon: float) -> None:
+        if not (abs(lat) <= 90 and np.isfinite(lon)):
+            raise DataError(
+                f"origin ({lat}, {lon}): must be latitude and longitude, degrees"
+            )
+        self.lat, self.lon = lat, lon
+        aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
+        self._projection = needed("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
+
+    def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
+        lat, lon = np.broadcast_arrays(lat, lon)
+        x1, x2 = self._projection(lon, lat)
+        distance = np.hypot(x1, x2)
+        if not np.all(distance <= WIDEST):  # also where not finite
+            far = f"{np.max(distance):.4g} km from the origin"
+            raise DataError(
+                f"a place is {far}, at most {WIDEST:g}; choose a smaller box"
+            )
+        return x1, x2
+
+    def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return latitude and longitude of points in km.
+
+        The longitude lies within 180 degrees of the origin's.
+        """
+        x1, x2 = np.broadcast_arrays(x1, x2)
+        lon, lat = self._projection(x1, x2, inverse=True)
+        return lat, near(lon, self.lon)
+
+    def rotate(
+        self, lat: Any, lon: Any, u: Any, v: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Rotate velocities at places in degrees from east and north to x1 and x2."""
+        lat, lon = np.broadcast_arrays(lat, lon)
+        factors = self._projection.get_factors(lon, lat)
+        # where east points in the plane
+        angle = np.arctan2(factors.dy_dlam, factors.dx_dlam)
+        # the directions east and north stay at a right angle to 1e-5 within 50 km
+        c, s = np.cos(angle), np.sin(angle)
+        return c * u - s * v, s * u + c * v
+
+
+@dataclass(frozen=True)
+class GriddedField:
+    """A current on a regular grid, without gaps; axes are even and have two points at least."""
+
+    time: np.ndarray
+    x2: np.ndarray  # length
+    x1: np.ndarray
+    u: np.ndarray  # flow along x1, length per time, shape (nt, n2, n1)
+    v: np.ndarray  # flow along x2
+
+
+def fill_gaps(
+    time: np.ndarray, x2: np.ndarray, x1: np.ndarray, u: np.ndarray, v: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a current with its gaps filled harmonically in space and time, and where they were.
+
+    `time` in h, `x2` and `x1` in km increase; `u` and `v`, shape (nt, ny, nx), are NaN where
+    missing, and finite somewhere.
+
+    >>> axis = np.arange(3.0)
+    >>> u = np.broadcast_to(axis, (3, 3, 3)).copy()
+    >>> u[1, 1, 1] = np.nan
+    >>> full, _, gap = fill_gaps(axis, axis, axis, u, u)
+    >>> float(full[1, 1, 1].round(12)), int(gap.sum())
+    (1.0, 1)
+    """
+    from scipy.sparse import diags_array, kronsum
+    from scipy.sparse.linalg import cg
+
+    gap = ~(np.isfinite(u) & np.isfinite(v))
+    # weights of the neighbours along each axis; of the cells
+    alone, volume = ([], np.ones(1))
+    for axis in (SPEED * time, x2, x1):
+        d = np.diff(axis)
+        size = np.concatenate([d[:1], (d[1:] + d[:-1]) / 2, d[-1:]])
+        alone.append(
+            diags_array([1 / (d * size[:-1]), 1 / (d * size[1:])], offsets=[1, -1])
+        )
+        volume = np.outer(volume, size).ravel()
+    links = kronsum(kronsum(alone[2], alone[1]), alone[0]).tocsr()
+    missing, known = np.flatnonzero(gap), np.flatnonzero(~gap)
+    values = np.column_stack([u.ravel(), v.ravel()])
+    if len(missing):
+        among = diags_array(volume[missing]) @ links[missing]  # symmetric
+        own = among.sum(axis=1)
+        laplace = diags_array(own) - among[:, missing]
+        for one, flux in zip(
+            values.T, (among[:, known] @ values[known]).T, strict=True
+        ):
+            one[missing] = cg(laplace, flux, rtol=ROUNDING, M=diags_array(1 / own))[0]
+    return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
+
+
+def regular_grid(
+    time: np.ndarray,
+    lat: np.ndarray,
+    lon: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    plane: LocalPlane,
+) -> GriddedField:
+    """Put a current without gaps on a regular grid of the plane, in h and km.
+
+    The grid is the largest rectangle of the plane whose corners lie within the cells, with as
+    many points as there are cells, and the record's mean step in time; values, shape (nt, ny,
+    nx), come from cubic splines in time, latitude and longitude, so nothing is extrapolated.
+    """
+    from scipy.interpolate import RectBivariateSpline, make_interp_spline
+
+    west, east = (plane.to_plane(lat, end)[0] for end in lon[[0, -1]])
+    south, north = (plane.to_plane(end, lon)[1] for end in lat[[0, -1]])
+    x1 = np.linspace(float(west.max()), float(east.min()), len(lon))
+    x2 = np.linspace(float(south.max()), float(north.min()), len(lat))
+    if not (x1[-1] > x1[0] and x2[-1] > x2[0]):
+        raise DataError(
+            "the cells hold no rectangle of the local plane; choose a larger box"
+        )
+    here_lat, here_lon = plane.to_earth(x1[None, :], x2[:, None])
+    here = np.clip(here_lat, lat[0], lat[-1]), np.clip(here_lon, lon[0], lon[-1])
+    even = np.linspace(time[0], time[-1], len(time))
+    orders = {"kx": min(3, len(lat) - 1), "ky": min(3, len(lon) - 1)}
+
+    def resampled(values: np.ndarray) -> np.ndarray:
+        if not np.allclose(even, time, rtol=0, atol=1e-9 * (time[-1] - time[0])):
+            values = make_interp_spline(time, values, k=min(3, len(time) - 1))(even)
+        return np.stack(
+            [RectBivariateSpline(lat, lon, now, **orders).ev(*here) for now in values]
+        )
+
+    return GriddedField(even, x2, x1, resampled(u), resampled(v))
+
+
+def read_field(path: Path, units) -> GriddedField:
+    """Return the field of a file, such as `clpt fit` writes, in the units of a scenario."""
+    from .cf import numbers_of
+
+    with open_netcdf(path) as data, naming(path):
+        for name in ("time", "y", "x", "u", "v"):
+            if name not in data.variables:
+                raise DataError(
+                    f"no variable '{name}'; a field has time, y, x, u and v"
+                )
+        stated = {
+            name: str(one.attrs.get("units", ""))
+            for name, one in data.variables.items()
+        }
+        length, time = METRES[units.length], SECONDS[units.time]
+        sizes = {
+            name: length_in_metres(stated[name], name) / length for name in ("y", "x")
+        }
+        sizes["time"] = time_in_seconds(stated["time"], "time") / time
+        axes = [_regular(numbers_of(data[n]) * sizes[n], n) for n in ("time", "y", "x")]
+        values = []
+        for name in ("u", "v"):
+            if data[name].dims != ("time", "y", "x"):
+                raise DataError(f"{name} must have the dimensions time, y, x")
+            size = speed_in_metres_per_second(stated[name], name)
+            values.append(numbers_of(data[name]) * (size / (length / time)))
+            if not np.all(np.isfinite(values[-1])):
+                raise DataError(f"{name} has gaps; `clpt fit` fills them")
+    return GriddedField(*axes, *values)
+
+
+def time_origin(path: Path) -> dict[str, str]:
+    """Return the date of a field's t = 0, ``{"time_origin": "2019-01-01T00:00:00"}``, or none."""
+    with open_netcdf(path) as data:
+        origin = data.attrs.get("time_origin")
+    return {} if origin is None else {"time_origin": str(origin)}
+
+
+def _regular(axis: np.ndarray, name: str) -> np.ndarray:
+    step = np.diff(np.atleast_1d(axis))
+    if axis.ndim != 1 or not step.size or not np.ptp(step) < 1e-6 * step.min():
+        raise DataError(
+            f"{name} must have two points or more, evenly spaced and increasing"
+        )
+    return axis
+
+
+def field_dataset(field: GriddedField, units, attributes: dict) -> "xarray.Dataset":
+    """Return a field in a scenario's units as CF data; attributes are title and source."""
+    import xarray
+
+    speed = f"{units.length} {units.time}-1"
+    dims, start = (
+        ("time", "y", "x"),
+        {"long_name": "time since start", "units": units.time},
+    )
+    axes: dict[str, tuple] = {"time": ("time", field.time, start)}
+    for name, axis in (("y", field.x2), ("x", field.x1)):
+        words = {
+            "standard_name": f"projection_{name}_coordinate",
+            "units": units.length,
+        }
+        axes[name] = (name, axis, words)
+    flow = {
+        "u": (dims, field.u, {"long_name": "flow along x1 (east)", "units": speed}),
+        "v": (dims, field.v, {"long_name": "flow along x2 (north)", "units": speed}),
+    }
+    return xarray.Dataset(flow, axes, {"Conventions": "CF-1.11", **attributes})

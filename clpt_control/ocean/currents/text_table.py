@@ -1,0 +1,224 @@
+"""CSV tables: cells under a header with comments, and a current at one place.
+
+    # latitude: 41.2
+    time,u (m/s),v (m/s)
+    2019-01-01T00:00:00Z,0.12,-0.05
+
+Blank lines and lines that begin with `#` are left out; of `# NAME: TEXT` or
+`# NAME = TEXT` the text is read.
+
+A current at one place is such a table:
+
+    # latitude: 41.2
+    time,u (cm/s),v (cm/s)
+    2019-01-01T00:00:00Z,12.3,-4.5
+    2019-01-01T01:00:00Z,,
+
+Columns `time`, `u` (to the east) and `v` (to the north), in any order, others
+are left alone; in place of u and v `speed` and `direction`, the one to which it flows, degrees
+from true north.  Units stand behind the names, in () or [], or for both in a
+comment `# units: cm/s`; a table without units is refused.  Times are ISO 8601, UTC unless they
+say.  An empty cell or nan is a gap.
+Lines that begin with `#` are comments; `# latitude: DEG` is read.
+"""
+
+import re
+from collections.abc import Hashable
+from csv import Error, reader
+from pathlib import Path
+
+import numpy as np
+import pandas
+
+from ...base.errors import DataError, naming
+from ...base.files.reading import read_text
+from .cf import VELOCITY, number, speed_unit
+from .constituents import checked_times
+
+COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
+MOST = 10**8  # cells
+OTHER_MARKS = {";": "semicolons", "\t": "tabs", "|": "bars"}
+NAMES = {
+    "time": ("time", "date", "datetime"),
+    "u": VELOCITY["eastward"][1],
+    "v": VELOCITY["northward"][1],
+}
+POLAR = {
+    "time": NAMES["time"],
+    "speed": ("speed", "current_speed", "velocity", "spd", "magnitude", "mag"),
+    "direction": ("direction", "current_direction", "dir", "heading"),
+}
+SUFFIXES = (".csv", ".txt", ".dat")
+UTC = re.compile(r"(iso ?8601|y{4}[-ymdhst:.z/ ]*)?[, ]*(utc|gmt|z)?", re.IGNORECASE)
+# without spaces: they would be tried
+HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
+
+
+def table_of(
+    text: str, name: str | Path, must_be: str, mark: str = ","
+) -> pandas.DataFrame:
+    r"""Return the cells of a table, without spaces about them, '' where a line is too short.
+
+    The index is the line in the file, from 1; the columns are the header; `attrs` has the texts of
+    comments, by name in small letters.
+
+    A `mark` stands between cells.
+
+    >>> cells = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
+    >>> cells.attrs, list(cells.columns), list(cells.index), cells.values.tolist()
+    ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
+    """
+    comments: dict[Hashable, str] = {}
+    rows: dict[int, list[str]] = {}
+    for k, line in enumerate(map(str.strip, text.splitlines()), 1):
+        found = COMMENT.fullmatch(line)
+        if found and found[2].strip():
+            comments[found[1].lower()] = found[2].strip()
+        elif line and not line.startswith("#"):
+            try:
+                row = next(
+                    reader([line], delimiter=mark, skipinitialspace=True, strict=True)
+                )
+            except Error:
+                # a quotation mark that is not closed: one cell, of this line alone
+                row = [line]
+            rows[k] = [cell.strip() for cell in row]
+    if not rows:
+        raise DataError(f"{name}: is empty; must be {must_be}")
+    (_, *lines), (header, *rest) = rows, rows.values()
+    if len(header) * len(rest) > MOST:
+        raise DataError(
+            f"{name}: has {len(rest)} lines of {len(header)} cells; split it"
+        )
+    wide = [(row + [""] * len(header))[: len(header)] for row in rest]
+    cells = pandas.DataFrame(wide, lines, header, dtype=str)
+    cells.attrs = comments
+    return cells
+
+
+def other_marks(header: str, name: str) -> str:
+    """Return what to do where other marks than commas separate columns, else ''.
+
+    `name` is that of a column that must be there.
+
+    >>> other_marks("Time;u (m/s);v (m/s)", "time")
+    'columns are separated by semicolons; use commas, and points in numbers'
+    """
+    for mark, marks in OTHER_MARKS.items():
+        cells = [cell.strip(' "').lower() for cell in header.split(mark)]
+        if len(cells) > 1 and name in cells:
+            return (
+                f"columns are separated by {marks}; use commas, and points in numbers"
+            )
+    return ""
+
+
+def is_table(path: Path) -> bool:
+    """Return whether a file is named as a table is.
+
+    Examples
+    --------
+    >>> is_table(Path("mooring.csv")), is_table(Path("mooring.nc"))
+    (True, False)
+    """
+    return path.suffix.lower() in SUFFIXES
+
+
+def read_table(
+    path: Path, units: str | None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
+    """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
+
+    Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
+    """
+    text = read_text(
+        path, "is no text; must be a table of time, u and v, or NetCDF (.nc)"
+    )
+    cells = table_of(text, path, "a table of time, u and v")
+    header, comments = list(cells.columns), cells.attrs
+    stated = {_name_and_unit(cell)[0] for cell in header}
+    polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
+    wanted = POLAR if polar else NAMES
+    with naming(path):
+        columns = _header(header, comments.get("units"), units, wanted)
+        if cells.empty:
+            raise DataError(
+                "has a header and no rows; must be a table of time, u and v"
+            )
+    times = _times(cells.iloc[:, columns.pop("time")[0]], path)
+    u, v = (
+        size * _numbers(cells.iloc[:, k], name, path)
+        for name, (k, size) in columns.items()
+    )
+    if polar:
+        u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
+    latitude = number(comments["latitude"]) if "latitude" in comments else None
+    return times, u, v, latitude
+
+
+def _name_and_unit(cell: str) -> tuple[str, str | None]:
+    """Return the name in small letters and the unit of a cell of the header."""
+    found = HEADER.fullmatch(cell)
+    if found is None:
+        return "", None
+    return found[1].strip().lower(), found[2] and found[2].strip()
+
+
+def _header(
+    header: list[str],
+    comment: str | None,
+    units: str | None,
+    wanted: dict[str, tuple[str, ...]],
+) -> dict[str, tuple[int, float]]:
+    """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
+    names, stated = zip(*map(_name_and_unit, header), strict=True)
+    columns = {}
+    for what, allowed in wanted.items():
+        found = [k for k, name in enumerate(names) if name in allowed]
+        if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
+            raise DataError(marks)
+        if len(found) != 1:
+            count, first = "more than one" if found else "no", ",".join(header)[:60]
+            raise DataError(
+                f"{count} column {what}; must begin as 'time,u,v', not {first!r}"
+            )
+        unit = stated[found[0]]
+        if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
+            raise DataError(
+                f"direction is in '{unit}'; must be in degrees from true north"
+            )
+        if what == "time" and unit and not UTC.fullmatch(unit):
+            raise DataError(f"time is in '{unit}'; must be in UTC")
+        if what in ("time", "direction"):
+            columns[what] = found[0], 1.0
+            continue
+        cure = "write them behind the name, as in 'u (m/s)'"
+        columns[what] = found[0], speed_unit(unit or comment, units, what, cure)
+    return columns
+
+
+def _times(cells: pandas.Series, path: Path) -> np.ndarray:
+    """Return times of ISO 8601 as datetime64 in ms."""
+    dates = pandas.to_datetime(cells, utc=True, format="ISO8601", errors="coerce")
+    _refuse(dates.isna(), cells, "time", "such as 2019-01-01T06:00:00Z", path)
+    with naming(path):
+        return checked_times(dates.dt.tz_localize(None).dt.round("ms"))
+
+
+def _numbers(cells: pandas.Series, what: str, path: Path) -> np.ndarray:
+    """Return a column's numbers, NaN in gaps."""
+    numbers = pandas.to_numeric(cells, errors="coerce")
+    wrong = numbers.isna() & ~cells.str.lower().isin(("", "nan"))
+    _refuse(wrong, cells, what, "a number; a gap is an empty cell or nan", path)
+    return numbers.to_numpy(float)
+
+
+def _refuse(
+    wrong: pandas.Series, cells: pandas.Series, what: str, must_be: str, path: Path
+) -> None:
+    """Raise an error that names the first line with a wrong cell."""
+    if wrong.any():
+        line = wrong.idxmax()
+        raise DataError(
+            f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}"
+        )

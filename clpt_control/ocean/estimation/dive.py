@@ -1,0 +1,226 @@
+"""A dive of a glider: two fixes and the displacement through the water between them.
+
+A vehicle that dives knows where it is at the last fix before the dive (GPS2)
+and at the first one after it (GPSE).  Between them it moves through the water
+by its dead reckoning; what is left,
+
+    miss = (displacement between the fixes) - (displacement through the water),
+
+is its CLPE without a flow model, and miss / duration the current averaged over
+the dive, as gliders report it (D. L. Rudnick, J. T. Sherman, A. P. Wu,
+"Depth-average velocity from Spray underwater gliders", J. Atmos. Oceanic
+Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
+`pyproj.Geod`, resolved east and north at the start fix.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import nan
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...base.arguments import OrNaN, public
+from ...base.geodesy import displacement
+
+Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
+Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
+
+
+class ThroughWater(NamedTuple):
+    """Displacement east and north (m), NaN where it is not known, its track, notes."""
+
+    total: tuple[float, float] = (nan, nan)
+    track: Track | None = None
+    notes: Sequence[str] = ()
+    turned: float | None = None  # by which a magnetic heading was turned, degrees east
+
+
+@public
+@dataclass(frozen=True)
+class Dive:
+    """One dive; what is not known is NaN, or None if optional.
+
+    Attributes
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    t_gps2, lat_gps2, lon_gps2 : float
+        Last fix before the dive: s since 1970 UTC, degrees north and east.
+    t_gpse, lat_gpse, lon_gpse : float
+        First fix after it.
+    gps_east, gps_north : float
+        Displacement between the two fixes, m.
+    dr_east, dr_north : float
+        Dead-reckoned displacement through the water, m.
+    t_gps1, lat_gps1, lon_gps1 : float or None
+        First fix of the surfacing before the dive.
+    dac_east, dac_north : float or None
+        Depth-averaged current in the file, m/s.
+    dac_qc : float or None
+        Its quality flag, as the file has it.
+    magvar : float or None
+        Magnetic variation, degrees east.
+    depth_max : float or None
+        Greatest depth, m.
+    turned : float or None
+        Variation by which a magnetic heading was turned to make the dead reckoning, degrees
+        east; None where it is the file's own, or of a true heading.
+    doubt : float
+        Standard error of the displacement between fixes that disagree with a neighbour's, m.
+    model_east, model_north : float or None
+        Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    uncovered : str or None
+        Why that model says nothing of the dive.
+    next_course : float or None
+        Course of the next dive by the plan in this one's file, degrees clockwise from true north.
+    vehicle : str or None
+        Its name, as the file has it.
+    kind : str or None
+        Seaglider, Slocum or SeaExplorer, where its files say so.
+    track : tuple of ndarray or None
+        Time since `t_gps2` (s), displacement east and north through the water (m).
+    notes : tuple of str
+        What was repaired or looks odd, in plain words.
+
+    Examples
+    --------
+    >>> dive = Dive(1, 0.0, 0.0, 8.0, 9000.0, 0.0, 8.1, 11132.0, 0.0, 9332.0, 0.0)
+    >>> dive.miss_east / dive.duration  # m/s
+    0.2
+    >>> dive
+    <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
+    """
+
+    number: int
+    t_gps2: OrNaN
+    lat_gps2: OrNaN
+    lon_gps2: OrNaN
+    t_gpse: OrNaN
+    lat_gpse: OrNaN
+    lon_gpse: OrNaN
+    gps_east: OrNaN
+    gps_north: OrNaN
+    dr_east: OrNaN
+    dr_north: OrNaN
+    t_gps1: OrNaN | None = None
+    lat_gps1: OrNaN | None = None
+    lon_gps1: OrNaN | None = None
+    dac_east: OrNaN | None = None
+    dac_north: OrNaN | None = None
+    dac_qc: OrNaN | None = None
+    magvar: OrNaN | None = None
+    depth_max: OrNaN | None = None
+    turned: OrNaN | None = None
+    doubt: OrNaN = 0.0
+    model_east: OrNaN | None = None
+    model_north: OrNaN | None = None
+    next_course: OrNaN | None = None
+    vehicle: str | None = field(default=None, compare=False)
+    kind: str | None = field(default=None, compare=False)
+    uncovered: str | None = field(default=None, compare=False)
+    track: Track | None = field(default=None, compare=False, repr=False)
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+    def __repr__(self) -> str:
+        whose = f" of {self.vehicle}" if self.vehicle else ""
+        return (
+            f"<Dive {self.number}{whose}: {self.duration / 3600:.2f} h, miss "
+            f"{self.miss_east:.0f} m east, {self.miss_north:.0f} m north>"
+        )
+
+    @property
+    def duration(self) -> float:
+        """Time between the two fixes, s."""
+        return self.t_gpse - self.t_gps2
+
+    @property
+    def miss_east(self) -> float:
+        """How far east of its dead reckoning the vehicle surfaced, m."""
+        return self.gps_east - self.dr_east
+
+    @property
+    def miss_north(self) -> float:
+        """How far north of its dead reckoning the vehicle surfaced, m."""
+        return self.gps_north - self.dr_north
+
+
+@public
+def make_dive(
+    number: int,
+    start: Fix,
+    end: Fix,
+    through_water: tuple[OrNaN, OrNaN],
+    **optional: Any,
+) -> Dive:
+    """Make a dive of its fixes and its displacement through water.
+
+    Parameters
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    start, end : tuple of float
+        Time (s since 1970 UTC), latitude and longitude (degrees) of a fix.
+    through_water : tuple of float
+        East and north, m.
+    **optional : float, tuple or None
+        Other fields of `Dive`.
+
+    Returns
+    -------
+    Dive
+        With the displacement between the fixes.
+
+    Examples
+    --------
+    >>> dive = make_dive(1, (0.0, 0.0, 8.0), (9000.0, 0.0, 8.1), (9332.0, 0.0))
+    >>> round(dive.gps_east), round(dive.miss_east)
+    (11132, 1800)
+    """
+    return Dive(
+        number,
+        *start,
+        *end,
+        *displacement(*start[1:], *end[1:]),
+        *through_water,
+        **optional,
+    )
+
+
+def without_current(
+    start: Fix, end: Fix, current: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
+    east, north = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return east - current[0] * duration, north - current[1] * duration
+
+
+def mid_time(dive: Dive) -> float:
+    """Return the middle of a dive, s since 1970 UTC."""
+    return 0.5 * (dive.t_gps2 + dive.t_gpse)
+
+
+def miss(dive: Dive) -> np.ndarray:
+    """Return y, fix less dead reckoning at a dive's end, (2,), m."""
+    return np.array([dive.miss_east, dive.miss_north])
+
+
+def dac_difference(dive: Dive) -> float:
+    """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
+    if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
+        return nan
+    return float(
+        np.hypot(*(miss(dive) / dive.duration - (dive.dac_east, dive.dac_north)))
+    )
+
+
+def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return dead reckoning: time since the fix before the dive (s), east and north (m).
+
+    A straight line at constant speed where the dive has no track; its end fix is not read.
+    """
+    if dive.track is not None:
+        return dive.track
+    ends = np.array([[0.0, dive.duration], [0.0, dive.dr_east], [0.0, dive.dr_north]])
+    return ends[0], ends[1], ends[2]

@@ -1,0 +1,1 @@
+"""A glider's dives replayed: `replay_dives`, `next_dive`."""

@@ -1,0 +1,266 @@
+"""Where to steer so that the current and a vehicle's own errors carry it to a waypoint.
+
+A dive of duration T ends, from its start, at w + c: c is what the forecast current does,
+tides at that time with it, and w the way through the water,
+
+    w = (I + M) d,   I + M = f [[cos psi, sin psi], [-sin psi, cos psi]],   |d| <= D = V T,
+
+d as the vehicle reckons it, f its speed factor and psi its compass error.  So |w| <= s = f D.
+For a waypoint at g from the start:
+
+1. |g - c| <= s: the dive ends there, by w = g - c.
+2. Else the vehicle keeps to the line, as in the triangle of currents, and is there after
+   tau dives, the least root above 0 of  |g - tau c| = tau s,  by  w = g / tau - c.  The angle
+   between w and the line has the sine (current across the line) / s.
+3. No such root: it cannot be made against this current.  w along g - c ends the dive as near
+   as can be.
+
+Roots below 1 only say that the current carries it past: then the dive must be shorter.
+Where c depends on the way, as with gaussians and flow models, d and c are found by iteration.
+"""
+
+from collections.abc import Sequence
+from math import ceil, hypot, sqrt
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from ...base.arguments import public
+from ...base.errors import ScenarioError
+from ...base.geodesy import displacement, distance, is_place, near
+from ...base.units import known
+from ..gliders.dives import Fix
+from ..gliders.samples import variation as igrf
+from .places import Place, direction, in_minutes, placed, utc, vector
+from .replay import Replay
+from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
+from .wording import AGAINST, REACHED, UNDER_WAY, aim_sentence
+
+YEAR = 365 * 24.0  # hours
+DIVES = 5  # the last ones, of which speed and duration are the medians
+ARRIVED = 1000.0  # m; a vehicle this close to a waypoint goes on to the next one
+ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
+
+
+class Aim:
+    """How to steer a dive to a waypoint: lengths in m, angles in degrees from true north.
+
+    `ahead` is the dive as forecast when it is steered so; `bearing` and `distance` are of the
+    waypoint from its start, `heading` what to command, None to stay in place, `crab` heading less
+    bearing. `through_water` of the `through_water_full` that speed and time allow is to be flown,
+    as the vehicle reckons it; `made_good` is how much nearer to the waypoint the dive should end,
+    `left` how far from it. `dives` is how many such dives it takes, `hours` how long with the stays
+    between them, None where the waypoint cannot be made; `current` east and north and
+    `speed_expected` through the water are what is expected, m/s. The magnetic variation is None
+    where it is not known.
+    """
+
+    def __init__(
+        self,
+        ahead: NextDive,
+        target: Place,
+        V: float,
+        T: float,
+        c: np.ndarray,
+        s: float,
+        state: str,
+        tau: float | None,
+        stay: float,
+    ) -> None:
+        """Work out how a dive is steered that was planned as T s at V m/s, in what carries it c.
+
+        It goes s through the water, and with stays between them tau of it reach the target.
+        """
+        plan, self.ahead, self.target = ahead.plan, ahead, target
+        g = displacement(plan.lat_gps2, plan.lon_gps2, *target)
+        self.distance, self.bearing = hypot(*g), direction(*g)
+        self.heading = direction(plan.dr_east, plan.dr_north)
+        self.crab: float | None = None
+        if self.heading is not None and self.bearing is not None:
+            self.crab = near(self.heading - self.bearing, 0.0)
+        self.speed, self.speed_expected = V, s / T
+        self.current = float(c[0]) / T, float(c[1]) / T
+        self.through_water, self.through_water_full = (
+            hypot(plan.dr_east, plan.dr_north),
+            V * T,
+        )
+        self.left = distance(ahead.latitude, ahead.longitude, *target)
+        self.made_good = self.distance - self.left
+        self.state, self.dives, self.hours = state, tau, tau
+        if tau is not None:
+            self.hours = (tau * plan.duration + (ceil(tau) - 1) * stay) / 3600
+        self.magnetic_variation: float | None = None
+        self.heading_magnetic: float | None = None
+
+    def __repr__(self) -> str:
+        return f"<Aim: {aim_sentence(self.as_dict())}>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
+        plan, found = self.ahead.plan, dict(vars(self))
+        del found["ahead"], found["target"]
+        return {
+            **placed("", *self.target),
+            "place": in_minutes(*self.target),
+            **placed("from_", plan.lat_gps2, plan.lon_gps2),
+            "start": utc(plan.t_gps2),
+            "duration": plan.duration,
+            "end": utc(plan.t_gpse),
+            **placed("end_", self.ahead.latitude, self.ahead.longitude),
+            **vector("current_", *found.pop("current")),
+            "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
+            **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
+            **found,
+        }
+
+
+def triangle(
+    g: np.ndarray, c: np.ndarray, s: float
+) -> tuple[np.ndarray, str, float | None]:
+    """Return the way through the water w (2,), how it ends, and tau; all in m on a plane.
+
+    >>> w, state, tau = triangle(np.array([0.0, 8000.0]), np.array([1500.0, 0.0]), 2500.0)
+    >>> w.round(), state, round(tau, 9)  # across the line 1500 of 2500 m: 2000 m a dive
+    (array([-1500.,  2000.]), 'under way', 4.0)
+    """
+    rest = g - c
+    if hypot(*rest) <= s:
+        return rest, REACHED, 1.0
+    tau = _dives(g, c, s)
+    if tau is None:
+        return s * rest / hypot(*rest), AGAINST, None
+    return g / tau - c, UNDER_WAY, tau
+
+
+def _dives(g: np.ndarray, c: np.ndarray, s: float) -> float | None:
+    """Return the least tau > 0 of |g - tau c| = tau s; None where there is none."""
+    # a tau^2 - 2 b tau + k = 0
+    a, b, k = (float(c @ c) - s * s, float(g @ c), float(g @ g))
+    under = b * b - a * k
+    if under < 0 or (a >= 0 and b <= 0):
+        return None
+    root = sqrt(under)
+    # without a difference of like numbers
+    return k / (b + root) if b > 0 else (b - root) / a
+
+
+def checked_target(lat: float, lon: float) -> Place:
+    """Return a waypoint, or refuse what is no place."""
+    if is_place(lat, lon):
+        return lat, lon
+    raise ScenarioError(
+        f"--aim {lat:g} {lon:g}: must be a latitude from -90 to 90 and a longitude from -360 to "
+        "360, in decimal degrees (43 04.27 S is -43.0712)"
+    )
+
+
+@public
+def aims(
+    replay: Replay,
+    targets: Sequence[Place],
+    speed: float | None = None,
+    duration: float | None = None,
+    variation: float | None = None,
+    start: tuple[float, float, float] | None = None,
+) -> list[Aim]:
+    """Aim at waypoints in their order, leg by leg.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    targets : sequence of tuple of float
+        Latitudes and longitudes, degrees.
+    speed : float, optional
+        Through the water, m/s, as the vehicle reckons it: the learned factor is
+        put on it.  By default the median of the last five dives.
+    duration : float, optional
+        Of a dive, s; by default the median of the last five.
+    variation : float, optional
+        Magnetic, degrees east; by default the last dive's own, else IGRF's.
+    start : tuple of float, optional
+        Time (s since 1970), latitude and longitude where the dive begins; by default where
+        the replay expects it.
+
+    Returns
+    -------
+    list of Aim
+        The first is how to steer the next dive; each other one starts at the
+        waypoint before it, when that is reached.  None follows one that cannot
+        be made, or takes more than a year.
+
+    Raises
+    ------
+    ScenarioError
+        If a waypoint is no place, or no vehicle can have speed and duration.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> leg = clpt.replay.aims(replay, [(-42.5, 8.0)])[0]
+    >>> leg.state, leg.heading < leg.bearing  # against a current to the east: to the left of it
+    ('under way', True)
+    """
+    targets = [checked_target(*place) for place in targets]
+    V, T = usual(replay, speed, duration)
+    last, at = replay.steps[-1].dive, replay.start()
+    if start is not None:
+        at = (start[0], *checked_target(*start[1:]))
+    legs: list[Aim] = []
+    for target in targets:
+        leg = aim(replay, at, target, V, T)
+        stated = (known(one) for one in (variation, last.magvar))
+        east = next((one for one in stated if one is not None), None)
+        east = known(igrf(*at)) if east is None else east
+        if leg.heading is not None and east is not None:
+            leg.magnetic_variation = east
+            leg.heading_magnetic = (leg.heading - east) % 360.0
+        legs.append(leg)
+        if leg.hours is None or leg.hours > YEAR:
+            break
+        took = max(3600.0 * leg.hours, leg.ahead.plan.duration)
+        at = (at[0] + took + replay.habits.stay()[0], *target)
+    return legs
+
+
+def usual(
+    replay: Replay, speed: float | None, duration: float | None
+) -> tuple[float, float]:
+    """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
+    dives = [step.dive for step in replay.steps[-DIVES:]]
+    reckoned = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives))
+    V = reckoned if speed is None else speed
+    if V == 0.0:
+        raise ScenarioError(
+            "--aim: 0 m/s, given or of the last dives, leads nowhere; give --speed"
+        )
+    T = float(median(dive.duration for dive in dives)) if duration is None else duration
+    check_flown(V, T)
+    return V, T
+
+
+def aim(
+    replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True
+) -> Aim:
+    """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
+    g = np.array(displacement(*start[1:], *target))
+    response = replay.steps[-1].response  # I + M
+    full, s = V * T, hypot(*response[0]) * V * T
+    d = full * g / max(hypot(*g), 1e-9)
+    c = np.full(2, np.inf)
+    for _ in range(ITERATIONS):
+        ahead = replay.surfacing(
+            replay.habits.guess_of((float(d[0]), float(d[1])), T), start
+        )
+        before, c = c, ahead.forecast + d - response @ d
+        w, state, tau = triangle(g, c, s)
+        if hypot(*(c - before)) < CLOSE:
+            break
+        d = np.linalg.solve(response, w)
+    if state == UNDER_WAY and tau is not None and tau < 1.0 and shorten:
+        middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
+        return aim(replay, start, target, V, T * middle, shorten=False)
+    # as it was forecast, whether or not c came to rest
+    return Aim(ahead, target, V, T, c, s, state, tau, replay.habits.stay()[0])

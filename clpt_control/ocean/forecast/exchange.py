@@ -1,0 +1,206 @@
+"""A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
+
+GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2) are made of what `clpt replay --json` prints.  Places
+are WGS84, longitude first, counted on where a line or a ring crosses 180 degrees; rings turn
+counter-clockwise.  A text of a file loses characters that XML does not have.
+
+The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
+ddmm.mmmm, south and west negative.
+
+Seaglider (University of Washington, Parameter Reference Manual 67; basestation3, validate.py).
+`$HEADING` in the cmdfile, degrees from true north, puts a target 20 km away; the targets file
+counts where it is -1.  Under `$NAV_MODE` 2 the glider corrects for the current of its last dive,
+under 1 for that of its own filter, so the aim is for mode 0.  A line of the targets file is a
+name, lat, lon, radius (m) and the name of the target that follows; a comment begins with `/`.
+
+Slocum (Teledyne, Slocum G2 Operators Training Guide, 2012; mafiles of Rutgers' RU23, 2023).  A
+mafile of goto_list: arguments, then a line for each waypoint, longitude first.  It steers straight
+for a waypoint where u_use_current_correction is 0, so there it gets one far along the heading; a
+glider that corrects for the current gets the waypoints.
+
+SeaExplorer: its mission file is not public.  The lines say heading and waypoint, as its own
+navigation files have them (DesiredH, Lat, Lon), to be typed.
+"""
+
+import json
+from math import cos, radians, sin
+from typing import Any
+
+from ...base.geodesy import near, place_from
+from ...base.html import safe
+from ..gliders.slocum import CORRECTS
+from .aim import ARRIVED
+from .layers import Layer, layers_of, place_in
+from .places import compass, east_of, minutes
+from .wording import REACHED
+
+DIGITS = 6  # decimals of a degree: 0.1 m
+KML = "http://www.opengis.net/kml/2.2"
+BLUE, PURPLE, ORANGE = "ffb27200", "ffa779cc", "ff009fe6"  # as KML has them
+NAMES = {  # kind of a layer: its name and its colour
+    "track": ("track", BLUE),
+    "fix": ("dive", BLUE),
+    "last": ("last fix", BLUE),
+    "way": ("way to the next surfacing", PURPLE),
+    "next": ("next surfacing", PURPLE),
+    "ring next": ("90 % ellipse", PURPLE),
+    "target": ("waypoint", ORANGE),
+    "made": ("way made good", ORANGE),
+    "ring aimed": ("90 % ellipse, aimed", ORANGE),
+}
+AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
+SHAPES = {  # of KML, around coordinates
+    "Point": ("<Point>", "</Point>"),
+    "LineString": ("<LineString><tessellate>1</tessellate>", "</LineString>"),
+    "Polygon": (
+        "<Polygon><outerBoundaryIs><LinearRing>",
+        "</LinearRing></outerBoundaryIs></Polygon>",
+    ),
+}
+
+
+def _points(layer: Layer) -> list[list[float]]:
+    """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
+    first = east_of(layer.places[0][1])
+    return [
+        [round(near(lon, first), DIGITS), round(lat, DIGITS)]
+        for lat, lon in layer.places
+    ]
+
+
+def next_geojson(found: dict[str, Any]) -> str:
+    """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
+    of, end = layers_of(found), found["each_dive"][-1]
+    last = Layer(
+        "last",
+        "Point",
+        of["way"][0].places[:1],
+        {"dive": end["dive"], "time": end["end"]},
+    )
+    features = map(_feature, [last, *(layer for kind in AHEAD for layer in of[kind])])
+    lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
+    return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
+
+
+def _feature(layer: Layer) -> dict[str, Any]:
+    more: dict[str, Any] = {"time": layer.when} if layer.when else {}
+    if layer.shape == "Point":
+        more = {"description": layer.words} if layer.kind == "next" else {}
+        more |= {key: value for key, value in layer.of.items() if value is not None}
+    points: Any = _points(layer)
+    coordinates = {"Point": points[0], "Polygon": [points]}.get(layer.shape, points)
+    return {
+        "type": "Feature",
+        "geometry": {"type": layer.shape, "coordinates": coordinates},
+        "properties": {"name": NAMES[layer.kind][0], **more},
+    }
+
+
+def track_kml(found: dict[str, Any], name: str) -> str:
+    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
+    of = layers_of(found)
+    places = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
+    track = Layer("track", "LineString", places, {})
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
+        *(
+            f'<Style id="{colour}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
+            f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
+            "<PolyStyle><fill>0</fill></PolyStyle></Style>"
+            for colour in (BLUE, PURPLE, ORANGE)
+        ),
+        _placemark(track),
+        *map(_placemark, of["fix"]),
+        *(_placemark(layer) for kind in AHEAD for layer in of[kind]),
+        "</Document></kml>",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _placemark(layer: Layer) -> str:
+    """Return a place, line or ring as KML."""
+    name, colour = NAMES[layer.kind]
+    texts = [f"<name>{name} {safe(layer.of['dive']) if name == 'dive' else ''}</name>"]
+    if layer.words:
+        texts.append(f"<description>{safe(layer.words)}</description>")
+    if layer.when and layer.shape == "Point":
+        texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
+    texts.append(f"<styleUrl>#{colour}</styleUrl>")
+    begin, end = SHAPES[layer.shape]
+    points = " ".join(f"{x},{y}" for x, y in _points(layer))
+    return f"<Placemark>{''.join(texts)}{begin}<coordinates>{points}</coordinates>{end}</Placemark>"
+
+
+FAR = 20_000.0  # m along the heading, as Seaglider has it
+MOST = 8  # waypoints that a goto_list holds
+UNTIL = (  # arguments of a goto_list
+    "num_legs_to_run(nodim) -1  # loop",
+    "start_when(enum) 0  # BAW_IMMEDIATELY",
+    "list_stop_when(enum) 7  # BAW_WHEN_WPT_DIST",
+    "list_when_wpt_dist(m) 100",
+    "initial_wpt(enum) 0  # the first",
+)
+
+
+def paste(found: dict[str, Any]) -> dict[str, str] | None:
+    """Return name and text of what goes onto the vehicle, of what `--json` prints.
+
+    None where nothing is aimed at, or no file says which kind of vehicle it is.
+    """
+    write = WRITERS.get(found["kind"])
+    if write is None or not found["aim"] or found["aim"][0]["heading"] is None:
+        return None
+    corrects = CORRECTS in found["each_dive"][-1]["notes"]
+    name, lines = write(found["aim"], corrects)
+    return {"file": name, "text": "\n".join(lines) + "\n"}
+
+
+def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+    names = [f"AIM{k + 1}" for k in range(len(legs))]
+    lines = [
+        "/ in the cmdfile, for the next dive:",
+        "/ $NAV_MODE,0",
+        f"/ $HEADING,{legs[0]['heading']:.1f}",
+        "/ this targets file counts where $HEADING is -1",
+    ]
+    for name, after, leg in zip(names, [*names[1:], names[-1]], legs, strict=True):
+        lat, lon = _numbers(*place_in(leg, ""))
+        lines.append(f"{name} lat={lat} lon={lon} radius={ARRIVED:.0f} goto={after}")
+    return "targets", lines
+
+
+def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]:
+    first = legs[0]
+    places = [place_in(leg, "") for leg in legs[:MOST]]
+    comment = (
+        "the waypoints: this glider corrects for the current itself "
+        "(u_use_current_correction 1)"
+    )
+    if not corrects:
+        far = first["through_water"] if first["state"] == REACHED else FAR
+        angle = radians(first["heading"])
+        places = [
+            place_from(*place_in(first, "from_"), far * sin(angle), far * cos(angle))
+        ]
+        comment = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
+    lines = ["behavior_name=goto_list", f"# {comment}", "<start:b_arg>"]
+    lines += [
+        f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")
+    ]
+    lines += ["<end:b_arg>", "<start:waypoints>"]
+    lines += ["{1} {0}".format(*_numbers(*one)) for one in places]
+    return "goto_l10.ma", [*lines, "<end:waypoints>"]
+
+
+def _seaexplorer(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
+    lines = [f"DesiredH {compass(legs[0]['heading'])}"]
+    lines += ["Lat {} Lon {}".format(*_numbers(*place_in(leg, ""))) for leg in legs]
+    return "seaexplorer.txt", lines
+
+
+def _numbers(lat: float, lon: float) -> tuple[str, str]:
+    return minutes(lat), minutes(east_of(lon))
+
+
+WRITERS = {"Seaglider": _seaglider, "Slocum": _slocum, "SeaExplorer": _seaexplorer}

@@ -1,0 +1,180 @@
+"""A replay as NetCDF: CF discrete sampling geometry, one trajectory.
+
+CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
+`latitude` and `longitude` are where and when the vehicle surfaced, and a scalar
+`trajectory` bears `cf_role`.  Forecast places have their own coordinates.
+
+It holds what `clpt replay --json` prints, whole as the variable `summary`, and a variable for each
+number of its rows: what is within a part of a row is PART_NAME, such as `clpe_adaptive`, `UNITS`
+are by names.  Page, plots, tables and files for other programs are made of the same JSON.
+"""
+
+import json
+import re
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+import pandas
+import xarray
+
+from ...base.arguments import public
+from ...base.errors import DataError
+from ...base.units import seconds_since_1970
+from .outcome import summary
+from .replay import Replay, next_dive
+from .surfacing import ELLIPSE
+
+EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
+SUMMARY = "summary"  # variable: what `clpt replay --json` prints
+ALONG = {"coordinates": "time latitude longitude"}
+UNITS = {  # pattern of a name: units; the first that matches counts
+    r".*latitude": "degrees_north",
+    r".*longitude": "degrees_east",
+    r".*(direction|bearing)|compass.*": "degree",
+    r".*(duration|time_90)": "s",
+    r"start_time": EPOCH,
+    r"(probability|speed_factor).*": "1",
+    r".*(variance|covariance).*": "m2",
+    r".*(current|speed).*": "m s-1",
+    r".*": "m",
+}
+STANDARD = {  # names of CF
+    "current_east": "eastward_sea_water_velocity",
+    "current_north": "northward_sea_water_velocity",
+    "current_speed": "sea_water_speed",
+    "current_direction": "sea_water_velocity_to_direction",
+    "over_ground_speed": "platform_speed_wrt_ground",
+    "over_ground_direction": "platform_course",
+}
+COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
+Source = Replay | xarray.Dataset | dict[str, Any]
+
+
+def found_of(source: Source) -> dict[str, Any]:
+    """Return what `clpt replay --json` prints of a replay, or of the dataset or JSON of one.
+
+    With the next surfacing as the replay expects it.  What has no dive is refused.
+    """
+    found: Any = source
+    if isinstance(source, Replay):
+        if not source.steps:
+            raise DataError("the replay has no dive yet; feed one, as Replay.step does")
+        found = {**summary(source), "next_dive": next_dive(source).as_dict(), "aim": []}
+    elif isinstance(source, xarray.Dataset) and SUMMARY in source:
+        found = summary_in(source, "the dataset")
+    if not (isinstance(found, dict) and found.get("each_dive")):
+        raise DataError(
+            f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
+            "`clpt replay` writes its dataset, replay.nc"
+        )
+    return found
+
+
+@public
+def replay_dataset(replay: Source) -> xarray.Dataset:
+    """Return a replay as a dataset.
+
+    Parameters
+    ----------
+    replay : Replay or dict
+        With one dive at least; the dict as `clpt replay --json` prints it.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``dive``; NaN where the vehicle's file had no value, or the
+        flow model does not cover the dive.  What no dive has is left out.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> data = clpt.replay.replay_dataset(replay)
+    >>> data.sizes["dive"], data.clpe_adaptive.units
+    (14, 'm')
+    """
+    found = found_of(replay)
+    rows = [
+        {**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]
+    ]
+    table = pandas.json_normalize(rows, sep="_")
+    time = {
+        "units": EPOCH,
+        "calendar": "standard",
+        "standard_name": "time",
+        "axis": "T",
+    }
+    north = {"units": "degrees_north", "standard_name": "latitude", "axis": "Y"}
+    east = {"units": "degrees_east", "standard_name": "longitude", "axis": "X"}
+    coords = {
+        "dive": ("dive", {"long_name": "number of the dive"}),
+        "time": ("end_time", {**time, "long_name": "surfacing"}),
+        "latitude": ("end_latitude", north),
+        "longitude": ("end_longitude", east),
+    }
+    data = xarray.Dataset(
+        coords={
+            name: ("dive", table[key].to_numpy(), attributes)
+            for name, (key, attributes) in coords.items()
+        },
+        attrs={
+            "Conventions": "CF-1.11",
+            "featureType": "trajectory",
+            "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
+            "history": "written by clpt replay",
+            "source": f"clpt-control {version('clpt-control')}",
+            "estimator": found["estimator"],
+            "flow": ",".join(found["flow"]),
+            "learn_speed": int(found["learn_speed"]),
+        },
+    )
+    if "flow_model" in found:
+        data.attrs["flow_model"] = "{source}: {about}".format(**found["flow_model"])
+    data["trajectory"] = ((), found["vehicle"], {"cf_role": "trajectory_id"})
+    for name, each in table.drop(columns=[*COORDINATES]).items():
+        attributes = {"long_name": name.replace("_", " "), **ALONG}
+        if each.dtype == bool:
+            flags = {
+                "flag_values": np.array([0, 1], np.int8),
+                "flag_meanings": "no yes",
+            }
+            data[name] = ("dive", each.to_numpy(np.int8), {**attributes, **flags})
+        elif each.dtype == float and each.notna().any():
+            attributes["units"] = units_of(name)
+            if name in STANDARD:
+                attributes["standard_name"] = STANDARD[name]
+            if f"{name}_error" in table:
+                attributes["ancillary_variables"] = f"{name}_error"
+            data[name] = ("dive", each.to_numpy(), attributes)
+    ahead = {
+        key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)
+    }
+    ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
+    for name, value in ahead.items():
+        long_name = {
+            "long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"
+        }
+        more = time if name == "time" else {"units": units_of(name)}
+        data[f"next_{name}"] = ((), value, {**more, **long_name})
+    words = "all that was found, as JSON: what clpt replay --json prints"
+    return data.assign(
+        {SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})}
+    )
+
+
+def units_of(name: str) -> str:
+    """Return the units of a number by its name."""
+    return next(
+        units for pattern, units in UNITS.items() if re.fullmatch(pattern, name)
+    )
+
+
+def summary_in(data: xarray.Dataset, name: str) -> Any:
+    """Return the JSON in a replay's dataset."""
+    try:
+        return json.loads(str(data[SUMMARY].values))
+    except (KeyError, ValueError, RecursionError):
+        raise DataError(
+            f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again"
+        ) from None

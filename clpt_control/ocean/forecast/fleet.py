@@ -1,0 +1,268 @@
+"""How the vehicles of a fleet stand, what asks for a pilot, and the command that calls one.
+
+Each row is made of what `clpt replay --json` prints of a vehicle, at a time, now.  It asks for a
+pilot where
+
+    overdue         now is past the headline's time by more than the 90 % of that time
+    OUT             two dives running, at least, came up outside their 90 % ellipses
+    SPEED           the speed changed within the last `SETTLED` dives
+    cannot be read  there is no replay, for a reason that the row says
+
+in this order, which is that of the rows; then come those that surface next.  A record that ended
+long ago (`surfacing.RECENT`) is not overdue, and comes last.
+
+A command of the user's own is run when something asks for a pilot.  It is run without a shell.
+`{}` in its words is the sentence; its standard input has the sentence on the first line, and on the
+second one JSON object: id, vehicle, event, dive, sentence, next_dive.  It is run for each event
+until it ends well; then the event's id goes into a file in the state of the folder that is
+followed.  So none is lost: who is killed between the two tells it again, with the same id.  A
+command that fails or lasts too long is one sentence.
+"""
+
+import json
+import shlex
+import shutil
+import subprocess
+import time
+from collections.abc import Sequence
+from contextlib import suppress
+from itertools import takewhile
+from pathlib import Path
+from typing import Any, NamedTuple
+from urllib.parse import quote
+
+from ...base.errors import DataError, ScenarioError
+from ...base.files import write_file
+from ...base.files.reading import read_text
+from ...base.html import document, paragraphs
+from ...base.progress import tell
+from ...base.units import seconds_since_1970
+from .cells import Columns, cells, half_axes, speed_mark
+from .doubts import SETTLED, Anomaly
+from .places import clock, date, in_minutes
+from .replay_page import cell_table
+from .surfacing import RECENT
+from .wording import within
+
+OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
+ORDER = (OVERDUE, OUT, SPEED, UNREAD)
+SOON = 48.0  # hours; a longer age is in days
+
+
+class Event(NamedTuple):
+    """What asks for a pilot: its name, the dive from which on it does, and a sentence."""
+
+    name: str
+    dive: int
+    sentence: str
+
+
+def events(found: dict[str, Any], now: float) -> list[Event]:
+    """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
+    each, ahead = found["each_dive"], found["next_dive"]
+    happened = []
+    last, late = each[-1]["dive"], now - seconds_since_1970(ahead["time"])
+    if late > ahead["time_90"] and now - seconds_since_1970(each[-1]["end"]) <= RECENT:
+        due = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
+        happened.append(Event(OVERDUE, last, f"{OVERDUE} {due}"))
+    if (running := _running(each)) > 1:
+        since = each[-running]["dive"]
+        why = f"{OUT}: {running} dives running, since dive {since}, outside their 90 % ellipses"
+        happened.append(Event(OUT, since, why))
+    if anomaly := _anomaly(each):
+        happened.append(Event(SPEED, anomaly["dive"], f"{SPEED}: {Anomaly(**anomaly)}"))
+    return happened
+
+
+def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
+    """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
+    asks, last = events(found, now), found["each_dive"][-1]
+    return {
+        "vehicle": found["vehicle"],
+        "kind": found["kind"],
+        "page": page,
+        "asks": [event.name for event in asks],
+        "said": [event.sentence for event in asks],
+        "dive": last["dive"],
+        "time": last["end"],
+        "latitude": last["end_latitude"],
+        "longitude": last["end_longitude"],
+        "age_hours": (now - seconds_since_1970(last["end"])) / 3600,
+        "next_dive": found["next_dive"],
+        "headlines": found["headlines"],
+        "out_running": _running(found["each_dive"]),
+        "anomaly": _anomaly(found["each_dive"]),
+    }
+
+
+def unread(vehicle: str, why: str) -> dict[str, Any]:
+    """Return the row of a vehicle without a replay."""
+    return {
+        "vehicle": vehicle,
+        "page": None,
+        "asks": [UNREAD],
+        "said": [f"{UNREAD}: {why}"],
+    }
+
+
+def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return rows, what asks for a pilot first, then by the time of the next surfacing."""
+
+    def place(row: dict[str, Any]) -> tuple[int, bool, str]:
+        first = min(map(ORDER.index, row["asks"]), default=len(ORDER))
+        if "dive" not in row:
+            return first, False, ""
+        return first, 3600 * row["age_hours"] > RECENT, row["next_dive"]["time"]
+
+    return sorted(rows, key=place)
+
+
+def _age(hours: float) -> str:
+    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
+
+
+def _out(running: int) -> str:
+    return f"{OUT} x{running}" if running > 1 else OUT if running else "in"
+
+
+def _record(headlines: dict[str, Any]) -> str:
+    count = headlines["judged"]
+    return f"{headlines['place_held']} of {count}" if count else "-"
+
+
+FLEET: Columns = {
+    "vehicle": (0, lambda row: row["vehicle"]),
+    "last fix (UTC)": (3, lambda row: f"{row['time'][:4]}-{date(row['time'])}"),
+    "age": (0, lambda row: _age(row["age_hours"])),
+    "at": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
+    "next (UTC)": (
+        1,
+        lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}",
+    ),
+    "90 % within (m)": (4, lambda row: half_axes(row["next_dive"])),
+    "held": (2, lambda row: _record(row["headlines"])),
+    "90 %": (0, lambda row: _out(row["out_running"])),
+    "mark": (0, lambda row: speed_mark(row["anomaly"])),
+    "pilot": (0, lambda row: ", ".join(row["asks"])),
+}
+
+
+def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
+    """Return the cells of a row by the titles of their columns."""
+    if "dive" in row:
+        return cells(row, FLEET)
+    return {
+        **dict.fromkeys(FLEET, ""),
+        "vehicle": row["vehicle"],
+        "pilot": ", ".join(row["asks"]),
+    }
+
+
+def fleet_page(found: dict[str, Any]) -> str:
+    """Return the fleet as one HTML file, which links the page of each vehicle."""
+    rows = found["vehicles"]
+    each = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
+    pages = [row["page"] and quote(row["page"]) for row in rows]
+    body = "\n".join(
+        [
+            "<h1>Fleet</h1>",
+            paragraphs([f"{fleet_sentence(rows)}. Written {clock(found['now'])}."]),
+            '<div class="fleet">',
+            *cell_table("What asks for a pilot first", each, FLEET, (), pages),
+            "</div>",
+        ]
+    )
+    again = '<meta http-equiv="refresh" content="60">\n'
+    return document(f"Fleet, {clock(found['now'])}", body, "replay.css", head=again)
+
+
+def fleet_sentence(rows: list[dict[str, Any]]) -> str:
+    """Return how many vehicles there are, and how many ask for a pilot."""
+    asks = sum(bool(row["asks"]) for row in rows)
+    return f"{len(rows)} vehicle{'s'[: len(rows) != 1]}, {asks} asking for a pilot"
+
+
+def _running(each: list[dict[str, Any]]) -> int:
+    """Return how many dives in a row, up to the last one, came up outside their ellipses."""
+    return len(list(takewhile(lambda row: not row["inside_90"], reversed(each))))
+
+
+def _anomaly(each: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """Return the last anomaly of the speed among the last dives."""
+    return next(
+        (row["anomaly"] for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None
+    )
+
+
+LONGEST = 60.0  # s that a command may take
+TOLD = ".clpt-told"  # in the state
+
+
+def checked_command(text: str) -> list[str]:
+    """Return the words of a command, or refuse what cannot be run."""
+    words: list[str] = []
+    with suppress(ValueError):  # a quotation without its end
+        words = shlex.split(text)
+    if not words or shutil.which(words[0]) is None:
+        raise ScenarioError(
+            f"--alert {text}: no such command; give one that can be run"
+        )
+    return words
+
+
+class Alerts:
+    """Runs a command, or none, for each new event; `out` has the state of the followed folder."""
+
+    def __init__(self, command: Sequence[str], out: Path) -> None:
+        self.command, self.path = list(command), out / "state" / TOLD
+        self.told: list[str] = []
+        self.failed: set[str] = set()
+        with suppress(DataError, ValueError):
+            # none yet, or none that can be read: told again
+            keys = json.loads(read_text(self.path, "is no text"))
+            self.told = [str(one) for one in keys] if isinstance(keys, list) else []
+
+    def tell(self, found: dict[str, Any]) -> None:
+        """Run the command for what is new in what `--json` prints of a vehicle."""
+        if not (self.command and found["each_dive"]):
+            return
+        vehicle = found["vehicle"]
+        for event in events(found, time.time()):
+            key = f"{vehicle} {event.name} {event.dive}"
+            if key in self.told:
+                continue
+            sentence = f"{vehicle}: {event.sentence}"
+            data = {
+                "id": key,
+                "vehicle": vehicle,
+                "event": event.name,
+                "dive": event.dive,
+            }
+            data |= {"sentence": sentence, "next_dive": found["next_dive"]}
+            why = self._run(sentence, json.dumps(data))
+            if not why:
+                self.told.append(key)
+                write_file(self.path, json.dumps(self.told))
+            elif why not in self.failed:
+                self.failed.add(why)
+                tell(
+                    f"--alert {shlex.join(self.command)}: {why}; is run again at the next look"
+                )
+
+    def _run(self, sentence: str, data: str) -> str:
+        """Run the command; return why it failed, empty where it did not."""
+        words = [sentence if word == "{}" else word for word in self.command]
+        text = f"{sentence}\n{data}\n".encode()
+        quiet: Any = dict.fromkeys(("stdout", "stderr"), subprocess.DEVNULL)
+        try:
+            done = subprocess.run(
+                words, input=text, timeout=LONGEST, check=False, **quiet
+            )
+        except subprocess.TimeoutExpired:
+            return f"takes longer than {LONGEST:g} s"
+        except (
+            OSError,
+            UnicodeError,
+        ) as error:  # a name may not be in the locale's letters
+            return f"cannot be run: {getattr(error, 'strerror', None) or error}"
+        return f"ended with status {done.returncode}" if done.returncode else ""

@@ -1,0 +1,216 @@
+"""Files of flow models (`carried_dives`): a gridded forecast, or a fitted basis.
+
+Of a gridded forecast a glider feels its water column.  A dive samples it down to its greatest
+depth D, so the flow is averaged over it, by trapezoids through the levels that have data,
+
+    F = (1 / D) int_0^D u dz,    u linear between levels, constant above the first,
+
+as far down as there are data; D is `Dive.depth_max`, or 1000 m where it is not
+known.  D is the one number of a dive that is read though it is measured during the
+dive: a pilot knows the depth that was planned, which it stands for.
+
+u is linear between latitudes, longitudes and times, and nowhere extrapolated:
+outside the area, before the first step, after the last, where a corner of the cell
+has no data and in a gap of the steps (`missing_steps`) there is no model.
+
+A fitted basis is that of a scenario that `clpt fit` wrote,
+
+    F(x, t) = theta phi(x, t)    Eq. (3)
+
+with the basis of the scenario, evaluated by its block, and theta, the origin of
+its plane, t = 0 and its box from the field file beside it.  Constituents go on
+in time, before and after the record that was fitted; in space there is a model
+within the box alone.
+"""
+
+import json
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+from scipy.integrate import trapezoid
+from scipy.interpolate import RegularGridInterpolator
+
+from ...base.arguments import public
+from ...base.errors import DataError
+from ...base.files.reading import open_netcdf, shown_name
+from ...base.units import METRES, SECONDS, seconds_since_1970
+from ...paper.scenario.file import load_scenario
+from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
+from ..currents.plane import LocalPlane
+from ..gliders.dives import Dive
+from .carried_dives import Flow, FlowModel, Uncovered
+
+
+def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> complex:
+    """Average a profile, u + iv at levels, from the surface to a depth, m.
+
+    The mean ends at the deepest level with data, if that is higher, and is NaN where no
+    level above the end has any.  Levels `depth`, m, increase from the surface.
+
+    >>> round(depth_mean(np.array([0.0, 100.0, 400.0]), np.array([0.4, 0.3, 0.0]), 200.0).real, 9)
+    0.3
+    """
+    known = np.isfinite(profile)
+    z, u = depth[known], profile[known]
+    if not z.size or z[0] > max(deepest, depth[0]):
+        return complex(np.nan)
+    end = min(deepest, z[-1])
+    if not end > 0:
+        return complex(u[0])
+    levels = np.array([0.0, *z[(z > 0) & (z < end)], end])
+    return complex(trapezoid(np.interp(levels, z, u), levels) / end)
+
+
+class Forecast(FlowModel):
+    """A current on time, latitude, longitude and perhaps depth, of a NetCDF file."""
+
+    def __init__(self, path: Path, units: str | None) -> None:
+        column = read_currents(path, column=True, units=units)
+        self.source, levels = column.source, len(column.depth)
+        about = f"gridded, averaged over a dive's depth, {levels} levels"
+        if levels == 1:
+            about = "gridded, one level only, not what a glider feels over its depths"
+        if column.land:
+            about += f"; {column.land} cells of nothing but zeros are taken as land"
+        self.about, self.depth = about, column.depth
+        self.time = column.dates.astype(float) / 1e3  # s since 1970 UTC
+        self.gaps = missing_steps(self.time) > 0
+        self.lat, self.lon = column.lat, column.lon
+        values = np.moveaxis(column.u + 1j * column.v, 1, -1)
+        if self.lon[0] + 360.0 - self.lon[-1] < AROUND * np.median(np.diff(self.lon)):
+            self.lon = np.append(self.lon, self.lon[0] + 360.0)  # around the Earth
+            values = np.concatenate([values, values[:, :, :1]], axis=2)
+        self.flow = RegularGridInterpolator(
+            (self.time, self.lat, self.lon),
+            values,
+            bounds_error=False,
+            fill_value=np.nan,
+        )
+
+    def along(self, dive: Dive) -> Flow:
+        """Return the flow for one dive, averaged over its depths.
+
+        `Uncovered` is raised where the dive is not within the steps, or reaches into a gap of them.
+        """
+        time = self.time
+        ends = zip(time[:-1], time[1:], self.gaps, strict=True)
+        bridged = any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends)
+        if bridged or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
+            raise Uncovered("outside the forecast's steps, or in a gap of them")
+        plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
+        deepest = dive.depth_max
+        if deepest is None or not (isfinite(deepest) and deepest > 0):
+            deepest = DEEPEST
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = map(float, plane.to_earth(east / 1000, north / 1000))
+            unwrapped = self.lon[0] + (lon - self.lon[0]) % 360.0  # as the file counts
+            (profile,) = self.flow([[dive.t_gps2 + t, lat, unwrapped]])
+            mean = depth_mean(self.depth, profile, deepest)
+            if not np.isfinite(mean):
+                raise Uncovered("outside the forecast's area, or in a gap of it")
+            u1, u2 = plane.rotate(lat, lon, mean.real, mean.imag)
+            return float(u1), float(u2)
+
+        return flow
+
+
+class Fitted(FlowModel):
+    """A basis with its parameters, of the TOML file that `clpt fit` wrote, its field beside it."""
+
+    def __init__(self, path: Path) -> None:
+        self.scenario, text = load_scenario(path), ""
+        if self.scenario.field_path is not None:
+            with open_netcdf(self.scenario.field_path) as data:
+                text = data.attrs.get("fit_report", "")
+        N = self.scenario.basis.N
+        try:
+            report = json.loads(text)
+            self.theta = np.array(report["theta"], float)  # (2, N), along x1 and x2
+            self.plane = LocalPlane(*map(float, report["origin"]))
+            self.start = seconds_since_1970(report["start"])  # its t = 0
+            self.lat0, self.lat1, self.lon0, self.lon1 = map(float, report["box"])
+            self.about = (
+                f"fitted basis of {N} functions, {', '.join(report['constituents'])}"
+            )
+            if self.theta.shape != (2, N) or not np.all(np.isfinite(self.theta)):
+                raise ValueError("of other functions")
+        except (ValueError, KeyError, TypeError):
+            raise DataError(
+                f"{path}: is no fit with its field beside it, which has theta, origin, box and a "
+                "date; write both anew with `clpt fit`"
+            ) from None
+        self.source = shown_name(path)
+
+    def along(self, dive: Dive) -> Flow:
+        """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
+        here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
+        long, second = METRES[units.length], SECONDS[units.time]
+        basis, N, no_state = (
+            self.scenario.basis_block(),
+            self.scenario.basis.N,
+            np.zeros(0),
+        )
+
+        def flow(t: float, east: float, north: float) -> tuple[float, float]:
+            lat, lon = here.to_earth(east / 1000, north / 1000)
+            within = (lon - self.lon0) % 360.0 <= self.lon1 - self.lon0
+            if not (self.lat0 <= lat <= self.lat1 and within):
+                raise Uncovered("outside the fit's area")
+            x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
+            when = (dive.t_gps2 + t - self.start) / second
+            phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
+            u1, u2 = self.theta @ phi * (long / second)
+            # where east points in the fit's plane
+            c, s = self.plane.rotate(lat, lon, 1.0, 0.0)
+            u1, u2 = here.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
+            return float(u1), float(u2)
+
+        flow(0.0, 0.0, 0.0)
+        return flow
+
+
+@public
+def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
+    """Read a flow model: a gridded forecast, or a fitted basis.
+
+    Parameters
+    ----------
+    path : str or Path
+        NetCDF of a current on time, latitude, longitude and perhaps depth, Zarr, or
+        a folder of such files; or
+        the TOML file that `clpt fit` wrote, its field beside it.
+    units : str, optional
+        Of u and v of a NetCDF file, such as ``"m/s"``, where it has none.
+
+    Returns
+    -------
+    FlowModel
+        To be given to `carried` with each dive.
+
+    Raises
+    ------
+    DataError
+        If the file is missing or neither, or lacks what a flow model needs.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> model = clpt.replay.read_flow_model("forecast.nc")  # doctest: +SKIP
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives, flow_model=model)  # doctest: +SKIP
+    """
+    path = Path(path)
+    kind = path.suffix.lower()
+    if not path.exists() or (kind not in (".toml", *SUFFIXES) and not path.is_dir()):
+        raise DataError(
+            f"{path}: {'is no flow model' if path.exists() else 'no such file'}; must be a NetCDF "
+            "file (.nc) of a current on time, latitude and longitude, or the .toml file that "
+            "`clpt fit` writes"
+        )
+    if kind == ".toml" and units is not None:
+        raise DataError(
+            f"{path}: a fit has its units in the file; leave out units ({units})"
+        )
+    return Fitted(path) if kind == ".toml" else Forecast(path, units)

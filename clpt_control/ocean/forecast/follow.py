@@ -1,0 +1,243 @@
+"""Dives as their files arrive in a folder, and dives whose files are gone.
+
+At each look the files are read whose size or times have changed.  What was read
+of FILE is stored in a folder, the state, as FILE.json, so that it is known after a
+restart, and where FILE is gone or cannot be opened.  JSON keeps every digit, NaN
+and Infinity.
+
+A file that is still being copied reads as damaged, and is read again when it has
+changed; one that cannot be opened is tried at each look.  Dives of a file that is
+gone remain, unless another file has dives with the same times and fixes: then
+the file was renamed.
+"""
+
+import json
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...base.arguments import public
+from ...base.errors import DataError, needed
+from ...base.files import check_name, make_folder, write_file
+from ...base.files.reading import at_once, read_bytes
+from ...base.progress.interrupt import check
+from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
+from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
+
+LOCK = ".clpt-lock"
+FORMAT = 5  # of the state
+FIXES = ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse")
+
+
+@public
+@dataclass(frozen=True)
+class StoredFile:
+    """What was read of one file: its folder, dives, and lines without a dive.
+
+    Its stamp is its size and times of change, ns; None where it could not be opened.
+    """
+
+    folder: str
+    stamp: tuple[int, int, int] | None
+    dives: list[Dive]
+    skipped: list[Skipped]
+
+    def text(self) -> str:
+        """Return the record as JSON."""
+        return json.dumps({"format": FORMAT, **vars(self)}, default=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Return a column of a track as a list, a dive or what was skipped as a dict."""
+    return value.tolist() if isinstance(value, np.ndarray) else vars(value)
+
+
+def stored_file(text: bytes) -> StoredFile:
+    """Return the record of a JSON text; what is none raises any error."""
+    found = {**json.loads(text)}
+    dives, skipped = found.pop("dives"), found.pop("skipped")
+    if found.pop("format") != FORMAT:
+        raise ValueError("another version's")
+    return StoredFile(
+        dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **found
+    )
+
+
+def _dive(fields: dict[str, Any]) -> Dive:
+    track = fields["track"] and tuple(np.array(fields["track"]))  # equally long columns
+    if track and not track[0].size:
+        raise ValueError("a track without times")
+    return Dive(**{**fields, "track": track})
+
+
+class Follower:
+    """Reads what is new in a folder; `files` are records, `here` names at the last look."""
+
+    def __init__(self, folder: str | Path, state: str | Path) -> None:
+        self.folder, self.state = Path(folder), make_folder(state)
+        self._where = os.path.realpath(folder)
+        self.files: dict[str, StoredFile] = {}
+        for path in _inside(self.state, "cannot be read"):
+            if path.suffix == ".json" and not path.name.startswith("."):
+                self.files[path.name.removesuffix(".json")] = self._stored(path)
+        self.here = set(self.files)
+        self.unnamed: list[
+            tuple[Path, Skipped]
+        ] = []  # under whose names nothing can be kept
+
+    def _stored(self, path: Path) -> StoredFile:
+        """Return a record of the state, or refuse the state."""
+        away = f"move the folder {self.state} away to read all files again"
+        try:
+            record = stored_file(read_bytes(path))
+        except (DataError, LookupError, TypeError, ValueError, RecursionError):
+            raise DataError(
+                f"{path}: is no state of this version's clpt replay --follow; {away}"
+            ) from None
+        if record.folder != self._where:
+            raise DataError(
+                f"{self.state}: keeps what was read in {record.folder}, not in {self._where}; "
+                f"give another --out, or {away}"
+            )
+        return record
+
+    def look(self) -> list[str]:
+        """Read new and changed files; return the names of those with new contents."""
+        new, here, inside = [], set(), []
+        self.unnamed.clear()
+        lost = f"cannot be looked into; what was read is kept in {self.state}"
+        for path in filter(may_hold_dives, _inside(self.folder, lost)):
+            try:
+                check_name(self._kept(path.name))
+                inside.append(path)
+            except DataError as error:
+                self.unnamed.append((path, Skipped(None, str(error))))
+        before = before_each(inside)
+        for path in sorted(before):
+            check()
+            name = path.name
+            known, record = self.files.get(name), self._read(path, before[path])
+            if record is None:
+                continue
+            here.add(name)
+            if record is known:
+                continue
+            text = record.text()
+            if known is None or text != known.text():  # as text, NaN is NaN
+                write_file(self._kept(name), text)
+                self.files[name] = record
+                new.append(name)
+        self.here = here
+        return new
+
+    def _kept(self, name: str) -> Path:
+        """Return where what was read of a file is kept."""
+        return self.state / f"{name}.json"
+
+    def _read(self, path: Path, before: list[Path]) -> StoredFile | None:
+        """Return the record of a file, behind those before it, as it is now; None if it is none."""
+        known = self.files.get(path.name)
+        try:
+            status = path.stat()
+            if not stat.S_ISREG(status.st_mode):
+                return None
+            stamp = _stamp(status, before if is_segment(path) else [])
+            if (
+                known is not None
+                and known.stamp is not None
+                and _is_as(known.stamp, stamp)
+            ):
+                return known
+            with open(path, "rb", opener=at_once) as file:
+                file.read(1)
+            dives, skipped = read_dive_file(path)
+        except FileNotFoundError:
+            return None
+        except (OSError, NotYet) as error:
+            why = str(error)
+            if isinstance(error, OSError):
+                why = f"{path}: cannot be read: {error.strerror or error}"
+            later = Skipped(None, f"{why}; is tried at each look")
+            return StoredFile(self._where, None, known.dives if known else [], [later])
+        except DataError as error:
+            dives, skipped = [], [Skipped(None, str(error))]
+        return StoredFile(self._where, stamp, dives, skipped)
+
+    def dives(self) -> tuple[list[Dive], list[Skipped]]:
+        """Return all dives so far, by the name of their file, and what was left out."""
+        seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
+        dives: list[Dive] = []
+        skipped = [*self.unnamed]
+        for name in sorted(self.files, key=lambda name: in_order(Path(name))):
+            record = self.files[name]
+            its = record.dives
+            if name not in self.here:
+                its = [dive for dive in its if _fixes(dive) not in seen]
+                seen.update(map(_fixes, its))
+                if not its:
+                    continue  # nothing is lost with it
+            dives += its
+            skipped += [(self.folder / name, one) for one in record.skipped]
+        return dives, alike(skipped)
+
+
+def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
+    """Whether a file is as it was; one that is older now has lost one that was merged with it."""
+    return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
+
+
+def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
+    """Return a file's size and times, as new as the newest of those that may be merged with it."""
+    every = [status]
+    for file in before:
+        with suppress(OSError):
+            every.append(file.stat())
+    changed, moved = (
+        max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc"
+    )
+    return status.st_size, changed, moved
+
+
+def _fixes(dive: Dive) -> str:
+    """Return times and fixes of a dive, to compare; as text, NaN is NaN."""
+    return repr([float(getattr(dive, name)) for name in FIXES])
+
+
+def _inside(folder: Path, fault: str) -> list[Path]:
+    """Return what is in a folder, by name, or raise an error that says the fault."""
+    try:
+        return sorted(folder.iterdir())
+    except OSError as error:
+        raise DataError(f"{folder}: {fault}: {error.strerror or error}") from None
+
+
+@contextmanager
+def following(folder: Path, out: Path) -> Iterator[Follower]:
+    """Open a follower whose state is out/state; refuse a second process and a wrong folder."""
+    if not os.path.isdir(folder):  # noqa: PTH112 - never raises
+        raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
+    for place in (out, out / "state"):
+        if os.path.exists(place) and os.path.samefile(place, folder):  # noqa: PTH110, PTH121
+            raise DataError(
+                f"--out {out}: results would lie in the followed folder {folder} and count as new "
+                "files there; give another folder, or leave --out out"
+            )
+    filelock = needed("filelock")
+    state = make_folder(out / "state")
+    with ExitStack() as locked:
+        try:  # the lock of a killed process is free
+            locked.enter_context(filelock.FileLock(state / LOCK, timeout=0))
+        except filelock.Timeout:
+            other = f"{state}: another clpt follows here; end it, or give another --out"
+            raise DataError(other) from None
+        except OSError as error:
+            raise DataError(
+                f"{state}: cannot be written to: {error.strerror or error}"
+            ) from None
+        yield Follower(folder, state)

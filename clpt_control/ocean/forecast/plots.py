@@ -1,0 +1,230 @@
+"""Figures of a replay with one dive at least: misses, learned current, and all with the map."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
+from matplotlib.figure import Figure
+
+from ...base.arguments import public
+from ...base.figures import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    TITLE,
+    axes_for,
+    figure_of,
+    legend_below,
+)
+from .facts import Source, found_of
+from .outcome import rms_of
+from .track_map import map_plot
+
+LINES = {
+    "no_flow": (GREY, "s", ":"),
+    "previous_dive": (ORANGE, "^", "--"),
+    "adaptive": (BLUE, "o", "-"),
+    "flow_model": (GREEN, "D", "-."),
+}
+MANY = 40  # dives; beyond, marks are small
+MARKS = 100  # of a line, about, at most
+
+
+@public
+def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
+    """Draw the CLPE of each dive for each flow model.
+
+    Parameters
+    ----------
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
+    ax : Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    Axes
+        CLPE in km over time; speed anomalies are marked.
+
+    Raises
+    ------
+    DataError
+        If it is no replay, or has no dive.
+    ClptError
+        If `ax` is not one Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> ax = clpt.replay.dive_clpe_plot(replay)
+    """
+    found = found_of(replay)["each_dive"]
+    ax = axes_for(ax, 6.8, 4.0)
+    x = _surfaced(found)
+    clpe = [row["clpe"] for row in found]
+    for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
+        colour, mark, style = LINES[model]
+        size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
+        label = model.replace("_", " ") + (
+            "" if rms is None else f", rms {rms / 1000:.2f} km"
+        )
+        ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
+    for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
+        ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
+    ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
+    _mark(ax, x)
+    ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
+    legend_below(ax, 3)
+    return ax
+
+
+@public
+def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
+    """Draw the learned current of each dive, and the speed factor.
+
+    Parameters
+    ----------
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
+    ax : array of 3 Axes, optional
+        Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (3,) or (2,)
+        Current to the east and to the north, m/s, with two standard errors and the files' own;
+        the factor on speed through the water.
+
+    Raises
+    ------
+    DataError
+        If it is no replay, or has no dive.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> east, north, speed = clpt.replay.current_plot(replay)
+    """
+    found = found_of(replay)["each_dive"]
+    learned = found[0]["speed_factor"] is not None
+    axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
+    x = _surfaced(found)
+    for one, axis in zip(axes, ("east", "north"), strict=False):
+        _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
+        of_file = _column(found, f"file_current_{axis}")
+        if np.isfinite(of_file).any():
+            one.plot(
+                x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x)
+            )
+        one.axhline(0, color="black", lw=0.5)
+        one.set_ylabel(f"current {axis} (m/s)")
+    axes[0].legend(
+        fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1)
+    )
+    if learned:
+        _band(axes[2], x, found, "speed_factor", GREEN)
+        axes[2].axhline(1, color="black", lw=0.5)
+        axes[2].set_ylabel("factor on speed")
+    _mark(axes[-1], x)
+    return axes
+
+
+@public
+def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
+    """Draw a replay's map, CLPE and learned current in one figure.
+
+    Parameters
+    ----------
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
+    ax : array of 5 Axes, optional
+        Where to draw, four where no speed factor is learned; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    ndarray of Axes, shape (5,) or (4,)
+        `map_plot`, `dive_clpe_plot` and those of `current_plot`.
+
+    Raises
+    ------
+    DataError
+        If it is no replay, or has no dive.
+    ClptError
+        If `ax` are fewer or more Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> axes = clpt.replay.replay_plot(replay)
+    """
+    replay = found_of(replay)
+    learned = replay["each_dive"][0]["speed_factor"] is not None
+    speed = [["map", "speed"]] if learned else []
+    mosaic = [
+        ["map", "clpe"],
+        ["map", "clpe"],
+        ["map", "east"],
+        ["map", "north"],
+        *speed,
+    ]
+    axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
+    map_plot(replay, ax=axes[0])
+    dive_clpe_plot(replay, ax=axes[1])
+    current_plot(replay, ax=axes[2:])
+    return axes
+
+
+def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
+    """Draw all figures of what `clpt replay --json` prints, by name."""
+    plots: dict[str, Any] = {
+        "map": map_plot,
+        "clpe": dive_clpe_plot,
+        "current": current_plot,
+    }
+    return {name: figure_of(plot, found) for name, plot in plots.items()}
+
+
+def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:
+    """Return when the vehicle surfaced."""
+    return np.array([row["end"].removesuffix("Z") for row in rows], "datetime64[s]")
+
+
+def _column(rows: list[dict[str, Any]], key: str) -> np.ndarray:
+    """Return a number of each dive, NaN where it is not known."""
+    return np.array([row.get(key) for row in rows], dtype=float)
+
+
+def _band(
+    ax: Axes, x: np.ndarray, rows: list, key: str, colour: str, label: str = ""
+) -> None:
+    """Draw a number of each dive with two standard errors."""
+    value, error = _column(rows, key), _column(rows, f"{key}_error")
+    ax.fill_between(
+        x, value - 2 * error, value + 2 * error, color=colour, alpha=0.15, lw=0
+    )
+    ax.plot(x, value, "-o", color=colour, label=label, **_fine(x))
+
+
+def _fine(x: np.ndarray) -> dict[str, Any]:
+    """Return sizes of marks and lines, small for many dives; of very many each n-th has a mark."""
+    size = {"ms": 4, "lw": 1.2} if len(x) <= MANY else {"ms": 1.8, "lw": 0.7}
+    return {**size, "markevery": 1 + len(x) // MARKS}
+
+
+def _mark(ax: Axes, x: np.ndarray) -> None:
+    """Mark dates, also where there is one."""
+    locator = AutoDateLocator(maxticks=7)
+    ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
+    ax.xaxis.set_major_locator(locator)
+    ax.set_xlabel("surfaced (UTC)")
+    if len(x) == 1:
+        hour: Any = np.timedelta64(1, "h")
+        ax.set_xlim(x[0] - hour, x[0] + hour)

@@ -1,0 +1,394 @@
+"""Replay of a glider's dives: each forecast before its end is seen.
+
+The CLPE of a dive, Eq. (10) at the surfacing, is |x - z| with x the fix and z
+the dead reckoning carried by a modelled flow:
+
+    no flow         z = start + d
+    previous dive   z = start + d + T (y / T of the previous used dive)
+    adaptive        z = start + d + forecast of an estimator
+    flow model      z = start + d + q, q as `carried` has it
+
+d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
+of a dive.  Duration and d of the dive are taken as known, its end fix is not.
+The first used dive is forecast with no flow.  Where a dive starts too far from the end of
+the last one, one of the two fixes is wrong (`doubts`): before the dive is forecast
+the last one is learned again, its forecast as it was.  A flow model is no part of
+the state: each dive brings its q, or None where the model does not cover it.
+The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
+them at once, bit for bit.
+"""
+
+import copy
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from math import hypot
+from typing import Any
+
+import numpy as np
+
+from ...base.arguments import public
+from ...base.geodesy import place_from
+from ...base.html import facts, fragment, paragraphs
+from ...base.progress.interrupt import check
+from ...base.units import known
+from ..currents.telling_apart import check_separable
+from ..estimation.dive import Dive, Fix, miss
+from ..estimation.estimators import KalmanBank, make_estimator
+from ..estimation.fix_model import OTHERS, FixModel
+from ..gliders.usable_dives import follows
+from .carried_dives import FlowModel, carried
+from .cells import cells
+from .doubts import SpeedFactorWatch, doubt_one_fix
+from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
+from .step import FLOW_MODEL, MODELS, Step, check_next
+from .surfacing import NORMAL, NextDive, check_flown, unflown
+
+LISTED = 10  # dives of a notebook's table
+
+
+def _in_words(replay: Any) -> str:
+    if not replay.steps:
+        return f"no dive yet, {replay.estimator}"
+    first, last = replay.steps[0].dive, replay.steps[-1].dive
+    count = f"{len(replay.steps)} dives, {first.number} to {last.number}"
+    return f"{last.vehicle or 'a glider'}: {count}, {replay.estimator}"
+
+
+@public
+@dataclass(repr=False)
+class Replay:
+    """The state of a replay, fed dive by dive.
+
+    Attributes
+    ----------
+    estimator : str
+        ``"kalman"`` or ``"gradient"``.
+    model : FixModel
+        The parameters.
+    flow_model : FlowModel or None
+        What the dives were `carried` by; it gets a CLPE of its own.
+    steps : list of Step
+        One per dive so far.
+    habits : Habits
+        How the vehicle dives.
+
+    Examples
+    --------
+    >>> from clpt_control.ocean.gliders.dives import make_dive
+    >>> replay = Replay()
+    >>> dive = make_dive(1, (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02), (500.0, 0.0))
+    >>> round(replay.step(dive).clpe["no_flow"])
+    1208
+    """
+
+    estimator: str = "kalman"
+    model: FixModel = field(default_factory=FixModel)
+    flow_model: FlowModel | None = None
+    steps: list[Step] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        """Start without any dive."""
+        self._learner = make_estimator(self.estimator, self.model)
+        self._watch = None  # of a bank that learns the speed
+        if isinstance(self._learner, KalmanBank) and self.model.learn_speed:
+            self._watch = SpeedFactorWatch(self._learner)
+        self.habits = Habits()
+        self._fed: list[Dive] = []
+        self._before = self._learner, self._watch, self.habits  # the last dive
+
+    def __repr__(self) -> str:
+        return f"<Replay of {_in_words(self)}>"
+
+    def _repr_html_(self) -> str:
+        """Return the last dives as a table, the last one first."""
+        rows = [cells(step.row) for step in self.steps[: -LISTED - 1 : -1]]
+        table = facts([tuple(row.values()) for row in rows], [*rows[0]]) if rows else ""
+        more = (
+            [f"The last {LISTED} of {len(self.steps)} dives."]
+            if self.steps[LISTED:]
+            else []
+        )
+        return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
+
+    @property
+    def models(self) -> tuple[str, ...]:
+        """Names of the flow models in `Step.clpe`."""
+        return MODELS if self.flow_model is None else (*MODELS, FLOW_MODEL)
+
+    @public
+    def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast a dive's miss from the dives so far.
+
+        Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
+        displacement are not read.
+        """
+        again, dive = self._doubt_one_fix(dive)
+        if again is None:
+            return self._ahead(dive)
+        known = copy.deepcopy(self)
+        known._learn_again(again)
+        return known._ahead(dive)
+
+    def known(self) -> dict[str, float]:
+        """Return the parameters as known now: m/s, 1 and rad."""
+        names, (mean, _, _) = self._learner.model.names, self._learner.estimate()
+        return dict(zip(names, mean.tolist(), strict=True))
+
+    @public
+    def step(self, dive: Dive) -> Step:
+        """Forecast a dive, see its end, and learn from it.
+
+        A dive that is not finite, or ends before the last one, is a `DataError`.
+        """
+        check_next(dive, self.steps[-1].dive if self.steps else None)
+        headline = self.surfacing() if self.steps else None
+        again, dive = self._doubt_one_fix(dive)
+        if again is not None:
+            self._learn_again(again)
+        self._take(dive, *self._ahead(dive), headline)
+        return self.steps[-1]
+
+    def feed(
+        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
+    ) -> "Replay":
+        """Take all dives of a record, and return the replay of them.
+
+        Each is carried by the flow model.  Of a record that grows, dives that come first again
+        are not learned again.
+        """
+        if [*map(_told, self._fed)] != [*map(_told, dives[: len(self._fed)])]:
+            self.steps = []
+            self.__post_init__()
+        for dive in dives[len(self._fed) :]:
+            check()
+            self.step(
+                dive if self.flow_model is None else carried(dive, self.flow_model)
+            )
+            self._fed.append(dive)
+            report(len(self._fed))
+        return self
+
+    def start(self, rng: np.random.Generator | None = None) -> Fix:
+        """Return when and where the next dive begins, as a fix.
+
+        By its habits; where `rng` is given, drawn from them.
+        """
+        last = self.steps[-1].dive
+        stay, late = self.habits.stay()
+        drift, spread = self.habits.drift()
+        if rng is not None:
+            stay = max(rng.normal(stay, late), 0.0)
+            drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
+        return (last.t_gpse + stay, *place_from(last.lat_gpse, last.lon_gpse, *drift))
+
+    def imagined(self) -> "Replay":
+        """Return one that knows the same, for dives that are drawn."""
+        other = copy.copy(self)
+        other.steps, other._learner = self.steps[-1:], copy.deepcopy(self._learner)
+        return other
+
+    def imagine(self, dive: Dive) -> None:
+        """Learn the flow from a dive that was drawn.
+
+        Habits and the watch learn nothing of it.
+        """
+        self._learner.update(dive)
+        self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
+
+    def surfacing(
+        self, guess: Guess | None = None, start: Fix | None = None
+    ) -> NextDive:
+        """Forecast the end of the next dive.
+
+        It goes by a guess, by default that of the vehicle's habits, and begins at `start`, by
+        default as the vehicle should be when it dives.
+        """
+        last, habits = self.steps[-1], self.habits
+        guess = habits.guess() if guess is None else guess
+        begin = self.start() if start is None else start
+        plan = unflown(last.dive, begin, guess)
+        if self.flow_model is not None:
+            plan = carried(plan, self.flow_model)
+        mean, covariance = self.forecast(plan)
+        place = place_from(*begin[1:], *(guess.way + mean))
+        scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
+        covariance = covariance + scatter + habits.drift()[1]
+        late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
+        wide, long = (max(w, 1.0) if guess.basis == GIVEN else w for w in habits.width)
+        return NextDive(
+            plan,
+            mean,
+            covariance * guess.tails * wide**2,
+            *place,
+            (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
+            float(NORMAL * late * np.sqrt(guess.tails) * long),
+            guess.basis,
+        )
+
+    def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
+        """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
+        mean, covariance = self._learner.predict(dive)
+        return (mean if self.steps else np.zeros(2)), covariance
+
+    def _doubt_one_fix(self, dive: Dive) -> tuple[Dive | None, Dive]:
+        """Return the last dive where this one's start says that its end is wrong, and this one."""
+        if not self.steps:
+            return None, dive
+        last = self.steps[-1]
+        found, dive = doubt_one_fix(
+            last.dive, dive, (last.forecast, last.covariance), self.model
+        )
+        return (None if found is last.dive else found), dive
+
+    def _learn_again(self, dive: Dive) -> None:
+        """Learn the last dive again, as it is now known, its forecast as it was."""
+        was = self.steps.pop()
+        self._learner, self._watch, self.habits = self._before
+        self._take(dive, was.forecast, was.covariance, was.headline)
+
+    def _take(
+        self,
+        dive: Dive,
+        mean: np.ndarray,
+        covariance: np.ndarray,
+        headline: NextDive | None,
+    ) -> None:
+        """Compare a dive's forecast and headline with its end, and learn from it."""
+        self._before = copy.deepcopy((self._learner, self._watch, self.habits))
+        y = miss(dive)
+        last = self.steps[-1].dive if self.steps else None
+        way = drift(dive, last)
+        held = None
+        if headline is not None and last is not None and follows(dive, last):
+            held = headline.holds(dive)
+        self.habits.learn(dive, way, held or ())
+        previous = (
+            np.zeros(2)
+            if last is None
+            else miss(last) * (dive.duration / last.duration)
+        )
+        away = y - mean
+        clpe: dict[str, float | None] = dict(
+            zip(MODELS, map(_size, (y, y - previous, away)), strict=True)
+        )
+        if self.flow_model is not None:
+            modelled = np.array([dive.model_east, dive.model_north], float)
+            clpe[FLOW_MODEL] = known(_size(y - modelled))
+        self._learner.update(dive)
+        anomaly = None if self._watch is None else self._watch.step(dive)
+        if anomaly is not None and anomaly.certain:
+            self._learner.forget_speed()
+        inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
+        step = Step(dive, clpe, mean, covariance, inside, anomaly, way, headline, held)
+        self.steps.append(step.learned(self._learner))
+
+
+@public
+def next_dive(
+    replay: Replay,
+    duration: float | None = None,
+    through_water: tuple[float, float] | None = None,
+) -> NextDive:
+    """Forecast the surfacing of the next dive.
+
+    Parameters
+    ----------
+    replay : Replay
+        With one dive at least.
+    duration : float, optional
+        Of the next dive, s; by default guessed by the last dives.
+    through_water : tuple of float, optional
+        Planned displacement, east and north, m; by default guessed by the last
+        dives and the plan in their files.
+
+    Returns
+    -------
+    NextDive
+
+    Raises
+    ------
+    ScenarioError
+        If a plan is given that no dive can follow.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
+    >>> -42.93 < found.latitude < -42.89
+    True
+    """
+    if duration is None and through_water is None:
+        return replay.surfacing()
+    guess = replay.surfacing().plan
+    T = guess.duration if duration is None else duration
+    way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
+    check_flown(hypot(*way) / T if T > 0 else 0.0, T)
+    return replay.surfacing(replay.habits.guess_of(way, T))
+
+
+def _told(dive: Dive) -> tuple:
+    """Return all that a dive tells, to compare."""
+    track = dive.track and tuple(np.asarray(one).tobytes() for one in dive.track)
+    return dive, dive.vehicle, dive.notes, track
+
+
+def _size(vector: np.ndarray) -> float:
+    return float(np.hypot(vector[0], vector[1]))
+
+
+def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
+    """Refuse two tides of a flow that dives, by time, are too few to tell apart.
+
+    A single tide is allowed on any record: its prior holds it.
+    """
+    tides = [name for name in flow[1:] if name not in OTHERS]
+    if len(tides) > 1 and dives:
+        hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
+        check_separable(tides, hours, f"flow {','.join(flow)}")
+
+
+@public
+def replay_dives(
+    dives: Iterable[Dive],
+    estimator: str = "kalman",
+    model: FixModel | None = None,
+    flow_model: FlowModel | None = None,
+) -> Replay:
+    """Feed used dives to a new replay.
+
+    Parameters
+    ----------
+    dives : iterable of Dive
+        In the order of their ends, as `usable` returns them.
+    estimator : str, optional
+        ``"kalman"`` or ``"gradient"``.
+    model : FixModel, optional
+        The parameters; by default steady, M2, inertial and speed.
+    flow_model : FlowModel, optional
+        Carries each dive before it is fed.
+
+    Returns
+    -------
+    Replay
+        After the last dive.
+
+    Raises
+    ------
+    DataError
+        If dives are out of order, or too few to tell the model's tides apart.
+    ScenarioError
+        If the estimator is unknown.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> replay = clpt.replay.replay_dives(dives)
+    >>> len(replay.steps), 0.7 < replay.steps[-1].speed < 1
+    (14, True)
+    """
+    dives = list(dives)
+    replay = Replay(estimator, model or FixModel(), flow_model)
+    check_tides(replay.model.flow, dives)
+    return replay.feed(dives)

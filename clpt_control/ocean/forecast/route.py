@@ -1,0 +1,210 @@
+"""When a vehicle is at waypoints that are days away, and whether it enters what it should not.
+
+The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at
+the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
+and the drift before it are drawn from their spread (`habits`), its miss from the forecast's mean
+and covariance.  What was drawn is learned before the next dive is aimed: drawn one after the other,
+each given those before it, the misses are drawn from their joint distribution, with what lasts from
+dive to dive in them.
+A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
+
+The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
+within `DIVES` dives counts as later than all.  An area is entered where the straight way of a dive
+meets its outer ring, on the plane of longitude and latitude.
+
+A file of a route is GeoJSON (RFC 7946): points and lines are waypoints in their order, polygons
+areas to stay out of, with their property `name`; or a text with a latitude and a longitude a line.
+"""
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from math import exp, inf, isfinite
+from pathlib import Path as File
+from typing import Any
+
+import numpy as np
+
+from ...base.errors import DataError, naming
+from ...base.files.reading import read_text
+from ...base.geodesy import distance, is_place, near, place_from
+from ...base.progress.interrupt import check
+from ..gliders.dives import Fix, make_dive
+from .aim import ARRIVED, aim, usual
+from .places import Place, in_minutes, placed, utc
+from .replay import Replay
+from .wording import REACHED
+
+DRAWS, DIVES, SEED = 100, 100, 1
+MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
+MOST_PLACES = 20_000  # of all areas
+LARGEST = 10**7  # bytes of a file
+SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
+# places of an area, by its name, or of waypoints
+Shape = tuple[str | None, list[Place]]
+Area = tuple[str, list[Place]]  # a name and a ring
+
+
+def read_route(path: File) -> tuple[list[Place], list[Area]]:
+    """Return the waypoints in a file in their order, and the areas to stay out of."""
+    text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
+    with naming(path):
+        return _route(text)
+
+
+def _route(text: str) -> tuple[list[Place], list[Area]]:
+    try:
+        found = list(
+            _shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text)
+        )
+    except Exception as error:  # what is neither can raise anything
+        why = f"is neither GeoJSON nor a latitude and a longitude a line: {error}"
+        raise DataError(why) from None
+    for lat, lon in (place for _, places in found for place in places):
+        if not is_place(lat, lon):
+            raise DataError(f"latitude {lat:g}, longitude {lon:g} is no place")
+    targets = [place for name, places in found if name is None for place in places]
+    if not targets:
+        raise DataError("has no waypoint; give points, or a line of them")
+    areas = [(name, places) for name, places in found if name is not None]
+    count = sum(len(ring) for _, ring in areas)
+    if len(targets) > DIVES or count > MOST_PLACES:
+        raise DataError(
+            f"has {len(targets)} waypoints, and areas of {count} places; at most {DIVES}, as so "
+            f"many dives are drawn, and {MOST_PLACES}"
+        )
+    return targets, areas
+
+
+def _lines(text: str) -> Iterator[Shape]:
+    for line in text.splitlines():
+        if words := line.partition("#")[0].replace(",", " ").split():
+            lat, lon = map(float, words)
+            yield None, [(lat, lon)]
+
+
+def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
+    name = str((data.get("properties") or {}).get("name") or name)
+    inner = *data.get("features", ()), *data.get("geometries", ()), data.get("geometry")
+    for one in filter(None, inner):
+        yield from _shapes(one, name)
+    if "coordinates" not in data:
+        return
+    several = data["type"] in ("MultiPolygon", "MultiLineString")
+    for one in data["coordinates"] if several else [data["coordinates"]]:
+        if not data["type"].endswith("Polygon"):
+            yield None, _places(one)
+            continue
+        ring = _places(one[0])
+        if len(set(ring)) < 3:
+            raise ValueError("an area has at least three corners")
+        yield name, ring
+
+
+def _places(pairs: list[Any]) -> list[Place]:
+    """Return places of a pair longitude, latitude, or of a list of them; heights are left out."""
+    points = np.atleast_2d(np.array(pairs, float))
+    if points.ndim > 2:
+        raise ValueError("places are pairs of longitude and latitude")
+    return [(lat, lon) for lon, lat in points[:, :2].tolist()]
+
+
+def arrivals(
+    replay: Replay,
+    targets: list[Place],
+    areas: list[Area],
+    speed: float | None,
+    duration: float | None,
+    report: Callable[[float], None] = lambda done: None,
+) -> dict[str, Any]:
+    """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
+    V, T = usual(replay, speed, duration)
+    rng = np.random.default_rng(SEED)
+    times, entered, drawn = list[list[float]](), list[list[bool]](), 0
+    rings = [np.array([*ring, ring[0]]) for _, ring in areas]
+    while len(times) < DRAWS and drawn < MOST_DRAWN:
+        check()
+        came, ways = _draw(replay, targets, V, T, rng)
+        times.append(came + [inf] * (len(targets) - len(came)))
+        entered.append([any(_meets(*way, ring) for way in ways) for ring in rings])
+        drawn += len(ways)
+        report(max(len(times), DRAWS * min(drawn / MOST_DRAWN, 1.0)))
+    waypoints = []
+    for place, each in zip(targets, np.transpose(times), strict=True):
+        quantiles = np.quantile(
+            each, list(SHARES.values()), method="inverted_cdf"
+        ).tolist()
+        dates = [utc(time) if isfinite(time) else None for time in quantiles]
+        waypoints.append(
+            {**placed("", *place), "place": in_minutes(*place)}
+            | {
+                "made": float(np.isfinite(each).mean()),
+                **dict(zip(SHARES, dates, strict=True)),
+            }
+        )
+    shares = [
+        {"name": name, "entered": share, "ring": ring}
+        for (name, ring), share in zip(
+            areas, np.mean(entered, axis=0).tolist(), strict=True
+        )
+    ]
+    return {
+        "draws": len(times),
+        "dives": DIVES,
+        "waypoints": waypoints,
+        "areas": shares,
+    }
+
+
+def _draw(
+    replay: Replay, targets: list[Place], V: float, T: float, rng: np.random.Generator
+) -> tuple[list[float], list[tuple[Place, Place]]]:
+    """Draw the dives to come once: times of arrival, s since 1970, and the ends of each way."""
+    learned = replay.imagined()
+    start = learned.start(rng)
+    came: list[float] = []
+    ways: list[tuple[Place, Place]] = []
+    for _ in range(DIVES):
+        target = targets[len(came)]
+        leg = aim(learned, start, target, V, T)
+        plan = leg.ahead.plan
+        guess = learned.habits.guess_of((plan.dr_east, plan.dr_north), plan.duration)
+        east, north, late = rng.multivariate_normal(
+            np.zeros(3), guess.scatter, check_valid="ignore"
+        )
+        flown = replace(
+            plan,
+            t_gpse=start[0] + plan.duration * exp(late),
+            dr_east=plan.dr_east + east,
+            dr_north=plan.dr_north + north,
+        )
+        miss = rng.multivariate_normal(*learned.forecast(flown), check_valid="ignore")
+        through = flown.dr_east, flown.dr_north
+        end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
+        ways.append((start[1:], end[1:]))
+        if leg.state == REACHED or distance(*end[1:], *target) < ARRIVED:
+            came.append(end[0])
+            if len(came) == len(targets):
+                break
+        learned.imagine(make_dive(plan.number, start, end, through))
+        start = learned.start(rng)
+    return came, ways
+
+
+def _meets(one: Place, other: Place, ring: np.ndarray) -> bool:
+    """Whether a straight way meets an area, of a closed ring.
+
+    >>> corners = (0.0, 179.0), (1.0, 179.0), (1.0, -179.0), (0.0, -179.0), (0.0, 179.0)
+    >>> square = np.array(corners)
+    >>> [_meets((-1.0, x), (2.0, x), square) for x in (179.5, -179.5, 178.0)]
+    [True, True, False]
+    >>> _meets((0.4, 180.0), (0.5, -180.0), square)  # within
+    True
+    """
+    from matplotlib.path import Path
+
+    area, way = (
+        Path(np.column_stack([places[:, 0], near(places[:, 1], one[1])]))
+        for places in (ring, np.array([one, other]))
+    )
+    return bool(area.intersects_path(way, filled=True))

@@ -1,0 +1,180 @@
+"""The record of one dive: its forecast, its misses, and what is known after it.
+
+The 90 % ellipse of its forecast,
+
+    (x - m)^T P^-1 (x - m) = 2 ln 10
+
+holds a normal pair of mean m and covariance P with probability 0.9; its half axes are
+sqrt(2 ln 10 l), l the eigenvalues of P.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import hypot
+from typing import Any
+
+import numpy as np
+
+from ...base.errors import DataError
+from ...base.geodesy import place_from
+from ...base.units import known
+from ..estimation.estimators import Estimator
+from ..gliders.dives import Dive
+from .doubts import Anomaly
+from .habits import Way
+from .places import direction, placed, utc, vector
+from .surfacing import ELLIPSE, NextDive, ellipse
+
+MODELS = ("no_flow", "previous_dive", "adaptive")
+FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
+SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
+# share of a prior's standard error; a parameter with more is not learned
+LEARNED = 0.87
+
+
+@dataclass
+class Step:
+    """A dive, its forecast, and what is known after it.
+
+    `clpe` has |x - z| (m) of each flow model, None where it does not cover the dive. `forecast`
+    (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
+    vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
+    `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
+    `parts` has the probability that each part of the flow is present; the parameters `not_learned`,
+    beside gaussians, are hardly better known than before any dive. `headline` is the surfacing as
+    forecast before the dive, `headline_held` whether its place and its time held: None for the
+    first dive, and where dives between may be missing. `drift` is that before the dive.
+    """
+
+    dive: Dive
+    clpe: dict[str, float | None]
+    forecast: np.ndarray
+    covariance: np.ndarray
+    inside: bool
+    anomaly: Anomaly | None
+    drift: Way | None
+    headline: NextDive | None
+    headline_held: tuple[bool, bool] | None
+
+    def learned(self, learner: Estimator) -> "Step":
+        """Take what an estimator knows that has learned the dive."""
+        p, P, left = learner.estimate()
+        model = learner.model
+        flow = [
+            k for k, part in enumerate(model.parts) if part not in ("speed", "compass")
+        ]
+        H = model.regressor(self.dive, ended=True)[:, flow] / self.dive.duration
+        self.current = H @ p[flow]
+        self.current_error = np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T))
+        self.parts = learner.parts()
+        self.not_learned = tuple(
+            name
+            for name, part, share in zip(model.names, model.parts, left, strict=True)
+            if share >= LEARNED and part != "gaussians"
+        )
+        self.speed, self.speed_error, self.compass, self.compass_error = (
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+        )
+        if model.learn_speed:
+            k = model.names.index("speed")
+            a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
+            f = np.hypot(a, b)
+            by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
+            factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
+            self.speed, self.speed_error = float(f), float(factor)
+            self.compass, self.compass_error = np.degrees(
+                (np.arctan2(b, a), compass)
+            ).tolist()
+        return self
+
+    @property
+    def response(self) -> np.ndarray:
+        """I + M, the way through the water of a unit of dead reckoning, (2, 2)."""
+        psi = np.radians(self.compass)
+        a, b = self.speed * np.cos(psi), self.speed * np.sin(psi)
+        return np.array([[a, b], [-b, a]])
+
+    @cached_property
+    def row(self) -> dict[str, Any]:
+        """All of this by name, for JSON.
+
+        Lengths are in m, times ISO 8601 UTC, currents in m/s, angles in degrees clockwise from
+        north; what is not known is None.
+        """
+        dive = self.dive
+        start = dive.lat_gps2, dive.lon_gps2
+        reckoned = place_from(*start, dive.dr_east, dive.dr_north)
+        forecast = place_from(
+            *start, dive.dr_east + self.forecast[0], dive.dr_north + self.forecast[1]
+        )
+        east, north = map(float, self.current)
+        speed: Any = self.speed, self.speed_error, self.compass, self.compass_error
+        if not self.speed_error:  # none is learned
+            speed = (None,) * len(SPEED)
+        row = {
+            "dive": dive.number,
+            "start": utc(dive.t_gps2),
+            "end": utc(dive.t_gpse),
+            "start_time": dive.t_gps2,
+            "end_time": dive.t_gpse,
+            "duration": dive.duration,
+            **placed("start_", *start),
+            **placed("end_", dive.lat_gpse, dive.lon_gpse),
+            **placed("reckoned_", *reckoned),
+            **placed("forecast_", *forecast),
+            **vector("dr_", dive.dr_east, dive.dr_north),
+            **vector("forecast_", *self.forecast),
+            **vector("forecast_variance_", *np.diag(self.covariance)),
+            "forecast_covariance": float(self.covariance[0, 1]),
+            "flow_model_east": dive.model_east,
+            "flow_model_north": dive.model_north,
+            "file_current_east": dive.dac_east,
+            "file_current_north": dive.dac_north,
+            "clpe": self.clpe,
+            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            "inside_90": self.inside,
+            **vector("current_", east, north),
+            "current_east_error": float(self.current_error[0]),
+            "current_north_error": float(self.current_error[1]),
+            "current_speed": hypot(east, north),
+            "current_direction": direction(east, north),
+            **dict(zip(SPEED, speed, strict=True)),
+            "drift": None if self.drift is None else self.drift.as_dict(),
+            "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
+            "headline": None
+            if self.headline is None
+            else _headline(self.headline, self.headline_held),
+            "anomaly": None if self.anomaly is None else self.anomaly._asdict(),
+            "probability": self.parts,
+            "depth_max": dive.depth_max,
+            "notes": list(dive.notes),
+        }
+        return {key: known(value) for key, value in row.items()}
+
+
+def _headline(headline: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
+    """Return the headline before a surfacing, and whether its place and time held."""
+    found = headline.as_dict()
+    keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
+    place, time = held or (None, None)
+    return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
+
+
+def check_next(dive: Dive, last: Dive | None) -> None:
+    """Refuse a dive that is not finite or ends before the last one."""
+    numbers = [dive.miss_east, dive.miss_north, dive.lat_gps2, dive.lon_gps2]
+    numbers += [dive.model_east or 0, dive.model_north or 0]
+    numbers += [np.sum(part) for part in dive.track or ()]
+    if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
+        raise DataError(
+            f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
+            "duration above 0"
+        )
+    if last is not None and dive.t_gpse <= last.t_gpse:
+        raise DataError(
+            f"dive {dive.number} ends before dive {last.number}, which was learned; feed dives "
+            "in the order of their ends"
+        )

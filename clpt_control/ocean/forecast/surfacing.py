@@ -1,0 +1,121 @@
+"""Where and when a vehicle will surface next.
+
+It is the forecast of a dive not yet flown,
+
+    z(T) = last fix + drift at the surface + d + forecast of the miss
+
+d is the displacement through the water and T the duration of the dive that `Habits` guesses, or
+that is planned or aimed.  The ellipse and the time are for 90 %: of the miss, of the drift, of the
+scatter of d and T (d by the learned speed and compass), as wide as their own record asks.
+
+Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
+last dive, else from that end, as for a record of years ago.
+"""
+
+import time
+from dataclasses import dataclass
+from math import nan
+from typing import Any
+
+import numpy as np
+
+from ...base.errors import ScenarioError
+from ...base.geodesy import displacement
+from ..gliders.dives import Dive, Fix
+from ..gliders.usable_dives import FASTEST
+from .habits import CHI_SQUARED, REPEATED, Guess
+from .places import clock, in_minutes, placed, utc, vector
+
+NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
+SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
+RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
+CLOCK, LAST_END = "clock", "end of the last dive"
+# as `ellipse` has them
+ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")
+
+
+def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
+    """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
+
+    The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
+    """
+    size, axes = np.linalg.eigh(covariance)
+    short, long = np.sqrt(CHI_SQUARED * size)
+    bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
+    return float(long), float(short), float(bearing)
+
+
+@dataclass(frozen=True)
+class NextDive:
+    """A forecast surfacing: latitude and longitude in degrees.
+
+    `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
+    less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
+    the record asks; the time holds 90 % within `time_90`, s; `fix` is where and when the vehicle
+    surfaced last; `basis` is what the dive is guessed by.
+    """
+
+    plan: Dive
+    forecast: np.ndarray
+    covariance: np.ndarray
+    latitude: float
+    longitude: float
+    fix: Fix = (nan, nan, nan)
+    time_90: float = nan
+    basis: str = REPEATED
+
+    def __repr__(self) -> str:
+        when = f"{clock(utc(self.plan.t_gpse))} +- {self.time_90 / 60:.0f} min"
+        return f"<NextDive: up {when} at {in_minutes(self.latitude, self.longitude)}>"
+
+    def now(self) -> tuple[float, str]:
+        """Return now, s since 1970, and which: the clock, or the end of a dive not just ended."""
+        now, end = time.time(), self.fix[0]
+        return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
+
+    def holds(self, dive: Dive) -> tuple[bool, bool]:
+        """Whether the end of the dive that came lies in the ellipse, and in the time."""
+        away = np.array(
+            displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse)
+        )
+        inside = away @ np.linalg.solve(self.covariance, away) <= CHI_SQUARED
+        return bool(inside), abs(dive.t_gpse - self.plan.t_gpse) <= self.time_90
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the forecast by name, for JSON: degrees, m and s."""
+        now, which = self.now()
+        return {
+            "time": utc(self.plan.t_gpse),
+            "time_90": self.time_90,
+            "now": utc(now),
+            "now_is": which,
+            "hours_from_now": (self.plan.t_gpse - now) / 3600,
+            "surface_time": self.plan.t_gps2 - self.fix[0],
+            **placed("from_", *self.fix[1:]),
+            **placed("start_", self.plan.lat_gps2, self.plan.lon_gps2),
+            "basis": self.basis,
+            "duration": self.plan.duration,
+            **vector("dr_", self.plan.dr_east, self.plan.dr_north),
+            **placed("", self.latitude, self.longitude),
+            "place": in_minutes(self.latitude, self.longitude),
+            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            "why_uncovered": self.plan.uncovered,
+        }
+
+
+def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
+    """Return a dive without an end, straight and at constant speed."""
+    east, north = map(float, guess.way)
+    end, no = start[0] + guess.duration, (nan, nan, nan, nan)
+    return Dive(
+        last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max
+    )
+
+
+def check_flown(speed: float, duration: float) -> None:
+    """Refuse a speed through the water (m/s) or a duration (s) that no dive can have."""
+    if not (SHORTEST <= duration <= LONGEST and 0 <= speed <= FASTEST):
+        raise ScenarioError(
+            f"a dive of {duration / 3600:g} hours at {speed:.4g} m/s through the water: give "
+            f"{SHORTEST:g} s to {LONGEST / 3600:g} hours and at most {FASTEST:g} m/s"
+        )

@@ -1,0 +1,264 @@
+"""The map of a replay with one dive at least, as a figure and on the page.
+
+It has longitude and latitude as axes, in degrees and minutes, drawn so long that its middle is
+true to scale and angle.  Longitudes are counted from that of the first place, so that no chart is
+cut at 180 degrees.  A waypoint that would make it much larger lies outside: the line to it ends at
+the edge.  On the page a script zooms it; each fix is a link to its row of the table.
+"""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, MultipleLocator
+
+from ...base.arguments import public
+from ...base.figures import (
+    BLUE,
+    GREEN,
+    ORANGE,
+    PURPLE,
+    RED,
+    TITLE,
+    axes_for,
+    figure_of,
+    inline_svg,
+    legend_below,
+    literal,
+)
+from ...base.geodesy import distance, near
+from ...base.html import plain
+from .facts import Source, found_of
+from .layers import layers_of
+from .places import Place, clock, degrees_minutes, east_of
+
+FEW = 20  # dives, whose marks are large
+SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
+ROOM = (0.3, 0.14)  # inches of a number
+LARGER = 1.6  # times, that a waypoint may make the chart
+SHORTEST = 500.0  # m, of the longer side
+NARROWEST, MARGIN = 0.6, 0.06  # of the longer side: the other one, and on each side
+MOST = 89.5  # degrees of the middle; at a pole there is no east
+# minutes
+STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)
+LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
+POINTS = 72  # units of SVG in an inch
+FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
+AIM = {"color": "black", "label": "to the waypoint"}
+DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
+    # kind of a layer, mark or line, its size, that of a mark for many dives, style
+    ("track", "-", 1.3, 0, {"color": BLUE, "label": "fix to fix"}),
+    ("drift", ":", 0.8, 0, {"color": BLUE, "label": "drift at the surface"}),
+    (
+        "ring",
+        "-",
+        0.6,
+        0,
+        {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"},
+    ),
+    ("miss", "--", 0.6, 0, {"color": RED, "label": "miss"}),
+    ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
+    ("forecast", "+", 8, 3.5, {"color": GREEN, "label": "forecast", "mew": 1.2}),
+    ("aim", "-.", 0.6, 0, AIM),
+    ("target", "o", 9, 9, {"color": "black", "mfc": "none", "label": "waypoint"}),
+    ("way", ":", 1.2, 0, {"color": PURPLE}),
+    ("ring next", "--", 1.2, 0, {"color": PURPLE}),
+    ("ring aimed", "-.", 1.2, 0, {"color": ORANGE}),
+    ("made", "-", 1.8, 0, {"color": ORANGE, "label": "aimed: way made good"}),
+    ("next", "*", 11, 11, {"color": PURPLE, "label": "next surfacing", "zorder": 5}),
+)
+
+
+@public
+def map_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
+    """Draw a replay's fixes, forecasts and where it aims.
+
+    Parameters
+    ----------
+    replay : Replay or xarray.Dataset
+        With one dive at least; the dataset as `replay_dataset` gives it.
+    ax : Axes, optional
+        Where to draw; by default a new figure of pyplot's.
+
+    Returns
+    -------
+    Axes
+        A chart, true to scale in its middle, marked by degrees and minutes.
+
+    Raises
+    ------
+    DataError
+        If it is no replay, or has no dive.
+    ClptError
+        If `ax` is not one Axes.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> ax = clpt.replay.map_plot(replay)
+    """
+    found = found_of(replay)
+    ax = _drawn(found, ax, (0.9, 1.7))
+    last = found["each_dive"][-1]
+    dive, when = (
+        literal(plain(f"{found['vehicle']}: dive {last['dive']}")),
+        clock(last["end"]),
+    )
+    ax.set_title(f"{dive} surfaced {when}", **TITLE)
+    ax.set(xlabel="longitude", ylabel="latitude")
+    legend_below(ax, 3)
+    return ax
+
+
+def degree_at(lat: float, lon: float) -> np.ndarray:
+    """Return how long a degree of longitude and one of latitude are at a place, m, (2,)."""
+    lat = min(max(lat, -MOST), MOST)
+    ends = (0.0, 0.5), (0.5, 0.0)
+    return np.array([distance(lat - a, lon - b, lat + a, lon + b) for a, b in ends])
+
+
+def edges_of(points: np.ndarray, degree: np.ndarray) -> np.ndarray:
+    """Return west, south and east, north of a chart around points, (2, n), degrees.
+
+    It is neither very wide nor very high.
+    """
+    low, high = points.min(axis=1), points.max(axis=1)
+    spans = (high - low) * degree
+    size = max(*spans, SHORTEST)
+    half = (np.maximum(spans, NARROWEST * size) / 2 + MARGIN * size) / degree
+    return np.array([(low + high) / 2 - half, (low + high) / 2 + half])
+
+
+def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) -> Axes:
+    """Draw what `clpt replay --json` prints, inches around it."""
+    found = whole["each_dive"]
+    of = {
+        kind: [one.places for one in layers]
+        for kind, layers in layers_of(whole).items()
+    }
+    areas = whole["route"]["areas"] if "route" in whole else []
+    first = east_of(of["track"][0][0][1])
+
+    def at(several: Sequence[Sequence[Place]]) -> np.ndarray:
+        """Return lines as one, broken by NaN: longitudes and latitudes, (2, n)."""
+        ends = [place for places in several for place in (*places, (np.nan, np.nan))]
+        lat, lon = np.transpose(ends)
+        return np.array([near(lon, first), lat])
+
+    far = [place for kind in FAR for places in of.get(kind, []) for place in places]
+    points = at([far])[:, :-1]
+    if not (np.abs(points[1]) <= 90.0).all():
+        raise ValueError("a latitude is beyond the poles")
+    degree = degree_at((points[1].min() + points[1].max()).item() / 2, first)
+    size = max(*np.ptp(points, axis=1) * degree, SHORTEST)
+    for target in of.get("target", []):
+        with_it = np.hstack([points, at([target])[:, :1]])
+        if max(*np.ptp(with_it, axis=1) * degree) <= LARGER * size:
+            points = with_it
+    (west, south), (east, north) = edges_of(points, degree)
+    wide, high = (east - west) * degree[0], (north - south) * degree[1]
+    inch = SIZE / max(wide, high)
+    ax = axes_for(ax, max(wide * inch, LEAST) + around[0], high * inch + around[1])
+    ax.set(xlim=(west, east), ylim=(south, north))
+    ax.set_aspect(degree[1] / degree[0], adjustable="box")
+    for area in areas:
+        ax.fill(*at([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
+    few = len(found) <= FEW
+    for kind, mark_or_line, size, small, style in DRAWN:
+        if kind in of:
+            look: dict[str, Any] = {"ls": mark_or_line, "lw": size}
+            if small:
+                look = {"ls": "", "marker": mark_or_line, "ms": size if few else small}
+            ax.plot(*at(of[kind]), **look, **style)
+    fixes = at(of["fix"])[:, ::2]
+    urls = np.array([f"#dive{k}" for k in range(len(found))])
+    inside = np.array([row["inside_90"] for row in found])
+    for some, colour, label in (
+        (inside, "black", "fix"),
+        (~inside, RED, "fix outside 90 %"),
+    ):
+        if some.any():
+            x, y = fixes[:, some]
+            here = urls[some].tolist()
+            ax.scatter(
+                x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=here
+            )
+    beside: dict[str, Any] = {
+        "xytext": (5, 4),
+        "textcoords": "offset points",
+        "zorder": 6,
+    }
+    for k in with_room(fixes.T * degree * inch):
+        name = literal(plain(found[k]["dive"]))
+        ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **beside)
+    _mark(ax, degree)
+    return ax
+
+
+def _mark(ax: Axes, degree: np.ndarray) -> None:
+    """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
+    (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
+    wide = (east - west) * degree[0]
+    for axis, names, span in (
+        (ax.xaxis, "EW", east - west),
+        (ax.yaxis, "NS", north - south),
+    ):
+        # five lines
+        step = next((step for step in STEPS if step >= 12 * span), STEPS[-1])
+        axis.set_major_locator(MultipleLocator(step / 60))
+        axis.set_major_formatter(
+            FuncFormatter(partial(grid_label, names=names, step=step))
+        )
+        axis.set_tick_params(labelsize=8)
+    length = next((one for one in reversed(LENGTHS) if one <= wide / 4), LENGTHS[0])
+    end = east - 0.04 * (east - west)
+    x, y = (end - length / degree[0], end), south + 0.03 * wide / degree[1]
+    ax.plot(x, (y, y), color="black", lw=2, solid_capstyle="butt")
+    name = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
+    ax.annotate(name, (sum(x) / 2, y), (0, 3), textcoords="offset points", ha="center")
+
+
+def map_svg(found: dict[str, Any]) -> str:
+    """Return the map as an element of a page, with what its script needs.
+
+    That is where the chart lies in it, its edges in degrees, and how long a unit is, m.
+    """
+    figure = figure_of(_drawn, found, None, (0.5, 0.4))
+    text = inline_svg(figure, "map", "map of the track and of the next surfacing")
+    (ax,), units = figure.axes, POINTS * figure.get_size_inches()
+    (x0, y0), (x1, y1) = ax.get_position().get_points() * units
+    (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
+    wide = (east - west) * degree_at((south + north) / 2, east_of(west))[0]
+    for name, numbers in (
+        ("box", (x0, units[1] - y1, x1 - x0, y1 - y0)),
+        ("edges", (south, north, west, east)),
+        ("metres", (wide / (x1 - x0),)),
+    ):
+        words = " ".join(f"{one:.9g}" for one in numbers)
+        text = text.replace("<svg ", f'<svg data-{name}="{words}" ', 1)
+    return text.replace("<svg ", '<svg id="map" ', 1).replace(' target="_blank"', "")
+
+
+def with_room(points: np.ndarray) -> list[int]:
+    """Return which of points, (n, 2), inches, have room for a number, the last ones first."""
+    found: list[int] = []
+    for k in range(len(points) - 1, -1, -1):
+        if (np.abs(points[found] - points[k]) >= ROOM).any(1).all():
+            found.append(k)
+    return found
+
+
+def grid_label(
+    angle: float, place: int | None = None, *, names: str, step: float
+) -> str:
+    """Return degrees and minutes of a parallel ("NS") or meridian ("EW") of a grid.
+
+    >>> grid_label(-42.9, names="NS", step=2), grid_label(190.505, names="EW", step=0.1)
+    ("42°54'S", "169°29.70'W")
+    """
+    angle = east_of(angle) if names == "EW" else angle
+    whole, minutes = degrees_minutes(angle, 0 if step >= 1 else 2)
+    return f"{whole}°{minutes}'{names[int(angle < 0)]}"

@@ -1,0 +1,1 @@
+"""Files of gliders and the dives in them: `read_dives`, `usable`."""

@@ -1,0 +1,206 @@
+"""Files of dives, told apart by what is in them.
+
+Each path is a file or a folder of files; a file is of one of the dialects
+below, found by its content.  A damaged file among good ones is left out with its
+reason and the good dives are used; what was named and does not exist is an error.
+
+A dialect is a module with two functions: `is_known(content)`, and `dives_of(content)`, which
+returns its dives and what holds none, with the path where a dialect
+asks its name.  The content is an open xarray.Dataset or a text.  A further format is a module and
+its place in `read_dive_file`.  A text that is of no dialect is a plain table of dives
+(`dive_table`).
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from importlib import resources
+from pathlib import Path
+from stat import S_ISDIR
+
+from ...base.arguments import public
+from ...base.errors import DataError, naming
+from ...base.files.reading import NETCDF, open_netcdf, read_bytes
+from ...base.progress.interrupt import check
+from ..estimation.dive import Dive
+from . import og1, seaexplorer, seaglider, slocum
+from .dive_table import table_dives
+from .dives import Skipped, in_order, is_segment
+from .vehicle_names import name_in, name_of_file
+
+MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
+KINDS = (
+    "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
+    "a CSV table of dives"
+)
+RESULTS = "replay.nc"  # of a replay, beside dives where --out says so
+FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
+
+
+def sample_dives() -> list[Dive]:
+    """Return the fourteen dives of Seaglider SG542 in the package.
+
+    Returns
+    -------
+    list of Dive
+        Southern Ocean, 31 January to 3 February 2016; without tracks.
+
+    Examples
+    --------
+    >>> dives = sample_dives()
+    >>> len(dives), dives[0].number, round(dives[0].miss_east)
+    (14, 304, 1371)
+    """
+    text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
+    return _told_apart(table_dives(text, "sg542_dives.csv"), "SG542", "Seaglider")[0]
+
+
+def may_hold_dives(path: Path) -> bool:
+    """Whether a name in a folder is that of a file of dives; hidden ones and results are not."""
+    named = path.suffix.lower() in (".nc", ".csv") or is_segment(path)
+    return named and not path.name.startswith(".") and path.name != RESULTS
+
+
+def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
+    """Return the files that paths name; those of a folder by name, hidden ones left out.
+
+    Of a glider's folder on a dockserver they are those in ``from-glider``.
+    """
+    files: list[Path] = []
+    for path in map(Path, paths):
+        try:
+            inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
+        except (FileNotFoundError, NotADirectoryError):
+            raise DataError(
+                f"{path}: no such file; give {KINDS}, or a folder of them"
+            ) from None
+        except OSError as error:
+            raise DataError(f"{path}: cannot be read: {error.strerror}") from None
+        if inside is None:
+            files.append(path)
+            continue
+        dives = [file for file in inside if may_hold_dives(file)]
+        if not dives and (
+            sent := [file for file in inside if file.name.lower() == FROM_GLIDER]
+        ):
+            dives = dive_paths(sent)
+        if not dives:
+            raise DataError(f"{path}: the folder has no {KINDS}")
+        files += sorted(dives, key=in_order)
+    return files
+
+
+def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
+    """Read a file of any dialect: its dives, and lines of a text that hold none."""
+    path = Path(path)
+    raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
+    if not raw:
+        raise DataError(f"{path}: is empty; must be one of {KINDS}")
+    if raw in NETCDF:
+        return _told_apart(*_of_netcdf(path))
+    name = name_of_file(path.name)
+    if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:
+        # the first letters of a compressed block
+        return _told_apart(slocum.dives_of(path), name, "Slocum")
+    no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
+    text = seaexplorer.text_in(raw, path, no_text)
+    if raw.startswith(seaexplorer.GZIP) or seaexplorer.is_known(text):
+        return _told_apart(seaexplorer.dives_of(text, path), name, "SeaExplorer")
+    return _told_apart(table_dives(text, path), name, None)
+
+
+def _told_apart(
+    found: Sequence[Dive | Skipped], name: str | None, kind: str | None
+) -> tuple[list[Dive], list[Skipped]]:
+    """Return dives with the name of their vehicle, unless they have one, and its kind; the rest."""
+    dives = [one for one in found if isinstance(one, Dive)]
+    named = [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
+    return named, [one for one in found if isinstance(one, Skipped)]
+
+
+def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | None]:
+    """Return what a file holds, the vehicle's name and its kind."""
+    with open_netcdf(path, MOST_BYTES) as data, naming(path):
+        if seaglider.is_known(data):
+            return [seaglider.dive_of(data, path)], name_in(data), "Seaglider"
+        if og1.is_known(data):
+            return og1.dives_of(data), name_in(data), None
+        names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
+    raise DataError(
+        f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
+        f"{names}, not the fixes and the displacement through the water that a dive needs; a CSV "
+        "table of dives can give both"
+    )
+
+
+def alike(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
+    """Return what was skipped of files; reasons that are the same but for the file once.
+
+    >>> faults = [(Path(name), Skipped(None, f"{name}: is empty")) for name in "ab"]
+    >>> alike(faults)
+    [Skipped(dive=None, why='a: is empty (one of 2 files)')]
+    """
+    same: dict[tuple[int | None, str], list[str]] = {}
+    for file, one in faults:
+        same.setdefault((one.dive, one.why.removeprefix(str(file))), []).append(one.why)
+    return [
+        Skipped(
+            dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else "")
+        )
+        for (dive, _), whys in same.items()
+    ]
+
+
+@public
+def read_dives(
+    paths: str | Path | Iterable[str | Path],
+) -> tuple[list[Dive], list[Skipped]]:
+    """Read all dives of files and folders.
+
+    Parameters
+    ----------
+    paths : str, Path or iterable of them
+        Files and folders, of any kinds together.
+
+    Returns
+    -------
+    dives : list of Dive
+        As the files have them; `usable` sorts and chooses.
+    skipped : list of Skipped
+        Damaged files and lines, each with its reason.
+
+    Raises
+    ------
+    DataError
+        If a path does not exist, or no file holds a dive.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from clpt_control.gliders import sample_dives, write_dive_table
+    >>> with TemporaryDirectory() as folder:
+    ...     write_dive_table(sample_dives(), f"{folder}/sg542.csv")
+    ...     dives, skipped = read_dives(folder)
+    >>> len(dives), skipped
+    (14, [])
+    """
+    files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
+    dives: list[Dive] = []
+    skipped: list[Skipped] = []
+    faults: list[tuple[Path, Skipped]] = []
+    for file in files:
+        check()
+        try:
+            found, bad = read_dive_file(file)
+        except DataError as error:
+            faults.append((file, Skipped(seaglider.number_in_name(file), str(error))))
+            continue
+        dives += found
+        skipped += bad
+    skipped += alike(faults)
+    if dives:
+        return dives, skipped
+    if len(skipped) == len(files) == 1:
+        raise DataError(skipped[0].why)
+    first = skipped[0].why if skipped else "no dives"
+    where = files[0] if len(files) == 1 else f"{len(files)} files"
+    raise DataError(f"{where}: no dive; the first reason: {first}")

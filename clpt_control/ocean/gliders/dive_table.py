@@ -1,0 +1,171 @@
+"""The plain table of dives, CSV, for any vehicle: one row per dive under a header.
+
+Required columns: `dive`, `t_gps2`, `lat_gps2`, `lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s
+since 1970 UTC or ISO 8601, degrees) and `dr_east_m`, `dr_north_m` (dead reckoning through the
+water, m) or `dac_east`, `dac_north` (the vehicle's own depth-averaged current c, m/s), of which
+dead reckoning is computed,
+
+    dr = (displacement between the fixes) - c (t_gpse - t_gps2).
+
+Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
+`magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
+`vehicle` (its name).  Lines that begin with `#` are
+comments, other columns are left alone, and the displacement between the fixes is computed,
+never read.
+"""
+
+from collections.abc import Iterable
+from contextlib import suppress
+from math import isfinite, nan
+from pathlib import Path
+from typing import Any
+
+from ...base.arguments import public
+from ...base.errors import DataError
+from ...base.files import write_file
+from ...base.units import seconds_since_1970
+from ..currents.text_table import other_marks, table_of
+from ..estimation.dive import Dive, make_dive, without_current
+from .dives import NUMBERS, Skipped, whole_number
+from .vehicle_names import name_of
+
+START = ("t_gps2", "lat_gps2", "lon_gps2")
+END = ("t_gpse", "lat_gpse", "lon_gpse")
+THROUGH_WATER = ("dr_east_m", "dr_north_m")
+CURRENT = ("dac_east", "dac_north")
+REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
+AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
+OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
+GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
+TIMES = (GPS1[0], START[0], END[0])
+OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
+
+
+def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
+    r"""Return the dives of a table, NaN where a number is missing, and lines that hold none.
+
+    >>> header = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
+    >>> (dive,) = table_dives(header + "\n1,0,-43,8,9000,-43,8.1,8000,0", "mine.csv")
+    >>> round(dive.miss_east), dive.magvar
+    (154, None)
+    """
+    cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
+    header = list(cells.columns)
+    _check_header(header, path)
+    return [
+        _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
+        for line, row in zip(cells.index, cells.to_numpy(), strict=True)
+    ]
+
+
+def _check_header(header: list[str], name: str | Path) -> None:
+    """Refuse a header without a required column, or with a column twice."""
+    line = ",".join(header)
+    missing = [column for column in REQUIRED if column not in header]
+    if set(CURRENT) <= set(header) and not set(header) & set(THROUGH_WATER):
+        missing = [column for column in missing if column not in THROUGH_WATER]
+    if missing:
+        marks = other_marks(line, REQUIRED[0])
+        begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
+        why = f"no column {', '.join(missing)}; has {', '.join(header)[:300]}; {begins}"
+        raise DataError(f"{name}: {marks or why}")
+    double = [
+        column
+        for column in (*REQUIRED, *OPTIONAL, "vehicle")
+        if header.count(column) > 1
+    ]
+    if double:
+        raise DataError(
+            f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
+        )
+
+
+def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
+    number = whole_number(row.get("dive"))
+    if number is None:
+        given = repr(row.get("dive", "")[:30])
+        return Skipped(
+            None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}"
+        )
+    notes: list[str] = []
+    found: dict[str, Any] = {}
+    for column in (*REQUIRED[1:], *OPTIONAL):
+        text = row.get(column, "")
+        value = _number(text, column in TIMES)
+        if text and value is None:
+            what = AS_TIME if column in TIMES else "must be a number"
+            if column in REQUIRED:
+                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {what}")
+            notes.append(f"{where}: {column} is {text[:30]!r}; {what}")
+        finite = value is not None and isfinite(value)
+        found[column] = value if finite else nan if column in REQUIRED else None
+    start, end, through_water = (
+        tuple(found[column] for column in columns)
+        for columns in (START, END, THROUGH_WATER)
+    )
+    if not set(THROUGH_WATER) & set(row):
+        current = found["dac_east"], found["dac_north"]
+        if None in current:
+            through_water = nan, nan
+            notes.append(
+                "dac_east or dac_north is no number, and there is no dead reckoning"
+            )
+        else:
+            through_water = without_current(start, end, current)
+            notes.append("dead reckoning computed from dac_east, dac_north")
+    return make_dive(
+        number,
+        start,
+        end,
+        through_water,
+        **{column: found[column] for column in OPTIONAL},
+        vehicle=name_of(row.get("vehicle")),
+        notes=tuple(notes),
+    )
+
+
+def _number(text: str, is_time: bool) -> float | None:
+    """Return the number or the date, s since 1970, that a text is, or None."""
+    for read in (float, seconds_since_1970) if is_time else (float,):
+        with suppress(ValueError):
+            return read(text)
+    return None
+
+
+@public
+def write_dive_table(
+    dives: Iterable[Dive], path: str | Path, comment: str = ""
+) -> None:
+    """Write dives as a CSV table that reads back bit for bit.
+
+    Parameters
+    ----------
+    dives : iterable of Dive
+        In the order to write.
+    path : str or Path
+        The file.
+    comment : str
+        Lines for its head, written behind ``#``.
+
+    Raises
+    ------
+    DataError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from clpt_control.gliders import read_dives, sample_dives
+    >>> with TemporaryDirectory() as folder:
+    ...     write_dive_table(sample_dives(), f"{folder}/dives.csv", "fourteen dives of SG542")
+    ...     read_dives(folder)[0] == sample_dives()
+    True
+    """
+    lines = [f"# {line}".rstrip() for line in comment.splitlines()]
+    lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))
+    columns = (*START, *END, "dr_east", "dr_north", "gps_east", "gps_north", *OPTIONAL)
+    for dive in dives:
+        numbers = (getattr(dive, column) for column in columns)
+        cells = ("" if value is None else repr(float(value)) for value in numbers)
+        lines.append(",".join((str(dive.number), *cells)))
+    write_file(path, "\n".join(lines) + "\n")

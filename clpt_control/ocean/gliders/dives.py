@@ -1,0 +1,264 @@
+"""The dives of a file (`estimation.dive`), and lines and files that hold none.
+
+The depth-averaged current c that a file reports should be
+
+    c = miss / duration,
+
+an independent check that fixes and dead reckoning were read as they were meant.
+Seaglider basestations to version 2 compute it with 1852 m to a minute of latitude
+and the time of flight, which differs from ours by up to 0.5 % of the displacement
+between the fixes and by the minutes at the surface: some 2 mm/s, five at most in
+sound dives that were tried.  More says that the samples in the file are not all
+that its current was made of.
+
+A dive lies between two fixes, far enough apart in time, with a time under water between them.
+
+It may begin in one file and end in a later one.  Such a file is a segment of a Slocum's
+mission, rosie_713-2019-166-0-156.sbd or 00970156.sbd, or of a SeaExplorer's navigation,
+sea035.10.gli.sub.3 or .gz.  It gives the dives that end in it; the files before it, of the
+same vehicle in the same folder, are merged with it.
+"""
+
+import re
+from bisect import bisect_left
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import groupby, pairwise
+from math import atan2, degrees, hypot, inf
+from operator import itemgetter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas
+
+from ...base.arguments import public
+from ...base.errors import DataError
+from ...base.geodesy import displacement, is_place
+from ...base.units import known
+from ..currents.cf import number
+from ..estimation.dive import Dive as Dive
+from ..estimation.dive import Fix as Fix
+from ..estimation.dive import ThroughWater, dac_difference
+from ..estimation.dive import make_dive as make_dive
+
+MENTIONED = 0.01  # m/s
+LEAST_DEPTH = 5.0  # m that a dive reaches
+# of a dive: first of the stay before it, before, after it
+Three = tuple[Fix | None, Fix, Fix]
+NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
+LEAST_GAP = 300.0  # s between two fixes with a dive between them
+BACK = 6  # files before one that are merged with it at most
+SLOCUM_FILES = (
+    ".sbd",
+    ".mbd",
+    ".dbd",
+    ".scd",
+    ".mcd",
+    ".dcd",
+    ".sba",
+    ".mba",
+    ".dba",
+    ".asc",
+)
+SLOCUM = re.compile(
+    r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I
+)
+SEAEXPLORER = re.compile(
+    r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I
+)
+
+
+@public
+@dataclass(frozen=True)
+class Skipped:
+    """A dive that is not used, or a file or line that holds none: its number, if known, and why."""
+
+    dive: int | None
+    why: str
+
+
+class NotYet(DataError):
+    """A file that can be read once something beside it is there; it is tried at each look."""
+
+
+def whole_number(value: float | str | None) -> int | None:
+    """Return the number of a dive, below `NUMBERS` in size, or None where it is none.
+
+    >>> whole_number("7"), whole_number(7.5), whole_number("1e10"), whole_number("x")
+    (7, None, None, None)
+    """
+    found = number(value)
+    return int(found) if found.is_integer() and abs(found) < NUMBERS else None
+
+
+def is_fix(lat: Any, lon: Any) -> Any:
+    """Whether numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
+    return is_place(lat, lon) & ((lat != 0.0) | (lon != 0.0))
+
+
+def cut_dives(
+    fixes: Sequence[Fix], wet: np.ndarray | None, least_gap: float
+) -> list[Three]:
+    """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
+
+    Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
+
+    >>> up = [(0.0, 43.0, 8.0), (60.0, 43.0, 8.0), (7200.0, 43.0, 8.1), (9000.0, 43.0, 8.1)]
+    >>> cut_dives(up, np.array([600.0]), 300.0) == [tuple(up[:3])]
+    True
+    """
+    found: list[Three] = []
+    surfaced = 0  # first fix since the dive before
+    for k, (start, end) in enumerate(pairwise(fixes)):
+        dived = (
+            wet is None or np.ptp(np.searchsorted(wet, (start[0], end[0]), "right")) > 0
+        )
+        if end[0] - start[0] > least_gap and dived:
+            found.append((fixes[surfaced] if k > surfaced else None, start, end))
+            surfaced = k + 1
+    return found
+
+
+def planned_course(
+    fix: Fix, target: Sequence[float], reached: float = 0.0
+) -> float | None:
+    """Return the course of the next dive towards a target, degrees.
+
+    None where it is not known, or the fix after the dive is within `reached`, m, of the target.
+
+    >>> fix = (0.0, -43.0, 8.0)
+    >>> planned_course(fix, (-42.0, 8.0)), planned_course(fix, (-43.001, 8.0), 1000.0)
+    (0.0, None)
+    """
+    if not (is_place(*target) and is_fix(*fix[1:])):
+        return None
+    east, north = displacement(*fix[1:], *target)
+    return (
+        None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
+    )
+
+
+def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:
+    """Return the fixes of columns, of rows that can be one."""
+    good = is_fix(lat, lon)
+    return list(
+        zip(*(column[good].tolist() for column in (time, lat, lon)), strict=True)
+    )
+
+
+def dive_between(
+    number: int, fixes: Three, through: ThroughWater, **optional: Any
+) -> Dive:
+    """Make a dive, NaN as None; note where miss / duration is 10 mm/s off the file's own current.
+
+    >>> fixes = None, (1e9, -43.0, 8.0), (1e9 + 9000, -43.0, 8.0)
+    >>> through = ThroughWater((0.0, 450.0))
+    >>> dive_between(1, fixes, through, dac_east=0.0, dac_north=-0.05).notes
+    ()
+    >>> dive_between(1, fixes, through, dac_east=0.03, dac_north=-0.05).notes
+    ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
+    """
+    first: dict[str, Any] = dict(
+        zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
+    )
+    more = {"track": through.track, "turned": through.turned, **first}
+    for key, one in optional.items():
+        more[key] = known(float(one)) if isinstance(one, float) else one
+    dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
+    difference = dac_difference(dive)
+    if not MENTIONED < difference < inf:
+        return dive
+    note = (
+        f"miss over duration differs by {1e3 * difference:.0f} mm/s from the file's "
+        "depth-averaged current"
+    )
+    return noted(dive, note)
+
+
+def noted(dive: Dive, note: str) -> Dive:
+    """Return a dive with a note, which stands there once."""
+    return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
+
+
+def is_segment(path: Path) -> bool:
+    """Whether a name is that of a segment.
+
+    >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
+    [True, True, False]
+    """
+    return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
+
+
+def in_order(path: Path) -> tuple[list[str | int], str]:
+    """Return the key that sorts files as a vehicle numbers them.
+
+    >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
+    'sea035.1.gli.sub.9'
+    """
+    parts = re.split(r"(\d+)", path.name)
+    return [int(part) if k % 2 else part for k, part in enumerate(parts)], path.name
+
+
+def files_before(path: Path) -> list[Path]:
+    """Return the files before one of the same vehicle in its folder, the nearest last."""
+    try:
+        inside = [file for file in path.parent.iterdir() if file.name[:1] != "."]
+    except OSError:
+        return []
+    return before_each(dict.fromkeys([*inside, path]))[path]
+
+
+def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
+    """Return for each file of a folder those before it of the same vehicle, the nearest last."""
+    found = {}
+    ordered = sorted((*_order(file), file) for file in files)
+    for _, same in groupby(ordered, itemgetter(0)):
+        known = list(same)
+        for _, place, file in known:
+            k = bisect_left(known, place, key=itemgetter(1))
+            found[file] = [other for *_, other in known[max(k - BACK, 0) : k]]
+    return found
+
+
+def dives_across_files(
+    path: Path,
+    last: pandas.DataFrame,
+    read: Callable[[Path], pandas.DataFrame],
+    fixes_and_wet: Callable[[pandas.DataFrame], tuple[list[Fix], np.ndarray]],
+) -> tuple[pandas.DataFrame, list[Three]]:
+    """Return a file's log, `last`, merged with those of files before it, and all dives' fixes.
+
+    A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
+    under water; `fixes_and_wet` returns the fixes and the times under water.
+    """
+    parts = [last]
+    for before in reversed(files_before(path)):
+        fixes, wet = fixes_and_wet(_merged(parts))
+        if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
+            break
+        with suppress(DataError):  # named where it is read for itself
+            parts.insert(0, read(before))
+    whole = _merged(parts)
+    return whole, cut_dives(*fixes_and_wet(whole), LEAST_GAP)
+
+
+def _merged(parts: list[pandas.DataFrame]) -> pandas.DataFrame:
+    """Return logs as one, by time; at each time the first number of each column, NaN if none."""
+    whole = pandas.concat(parts)
+    return whole.where(np.isfinite(whole)).groupby(level=0).first()
+
+
+def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
+    """Return the times at which some columns of a log all have a number, and these numbers."""
+    return log[[*names]].dropna().reset_index().to_numpy().T
+
+
+def _order(path: Path) -> tuple[str, list[int]]:
+    """Return the vehicle and kind of a file, and its place among theirs."""
+    found = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
+    if not found:
+        return path.name, []
+    whose = f"{found['who']}{found['kind']}".lower()
+    return whose, [int(number) for number in re.findall(r"\d+", found["order"])]

@@ -1,0 +1,213 @@
+"""OceanGliders OG1 trajectory files: one NetCDF file per mission.
+
+The format (OceanGliders community, "OG1.0 format user manual") has one dimension
+`N_MEASUREMENTS` with `TIME`, `LATITUDE`, `LONGITUDE`, `DEPTH` along the track and
+`TIME_GPS`, `LATITUDE_GPS`, `LONGITUDE_GPS` at the fixes (`og1_columns`).  It
+standardizes neither dives nor dead reckoning.
+
+A dive lies between two fixes with more than ten minutes and a measurement under
+water between them: deeper than 5 m, else of a `PHASE` under water, else any.  What
+lacks one is a long surfacing.  Dives without a fix between them are one.  Files that give
+both fixes with each measurement are read as they say (`og1_columns`).
+
+The displacement dr through the water is the first that the file allows of
+
+1. displacements (m since the sample before): dr = sum_i d_i;
+2. the flight model's horizontal speed s and the heading h from true north, or
+   from magnetic north where the variation is in the file:
+   d_i = s_i (t_i - t_{i-1}) (sin h_i, cos h_i);
+3. the file's depth-averaged current c:
+   dr = (displacement between the fixes) - c (t_E - t_2);
+4. as 2 with a magnetic heading, rotated by IGRF's variation in the middle of the dive
+   (`samples.variation`), or a heading of which the file does not say from which north, taken as
+   true.
+
+The dive's notes say which it was where it was not the first.
+"""
+
+from math import isfinite, isnan, nan
+
+import numpy as np
+import pandas
+import xarray
+
+from ...base.errors import DataError
+from ..estimation.dive import Dive, Fix, ThroughWater, without_current
+from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
+from .og1_columns import columns_of, fixes_and_others, has_ends, segments_of
+from .og1_columns import is_known as is_known
+from .samples import deepest, summed, variation
+
+LEAST_GAP = 600.0  # s between two fixes with a dive between them
+UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
+
+
+def through_water(
+    rows: pandas.DataFrame, start: Fix, end: Fix, current: tuple[float, float]
+) -> ThroughWater:
+    """Return the displacement through the water of one dive from its rows, by time."""
+    found, steps = _summed(rows, start, end), rows.attrs["steps"]
+    if found is not None and steps.upper().endswith("_GSM"):
+        note = f"dead reckoning of the glide-slope model ({steps})"
+        return found._replace(notes=(*found.notes, note))
+    sure = rows.attrs["north"] == "true" or rows.magvar.notna().any()
+    own = all(map(isfinite, current))
+    if found is None and (sure or not own):
+        found = _along_heading(rows, start, end)
+    if found is None and own:
+        total = without_current(start, end, current)
+        note = "dead reckoning computed from the file's depth-averaged current"
+        return ThroughWater(total, notes=[note])
+    lacking = (
+        "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, "
+        "no depth-averaged current"
+    )
+    return found or ThroughWater(notes=[lacking])
+
+
+def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
+    """Return the dead reckoning of speed and heading; None where a dive has neither.
+
+    A row with a heading and no speed is a stall of the flight model: no step.
+    """
+    turned, north = _variation_of(rows, start, end)
+    steered = rows.dropna(subset="heading")
+    step = steered.speed * steered.time.diff().fillna(0.0)
+    heading = np.radians(steered.heading + (turned or 0.0))
+    flown = steered.assign(east=step * np.sin(heading), north=step * np.cos(heading))
+    found = _summed(flown.dropna(subset="east"), start, end)
+    if found is None or not isfinite(found.total[0]):
+        return found
+    note = f"dead reckoning of the flight model's speed and the heading, {north}"
+    return found._replace(turned=turned, notes=(*found.notes, note))
+
+
+def _variation_of(
+    rows: pandas.DataFrame, start: Fix, end: Fix
+) -> tuple[float | None, str]:
+    """Return the variation of a dive's heading (degrees east), None if true; which north it has."""
+    north, measured = rows.attrs["north"], rows.magvar.dropna()
+    if north == "true":
+        return None, north
+    found, whose = 0.0, "not known"
+    if len(measured):
+        found, whose = float(measured.median()), "of the file"
+    elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
+        found, whose = igrf, "by IGRF"
+    which = north or "of a north that the file does not name"
+    return (
+        found,
+        f"{which}, variation {found:.0f} degrees ({whose}; --variation gives another)",
+    )
+
+
+def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
+    """Sum the steps east and north of a dive; None where it has none."""
+    known = rows.dropna(subset=["east", "north"])
+    if known.empty:
+        return None
+    rows = (
+        known
+        if _spanning(rows, known)
+        else rows[rows.wet | rows.index.isin(known.index)]
+    )
+    notes, duration = [], end[0] - start[0]
+    again = rows.time.diff() == 0
+    if rows.loc[again, ["east", "north"]].any(axis=None):
+        notes.append(f"{again.sum()} samples have the time of the one before, left out")
+    rows = rows[~again]
+    since = (rows.time - start[0]).to_numpy()
+    steps = rows[["east", "north"]].to_numpy().T
+    return summed(since, steps, rows.depth.to_numpy(), duration, notes)
+
+
+def _spanning(rows: pandas.DataFrame, known: pandas.DataFrame) -> bool:
+    """Return whether a step after samples without one covers their time too, by its length."""
+    whole, own = known.time.diff(), rows.time.diff()[known.index]
+    length, after = np.hypot(known.east, known.north), whole > own
+    speed = (length / own)[~after & (own > 0)].median()
+    return not (length - 0.5 * speed * (whole + own))[after].median() < 0
+
+
+def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
+    """Return the dives of a file by time, between fixes that are far apart in time."""
+    of = columns_of(data)
+    of["wet"] = _under_water(of)
+    if has_ends(data):
+        return _of_segments(of, segments_of(of))
+    fixes, failed = fixes_and_others(of)
+    under = np.sort(of.time[of.wet].dropna())
+    found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
+    dives: list[Dive | Skipped] = []
+    for count, three in enumerate(found, 1):
+        notes, (_, start, end) = [], three
+        if (_between(of, start, end).time.diff() < 0).any():
+            notes.append("the measurements were not in order of time, sorted")
+        bad = int(np.sum((failed >= start[0]) & (failed <= end[0])))
+        if bad:
+            notes.append(
+                f"{bad} fix(es) that are no place, 0 N 0 E or under water left out"
+            )
+        dives.append(_dive(of, three, count, notes))
+    if not dives:
+        raise DataError(
+            f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
+            "a dive needs one before and one after it"
+        )
+    return dives
+
+
+def _of_segments(
+    of: pandas.DataFrame, segments: list[tuple[Fix, Fix, list[str]]]
+) -> list[Dive | Skipped]:
+    """Return the dives of segments with a measurement under water, and the others."""
+    found: list[Dive | Skipped] = []
+    for count, (start, end, notes) in enumerate(segments, 1):
+        inside = _between(of, start, end)
+        if isfinite(start[0]) and not inside.wet.any():
+            known = inside.number.dropna().tolist()
+            number = int(known[0]) if known else None
+            found.append(
+                Skipped(number, "no measurement under water between its fixes")
+            )
+        else:
+            found.append(_dive(of, (None, start, end), count, notes))
+    return found
+
+
+def _between(of: pandas.DataFrame, start: Fix, end: Fix) -> pandas.DataFrame:
+    return of[(of.time > start[0]) & (of.time <= end[0])]
+
+
+def _under_water(of: pandas.DataFrame) -> pandas.Series:
+    """Return which rows are measurements under water."""
+    wet = (of.phase.isna() | of.phase.isin((0, *UNDER_WATER))) & of.lat.isna()
+    return wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)
+
+
+def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) -> Dive:
+    """Make the dive between fixes; `otherwise` is its number where none is known."""
+    _, start, end = fixes
+    rows = _between(of, start, end).sort_values("time", kind="stable")
+    wet, middle = rows[rows.wet], rows.median()
+    current = middle.u, middle.v
+    numbers = np.unique(wet.number.dropna())
+    number = wet.number.median() if numbers.size else middle.number
+    if numbers.size > 1:
+        notes.append(
+            f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one"
+        )
+        current = nan, nan
+    found = through_water(rows, start, end, current)
+    greatest = middle.depth_max
+    return dive_between(
+        otherwise if isnan(number) else int(number),
+        fixes,
+        found,
+        dac_east=current[0],
+        dac_north=current[1],
+        dac_qc=middle.qc,
+        magvar=middle.magvar if found.turned is None else found.turned,
+        depth_max=deepest(rows.depth.to_numpy()) if isnan(greatest) else greatest,
+        notes=(*notes, *found.notes, *of.attrs["notes"]),
+    )

@@ -1,0 +1,254 @@
+"""Columns of an OG1 file: whatever it calls them, under one name, in SI units.
+
+Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its
+vocabulary `WCUR_X`, `WCUR_Y` and `DEAD_RECKONING`;
+numbers of dives, displacements, the flight model's speed and the depth-averaged
+current are named as by seagliderOG1 and votoutils, or kept from the basestation.
+
+Every column has one number per row, NaN where there is none.  Rows are those of
+`N_MEASUREMENTS`; fixes that stand on a dimension of their own follow as further
+rows.  Where there is no `TIME_GPS`, a fix has the `TIME` of its row.  Where there is no
+`LATITUDE_GPS`, fixes are the places with `DEAD_RECKONING` = 0, which the receiver gave.
+Times of fixes without units are in the unit in which most of them lie among the
+measurements, or within a day of them.
+
+Some files, of Spray, say of every measurement where and when its dive ended:
+`TIME_GPS_END`, `LATITUDE_GPS_END`, `LONGITUDE_GPS_END` are the fix after the dive,
+repeated at its measurements, `TIME_GPS`, `LATITUDE_GPS`, `LONGITUDE_GPS` the one
+before it.  Where that one is missing, it follows from the middle of the segment under
+water (`TIME_UV`, `LATITUDE_UV`, `LONGITUDE_UV`), which its maker defines as halfway
+between both fixes (Scripps Institution of Oceanography, comments of sp028_20230202T1637):
+
+    start = 2 middle - end,
+
+good to twice the last digit of the file, some 10 m.
+"""
+
+from math import nan
+
+import numpy as np
+import pandas
+import xarray
+
+from ...base.errors import DataError
+from ..currents.cf import said
+from .dives import Fix, fixes_in, is_fix
+from .samples import SURFACE, metres, metres_per_second, seconds, values
+from .usable_dives import DAY, SMALLER
+
+FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
+PLACES = ("TIME", "LATITUDE", "LONGITUDE")
+PLACE = ("lat", "lon")
+FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
+HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
+FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
+# of a dive: how names end
+ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
+
+
+def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
+    radians = said(data[name]).lower().startswith("rad")
+    return np.degrees(values(data, name)) if radians else values(data, name)
+
+
+QUANTITIES = {  # of a measurement: what files call it, and how it is read
+    "east": (("EAST_DISPLACEMENT", "EAST_DISPLACEMENT_GSM"), metres),
+    "north": (("NORTH_DISPLACEMENT", "NORTH_DISPLACEMENT_GSM"), metres),
+    "speed": (
+        ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED"),
+        metres_per_second,
+    ),
+    "heading": (HEADING, _degrees),
+    "u": (
+        ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X"),
+        metres_per_second,
+    ),
+    "v": (
+        ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y"),
+        metres_per_second,
+    ),
+    "number": (
+        ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"),
+        values,
+    ),
+    "qc": (
+        ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"),
+        values,
+    ),
+    "magvar": (("MAGNETIC_VARIATION",), values),
+    "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
+    "depth_max": (("DEPTH_MAX",), metres),
+    "phase": (("PHASE",), values),
+    **{
+        f"{key}_{end}": ((f"{name}{suffix}",), read)
+        for end, suffix in ENDS.items()
+        for key, name, read in zip(
+            ("time", *PLACE), PLACES, (seconds, values, values), strict=True
+        )
+    },
+}
+
+
+def is_known(data: xarray.Dataset) -> bool:
+    """Whether a NetCDF file is an OG1 trajectory."""
+    known = known_names(data)
+    return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
+
+
+def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
+    """Return the columns of a file by name, and in `attrs` what it says of them.
+
+    `t_fix`, `lat`, `lon` are of the fixes; `time`, `east`, `north` (steps, m), `speed`,
+    `heading` (degrees), `u`, `v`, `number`, `qc`, `magvar`, `depth`, `depth_max` and
+    `phase` of the measurements, and with `_before`, `_after` and `_middle` time and place of the
+    fixes around their dive and of its middle, where the file has them.  `attrs` has the `north` of
+    the heading, "magnetic", "true" or "" where the file does not say, the name of the `steps`, and
+    `notes` on all dives.
+    """
+    known = known_names(data)
+    fixes, t_name = _fix_columns(data, known)
+    time = seconds(data, known["TIME"]).ravel() if "TIME" in known else fixes[0]
+    notes: list[str] = []
+    if t_name in known and not said(data[known[t_name]]):
+        unit = unit_of_times(fixes[0], time)
+        if unit:
+            fixes[0] = fixes[0] / SMALLER[unit]
+            notes.append(
+                f"{t_name} has no units and is read as {unit}, as its numbers are"
+            )
+    of, steps = {"time": time}, ""
+    for key, (candidates, read) in QUANTITIES.items():
+        of[key] = np.full(time.size, nan)
+        for name in (known[one] for one in candidates if one in known):
+            found = read(data, name).ravel()
+            if data[name].ndim == 0:  # one number for the mission
+                found = np.full(time.size, found[0])
+            if found.shape == time.shape and np.isfinite(found).any():
+                of[key] = found
+                steps = name if key == "east" else steps
+                break
+    of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
+    beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
+    whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
+    # sums of larger are infinite
+    whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)
+    whole.attrs = {"north": _frame(data, known), "steps": steps, "notes": tuple(notes)}
+    return whole
+
+
+def _fix_columns(
+    data: xarray.Dataset, known: dict[str, str]
+) -> tuple[list[np.ndarray], str]:
+    """Return time (s), latitude and longitude of the fixes, and the name of that time."""
+    latitude, names, fixed = known.get("LATITUDE_GPS"), FIXES, np.array(True)
+    bare = latitude is None or not np.isfinite(values(data, latitude)).any()
+    if bare and {*PLACES, FLAG} <= set(known):
+        names, fixed = PLACES, values(data, known[FLAG]) == 0
+    elif "TIME_GPS" not in known and "TIME" in known:
+        names = ("TIME", *FIXES[1:])
+    missing = [name for name in names if name not in known]
+    if missing:
+        raise DataError(
+            f"no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
+            "needed, as is the displacement through the water; a CSV table of dives can give both"
+        )
+    time = seconds(data, known[names[0]])
+    places = [np.where(fixed, values(data, known[name]), nan) for name in names[1:]]
+    if any(place.shape != time.shape or place.ndim != 1 for place in places):
+        raise DataError(f"{', '.join(names)} differ in length; must be one per fix")
+    return [time, *places], names[0]
+
+
+def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
+    """Return the unit smaller than s in which times of fixes lie among measurements (s), or ''.
+
+    >>> measured = np.array([1.0e9, 1.1e9])
+    >>> unit_of_times(np.array([1.01e18, np.nan]), measured), unit_of_times(measured, measured)
+    ('nanoseconds', '')
+    """
+    known, fixes = time[np.isfinite(time)], fixes[np.isfinite(fixes)]
+    if not (known.size and fixes.size):
+        return ""
+    middle = float(np.median(fixes))
+    first, last = known.min() - DAY, known.max() + DAY
+    return next(
+        (unit for unit, size in SMALLER.items() if first <= middle / size <= last), ""
+    )
+
+
+def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
+    """Return the fixes by time, and times of fixes that are left out.
+
+    These are half a fix, one off the Earth, and one under water: in a row deeper than
+    20 m, at a time at which the vehicle cannot be up from there.  Where most fixes are,
+    the file is refused.  Where fixes stand under water too, each was repeated until the
+    next; the first of each is taken.
+    """
+    lat, lon, when, time, depth = of[[*PLACE, "t_fix", "time", "depth"]].to_numpy().T
+    some = np.isfinite(lat) | np.isfinite(lon)
+    good = is_fix(lat, lon) & (when > 0)
+    rows, failed = np.flatnonzero(good), when[some & ~good]
+    deep = depth[rows] > SURFACE
+    if deep.any():
+        moved = [np.diff(axis[rows], prepend=np.inf) != 0 for axis in (lat, lon)]
+        first = moved[0] | moved[1]
+        afloat = ~deep | (when[rows] - time[rows] >= depth[rows] / FASTEST_CLIMB)
+        wrong = rows[first & ~afloat]
+        if wrong.size > first.sum() / 2:
+            raise DataError(
+                f"LATITUDE_GPS, LONGITUDE_GPS have {wrong.size} new fixes under water, the first "
+                f"in row {wrong[0]} (from 0); fixes are made at the surface: set both to NaN there"
+            )
+        failed = np.concatenate([failed, when[wrong]])
+        rows = rows[first & afloat]
+    rows = rows[np.argsort(when[rows], kind="stable")]
+    return fixes_in(when[rows], lat[rows], lon[rows]), failed
+
+
+def known_names(data: xarray.Dataset) -> dict[str, str]:
+    """Return names in the file by their capitals; a name in capitals goes before others."""
+    return {
+        str(name).upper(): str(name)
+        for name in sorted(map(str, data.variables), reverse=True)
+    }
+
+
+def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
+    """Return which north the heading has, by the words of its attributes."""
+    name = next((known[name] for name in HEADING if name in known), None)
+    if name is None:
+        return ""
+    words = " ".join(str(value) for value in data[name].attrs.values()).lower()
+    return "magnetic" if "magnetic" in words else "true" if "true" in words else ""
+
+
+def has_ends(data: xarray.Dataset) -> bool:
+    """Whether the file has a fix after the dive for each measurement."""
+    return {f"{name}{ENDS['after']}" for name in PLACES} <= set(known_names(data))
+
+
+def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
+    """Return the fixes before and after each dive by time, NaN where there is none, and notes."""
+    parts = []
+    for end in ENDS:
+        time, lat, lon = (of[f"{key}_{end}"] for key in ("time", *PLACE))
+        good = is_fix(lat, lon) & time.notna()
+        parts += [part.where(good) for part in (time, lat, lon)]
+    if parts[0].isna().all():
+        raise DataError(
+            "TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
+            "one before and one after it"
+        )
+    columns = pandas.concat(parts, axis=1)
+    found = []
+    for row in columns.groupby("time_after", as_index=False).first().to_numpy():
+        # what is there, of each end
+        end, start, middle = row[:3], row[3:6], row[6:9]
+        notes = []
+        if np.isnan(start).any() and not np.isnan(middle).any():
+            start = 2 * middle - end
+            notes.append(
+                "the fix before the dive computed from the segment's middle and its end"
+            )
+        found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
+    return found

@@ -1,0 +1,148 @@
+"""SeaExplorer: dives from the glider's navigation files, NAME.gli.sub.N, plain or .gz.
+
+A text of columns between `;`: Timestamp (day/month/year), NavState, Heading and Declination
+(degrees, their sum from true north), Pitch (degrees, nose up), Depth (m), Lat and Lon
+in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.
+
+A dive lies between two fixes with a depth of more than 5 m between them.  It often ends in the
+file after that in which it began (`dives`).  The vehicle flies along its nose,
+
+    u = -(dz/dt)/tan(pitch),    dr = sum_i u_i (t_i - t_{i-1}) (sin h_i, cos h_i),
+
+with dz/dt of second order in time.  Where the nose is within 10 degrees of the horizon, or u is
+below 0 or above 1.5 m/s, as at a turn, u is 0.  The glider knows no angle of attack: its true
+speed is another one, which the replay's speed factor learns.
+
+The plan of the next dive is the last DesiredH (degrees), taken from true north.
+"""
+
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pandas
+
+from ...base.errors import DataError
+from ...base.files.reading import LARGEST, read_bytes, text_of
+from ..currents.text_table import table_of
+from ..estimation.dive import Dive, Fix, ThroughWater
+from .dives import (
+    LEAST_DEPTH,
+    Three,
+    dive_between,
+    dives_across_files,
+    fixes_in,
+    logged,
+)
+from .samples import deepest, degrees, summed
+
+GZIP = b"\x1f\x8b"
+FIRST = "Timestamp;"
+NEEDED = ("NavState", "Heading", "Declination", "Pitch", "Depth", "Lat", "Lon")
+OPTIONAL = (
+    "DeadReckoning",  # 1 where Lat, Lon are no fix
+    "DesiredH",  # heading that is steered, degrees
+)
+AT_SURFACE = 116
+LEAST_PITCH = 10.0  # degrees
+FASTEST = 1.5  # m/s
+
+
+def is_known(text: str) -> bool:
+    """Whether a text is a navigation file."""
+    line = text.partition("\n")[0]
+    return line.startswith(FIRST) and "NavState" in line
+
+
+def text_in(raw: bytes, path: Path, no_text: str = "no text") -> str:
+    """Return the text of a file, of a .gz as far as it is whole."""
+    if not raw.startswith(GZIP):
+        return text_of(raw, path, no_text)
+    try:
+        plain = zlib.decompressobj(31).decompress(raw, LARGEST)
+    except zlib.error:
+        raise DataError(f"{path}: its gzip is damaged") from None
+    return text_of(
+        plain, path, "is a gzip of no text; must be a SeaExplorer's .gli file"
+    )
+
+
+def dives_of(text: str, path: Path) -> list[Dive]:
+    """Return the dives that end in a file."""
+
+    def read(before: Path) -> pandas.DataFrame:
+        return _log(text_in(read_bytes(before), before), before)
+
+    last = _log(text, path)
+    log, found = dives_across_files(path, last, read, _fixes_and_wet)
+    if not _fixes_and_wet(log)[0]:
+        raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
+    digits = [part for part in path.name.split(".") if part.isdecimal()]
+    which = int(digits[-1]) if digits else 0
+    return [
+        _dive(log.loc[three[1][0] : three[2][0]], three, which)
+        for three in found
+        if three[2][0] >= last.index.min()
+    ]
+
+
+def _log(text: str, path: Path) -> pandas.DataFrame:
+    """Return the rows of a file that have a time, by it, NaN where a number is missing."""
+    if not text.endswith("\n"):  # cut short, so its last number may be another
+        text = text.rpartition("\n")[0] or text
+    cells = table_of(text, path, "a SeaExplorer's .gli file", ";")
+    cells = cells.loc[:, ~cells.columns.duplicated()]
+    missing = [name for name in NEEDED if name not in cells]
+    if missing:
+        raise DataError(
+            f"{path}: no column {', '.join(missing)} in the SeaExplorer file"
+        )
+    form = {"format": "%d/%m/%Y %H:%M:%S", "errors": "coerce", "utc": True}
+    when = pandas.to_datetime(cells.iloc[:, 0], **form) - pandas.Timestamp(0, tz="UTC")
+    log = cells.reindex(columns=[*NEEDED, *OPTIONAL]).apply(
+        pandas.to_numeric, errors="coerce"
+    )
+    log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
+    if log.empty:
+        raise DataError(
+            f"{path}: no line has a Timestamp such as 13/06/2019 18:21:39 in the SeaExplorer file"
+        )
+    return log
+
+
+def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
+    """Return the fixes, places that are new at the surface, and times under water."""
+    afloat = (log.NavState == AT_SURFACE) & ~(log.DeadReckoning > 0)
+    new = (log[["Lat", "Lon"]].ffill().diff() != 0).any(axis=1) & (
+        log.index > log.index[0]
+    )
+    time, *place = logged(log[afloat & new], "Lat", "Lon")
+    return fixes_in(time, *map(degrees, place)), log.index[
+        log.Depth > LEAST_DEPTH
+    ].to_numpy()
+
+
+def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
+    _, start, end = fixes
+    steered = log.DesiredH.dropna()
+    time, heading, declination, pitch, depth = logged(
+        log, "Heading", "Declination", "Pitch", "Depth"
+    )
+    found = ThroughWater(notes=["no samples"])
+    if time.size > 2:
+        nose, true = np.radians(pitch), np.radians(heading + declination)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            speed = -np.gradient(depth, time) / np.tan(nose)
+        flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)
+        step = np.where(flies, speed, 0.0) * np.diff(time, prepend=time[0])
+        steps = step * np.array([np.sin(true), np.cos(true)])
+        found = summed(time - start[0], steps, depth, end[0] - start[0], [])
+    return dive_between(
+        which,
+        fixes,
+        found,
+        magvar=float(np.median(declination)) if declination.size else None,
+        depth_max=deepest(depth),
+        next_course=steered.iloc[-1].item() % 360.0 if steered.size else None,
+        notes=tuple(found.notes),
+    )

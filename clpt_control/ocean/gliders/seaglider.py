@@ -1,0 +1,218 @@
+"""Seaglider basestation files: NetCDF, one per dive.
+
+The basestation (University of Washington and Kongsberg) stores the displacement through
+the water since the sample before, by its hydrodynamic model, in
+`east_displacement`, `north_displacement` (m): their sums are the dead reckoning,
+
+    dr = sum_i (displacement of sample i),
+
+and where that model is missing the glide-slope model (`_gsm`) is read.  Times are
+`ctd_time` or `time`, whichever has the dimension of the displacement: one
+`sg_data_point` in files to version 2, one per instrument in those of version 3.
+
+The three fixes of a dive, `log_gps_time`, `log_gps_lat`, `log_gps_lon`, shape (3,), are
+GPS1 (first fix of the surfacing before the dive), GPS2 (last fix before it) and GPSE
+(first after it).  A receiver that times out is logged at 0 N 0 E with a horizontal dilution of
+precision (hdop) of 99.  The fix before the dive is the later of GPS1 and GPS2:
+where GPS2 failed, an older one may stand in its place.
+
+The plan is that of the dive which was flown, and the next one's as far as it goes on: `log_HEADING`
+(degrees, below 0 where none is commanded), else the way to `log_TGT_LATLONG` (ddmm.mmm,dddmm.mmm)
+until it is within `log_TGT_RADIUS` (m).
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from math import isfinite, nan
+from pathlib import Path
+
+import numpy as np
+import xarray
+
+from ...base.errors import DataError
+from ...base.units import known
+from ..estimation.dive import Dive, Fix, ThroughWater
+from . import samples
+from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_number
+
+FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
+NAMES = ("GPS1", "GPS2", "GPSE")
+GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
+FAILED = 99.0  # hdop of a receiver that timed out
+DEPTHS = ("depth", "ctd_depth", "eng_depth")
+
+
+def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str]]:
+    """Return the fixes of a file whose first sample is at a time (s, NaN where not known).
+
+    A fix that failed is NaN, and its note says so; the first is None where it cannot be used.
+    """
+    missing = [name for name in FIXES if name not in data.variables]
+    if missing:
+        raise DataError(
+            f"no variable {' and no '.join(missing)}; a Seaglider basestation file has "
+            "its fixes there"
+        )
+    columns = [
+        samples.seconds(data, FIXES[0]),
+        *(samples.values(data, name) for name in FIXES[1:]),
+    ]
+    if any(column.shape != (3,) for column in columns):
+        raise DataError(
+            f"{columns[0].size} fixes in {FIXES[0]}; must be 3: GPS1, GPS2 and GPSE"
+        )
+    notes, of = [], np.array(columns)
+    hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
+    for k, name in enumerate(NAMES):
+        flag = samples.scalar(data, f"{name}_qc") or flags[k]
+        if hdop[k] >= FAILED:
+            of[:, k] = nan
+            notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
+        elif k and isfinite(flag) and flag not in GOOD:
+            notes.append(f"the file flags {name} {flag:g}")
+    first, start, end = ((time, lat, lon) for time, lat, lon in of.T.tolist())
+    if not (isfinite(first[0]) and is_fix(*first[1:])):
+        return (None, start, end), notes
+    if start[0] < first[0]:
+        taken = first[0] <= first_sample
+        which = "taken as the fix before the dive" if taken else "left out"
+        notes.append(
+            f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1, which is {which}"
+        )
+        return (None, first if taken else start, end), notes
+    return (first, start, end), notes
+
+
+def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return a number of each of three fixes, NaN where there are none."""
+    found = samples.values(data, name) if name in data.variables else np.empty(0)
+    return found if found.shape == (3,) else np.full(3, nan)
+
+
+def is_known(data: xarray.Dataset) -> bool:
+    """Whether a NetCDF file is of the Seaglider basestation."""
+    return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
+
+
+def dive_of(data: xarray.Dataset, path: Path) -> Dive:
+    """Return the dive of a file, NaN where a fix or the displacement is missing."""
+    pairs = [
+        (f"east_displacement{model}", f"north_displacement{model}")
+        for model in ("", "_gsm")
+    ]
+    names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
+    time, why_not = _times(data, names[0]) if names else (None, "")
+    fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
+    found = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
+    depths = (
+        samples.deepest(samples.metres(data, name))
+        for name in DEPTHS
+        if name in data.variables
+    )
+    return dive_between(
+        _number(data, path),
+        fixes,
+        found,
+        dac_east=samples.scalar(data, "depth_avg_curr_east"),
+        dac_north=samples.scalar(data, "depth_avg_curr_north"),
+        dac_qc=samples.scalar(data, "depth_avg_curr_qc"),
+        magvar=_variation(data),
+        depth_max=next((depth for depth in depths if depth is not None), None),
+        next_course=_next_course(data, fixes[2]),
+        notes=(*found.notes, *([why_not] if why_not else []), *doubts),
+    )
+
+
+def number_in_name(path: Path) -> int | None:
+    """Return the dive of a name pSSSDDDD.nc (vehicle, dive), or None."""
+    named = re.fullmatch(r"p\d{3}(\d{4})", path.stem)
+    return int(named[1]) if named else None
+
+
+def _number(data: xarray.Dataset, path: Path) -> int:
+    """Return the number of the dive."""
+    named = (
+        data.attrs.get("dive_number"),
+        samples.scalar(data, "log_DIVE"),
+        number_in_name(path),
+    )
+    for value in named:
+        whole = whole_number(value)
+        if whole is not None:
+            return whole
+    raise DataError(
+        f"neither dive_number nor log_DIVE is a whole number below {NUMBERS}, and the name is not "
+        "such as p5420304.nc"
+    )
+
+
+def _variation(data: xarray.Dataset) -> float | None:
+    """Return the magnetic variation, that of GPS2 where the file has one per fix."""
+    found = samples.scalar(data, "magnetic_variation")
+    return (
+        known(_of_fixes(data, "log_gps_magvar").tolist()[1]) if found is None else found
+    )
+
+
+def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
+    """Return the course of the next dive by the plan of this one, None where there is none."""
+    heading = samples.scalar(data, "log_HEADING")
+    if heading is not None and heading >= 0:
+        return heading % 360.0
+    text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
+    words = text.astype(str).item().split(",") if text.size == 1 else []
+    if len(words) != 2:
+        return None
+    target = samples.degrees(np.array([*map(samples.number, words)])).tolist()
+    return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
+
+
+def _of_samples(data: xarray.Dataset, names: Sequence[str], like: str) -> Iterator[str]:
+    """Return those of some variables that have the dimension of another."""
+    there = (name for name in names if name in data.variables)
+    return (name for name in there if data[name].dims == data[like].dims)
+
+
+def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:
+    """Return times of the samples that a variable has, or why there are none."""
+    others = sorted(name for name in map(str, data.variables) if name.endswith("_time"))
+    for name in _of_samples(data, ("ctd_time", "time", *others), like):
+        time = samples.seconds(data, name)
+        if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
+            return time, ""
+    return None, f"no track: no times in order with the dimension of {like}"
+
+
+def _dead_reckoning(
+    data: xarray.Dataset,
+    names: tuple[str, str] | None,
+    time: np.ndarray | None,
+    start: float,
+    end: float,
+) -> ThroughWater:
+    """Sum the displacement through the water."""
+    if names is None:
+        return ThroughWater(
+            notes=["no variables east_displacement, north_displacement"]
+        )
+    notes = []
+    if names[0].endswith("_gsm"):
+        notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
+    east, north = (samples.metres(data, name) for name in names)
+    if east.shape != north.shape or east.ndim != 1 or not east.size:
+        wrong = f"{names[0]} and {names[1]} differ in length or are empty"
+        return ThroughWater(notes=[*notes, wrong])
+    if time is None:
+        return ThroughWater((float(np.sum(east)), float(np.sum(north))), notes=notes)
+    depth = _depths(data, names[0])
+    return samples.summed(
+        time - start, np.array([east, north]), depth, end - start, notes
+    )
+
+
+def _depths(data: xarray.Dataset, like: str) -> np.ndarray:
+    """Return depths of the samples that a variable has, NaN where there are none."""
+    name = next(_of_samples(data, DEPTHS, like), None)
+    return (
+        np.full(data[like].shape, nan) if name is None else samples.metres(data, name)
+    )

@@ -1,0 +1,213 @@
+"""Dives that can be used, and why the others cannot.
+
+A dive needs both fixes, a time and a place each, in their order, and a finite
+displacement through the water; no speed that follows from them may be above 5 m/s.
+Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too).
+
+Between two dives a vehicle drifts at the surface, or makes dives that are not known.  A dive that
+starts further than
+
+    max(5 m/s * time between them, `ASTRAY`)
+
+from both fixes of the one before is of another vehicle.  What is less far, and yet further than it
+can be, tells of a wrong fix, which costs no dive: a replay judges it (`replay.doubts`).
+"""
+
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from math import hypot, isfinite
+
+import numpy as np
+
+from ...base.arguments import public
+from ...base.geodesy import distance, is_place
+from ..currents.constituents import YEARS
+from .dives import NUMBERS, Dive, Skipped, is_fix, noted
+
+LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
+FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
+LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
+DAY = 86400.0  # s
+FILLS = (999.0, 9999.0, 99999.0)
+# in one second
+SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
+OVERLAP = 60.0  # s that neighbours may share by rounding
+MISSION = 1000  # dives: a larger step in the numbers is another mission
+SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
+OWN = "replay each on its own"
+ASTRAY = 50e3  # m that a fix may be off, however short the time
+
+
+@public
+def usable(
+    dives: Iterable[Dive], least_duration: float = LEAST_DURATION
+) -> tuple[list[Dive], list[Skipped]]:
+    """Sort dives by time and leave out those that cannot be used.
+
+    A dive is used when it has both fixes in their order and in the years 1970
+    to 2200, finite dead reckoning, lasts longer than `least_duration`, needs no
+    speed above 5 m/s, does not overlap one that ended before it, and starts where
+    a vehicle can have got to from a fix of the used dive before.  Whether a dive is
+    used depends on earlier ends only, so a later dive never changes it.
+
+    Parameters
+    ----------
+    dives : iterable of Dive
+        In any order.
+    least_duration : float
+        Longest duration that is too short, s.
+
+    Returns
+    -------
+    used : list of Dive
+        By time; gaps in the numbers and a changed order stand in `notes`.
+    skipped : list of Skipped
+        The others, each with its reason.
+
+    Examples
+    --------
+    >>> from clpt_control.ocean.gliders.dives import make_dive
+    >>> fixes = (0.0, -43.0, 8.0), (9000.0, -43.0, 8.01)
+    >>> dives = [make_dive(7, *fixes, (500.0, 0.0)), make_dive(8, *fixes, (float("nan"), 0.0))]
+    >>> used, skipped = usable(dives)
+    >>> [dive.number for dive in used], skipped[0].dive, skipped[0].why
+    ([7], 8, 'the displacement through the water is not finite')
+    """
+    fit, skipped, latest = [], [], -np.inf
+    for dive in dives:
+        why = _fault(dive, least_duration)
+        if why:
+            skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
+            continue
+        if dive.t_gpse < latest:
+            dive = noted(dive, "came after a later dive, sorted by time")
+        latest = max(latest, dive.t_gpse)
+        fit.append(dive)
+    ordered = sorted(fit, key=_by_time)
+    used, name = ordered[:1], ordered[0].vehicle if ordered else None
+    for dive in ordered[1:]:
+        before = used[-1]
+        why = _overlap(dive, before) or _too_far(dive, before)
+        if why:
+            skipped.append(Skipped(dive.number, why))
+            continue
+        missing = dive.number - before.number - 1
+        if 0 < missing < MISSION and not follows(dive, before):
+            dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
+        if dive.vehicle and name and dive.vehicle.casefold() != name.casefold():
+            dive = noted(dive, f"is of {dive.vehicle}, those before of {name}: {OWN}")
+        name = dive.vehicle or name
+        used.append(dive)
+    return used, skipped
+
+
+def follows(dive: Dive, before: Dive) -> bool:
+    """Whether a dive is the next one, as far as numbers and times tell."""
+    since = dive.t_gps2 - before.t_gpse
+    return dive.number == before.number + 1 or since <= SHARE * min(
+        dive.duration, before.duration
+    )
+
+
+def _fault(dive: Dive, least_duration: float) -> str:
+    """Return why a dive alone cannot be used, empty where it can."""
+    if not abs(dive.number) < NUMBERS:
+        return (
+            f"its number is {dive.number:.6g}; must be a whole number below {NUMBERS}"
+        )
+    why = _fix_fault("before", dive.t_gps2, dive.lat_gps2, dive.lon_gps2)
+    why = why or _fix_fault("after", dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
+    if why:
+        return why
+    if dive.duration <= 0:
+        return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
+    if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
+        return "the displacement through the water is not finite"
+    if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
+        return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
+    if not dive.duration > least_duration:
+        least = f"{least_duration:g} s (--least-duration)"
+        return f"lasts {dive.duration:.6g} s; must last longer than {least}"
+    for name, length in (
+        ("between the fixes", hypot(dive.gps_east, dive.gps_north)),
+        ("through the water", hypot(dive.dr_east, dive.dr_north)),
+    ):
+        if length > FASTEST * dive.duration:
+            return (
+                f"the displacement {name} is {length / 1000:.4g} km, "
+                f"{length / dive.duration:.3g} m/s; at most {FASTEST:g} m/s can be"
+            )
+    return ""
+
+
+def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:
+    """Return what is wrong with one fix, empty where it is good."""
+    if minutes := _in_minutes(lat, lon):
+        return f"the fix {name} the dive is at latitude {lat:g}, longitude {lon:g}: {minutes}"
+    if not (isfinite(time) and is_fix(lat, lon)):
+        return f"no fix {name} the dive (time {time:g}, latitude {lat:g}, longitude {lon:g})"
+    if 0.0 <= time < LATEST:
+        return ""
+    years = f"must be from 1970 to {YEARS[1]}"
+    return f"the fix {name} the dive is at {time:.10g} s since 1970; {years}"
+
+
+def _in_minutes(lat: float, lon: float) -> str:
+    """Return what a place would be if it were written in degrees and minutes, empty if it is none.
+
+    >>> _in_minutes(5141.048, -12818.018)
+    'looks like ddmm.mmm, degrees and minutes; give decimal degrees, 51.684133 -128.300300'
+    >>> _in_minutes(51.68, -128.3), _in_minutes(199.0, 8.0)
+    ('', '')
+    """
+    large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
+    degrees = [
+        np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)
+    ]
+    minutes = large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60
+    if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
+        return ""
+    return (
+        "looks like ddmm.mmm, degrees and minutes; give decimal degrees, "
+        f"{degrees[0]:.6f} {degrees[1]:.6f}"
+    )
+
+
+def _by_time(dive: Dive) -> tuple:
+    """Return the key that puts dives in one order: end, start, number, then all else."""
+    through_water = (dive.dr_east, dive.dr_north)
+    rest = repr(vars(dive))
+    return (
+        dive.t_gpse,
+        dive.t_gps2,
+        dive.number,
+        *through_water,
+        dive.track is None,
+        rest,
+    )
+
+
+def _overlap(dive: Dive, before: Dive) -> str:
+    """Return how a dive overlaps one that is used and ended before it, empty where not."""
+    if dive.t_gps2 >= before.t_gpse - OVERLAP:
+        return ""
+    if (dive.t_gps2, dive.t_gpse) == (before.t_gps2, before.t_gpse):
+        return f"duplicate of dive {before.number}, which is used"
+    return (
+        f"overlaps dive {before.number}, which is used: starts "
+        f"{before.t_gpse - dive.t_gps2:.0f} s before that ends"
+    )
+
+
+def _too_far(dive: Dive, before: Dive) -> str:
+    """Return how far from both fixes of the one before a dive starts, empty where it can."""
+    since = dive.t_gps2 - before.t_gpse
+    start = dive.lat_gps2, dive.lon_gps2
+    apart = distance(before.lat_gpse, before.lon_gpse, *start)
+    most = max(FASTEST * since, ASTRAY)
+    if min(apart, distance(before.lat_gps2, before.lon_gps2, *start)) <= most:
+        return ""
+    return (
+        f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
+        f"{max(since, 0.0) / 3600:.1f} h before; another vehicle? {OWN}"
+    )

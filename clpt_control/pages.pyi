@@ -1,0 +1,3 @@
+from .app.pages.writing import report
+
+__all__ = ["report"]

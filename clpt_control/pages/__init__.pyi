@@ -1,3 +1,0 @@
-from .writing import report
-
-__all__ = ["report"]

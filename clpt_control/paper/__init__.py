@@ -1,0 +1,1 @@
+"""The paper's diagram: blocks, adaptive laws and scenarios."""

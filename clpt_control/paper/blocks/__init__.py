@@ -1,0 +1,1 @@
+"""The paper's diagram, a page for each block, and its laws."""

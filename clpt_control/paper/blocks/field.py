@@ -1,0 +1,115 @@
+"""A gridded current as the true flow, in place of Eq. (3).
+
+    F_R(x, t) = sum_{m, j, i} c_{m j i} B(t - t_m) B(x2 - y_j) B(x1 - x_i) + Delta
+
+B is the cubic B-spline of the grid's step, c the coefficients that make the
+sum go through the grid's values: twice continuously differentiable in space
+and time, as an integrator of high order needs it, and right to the fourth power
+of the step up to the edges.  Outside the grid the value at its edge is held; the
+block's guard says what a run does there.
+
+Ports: x[2] (length), delta[2] where disturbed -> flow_x[2] (length per time).
+"""
+
+from functools import partial
+
+import numpy as np
+
+from ...engine.model.block import Block
+from ...engine.model.declaration import Guard
+from ...engine.trace.interpolators import lookup
+from .ports import paper_block
+
+# what a scenario may say
+ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'
+FOUR = np.arange(4.0)  # the coefficients of a spline at a place
+
+
+def place(t, u, p):
+    """Return the place on the grid: steps in time, along x2 and along x1."""
+    return (np.stack([t, u[1], u[0]]) - p.start) / p.step
+
+
+def spline(d):
+    """Return the cubic B-spline at distance d in [0, 2] grid steps."""
+    return np.where(d < 1, (4 - 6 * d**2 + 3 * d**3) / 6, (2 - d) ** 3 / 6)
+
+
+def gridded(t, x, u, p):
+    """F_R from the grid, in place of Eq. (3), with Delta, where it is taken, Eq. (32)."""
+    here = np.clip(place(t, u, p), 0.0, p.shape - 1)
+    cell = np.minimum(np.floor(here), p.shape - 2)
+    m, j, i = cell[:, None] + FOUR
+    wm, wj, wi = spline(np.abs(here[:, None] - (cell[:, None] + FOUR - 1)))
+    row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
+    weight = wm[:, None, None] * wj[:, None] * wi
+    flow = np.stack(
+        [np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))]
+    )
+    delta = getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
+
+
+def inside(t, x, u, p):
+    """Grid steps to the edge of the field, negative outside, Eq. (3)."""
+    here = place(t, u, p)
+    return np.min(np.minimum(here, p.shape - 1 - here))
+
+
+def spline_coefficients(values: np.ndarray) -> np.ndarray:
+    """Return the flat coefficients whose spline meets values of shape (nt, n2, n1).
+
+    Along each axis c = f - f''/6 of the spline f, one polynomial over the outer two steps.
+    """
+    from scipy.interpolate import CubicSpline
+
+    for _ in range(3):
+        steps = np.arange(len(values))
+        c = values - CubicSpline(steps, values)(steps, 2) / 6
+        before, after = 6 * values[[0, -1]] - 4 * c[[0, -1]] - c[[1, -2]]
+        values = np.moveaxis(np.stack([before, *c, after]), 0, -1)
+    return values.ravel()
+
+
+def gridded_flow(
+    grid,
+    outside: str = "raise",
+    disturbed: bool = False,
+    units=None,
+    position: str = "x",
+) -> Block:
+    """Make the true flow of a gridded current (`currents.plane.GriddedField`).
+
+    Outside of it ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` holds the edge's value.
+    `units` are named in the message; `position` is the port of the true position.
+    """
+    axes = (grid.time, grid.x2, grid.x1)
+    length, time = (units.length, units.time) if units is not None else ("", "")
+    guard = Guard(inside, outside, partial(left_the_field, length, time), ADVICE)
+    return paper_block(
+        "true_flow",
+        f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
+        {
+            "shape": [len(axis) for axis in axes],  # grid points in time, x2 and x1
+            "start": [axis[0] for axis in axes],  # the first of them
+            "step": [(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes],
+            # coefficients of the flow along x1 and x2, length per time, flat with time slowest,
+            # (nt + 2) (n2 + 2) (n1 + 2) of them, one more on each side
+            "u": spline_coefficients(grid.u),
+            "v": spline_coefficients(grid.v),
+        },
+        output=gridded,
+        opaque=True,
+        guard=None if outside == "clip" else guard,
+    )
+
+
+def left_the_field(length, time, t, u, p) -> str:
+    """Return where and when a vehicle left the field, and its bounds, in names of units."""
+    end = p.start + p.step * (p.shape - 1)
+    return (
+        f"the vehicle left the field at position ({u[0]:.6g}, {u[1]:.6g}) {length}, "
+        f"time {t:.6g} {time}; the field covers x1 {p.start[2]:.6g} to {end[2]:.6g}, "
+        f"x2 {p.start[1]:.6g} to {end[1]:.6g} {length}, "
+        f"time {p.start[0]:.6g} to {end[0]:.6g} {time}"
+    )

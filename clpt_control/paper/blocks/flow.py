@@ -1,0 +1,119 @@
+"""The flow: basis functions, Eq. (5), the true flow, Eq. (3), and the modelled flow, Eq. (4).
+
+    phi_i(x, t) = spatial kernel(|x - c_i|, sigma_i) * cos(omega_i t + phase_i)    Eq. (5)
+    F_R(x, t) = theta phi(x, t)                                                    Eq. (3)
+    F_R(x, t) = theta phi(x, t) + Delta                                            Eq. (32)
+    F_M(z, t) = alpha_M phi(z, t)                                                  Eq. (4)
+
+The exponent of Eq. (5) is printed ambiguously; each version is a kernel, with
+d = |x - c_i| and s = sigma_i:
+
+    "exponential"     exp(-d / (2 s))
+    "gaussian"        exp(-d^2 / (2 s^2))
+    "gaussian-sigma"  exp(-d^2 / s)
+
+A steady function has omega_i = 0; a sine has phase_i = -pi/2.  Velocities are lengths per time,
+phi has no unit.  `blocks.field` has a measured current as the true flow.
+
+Ports: x[2] -> phi_x[N], or z[2] -> phi_z[N] (positions: length);
+phi_x[N], delta[2] where disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...engine.model.block import Block
+from ...engine.model.ports import renamed
+from .ports import among, paper_block
+
+
+def squared_distance(u, p):
+    """Return |x - c_i|^2, length squared; the position is the one input."""
+    return np.sum((u[:2] - p.centers) ** 2, axis=1)
+
+
+def tide(t, p):
+    """Return cos(omega_i t + phase_i), the temporal factor of Eq. (5)."""
+    return np.cos(p.frequencies * t + p.phases)
+
+
+def exponential(t, x, u, p):
+    """phi_i = exp(-d/(2 s)) tide, Eq. (5)."""
+    return np.exp(-np.sqrt(squared_distance(u, p)) / (2 * p.widths)) * tide(t, p)
+
+
+def gaussian(t, x, u, p):
+    """phi_i = exp(-d^2/(2 s^2)) tide, Eq. (5)."""
+    return np.exp(-squared_distance(u, p) / (2 * p.widths**2)) * tide(t, p)
+
+
+def gaussian_sigma(t, x, u, p):
+    """phi_i = exp(-d^2/s) tide, Eq. (5)."""
+    return np.exp(-squared_distance(u, p) / p.widths) * tide(t, p)
+
+
+KERNELS = {
+    "exponential": exponential,
+    "gaussian": gaussian,
+    "gaussian-sigma": gaussian_sigma,
+}
+
+
+def flow_basis(
+    name: str,
+    position: str,
+    kernel: str,
+    centers: Any,
+    widths: Any,
+    frequencies: Any,
+    phases: Any,
+) -> Block:
+    """Make the block phi of Eq. (5) at ``"x"``, the vehicle, ``"z"``, its prediction, or any port.
+
+    Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
+    """
+    given = {
+        "centers": centers,
+        "widths": widths,
+        "frequencies": frequencies,
+        "phases": phases,
+    }
+    ports: dict[str, Any] = {
+        "inputs": {position: 2},
+        "outputs": {f"phi_{position}": "N"},
+    }
+    shapes = among(given)
+    return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
+
+
+def true(t, x, u, p):
+    """F_R = theta phi(x), Eq. (3), with Delta, where it is taken, Eq. (32)."""
+    flow, delta = p.theta @ u.phi_x, getattr(u, "delta", None)
+    return flow if delta is None else flow + delta
+
+
+def modeled(t, x, u, p):
+    """F_M = alpha_M phi(z), Eq. (4)."""
+    return p.alpha_M @ u.phi_z
+
+
+def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block:
+    """Make the true flow at a position, Eq. (3), or with the input delta, Eq. (32)."""
+    ports = "x phi_x delta -> flow_x" if disturbed else "x phi_x -> flow_x"
+    return at_position(
+        paper_block("true_flow", ports, {"theta": theta}, output=true), position
+    )
+
+
+def at_position(block: Block, position: str) -> Block:
+    """Return a block at another position than x, and of phi there."""
+    ports = {"x": position, "phi_x": f"phi_{position}"}
+    return block if position == "x" else renamed(block, block.name, ports, ports)
+
+
+def modeled_flow(alpha_M: Any) -> Block:
+    """Make the modelled flow, Eq. (4)."""
+    return paper_block(
+        "modeled_flow", "phi_z -> flow_z", {"alpha_M": alpha_M}, output=modeled
+    )

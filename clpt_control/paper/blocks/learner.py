@@ -1,0 +1,76 @@
+"""The learning model, Eq. (2), its controller, Eq. (6), and the injections.
+
+    dz/dt = F_M(z, t) + v                                               Eq. (2)
+    dz/dt = F_M(z, t) + v - d                                           Eq. (2), hedged
+    v = -alpha phi(z) - K z + Gamma zc + Psi                            Eq. (6)
+    Psi = (theta_hat - alpha_M) phi(x)                                  Eq. (13)
+    Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)          Eq. (20)
+
+z is the predicted position (length); Eq. (13) belongs to the known-flow law,
+Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
+(12)-(13) the estimate theta_hat stands where the print lost the hat; it is given, or comes
+from a law that estimates it.  d is what the vehicle could not fly of its commanded velocity
+(`speed_limit`).
+
+| block | inputs | output |
+|---|---|---|
+| learning_model | flow_z[2], v_z[2], hedged unflown[2] (length per time) | z[2] (length), a state |
+| learning_controller | z[2], zc[2], phi_z[N], alpha[2N], K[2], Gamma[2], psi[2] | v_z[2] |
+| injection | phi_x[N], phi_z[N], alpha[2N] or theta_hat[2N] (length per time) | psi[2] (the same) |
+"""
+
+from typing import Any
+
+from ...engine.model.block import Block
+from .ports import paper_block
+
+
+def model(t, x, u, p):
+    """z' = F_M + v, Eq. (2), less d where it is hedged."""
+    rate, unflown = u.flow_z + u.v_z, getattr(u, "unflown", None)
+    return rate if unflown is None else rate - unflown
+
+
+def controller(t, x, u, p):
+    """v = -alpha phi(z) - K z + Gamma zc + Psi, Eq. (6)."""
+    return -(u.alpha @ u.phi_z) - u.K * u.z + u.Gamma * u.zc + u.psi
+
+
+def known_flow_psi(t, x, u, p):
+    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13); the estimate is given, or a signal."""
+    estimate = getattr(u, "theta_hat", None)
+    estimate = p.theta_hat if estimate is None else estimate
+    return (estimate - p.alpha_M) @ u.phi_x
+
+
+def learned_flow_psi(t, x, u, p):
+    """Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (20)."""
+    return -(p.alpha_M + u.alpha) @ u.phi_x - (p.alpha_M - u.alpha) @ u.phi_z
+
+
+def learning_model(hedged: bool = False) -> Block:
+    """Make the learning model, Eq. (2), or with the input unflown, hedged."""
+    ports = "flow_z v_z unflown -> z" if hedged else "flow_z v_z -> z"
+    return paper_block("learning_model", ports, update=model)
+
+
+def learning_controller(N: int) -> Block:
+    """Make the learning controller, Eq. (6), of N basis functions."""
+    ports = "z zc phi_z alpha K Gamma psi -> v_z"
+    return paper_block("learning_controller", ports, N=N, output=controller)
+
+
+def known_flow_injection(alpha_M: Any, theta_hat: Any = None) -> Block:
+    """Make the injection of a given estimate, or of one that a law makes, Eq. (13)."""
+    given, ports = {"alpha_M": alpha_M}, "phi_x theta_hat -> psi"
+    if theta_hat is not None:
+        given, ports = {**given, "theta_hat": theta_hat}, "phi_x phi_z alpha -> psi"
+    return paper_block("injection", ports, given, output=known_flow_psi)
+
+
+def learned_flow_injection(alpha_M: Any) -> Block:
+    """Make the injection of the learned-flow law, Eq. (20)."""
+    given = {"alpha_M": alpha_M}
+    return paper_block(
+        "injection", "phi_x phi_z alpha -> psi", given, output=learned_flow_psi
+    )

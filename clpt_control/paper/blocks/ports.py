@@ -1,0 +1,63 @@
+"""The ports of the paper's diagram: the shape of each quantity, once; a law declares its own.
+
+    paper_block("vehicle_controller", "x zc phi_x -> v_x", parameters, output=controller)
+
+Quantities of two axes are positions (x, z, zc, e: length), velocities (flow_x, v_x, psi, delta:
+length per time) and gains of each axis (K, Gamma: per time).  N is the number of basis functions
+(phi_x, phi_z: no unit); rows of parameters, one for each axis, are (2, N) (alpha, theta: length per
+time).
+"""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ...engine.model.block import Block
+
+OF_AXES = (
+    *("x", "x_true", "z", "zc", "e", "fix", "eta_3", "eta_4", "K", "Gamma"),
+    *("flow_x", "flow_z", "v_x", "v_z", "v_c", "unflown", "psi", "delta"),
+)
+SHAPES: dict[str, Any] = {
+    **dict.fromkeys(OF_AXES, 2),
+    **dict.fromkeys(
+        ("phi_x", "phi_x_true", "phi_z", "widths", "frequencies", "phases"), "N"
+    ),
+    **dict.fromkeys(
+        ("alpha", "alpha_0", "alpha_M", "theta", "theta_hat", "eta"), (2, "N")
+    ),
+    **{"centers": ("N", 2), "information": "N", "taken": 1, "V": 1},
+}
+
+
+def among(names: Iterable[str]) -> dict[str, Any]:
+    """Return the shapes of those quantities that have any."""
+    return {name: SHAPES[name] for name in names if name in SHAPES}
+
+
+def paper_block(
+    name: str,
+    ports: str,
+    parameters: Mapping[str, Any] = {},
+    N: int | None = None,
+    **more: Any,
+) -> Block:
+    """Make a block; `ports` are its inputs, "->" and its outputs, or its states without `output`.
+
+    N tells the number of basis functions where no parameter does.  One with `breakpoints` has the
+    parameter `interval`, which the integrator sets.
+    """
+    inputs, outputs = (
+        {port: SHAPES[port] for port in s.split()} for s in ports.split("->")
+    )
+    more["outputs" if "output" in more else "states"] = outputs
+    given = {**parameters, "interval": -1.0} if "breakpoints" in more else parameters
+    values = {key: np.asarray(value, dtype=float)[()] for key, value in given.items()}
+    shapes, sizes = (
+        among(parameters) | more.pop("shapes", {}),
+        {} if N is None else {"N": N},
+    )
+    return Block(
+        name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more
+    )

@@ -1,0 +1,287 @@
+"""Laws that withstand disturbances: what is learned leaks, stops in a zone, stays in a ball."""
+
+from typing import Any
+
+import numpy as np
+
+from ..blocks import lyapunov
+from .law import GAINS, Known, Law, Setting, Truth, promised
+from .paper import driven_by, learned_flow
+
+# --- leaks -----------------------------------------------------------------------------------
+
+
+def leaking(t, x, u, p, s_1, s_2, s_3):
+    """Laws that forget: sigma, switching sigma and e-modification.
+
+        alpha' = -gamma e phi^T - gamma s_1 alpha
+        K'     = -gamma z e     - gamma s_2 K
+        Gamma' =  gamma zc e    - gamma s_3 Gamma
+
+    are Eqs. (21)-(23) with a leak, theta_hat = -alpha.  It pulls all that is learned to zero, the
+    initial values of the paper, and stops the drift that a disturbance drives.
+
+    | law | s_1, and s_2, s_3 with K, Gamma and their limits |
+    |---|---|
+    | sigma | leak |
+    | switching-sigma | leak clip(norm(alpha)/M - 1, 0, 1) |
+    | e-modification | leak norm(e) |
+
+    With V of Eq. (24), a each of alpha, K and Gamma, its true value a* and d = a - a*,
+
+        V' = -e^T KD e + e^T Delta - sum of s d^T a,    d^T a >= (|d|^2 - |a*|^2)/2
+
+    sigma: V comes down to a level in |a*|^2 and Delta^2; e need not go to zero without Delta.
+    switching-sigma: the same, and where |a*| <= M the leak never raises V, so e goes to zero
+    without Delta.  e-modification: V' <= 0 above a level.
+
+    Sources: Ioannou and Kokotovic 1984; Ioannou and Sun 1996, section 8.4; Narendra and Annaswamy
+    1987.
+
+    Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per time), K[2],
+    Gamma[2] (per time), the states.
+    """
+    rates = learned_flow(t, x, u, p)
+    return {
+        "alpha": rates["alpha"] - p.gain * s_1 * x.alpha,
+        "K": rates["K"] - p.gain_K * s_2 * x.K,
+        "Gamma": rates["Gamma"] - p.gain_Gamma * s_3 * x.Gamma,
+    }
+
+
+def sigma(t, x, u, p):
+    """Eqs. (21)-(23), each less gamma leak times what is learned."""
+    return leaking(t, x, u, p, p.leak, p.leak, p.leak)
+
+
+def switching_sigma(t, x, u, p):
+    """Eqs. (21)-(23), with a leak from zero at a norm M to `leak` at 2 M."""
+    limits = (p.largest_flow, p.largest_feedback, p.largest_feedforward)
+    norms = map(np.linalg.norm, (x.alpha, x.K, x.Gamma))
+    leaks = (
+        p.leak * np.clip(a / M - 1, 0, 1) for a, M in zip(norms, limits, strict=True)
+    )
+    return leaking(t, x, u, p, *leaks)
+
+
+def e_modification(t, x, u, p):
+    """Eqs. (21)-(23), each less gamma leak |e| times what is learned."""
+    leak = p.leak * np.linalg.norm(u.e)
+    return leaking(t, x, u, p, leak, leak, leak)
+
+
+def cycle_leak(known: Known) -> float:
+    """Return the leak that forgets alpha within a cycle of the waypoints."""
+    return 1.0 / (known.gains.parameters * known.cycle)
+
+
+def twice_gains(known: Known) -> float:
+    """Return M of K and of Gamma: up to twice the vehicle's own gains."""
+    return 2.0 * float(max(np.hypot(*known.KD), np.hypot(*known.GammaD)))
+
+
+TWICE = "twice the larger of those of KD and GammaD"
+NORM_LIMITS = {
+    "largest_flow": Setting(
+        "largest norm of alpha, length per time; (2 N)^0.5 max KD at the farthest waypoint",
+        lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
+    ),
+    "largest_feedback": Setting(f"largest norm of K, per time; {TWICE}", twice_gains),
+    "largest_feedforward": Setting(
+        f"largest norm of Gamma, per time; {TWICE}", twice_gains
+    ),
+}
+
+
+def beyond_limits(p: Any, truth: Truth) -> str:
+    """Return a sentence where the truth lies outside the limits of what adapts, or nothing."""
+    adapts = (p.gain, p.gain_K, p.gain_Gamma)
+    outside = [
+        f"{key} = {getattr(p, key):.3g} is below the truth's {np.linalg.norm(true):.3g}"
+        for key, true, gain in zip(NORM_LIMITS, truth, adapts, strict=True)
+        if gain > 0 and np.linalg.norm(true) > getattr(p, key)
+    ]
+    return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
+
+
+def of_what_adapts(p: Any, truth: Truth) -> tuple[float, float]:
+    """Return the least gain of what adapts, and the sum of |a*|^2 over it."""
+    gains = [gain for gain in (p.gain, p.gain_K, p.gain_Gamma) if gain > 0]
+    adapts = (truth.theta, truth.KD * (p.gain_K > 0), truth.GammaD * (p.gain_Gamma > 0))
+    return min(gains), float(sum(np.sum(a * a) for a in adapts))
+
+
+def level_of_sigma(p: Any, truth: Truth, delta: float) -> float:
+    """Return what V comes down to: V' <= -min(k, gamma s) V + Delta^2/(2 k) + s sum |a*|^2/2."""
+    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    return float((delta**2 / (2 * k) + p.leak * size / 2) / min(k, gain * p.leak))
+
+
+def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
+    """Return the level of sigma and what the leak lacks below 2 M: (s - s_j) d^T a <= s |d| |a|."""
+    (gain, _), k = of_what_adapts(p, truth), truth.KD.min()
+    limits = (getattr(p, key) for key in NORM_LIMITS)
+    lacks = sum(
+        2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True)
+    )
+    own = level_of_sigma(p, truth, delta)
+    return own + float(p.leak * lacks / min(k, gain * p.leak))
+
+
+def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
+    """Return the largest V where k |e| + s sum |d|^2/2 <= c = Delta + s sum |a*|^2/2."""
+    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    c = delta + p.leak * size / 2
+    return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
+
+
+LEAK = Setting(
+    "its gain times leak is forgotten per time, all of alpha in a cycle", cycle_leak
+)
+SIGMA = Law(
+    "sigma",
+    needs="nothing but a gain; what is learned is pulled to zero",
+    rates=sigma,
+    family=leaking,
+    promises=promised("true bounded exact", "level"),
+    level=level_of_sigma,
+    parameters={**GAINS, "leak": LEAK},
+)
+SWITCHING_SIGMA = Law(
+    "switching-sigma",
+    needs="limits of the flow parameters and gains",
+    rates=switching_sigma,
+    family=leaking,
+    promises=(
+        *promised("true bounded exact", "level"),
+        *promised("true within spanned exact", "falls", "settles"),
+    ),
+    level=level_of_switching,
+    parameters={**GAINS, "leak": LEAK, **NORM_LIMITS},
+    doubt=beyond_limits,
+)
+E_MODIFICATION = Law(
+    "e-modification",
+    needs="nothing but a gain",
+    rates=e_modification,
+    family=leaking,
+    promises=promised("true bounded exact", "level"),
+    level=level_of_e_modification,
+    parameters={
+        **GAINS,
+        "leak": Setting(
+            "as of sigma, by CLPE; as much at a CLPE as far as the farthest waypoint",
+            lambda known: cycle_leak(known) / known.reach,
+        ),
+    },
+)
+
+
+# --- a zone ----------------------------------------------------------------------------------
+
+
+def beyond(e, zone):
+    """Return D(e) = e - clip(e, -d, d)."""
+    return e - np.clip(e, -zone, zone)
+
+
+def dead_zone(t, x, u, p):
+    """The dead-zone law: nothing is learned of an error that a disturbance may have made.
+
+        D_i(e) = e_i - clip(e_i, -d, d)
+        alpha' = -gamma D phi^T,    K' = -gamma z D,    Gamma' = gamma zc D
+
+    are Eqs. (21)-(23) with D in place of e, continuous at d = `zone`.  V of Eq. (24) has D in
+    place of e.  Since D D' = D e' everywhere, and D_i e_i = |D_i| (|D_i| + d) where D_i is not
+    zero,
+
+        V' = -D^T KD e + D^T Delta <= -D^T KD D    where |Delta_i| <= KD_i d
+
+    so V never rises, what is learned stays bounded, and |e_i| comes to at most d.
+
+    Source: Ioannou and Sun 1996, section 8.4.3.
+
+    Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per time), K[2],
+    Gamma[2] (per time), the states; of V: e[2], alpha[2N], K[2], Gamma[2] -> V[1].
+    """
+    return driven_by(beyond(u.e, p.zone), u, p)
+
+
+def candidate(t, x, u, p):
+    """V of Eq. (24) with D(e) in place of e."""
+    return {"V": lyapunov.level(beyond(u.e, p.zone), u, p) + lyapunov.flow_level(u, p)}
+
+
+DEAD_ZONE = Law(
+    "dead-zone",
+    needs="a zone as large as the disturbance over KD",
+    rates=dead_zone,
+    parameters={
+        **GAINS,
+        "zone": Setting(
+            "CLPE of which nothing is learned, length; a fiftieth of the farthest waypoint",
+            lambda known: known.reach / 50,
+        ),
+    },
+    candidate=candidate,
+    promises=promised("true small exact", "falls", "zone"),
+)
+
+
+# --- balls -----------------------------------------------------------------------------------
+
+
+def projected_rate(a, rate, largest, layer):
+    """Return the rate of a without the part of it that points outward."""
+    squares, inner = np.sum(a * a), largest**2
+    share = np.clip((squares - inner) / (inner * layer * (2 + layer)), 0, 1)
+    return (
+        rate - share * np.maximum(np.sum(rate * a), 0) / np.maximum(squares, inner) * a
+    )
+
+
+def projection(t, x, u, p):
+    """The projection law: what is learned stays within a ball.
+
+        a' = r - c a max(r^T a, 0)/max(|a|^2, M^2),    c = clip((|a|^2 - M^2)/(R^2 - M^2), 0, 1)
+
+    r is the rate of Eqs. (21)-(23), a each of alpha, K and Gamma, with its own limit M;
+    R = (1 + layer) M.  Of r only the part that points outward is taken away, more
+    and more between the norms M and R, so that a' stays continuous; beyond R all of it:
+
+        (|a|^2/2)' = r^T a - max(r^T a, 0) <= 0    where |a| >= R, whatever drives e
+
+    so |a| never grows beyond the larger of R and |a(0)|.  With V of Eq. (24), the true value a* and
+    |a*| <= M, what is taken away never raises V: a^T (a - a*) >= |a| (|a| - |a*|) >= 0 where c > 0.
+
+    Source: Ioannou and Sun 1996, section 8.5; the continuous form of Pomet and Praly 1992.
+
+    Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per time), K[2],
+    Gamma[2] (per time), the states.
+    """
+    r = learned_flow(t, x, u, p)
+    return {
+        "alpha": projected_rate(x.alpha, r["alpha"], p.largest_flow, p.layer),
+        "K": projected_rate(x.K, r["K"], p.largest_feedback, p.layer),
+        "Gamma": projected_rate(x.Gamma, r["Gamma"], p.largest_feedforward, p.layer),
+    }
+
+
+PROJECTION = Law(
+    "projection",
+    needs="limits of the flow parameters and gains, and a start within them",
+    rates=projection,
+    promises=(
+        *promised("", "balls"),
+        *promised("true within spanned exact", "falls", "settles"),
+        *promised("true within exact", "mean square"),
+    ),
+    parameters={
+        **GAINS,
+        **NORM_LIMITS,
+        "layer": Setting("how far beyond a limit, as a share of it", 0.1),
+    },
+    doubt=beyond_limits,
+)
+
+LAWS = (SIGMA, SWITCHING_SIGMA, E_MODIFICATION, DEAD_ZONE, PROJECTION)

@@ -1,0 +1,32 @@
+"""The table of laws: `learning.law` is a name of it, `clpt laws` prints it, `clpt prove` proves it.
+
+To add a law, write its rates, with its page as their docstring, and its row; CONTRIBUTING has the
+recipe.
+"""
+
+from ...base.arguments import public
+from . import least_squares, paper, remembering, robust
+from .law import Law
+
+ROWS = (*paper.LAWS, *robust.LAWS, *least_squares.LAWS, *remembering.LAWS)
+LAWS: dict[str, Law] = {law.name: law for law in ROWS}
+
+
+@public
+def table_of_laws() -> dict[str, Law]:
+    """Return the rows of the table of laws, by name.
+
+    Returns
+    -------
+    dict of str to Law
+        A row has what ``learning.law`` takes as `name`, and `promises`, `needs`, `settings` and
+        `page`: its equations, V and source in words.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> laws = clpt.blocks.table_of_laws()
+    >>> len(laws), laws["known-flow"].given_estimate
+    (15, True)
+    """
+    return dict(LAWS)

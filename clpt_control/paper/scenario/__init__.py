@@ -1,0 +1,1 @@
+"""One experiment, typed: its tables, its TOML file, the paper's own."""

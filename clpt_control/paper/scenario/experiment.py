@@ -1,0 +1,313 @@
+"""One experiment, typed and checked.
+
+A scenario describes the flow, the vehicle, the learner and the run, as a TOML file does, in the
+file's own units of length and time.  Nothing here integrates: `simulation.closed_loop` makes blocks
+of it.
+"""
+
+import os
+from collections.abc import Iterator, Mapping
+from operator import attrgetter
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
+
+from ...base.arguments import public
+from ...base.errors import ScenarioError
+from ...base.html import facts, fragment, shortened
+from ...engine.model.block import Block
+from ...engine.model.sampled import Sampled
+from ..blocks.flow import flow_basis
+from ..laws.law import Known
+from ..laws.table import LAWS
+from . import tables
+from .learning import Learning
+from .quantities import QUANTITIES
+from .tidal_periods import period
+
+Nested = dict[str, Any]  # tables of a scenario, as TOML has them
+MOST_JUMPS = 10**7  # of one block in a run
+MOST_BYTES = 4 * 10**9  # of memory that a run may take
+FINE = 2000  # samples of a run beside its own
+SPANS = (  # keys of times from one jump to the next
+    *("reference.dwell", "flow.disturbance.period", "learning.sample"),
+    *("localization.interval", "localization.noise_period"),
+)
+# of a sample, and of a sample for each function: measured, twice at most
+NUMBERS = (110, 24)
+AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
+
+
+class Scenario(tables.Table):
+    """One experiment: flow, vehicle, waypoints, law and run.
+
+    Made by `load_scenario`, or from keywords of the same names as the tables
+    of the TOML file. All numbers are in ``units.length`` and ``units.time``.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> scenario = clpt.paper_scenario()
+    >>> scenario.basis.N, scenario.learning.gain
+    (3, 0.8)
+    """
+
+    title: str = ""
+    units: tables.Units = tables.Units()
+    basis: tables.Basis
+    flow: tables.Flow
+    model: tables.Model = tables.Model()
+    vehicle: tables.Vehicle
+    reference: Annotated[tables.Circle | tables.Waypoints, Field(discriminator="kind")]
+    learning: Learning
+    localization: tables.Localization | None = None
+    run: tables.Run
+    _folder: Path = PrivateAttr(default_factory=Path)
+
+    def _mistakes(self) -> Iterator[str]:
+        for key in (key for key, one in QUANTITIES.items() if one.axes == "axis basis"):
+            rows = attrgetter(key)(self)
+            if rows is not None and any(len(row) != self.basis.N for row in rows):
+                yield (
+                    f"{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
+                    f"function; the rows have {len(rows[0])} and {len(rows[1])}"
+                )
+        if self.learning.hedging is not None and self.vehicle.max_speed is None:
+            yield (
+                f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
+                "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
+            )
+        row, fixes, sample = self.learning.row, self.localization, self.learning.sample
+        if row.at_fixes != (fixes is not None and fixes.interval > 0):
+            yield (
+                f'learning.law = "{row.name}": {AT_FIXES} learns at fixes, and needs '
+                "localization.interval above 0, the time from one to the next; other laws read the "
+                "position at all times, with the interval 0 or left out"
+            )
+        late = (
+            {}
+            if fixes is None
+            else {"localization.interval": fixes.interval + fixes.latency}
+        )
+        late |= {} if sample is None else {"learning.sample": sample}
+        for key, time in late.items():
+            if time > self.run.duration:
+                yield (
+                    f"{key}: nothing is learned before t = {time}, and run.duration is "
+                    f"{self.run.duration}; must be at most that"
+                )
+        spans = {
+            key: value for key, value, _ in self.every_key() if value and key in SPANS
+        }
+        N, samples = self.basis.N, self.run.duration / self.run.output_step
+        size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
+        if size > MOST_BYTES:
+            yield (
+                f"run.output_step = {self.run.output_step}: {samples:.3g} samples of {N} basis "
+                f"functions would take {size / 1e9:.3g} GB of memory; at most "
+                f"{MOST_BYTES / 1e9:g} are allowed: take a longer step, a shorter run or fewer "
+                "functions"
+            )
+        least = self.run.duration / MOST_JUMPS
+        for key, span in spans.items():
+            if span < least:
+                yield (
+                    f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
+                    f"least {least:.3g}"
+                )
+
+    @model_validator(mode="after")
+    def _field_is_there(self, info: ValidationInfo) -> "Scenario":
+        folder = (info.context or {}).get("folder")
+        if folder is None:
+            return self
+        self._folder, path = Path(folder), Path(folder) / (self.flow.field or "")
+        if self.flow.field is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
+            raise ValueError(
+                f'flow.field = "{self.flow.field}": no such file; must be a NetCDF file, relative '
+                "to the scenario"
+            )
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scenario) and self.__dict__ == other.__dict__
+
+    def __repr__(self) -> str:
+        points = len(self.waypoints)
+        return (
+            f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} flow "
+            f"functions, {points} waypoint{'s' * (points > 1)}, {self.run.duration:g} "
+            f"{self.units.time}>"
+        )
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        keys = ((key, value) for key, value, given in self.every_key() if given)
+        return fragment("Scenario", self.title, facts(keys))
+
+    @property
+    def periods(self) -> np.ndarray:
+        """Periods of the basis functions, units.time; inf is steady."""
+        if self.basis.periods is not None:
+            return np.array(self.basis.periods)
+        return np.array(
+            [period(c, self.units.time) for c in self.basis.constituents or ()]
+        )
+
+    @property
+    def frequencies(self) -> np.ndarray:
+        """Angular frequencies omega_i of Eq. (5), rad per units.time."""
+        return 2 * np.pi / self.periods
+
+    @property
+    def phases(self) -> tuple[float, ...]:
+        """Phases of the basis functions, rad."""
+        return self.basis.phases or (0.0,) * self.basis.N
+
+    @property
+    def model_parameters(self) -> tables.TwoRows:
+        """alpha_M of Eq. (4), zero where the scenario leaves it out."""
+        return self.model.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def learning_parameters(self) -> tables.TwoRows:
+        """alpha(0); alpha_M with a law that holds alpha."""
+        if self.learning.row.alpha_is_constant:
+            return self.model_parameters
+        return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
+
+    @property
+    def hedged(self) -> bool:
+        """Whether the learner knows what the speed limit took away."""
+        knows = self.learning.hedging is not False and not self.learning.row.at_fixes
+        return self.vehicle.max_speed is not None and knows
+
+    @property
+    def known_to_law(self) -> Known:
+        """What the law knows of the experiment."""
+        return Known(
+            self.basis.N,
+            self.learning.used_gains,
+            np.array(self.model_parameters),
+            np.array(self.vehicle.feedback),
+            self.waypoints,
+            self.reference.dwell,
+            np.array(self.vehicle.position),
+            np.array(self.learning_parameters),
+            np.array(self.learning.theta_estimate or self.model_parameters),
+            self.learning.settings,
+            np.array(self.vehicle.feedforward),
+            None if self.localization is None else self.localization.fixes,
+            self.vehicle.max_speed is not None,
+        )
+
+    @public
+    def basis_block(self, position: str = "x") -> Block:
+        """Return the block phi(x, t) of Eq. (5).
+
+        Parameters
+        ----------
+        position : str, optional
+            The port that it reads.
+
+        Returns
+        -------
+        Block
+            A static block with the output ``phi_x``, or of another position.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> clpt.paper_scenario().basis_block("z").output_ports
+        {'phi_z': 3}
+        """
+        basis = self.basis
+        functions = (basis.centers, basis.widths, self.frequencies, self.phases)
+        return flow_basis(f"basis_{position}", position, basis.kernel, *functions)
+
+    @property
+    def law_block(self) -> Block:
+        """The law as a block; sampled where ``learning.sample`` is set."""
+        law, sample = self.learning.row.block(self.known_to_law), self.learning.sample
+        return law if sample is None else Sampled(law, sample)
+
+    @property
+    def waypoints(self) -> np.ndarray:
+        """Waypoints, shape (n, 2), units.length."""
+        from ..blocks.reference import circle
+
+        if isinstance(self.reference, tables.Circle):
+            return circle(self.reference.radius, self.reference.count)
+        return np.array(self.reference.points)
+
+    @property
+    def cycle(self) -> float:
+        """Time to visit every waypoint once, units.time."""
+        return len(self.waypoints) * self.reference.dwell
+
+    @property
+    def field_path(self) -> Path | None:
+        """The file of the gridded field; None where theta is the truth."""
+        return None if self.flow.field is None else self._folder / self.flow.field
+
+    @public
+    def with_values(self, values: Mapping[str, Any]) -> "Scenario":
+        """Return a scenario with some values changed and checked again.
+
+        Parameters
+        ----------
+        values : mapping
+            ``{"learning.gain": 2.0}``: dotted keys as in the TOML file; another
+            ``reference.kind`` leaves out the keys of the old one, but for its dwell.
+
+        Returns
+        -------
+        Scenario
+            A new scenario.
+
+        Raises
+        ------
+        ScenarioError
+            If a key or value is not allowed.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
+        2.0
+        """
+        nested, reference = scenario_tables(self), self.reference
+        if values.get("reference.kind", reference.kind) != reference.kind:
+            # its keys are others
+            nested["reference"] = {"dwell": reference.dwell}
+        for key, value in values.items():
+            *path, last = str(key).split(".")
+            table = nested
+            for name in path:
+                table = table.setdefault(name, {})
+                if not isinstance(table, dict):
+                    raise ScenarioError(
+                        f"scenario: unknown key {key}: {name} is no table of keys"
+                    )
+            if value is None:
+                table.pop(last, None)
+            else:
+                by_numpy = isinstance(value, np.ndarray | np.generic)
+                table[last] = value.tolist() if by_numpy else value
+        return checked_scenario(nested, "scenario", self._folder)
+
+
+def checked_scenario(nested: Nested, name: str, folder: Path | None) -> Scenario:
+    """Return a scenario of nested dicts; `name` begins each error.
+
+    Its files must lie in the `folder`; with None they are not looked for.
+    """
+    return Scenario.model_validate(nested, context={"name": name, "folder": folder})
+
+
+def scenario_tables(scenario: Scenario) -> Nested:
+    """Return a scenario as nested dicts of the keys that were set."""
+    return scenario.model_dump(mode="python", exclude_none=True, exclude_unset=True)

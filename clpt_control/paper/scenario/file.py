@@ -1,0 +1,275 @@
+"""Scenarios in TOML files: read, checked, written.
+
+Every mistake is one sentence that names the file, the key, the value and what
+is allowed.  The scenario of section IV ships as a commented file, the one that
+`clpt init` writes.
+"""
+
+import json
+import os
+import re
+import tomllib
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from ...base.arguments import public
+from ...base.errors import DataError, ScenarioError
+from ...base.files import write_file
+from ...base.files.reading import open_netcdf, read_bytes
+from .experiment import Nested, Scenario, checked_scenario, scenario_tables
+
+CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
+# attribute of a team's run, in place of its scenario: the team as TOML text
+TEAM = "team"
+OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
+# attribute of a run: what else of its diagram was given in Python
+OWN_PARTS = "own_parts"
+REFERENCE = "reference"  # name of the part that makes the waypoints
+EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
+NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equations
+FORM = "run_format"  # attribute of a run's file: the number of its format; 1 where it has none
+LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
+LATEST = 1  # format that is written; all up to it are read
+IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
+BEYOND = {  # attribute of a run -> what its scenario does not hold, and what repeats it in Python
+    CHANGED: (
+        "parameters given at call time",
+        "the parameters to simulate(params=...)",
+    ),
+    OWN_LAW: ("a law given in Python", IN_PYTHON),
+    OWN_PARTS: ("parts given in Python", IN_PYTHON),
+}
+
+
+@public
+def load_scenario(path: str | Path) -> Scenario:
+    """Read a scenario from a TOML file or from a run's NetCDF file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``.toml`` file, or a ``.nc`` file that `clpt run` wrote.
+
+    Returns
+    -------
+    Scenario
+        Checked; a relative ``flow.field`` is relative to the file.
+
+    Raises
+    ------
+    ScenarioError
+        If the file is missing, is not TOML, or a key or value is not allowed.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "paper.toml"
+    >>> clpt.save_scenario(clpt.paper_scenario(), file)
+    >>> clpt.load_scenario(file) == clpt.paper_scenario()
+    True
+    """
+    path = Path(path)
+    return scenario_from_text(read_text(path), str(path), path.parent)
+
+
+def read_text(path: Path) -> str:
+    """Return the TOML text of a file, of a scenario's, a team's or a run's."""
+    if path.suffix == ".nc":
+        return run_text(path)
+    try:
+        raw = read_bytes(
+            path, hint="`clpt init` writes a scenario to start from", most=LARGEST
+        )
+        return raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ScenarioError(
+            f"{path}: is not text; a scenario is a TOML file in UTF-8"
+        ) from None
+    except DataError as error:
+        raise ScenarioError(str(error)) from None
+
+
+def scenario_from_text(text: str, name: str, folder: Path | None) -> Scenario:
+    """Read a scenario from TOML text; `name` begins each error, `folder` has its files."""
+    tables = tables_of(text, name)
+    if "team" in tables:
+        raise ScenarioError(
+            f"{name}: has a table [team], so it is a team's; `clpt run`, `clpt excitation` "
+            "and clpt.load_team read it"
+        )
+    return checked_scenario(tables, name, folder)
+
+
+def tables_of(text: str, name: str) -> Nested:
+    """Return TOML text as nested dicts; `name` begins each error."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise ScenarioError(f"{name}: is not valid TOML: {error}") from None
+    except RecursionError:
+        raise ScenarioError(
+            f"{name}: brackets are nested too deep; at most 3 levels"
+        ) from None
+    except ValueError:  # a whole number of thousands of digits
+        raise ScenarioError(
+            f"{name}: a number has too many digits; write it as 1e300"
+        ) from None
+
+
+def folder_of(run: Any) -> Path:
+    """Return the folder to which a field in a run's attributes is relative."""
+    source = str(run.encoding.get("source", ""))
+    return Path(run.encoding.get("folder") or Path(source).parent)
+
+
+def scenario_of_run(run: Any, files: bool = True) -> Scenario:
+    """Return the scenario that a run, or an ensemble, carries in its attributes.
+
+    With `files` the file of its field must exist.
+    """
+    if not hasattr(run, "attrs"):
+        raise DataError(
+            f"{run!r:.60}: must be a run, as clpt.simulate gives it; clpt.load_run reads one"
+        )
+    if TEAM in run.attrs:
+        raise DataError("the run is a team's; clpt.simulation.team_plot draws a team")
+    if not isinstance(text := run.attrs.get("scenario"), str):
+        raise DataError(
+            "the run carries no scenario in its attributes, as that of a diagram does not; "
+            "clpt.simulate(scenario) writes one"
+        )
+    return scenario_from_text(text, "the run", folder_of(run) if files else None)
+
+
+def scenario_to_text(scenario: Scenario, folder: Path | None = None) -> str:
+    """Return a scenario as TOML text; its field's path is relative to `folder`, if given."""
+    return toml(placed_tables(scenario, folder))
+
+
+def placed_tables(scenario: Scenario, folder: Path | None) -> Nested:
+    """Return a scenario as nested dicts; its field's path is relative to `folder`, if given."""
+    tables = scenario_tables(scenario)
+    if folder is not None and scenario.field_path is not None:
+        relative = os.path.relpath(
+            scenario.field_path.resolve(), Path(folder).resolve()
+        )
+        tables["flow"]["field"] = Path(relative).as_posix()
+    return tables
+
+
+def toml(tables: Nested, name: str = "") -> str:
+    """Return nested dicts as TOML text; `name` is "" or that of the outer table, with its dot."""
+    values, inner = "", []
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            inner.append(toml(value, f"{name}{_key(key)}."))
+        else:
+            values += f"{_key(key)} = {_value(value)}\n"
+    head = f"[{name[:-1]}]\n" if name and (values or not inner) else ""
+    return "\n".join(filter(None, [head + values, *inner]))
+
+
+def _key(key: str) -> str:
+    return key if re.fullmatch(r"[\w-]+", key, re.ASCII) else _value(key)
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, bool):
+        return str(value).lower()
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+@public
+def save_scenario(scenario: Scenario, path: str | Path) -> None:
+    """Write a scenario to a TOML file.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The experiment.
+    path : str or Path
+        The file; written beside and renamed, so never half there.
+
+    Raises
+    ------
+    ScenarioError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "paper.toml"
+    >>> clpt.save_scenario(clpt.paper_scenario(), file)
+    """
+    path = Path(path)
+    write_file(path, scenario_to_text(scenario, path.parent))
+
+
+def run_text(path: str | Path) -> str:
+    """Return the TOML text that a run's file carries, of a scenario or a team."""
+    with open_netcdf(Path(path)) as data:
+        check_form(data.attrs, path)
+        text = data.attrs.get(TEAM, data.attrs.get("scenario"))
+        if text is None:
+            why = data.attrs.get(NOT_REPEATED)
+            why = "" if why is None else f", nor equations: {why}"
+            raise DataError(
+                f"{path}: carries no scenario{why}; `clpt run` writes runs that do, and "
+                "clpt.load_diagram reads the diagram of a run that has its equations"
+            )
+        for name, (what, cure) in BEYOND.items():
+            if name in data.attrs:
+                raise DataError(
+                    f"{path}: was run with {what}, {data.attrs[name]}, so its scenario alone does "
+                    "not repeat it; clpt.load_diagram reads the whole loop where the file has its "
+                    f"equations; else give the scenario itself, and {cure}"
+                )
+        return str(text)
+
+
+def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
+    """Refuse a run's file that a later version wrote in a format unknown to this one."""
+    form = str(attributes.get(FORM, LATEST))
+    if form not in map(str, range(1, LATEST + 1)):
+        writer = attributes.get("source", "what is not said")
+        raise DataError(
+            f"{path}: {FORM} = {form:.20}, written by {writer}; "
+            f"this version reads 1 to {LATEST}: update clpt-control"
+        )
+
+
+def own_parts(attributes: Mapping[str, Any]) -> set[str]:
+    """Return the names of the parts that a run's attributes list as given in Python."""
+    parts = str(attributes.get(OWN_PARTS, "")).split(", ")
+    return {part.partition(":")[0] for part in parts}
+
+
+def paper_text() -> str:
+    """Return the paper's scenario as commented TOML text."""
+    return (
+        resources.files("clpt_control.data").joinpath("paper.toml").read_text("utf-8")
+    )
+
+
+def paper_scenario() -> Scenario:
+    """Return the scenario of section IV.
+
+    Returns
+    -------
+    Scenario
+        Three exponential basis functions, ten waypoints, t = 0 to 2000.
+
+    Examples
+    --------
+    >>> paper_scenario().cycle
+    200.0
+    """
+    return scenario_from_text(paper_text(), "paper.toml", Path())

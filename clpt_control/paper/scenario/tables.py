@@ -1,0 +1,325 @@
+"""The tables of a scenario, each typed and checked; a mistake is one sentence.
+
+Numbers are finite (only a period may be infinite) and shapes fit; `experiment` checks what one
+table needs of another.  A sentence has the key, the value and what is allowed.  Pydantic finds the
+mistakes, whether a table is made by a call or from nested dicts.
+"""
+
+import difflib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Annotated, Any, Literal, Self
+
+import pydantic
+from pydantic import Field, Strict
+from pydantic_core import PydanticCustomError
+
+from ...base.errors import ScenarioError
+from ...base.html import shortened
+from ..laws.law import Fixes
+from .quantities import key_hint
+from .tidal_periods import period
+
+
+@contextmanager
+def _one_sentence(name: str) -> Iterator[None]:
+    """Raise a ScenarioError that begins with `name` in place of pydantic's error."""
+    try:
+        yield
+    except pydantic.ValidationError as error:
+        problems = error.errors()
+        first = min(problems, key=lambda problem: problem["type"] != "unknown_key")
+        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+        raise ScenarioError(f"{name}: {sentence(first)}{more}") from None
+
+
+class Table(pydantic.BaseModel):
+    """A table of the scenario; unknown keys are errors."""
+
+    model_config = pydantic.ConfigDict(extra="forbid", frozen=True)
+
+    def __init__(self, **values: Any) -> None:
+        with _one_sentence(type(self).__name__.lower()):
+            super().__init__(**values)
+
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]  # not of inner tables
+
+    @pydantic.model_validator(mode="before")
+    @classmethod
+    def _keys_are_known(cls, values: Any) -> Any:
+        for key, value in values.items() if isinstance(values, dict) else ():
+            if key not in cls.model_fields:
+                inner = value if isinstance(value, dict) else ()
+                other = next(
+                    filter(None, (key_hint(f"{key}.{name}") for name in inner)), ""
+                )
+                close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
+                hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
+                allowed = f"{hint} here: {', '.join(cls.model_fields)}"
+                more = {"key": str(key), "allowed": allowed, "other": other}
+                raise PydanticCustomError("unknown_key", "unknown key", more)
+        return values
+
+    def _mistakes(self) -> Iterator[str]:
+        """Yield a sentence for each way in which keys do not fit together."""
+        yield from ()
+
+    @pydantic.model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        for mistake in self._mistakes():
+            raise ValueError(mistake)
+        return self
+
+    def every_key(self, before: str = "") -> Iterator[tuple[str, Any, bool]]:
+        """Yield each key, dotted as `with_values` takes it, its value, whether it was given."""
+        for name, value in self:
+            if isinstance(value, Table):
+                yield from value.every_key(f"{before}{name}.")
+            else:
+                given = value is not None and name in self.model_fields_set
+                yield f"{before}{name}", value, given
+
+    @classmethod
+    def model_validate(cls, obj: Any, **options: Any) -> Self:
+        """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
+        with _one_sentence(
+            (options.get("context") or {}).get("name", cls.__name__.lower())
+        ):
+            return super().model_validate(obj, **options)
+
+
+def sentence(problem: Any) -> str:
+    """Return a sentence on an entry of pydantic's errors: what is wrong with one key."""
+    tags = ("circle", "waypoints") if problem["loc"][:1] == ("reference",) else ()
+    where = [part for part in problem["loc"] if part not in tags]
+    key = ""
+    for part in where:
+        key += (
+            f"[{part}]" if isinstance(part, int) else f".{part}" if key else str(part)
+        )
+    message = (
+        problem["msg"]
+        .replace("Input should be", "must be")
+        .replace("Value error, ", "")
+    )
+    kind = problem["type"]
+    if kind == "missing":
+        return f"missing key {key}"
+    if kind == "unknown_key":
+        more = problem["ctx"]
+        return (
+            more["other"]
+            or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
+        )
+    if kind in ("union_tag_not_found", "union_tag_invalid"):
+        return f'{key}.kind: must be "circle" or "waypoints"'
+    if kind == "value_error" and len(where) <= 1:
+        return message
+    if kind in ("too_long", "too_short", "missing_argument"):
+        message = message.replace("Tuple should", "must").replace(
+            " after validation", ""
+        )
+    if kind == "tuple_type":
+        message = "must be a list, in brackets"
+    if kind in ("model_type", "model_attributes_type"):
+        message = "must be a table of keys"
+    value = shortened(" ".join(repr(problem["input"]).split()), 60)
+    return f"{key} = {value}: {message}" if key else f"{value}: {message}"
+
+
+# --- numbers, and the tables ---------------------------------------------------------------------
+
+
+def _period(value: float) -> float:
+    if not value > 0:
+        raise ValueError("must be positive; inf is steady")
+    return value
+
+
+def _whole(value: Any) -> Any:
+    """Return a whole float, such as an ensemble has, as an int."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+Number = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Positive = Annotated[Number, Field(gt=0)]
+NotNegative = Annotated[Number, Field(ge=0)]
+Period = Annotated[float, Strict(), pydantic.AfterValidator(_period)]
+Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
+Seed = Annotated[
+    int, pydantic.BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)
+]
+Pair = tuple[Number, Number]
+PositivePair = tuple[Positive, Positive]
+Row = tuple[Number, ...]
+TwoRows = tuple[Row, Row]
+SHORT = 1e-6  # share of the interval: times closer than that count as one
+Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
+
+
+class Units(Table):
+    """Units of length and time of every number here."""
+
+    length: Literal["m", "km"] = "m"
+    time: Literal["s", "min", "h", "d"] = "s"
+
+
+class Basis(Table):
+    """The flow basis functions of Eq. (5), one entry per function."""
+
+    kernel: Kernel
+    centers: Annotated[tuple[Pair, ...], Field(min_length=1)]
+    widths: tuple[Positive, ...]
+    periods: tuple[Period, ...] | None = None
+    constituents: tuple[str, ...] | None = None
+    phases: Row | None = None
+
+    @property
+    def N(self) -> int:
+        """Number of basis functions."""
+        return len(self.centers)
+
+    def _mistakes(self) -> Iterator[str]:
+        if (self.periods is None) == (self.constituents is None):
+            yield "basis.periods: give either periods or constituents, one of the two"
+        for key in ("widths", "periods", "constituents", "phases"):
+            value = getattr(self, key)
+            if value is not None and len(value) != self.N:
+                yield f"basis.{key} = {list(value)}: must have {self.N} entries, one per center"
+        for name in self.constituents or ():
+            period(name)
+
+
+class Disturbance(Table):
+    """The unmodelled flow Delta of Eq. (32)."""
+
+    kind: Literal["constant", "sine", "square", "noise"]
+    amplitude: Pair
+    period: Positive | None = None
+    seed: Seed | None = None
+
+    def _mistakes(self) -> Iterator[str]:
+        where = "flow.disturbance"
+        if self.kind != "constant" and self.period is None:
+            yield f'{where}.period: is required for kind = "{self.kind}"'
+        if self.kind != "noise" and self.seed is not None:
+            yield f'{where}.seed = {self.seed}: is allowed only for kind = "noise"'
+
+
+class Flow(Table):
+    """The true flow: parameters theta of Eq. (3), or a gridded field."""
+
+    parameters: TwoRows | None = None
+    field: str | None = None
+    outside: Literal["raise", "clip", "stop"] = "raise"
+    disturbance: Disturbance | None = None
+
+    def _mistakes(self) -> Iterator[str]:
+        if (self.parameters is None) == (self.field is None):
+            yield "flow.parameters: give either parameters or field, one of the two"
+        if self.field is None and "outside" in self.model_fields_set:
+            yield f'flow.outside = "{self.outside}": is allowed only with flow.field'
+
+
+class Model(Table):
+    """The modelled flow, alpha_M of Eq. (4); zero if left out."""
+
+    parameters: TwoRows | None = None
+
+
+class Vehicle(Table):
+    """The vehicle, its controller, Eqs. (1) and (7), and how fast it is."""
+
+    feedback: PositivePair
+    feedforward: Pair
+    position: Pair = (0.0, 0.0)
+    max_speed: Positive | None = None
+
+
+class Circle(Table):
+    """Waypoints on a circle, section IV."""
+
+    kind: Literal["circle"]
+    radius: Positive
+    count: Count
+    dwell: Positive
+
+
+class Waypoints(Table):
+    """Any list of waypoints."""
+
+    kind: Literal["waypoints"]
+    points: Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
+    dwell: Positive
+
+
+class Localization(Table):
+    """How the vehicle learns its position: fixes, and their noise.
+
+    Without the table it reads its true position at all times, with interval = 0 its position with
+    noise; with an interval above 0 it has fixes and steers by its own prediction in between.
+    """
+
+    interval: NotNegative = 0.0
+    noise: NotNegative = 0.0
+    noise_period: Positive | None = None
+    dropouts: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    latency: NotNegative = 0.0
+    seed: Seed | None = None
+
+    @property
+    def spans(self) -> dict[str, float]:
+        """Times between breakpoints, by key."""
+        if self.noise_period is not None:
+            return {"localization.noise_period": self.noise_period}
+        return {"localization.interval": self.interval}
+
+    @property
+    def fixes(self) -> Fixes | None:
+        """What a law knows of the fixes; None where the position is read at all times."""
+        return (
+            Fixes(self.interval, self.latency, self.noise)
+            if self.interval > 0
+            else None
+        )
+
+    def _mistakes(self) -> Iterator[str]:
+        if (self.interval == 0) != (self.noise_period is not None):
+            yield (
+                "localization.noise_period: how long a value of the noise is held; is required "
+                "with interval = 0, and allowed only with interval = 0: each fix has its own noise"
+            )
+        for key in ("dropouts", "latency") if self.interval == 0 else ():
+            if getattr(self, key) > 0:
+                yield (
+                    f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
+                    "above 0, or remove the key"
+                )
+        few = SHORT * self.interval
+        if self.latency != 0 and not few <= self.latency <= self.interval - few:
+            yield (
+                f"localization.latency = {self.latency}: must be 0 or below the interval, "
+                f"{self.interval}, and not within {few:.1g} of either"
+            )
+
+
+class Run(Table):
+    """How long, how often recorded, how exact."""
+
+    duration: Positive
+    output_step: Positive = 1.0
+    rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
+    atol: Positive = 1e-10
+    method: Literal["auto", "dop853", "rodas5p"] = "auto"
+
+    @property
+    def solver(self) -> dict[str, Any]:
+        """The solver's options: tolerances and method."""
+        return {"rtol": self.rtol, "atol": self.atol, "method": self.method}
+
+    def _mistakes(self) -> Iterator[str]:
+        if self.duration / self.output_step > 1e8:
+            yield (
+                f"run.output_step = {self.output_step}: would record "
+                f"{self.duration / self.output_step:.0e} samples; at most 1e8 are allowed"
+            )

@@ -1,0 +1,311 @@
+"""Several vehicles that learn one flow over a graph, and their TOML file.
+
+A team has a scenario for each vehicle, and a graph of who hears whom.  The vehicles share all
+but [vehicle], [reference], [localization] and the learner's start, of which each has its own.
+
+    [team]
+    coupling = 0.5                        # kappa, 1/time
+    edges = [["west", "east"]]            # who hears whom; left out: all
+
+    [team.members.west]                   # keys that replace those at the top
+    title = "west of the strait"
+    vehicle.position = [-15, 0]
+    reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
+
+A vehicle's [reference] with a kind replaces the common one; without a kind, its keys do.
+"""
+
+import re
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field, Strict, model_validator
+
+from ...base.arguments import brief, public
+from ...base.errors import DataError, ScenarioError
+from ...base.html import facts, fragment, shortened
+from . import file
+from .experiment import Nested, Scenario, checked_scenario, scenario_tables
+from .tables import Run, Table
+
+TEAM_LAW = "learned-flow"
+# tables that a member may have
+OWN = ("vehicle", "reference", "localization", "learning")
+# its keys of [learning]
+OWN_STARTS = ("position", "feedback", "feedforward", "parameters")
+FEWEST, MOST = 2, 100  # vehicles
+APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 1e-3
+
+
+class Team(Table):
+    """Several vehicles that learn one flow over a graph.
+
+    Made by `load_team`, or from scenarios by name, the edges of the graph (pairs of names; left
+    out, all are neighbours) and the coupling kappa, per ``units.time``, 0 or more. The scenarios
+    share everything but vehicle, reference, localization and the learner's start.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> west = clpt.paper_scenario()
+    >>> east = west.with_values({"vehicle.position": [3.0, 0.0]})
+    >>> team = clpt.Team(members={"west": west, "east": east}, coupling=0.5)
+    >>> team.edges
+    (('west', 'east'),)
+    """
+
+    coupling: Annotated[float, Strict(), Field(ge=0, allow_inf_nan=False)]
+    edges: tuple[tuple[str, str], ...] = ()
+    members: dict[str, Scenario]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _all_are_neighbours(cls, values: Any) -> Any:
+        if isinstance(values, dict) and values.get("edges") is None:
+            return {
+                **values,
+                "edges": tuple(combinations(values.get("members") or (), 2)),
+            }
+        return values
+
+    def _mistakes(self) -> Iterator[str]:
+        names = list(self.members)
+        if not FEWEST <= len(names) <= MOST:
+            yield (
+                f"members: has {len(names)} vehicles; must have {FEWEST} to {MOST}, a scenario each"
+            )
+        for name in names:
+            if not re.fullmatch(r"\w[\w-]*", name):
+                yield f"members: the name {name!r} of a vehicle must be letters, digits, _ and -"
+        first, shared = self.first, shared_tables(self.first)
+        for name, scenario in self.members.items():
+            tables = shared_tables(scenario)
+            for table in sorted(shared.keys() | tables.keys()):
+                if shared.get(table) != tables.get(table):
+                    yield (
+                        f"members.{name}: its {table} is not that of {names[0]}; the vehicles of a "
+                        f"team share everything but {', '.join(OWN[:-1])} and the learner's start"
+                    )
+        if (law := first.learning.law) != TEAM_LAW:
+            yield f'learning.law = "{law}": must be "{TEAM_LAW}", the law of a team'
+        if first.learning.sample is not None:
+            yield "learning.sample: a team learns at all times; remove the key"
+        seeds: dict[int, str] = {}
+        for name, scenario in self.members.items():
+            if (fixes := scenario.localization) is None or not fixes.noise:
+                continue
+            other = seeds.setdefault(fixes.seed or 0, name)
+            if other != name:
+                yield (
+                    f"members.{name}: localization.seed = {fixes.seed or 0} is that of {other}, so "
+                    "that both would have the same noise; give each its own"
+                )
+        pairs = set[frozenset[str]]()
+        for k, edge in enumerate(self.edges):
+            for name in edge:
+                if name not in self.members:
+                    yield (
+                        f"edges[{k}]: there is no vehicle {name!r}; must be among "
+                        f"{', '.join(names)}"
+                    )
+            if len(set(edge)) < 2 or set(edge) in pairs:
+                yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
+            pairs.add(frozenset(edge))
+        if not self.connectivity > APART:
+            yield "edges: no path joins all vehicles; join each to the others, or run it alone"
+
+    def __repr__(self) -> str:
+        names = shortened(", ".join(self.members), 60)
+        return f"<Team of {len(self.members)}: {names}; coupling {self.coupling:g}>"
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        graph = [
+            ("coupling", self.coupling),
+            ("connectivity", f"{self.connectivity:.3g}"),
+        ]
+        return fragment(
+            "Team", self.first.title, facts([*graph, *self.members.items()])
+        )
+
+    @public
+    def neighbours(self, name: str) -> list[str]:
+        """Return the neighbours of a vehicle, in the order of the edges."""
+        return [b if a == name else a for a, b in self.edges if name in (a, b)]
+
+    @property
+    def first(self) -> Scenario:
+        """The first vehicle's scenario, with all that vehicles share."""
+        return next(iter(self.members.values()))
+
+    @property
+    def run(self) -> Run:
+        """How long, how often recorded, how exact."""
+        return self.first.run
+
+    @property
+    def _laplacian(self) -> np.ndarray:
+        place = {name: k for k, name in enumerate(self.members)}
+        laplacian = np.zeros((len(place), len(place)))
+        for edge in self.edges:
+            a, b = (place[name] for name in edge)
+            laplacian[[a, b], [a, b]] += 1
+            laplacian[[a, b], [b, a]] -= 1
+        return laplacian
+
+    @property
+    def connectivity(self) -> float:
+        """Second eigenvalue lambda_2 of the graph's Laplacian."""
+        return float(np.linalg.eigvalsh(self._laplacian)[1])
+
+
+def shared_tables(scenario: Scenario) -> Nested:
+    """Return what must be the same in all scenarios of a team, by table."""
+    shared = _without_own(scenario.model_dump(mode="python", exclude={"title"}))
+    if scenario.field_path is not None:
+        shared["flow"]["field"] = scenario.field_path.resolve()
+    return shared
+
+
+def _without_own(tables: Nested) -> Nested:
+    """Return the tables of a scenario without what a vehicle has of its own."""
+    shared = {table: value for table, value in tables.items() if table not in OWN[:-1]}
+    shared["learning"] = {
+        k: v for k, v in shared["learning"].items() if k not in OWN_STARTS
+    }
+    return shared
+
+
+@public
+def load_team(path: str | Path) -> Team:
+    """Read a team from a TOML file or from its run's NetCDF file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A ``.toml`` file with a table ``[team]``, or a ``.nc`` file that `clpt run` wrote of it.
+
+    Returns
+    -------
+    Team
+        Checked; a relative ``flow.field`` is relative to the file.
+
+    Raises
+    ------
+    ScenarioError
+        If the file is missing, is no team's, or a key or value is not allowed.
+
+    Examples
+    --------
+    >>> import clpt_control as clpt
+    >>> clpt.load_team("team.toml").connectivity  # doctest: +SKIP
+    2.0
+    """
+    team = load_either(path)
+    if not isinstance(team, Team):
+        raise ScenarioError(
+            f"{path}: is a scenario of one vehicle; a team has a table [team]"
+        )
+    return team
+
+
+def load_either(path: str | Path) -> Scenario | Team:
+    """Read a scenario or a team from a TOML file or a run's NetCDF file."""
+    path = Path(path)
+    return system_from_text(file.read_text(path), str(path), path.parent)
+
+
+def system_from_text(text: str, name: str, folder: Path | None) -> Scenario | Team:
+    """Read a scenario or a team of TOML text; `name` begins errors, `folder` holds its files."""
+    common = file.tables_of(text, name)
+    if "team" not in common:
+        return checked_scenario(common, name, folder)
+    team = _table(common.pop("team"), f"{name}: team")
+    vehicles = _table(team.pop("members", None), f"{name}: team.members")
+    members = {
+        member: checked_scenario(
+            _merged(common, _table(own, f"{name}: team.members.{member}")),
+            f"{name}, {member}",
+            folder,
+        )
+        for member, own in vehicles.items()
+    }
+    whole = {"members": members, **team}
+    return Team.model_validate(whole, context={"name": f"{name}, team"})
+
+
+def team_to_text(team: Team, folder: Path | None = None) -> str:
+    """Return a team as TOML text; its field's path is relative to `folder`, if given."""
+    tables = _without_own(file.placed_tables(team.first, folder))
+    members = {
+        name: _own(scenario, team.first.title)
+        for name, scenario in team.members.items()
+    }
+    return file.toml(
+        {
+            **tables,
+            "team": {
+                "coupling": team.coupling,
+                "edges": team.edges,
+                "members": members,
+            },
+        }
+    )
+
+
+def _own(scenario: Scenario, title: str) -> Nested:
+    """Return the keys of a vehicle alone, of those that were set; `title` is the team's."""
+    tables = scenario_tables(scenario)
+    own = {table: tables[table] for table in OWN[:-1] if table in tables}
+    starts = {
+        key: value for key, value in tables["learning"].items() if key in OWN_STARTS
+    }
+    named = {} if scenario.title == title else {"title": scenario.title}
+    return {**named, **own, **({"learning": starts} if starts else {})}
+
+
+def _merged(common: Nested, own: Nested) -> Nested:
+    """Return the keys of all vehicles, replaced by those of one where it has them."""
+    tables = dict(common)
+    for table, values in own.items():
+        before = tables.get(table)
+        whole = table == "reference" and isinstance(values, dict) and "kind" in values
+        if isinstance(values, dict) and isinstance(before, dict) and not whole:
+            values = {**before, **values}
+        tables[table] = values
+    return tables
+
+
+def _table(value: Any, where: str) -> Nested:
+    """Return a value that must be a table."""
+    if not isinstance(value, dict):
+        raise ScenarioError(f"{where} = {brief(value)}: must be a table of keys")
+    return value
+
+
+def team_of_run(run: Any) -> Team:
+    """Return the team that a run carries."""
+    if file.TEAM not in getattr(run, "attrs", {}):
+        raise DataError(
+            f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
+            "them"
+        )
+    team: Any = system_of_run(run)
+    return team
+
+
+def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
+    """Return the scenario or team that a run carries; with `files` its field's file must exist."""
+    attributes = getattr(run, "attrs", {})
+    if file.TEAM in attributes and "scenario" in attributes:
+        raise DataError(
+            "the run carries a scenario and a team; must be of one of the two"
+        )
+    if file.TEAM not in attributes:
+        return file.scenario_of_run(run, files)
+    folder = file.folder_of(run) if files else None
+    return system_from_text(str(attributes[file.TEAM]), "the run", folder)

@@ -1,5 +1,0 @@
-"""One experiment, typed: its tables, its TOML file, the paper's own."""
-
-import lazy_loader
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
