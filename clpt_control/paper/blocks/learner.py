@@ -6,6 +6,7 @@
     Psi = (theta_hat - alpha_M) phi(x)                                  Eq. (13)
     Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)          Eq. (20)
 
+Eq. (2) with Eqs. (4) and (6) is the learner's closed loop, Eq. (8).
 z is the predicted position (length); Eq. (13) belongs to the known-flow law,
 Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
 (12)-(13) the estimate theta_hat stands where the print lost the hat; it is given, or comes

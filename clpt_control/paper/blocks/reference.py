@@ -5,7 +5,7 @@
 
 n waypoints are visited in turn, each for the dwell tau, and start again after
 the last.  The block jumps at j tau; it reads j from its parameter `interval`,
-never from t.
+never from t.  zc is bounded (Remark 3.1): it takes n values.
 
 Ports: none -> zc[2] (length).
 """

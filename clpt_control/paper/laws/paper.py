@@ -63,8 +63,9 @@ def known_flow(t, x, u, p):
         K'     = -gamma z e                           Eq. (14)
         Gamma' =  gamma zc e                          Eq. (15)
 
-    theta_hat, the estimate of theta, is given to the injection, Eq. (13).  V of Eq. (17) then has
-    V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1: in the mean square |e| is at most
+    With alpha = alpha_M the rate of CLPE is Eq. (11).  theta_hat, the estimate of theta, is given
+    to the injection, Eq. (13); CLPE is as small as theta_hat is good (Remark 3.3).  V of Eq. (17)
+    has V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1: in the mean square |e| is at most
     |(theta - theta_hat) phi| over the least of KD, and goes to zero where theta_hat is theta.
     Source: Cho, Zhang, Edwards 2016, section III.
 

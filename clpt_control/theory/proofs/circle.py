@@ -1,4 +1,4 @@
-"""Excitation by waypoints on a circle, section IV, in closed form.
+"""Excitation by waypoints on a circle, Assumption 3.1 and section IV, in closed form.
 
     int zc zc^T dt = (n tau r^2/2) I            n >= 3 waypoints, dwell tau, one cycle
 

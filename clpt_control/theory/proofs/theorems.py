@@ -250,7 +250,7 @@ def theorem_3_3() -> Proof:
     V = (e_square + sum(squares.values()) / gamma) / 2
     steps = [
         line(
-            "(27)-(28) as blocks: (X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2",
+            "(27)-(29) as blocks: (X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2, Eq. (29)",
             vanish(
                 errors, [errors.derivative(V) + np.sum(KD * errors.states["e"] ** 2)]
             ),
