@@ -113,7 +113,7 @@ def undrawn(monkeypatch):
     monkeypatch.setattr(
         Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn")
     )
-    for page in ("replay.replay_page", "replay.track_map", "pages.page"):
+    for page in ("ocean.forecast.replay_page", "ocean.forecast.track_map", "app.pages.page"):
         monkeypatch.setattr(f"clpt_control.{page}.inline_svg", lambda *_: "")
 
 
