@@ -67,6 +67,12 @@ def init(
     say(f"{file}: written; {then.format(file)}")
 
 
+INTERPRETATION = (
+    "Kernel exp(-d/(2 sigma)), periods in the unit of the run: the print allows five other "
+    "interpretations, compared in docs/interpretations.md."
+)
+
+
 def paper(
     out: Path = opt("FOLDER", "Folder for figures and run.nc.", default=Path("paper")),
     formats: Formats = None,
@@ -90,7 +96,7 @@ def paper(
     write_together({file: as_written(run, file), **drawn})
     summary["claims"] = clpt.simulation.claims(summary)
     first, *_, last = drawn
-    sentences = [f"{folder}: {first.name} to {last.name}, run.nc"]
+    sentences = [f"{folder}: {first.name} to {last.name}, run.nc", INTERPRETATION]
     finish(
         [claims_result(summary["claims"])._replace(sentences=sentences)],
         summary,
