@@ -187,7 +187,7 @@ def said(tmp_path_factory):
     (folder / "current.nc").write_bytes(b"\x89HDF\r\n\x1a\n" + bytes(100))
     write_table(folder / "record.csv", times(20), waves(times(20)))
     readme = (HOUSE / "README.md").read_text()
-    [lines] = re.findall(r"## Ten lines.*?```python\n(.*?)```", readme, re.S)
+    [lines] = re.findall(r"## The paper.*?```python\n(.*?)```", readme, re.S)
     (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)
     places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
     env = os.environ | {"PYTHONPATH": os.pathsep.join(places)}
