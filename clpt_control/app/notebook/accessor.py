@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import ensemble, simulation
+from ... import ensemble, replay, simulation
 from ...base.arguments import check_holds, public
 from ...base.errors import DataError
 from ...base.files import beside, check_writable, write_file
 from ...engine.model.ports import ports_of
-from ...ocean.forecast import plots as replay_plots
 from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparing import named, ports_along, signals_of
@@ -35,7 +34,7 @@ PLOTS: dict[str, tuple[Any, str]] = {  # of a kind of dataset, the one that show
     "team": (simulation, "team_plot"),
     "ensemble": (ensemble, "ensemble_plot"),
     "run": (simulation, "run_plot"),
-    "replay": (replay_plots, "replay_plot"),
+    "replay": (replay, "replay_plot"),
     "diagram": (simulation, "response_plot"),
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
