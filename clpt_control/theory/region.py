@@ -35,7 +35,7 @@ from ..base.arguments import check_holds, numbers
 from ..base.errors import DiagramError
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
-from .proofs.exact import tidied, vanishes
+from .proofs.exact import normal_form, vanishes
 from .proofs.facts import (
     COMPARISONS,
     along,
@@ -224,7 +224,7 @@ class Region:
                 f"within: V = {short(V, 60)} bends; give one that is smooth"
             )
         self.least = V.xreplace(self.rest)
-        both = ((e, tidied(e)) for e in (V - self.least, rate))
+        both = ((e, normal_form(e)) for e in (V - self.least, rate))
         self.V, self.rate = (min(ways, key=sympy.count_ops) for ways in both)
         self.slopes = {
             e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)

@@ -36,7 +36,7 @@ def test_slopes_of_V_are_those_of_the_running_blocks(law):
     search = PointSearch(diagram, loop, loop.signals["V"][0], "V[0]", {}, 0)
     x, along = search.random.standard_normal((2, 20, diagram.nstates))
     t, u, h = np.zeros(20), search.random.standard_normal((20, diagram.ninputs)), 1e-5
-    slopes = search.slopes.at(search.known(t, x.T, u.T), 20)[1:]
+    slopes = search.slopes.at(search.values(t, x.T, u.T), 20)[1:]
     ahead, behind = (
         search.blocks.by_control(t, x + way * h * along, u)[1] for way in (1, -1)
     )

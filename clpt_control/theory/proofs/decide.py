@@ -1,9 +1,9 @@
-"""Decide whether an expression is never positive.
+"""Sign of an expression: proofs that it is never positive.
 
-An expression is never positive where it factors into squares with a minus, where it is -s^T M s
-with M >= 0, where completed squares leave nothing else, or where its functions lie in sectors at
-whose ends it is not positive.  A function with pieces is examined piece by piece, each with the
-conditions under which it holds.  Nothing is tried where it is positive at a random point.
+`never_positive` is the entry.  It first looks for a random point at which the expression is
+positive.  Then groups of terms that share no variable are tested one by one (`GROUP_TESTS`):
+factors, forms -s^T M s with M >= 0, roots, sectors and pieces of functions.  At last it tries
+completed squares, common factors and intervals of the whole expression.
 """
 
 from functools import lru_cache
@@ -11,259 +11,346 @@ from itertools import combinations
 
 import numpy as np
 import sympy
+from sympy import Dummy, Expr, Mul, S, expand
 from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
-from .facts import decided, functions_in, interval, is_input, pieces_of, sector_of
+from .facts import (
+    Sector,
+    decided,
+    functions_in,
+    interval,
+    is_input,
+    pieces_of,
+    sector_of,
+)
 from .sums_of_squares import squares
 from .symbolic_loop import Numbers
 
-MOST_EXAMINED = 400  # of more no sign is known
-FEW = 12  # terms; more with words in them are not factored
-MOST_WORDS = 8  # that are examined together
-MOST_FACTS = 4  # conditions of a piece whose products are tried
-TRIED = 500  # points at which a sign is looked at before it is proved
-SMALL = 1e-6  # of the largest value there; less may be rounding
+MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
+MOST_WITH_FUNCTIONS = 12  # terms of a group with functions that is factored
+MOST_FUNCTIONS = 8  # in a group
+MOST_CONDITIONS = 4  # of a piece; products of two are tried as well
+SAMPLES = 500  # random points at which the sign is computed first
+ROUNDING = 1e-6  # of the largest value; smaller values may be rounding errors
 
 
-def never_positive(e: sympy.Expr, fixed: set, ways: tuple = (None,)) -> bool:
-    """Return whether an expression is known never to be positive, t >= 0.
+def never_positive(
+    expression: Expr, parameters: set, groupings: tuple = (None,)
+) -> bool:
+    """Return whether an expression is known never to be positive for t >= 0.
 
-    Symbols that are `fixed` are parameters; `ways` are symbols by which terms are examined apart.
-    Nothing is tried where it is positive at a random point.
+    Symbols that are neither `parameters` nor time are variables.  `groupings` are sets of symbols:
+    terms that share none of them are tested separately; None stands for all variables.
     """
-    if terms_of(e) > MOST_TERMS or positive_somewhere(e):
+    if terms_of(expression) > MOST_TERMS or positive_somewhere(expression):
         return False
-    free = e.free_symbols - {TIME, *fixed}
-    e = e.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
-    if vanishes(e) or any(nonpositive(e, free, by=by) for by in ways):
-        return True
-    terms = sympy.Add.make_args(e)
-    left = (f for f in terms if f.is_polynomial(*free) or not f.is_nonpositive)
-    signals = {f: sympy.Dummy(real=True) for f in e.atoms(AppliedUndef) if is_input(f)}
-    for rest in dict.fromkeys((e, sympy.Add(*left))):
-        totals = [squares(-rest, fixed)]
-        if signals:
-            # a quadratic form whose coefficients are made of inputs
-            coefficients = fixed | {*signals.values()}
-            totals.append(squares(-rest.xreplace(signals), coefficients))
-        if any(total and total.constant.is_nonnegative for total in totals):
-            return True
-    if _by_common_factor(e, free):
-        return True
-    return any(
-        interval(one)[1].is_nonpositive for one in (factored(e), sympy.factor_terms(e))
+    variables = expression.free_symbols - {TIME, *parameters}
+    expression = expression.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
+    return (
+        vanishes(expression)
+        or any(groups_never_positive(expression, variables, g) for g in groupings)
+        or _by_squares(expression, variables, parameters)
+        or _by_common_factors(expression, variables)
+        or _by_interval(expression)
     )
 
 
-def positive_somewhere(expression: sympy.Expr) -> bool:
-    """Return whether an expression is positive at a random point: no proof is tried then.
+def positive_somewhere(expression: Expr) -> bool:
+    """Return whether an expression is positive at a random point.
 
-    Slopes of inputs may be anything.
+    Derivatives of inputs may have any value.
     """
-    slopes = {d: sympy.Dummy(real=True) for d in expression.atoms(sympy.Derivative)}
+    slopes = {d: Dummy(real=True) for d in expression.atoms(sympy.Derivative)}
     try:
         numbers = Numbers(expression.xreplace(slopes))
     except DiagramError:
         return False
     random = np.random.default_rng(0)
-    drawn = random.standard_normal((len(numbers.symbols), TRIED))
-    drawn *= 10.0 ** random.uniform(-1, 1, (1, TRIED))
-    for row, s in zip(drawn, numbers.symbols, strict=True):
-        if s.is_nonnegative or s.is_nonpositive or s == TIME:
-            row[:] = np.abs(row) * (-1 if s.is_nonpositive else 1)
-    (values,) = numbers.at(dict(zip(numbers.symbols, drawn, strict=True)), TRIED)
+    samples = random.standard_normal((len(numbers.symbols), SAMPLES))
+    samples *= 10.0 ** random.uniform(-1, 1, (1, SAMPLES))
+    for row, symbol in zip(samples, numbers.symbols, strict=True):
+        if symbol.is_nonpositive:
+            row[:] = -np.abs(row)
+        elif symbol.is_nonnegative or symbol == TIME:
+            row[:] = np.abs(row)
+    points = dict(zip(numbers.symbols, samples, strict=True))
+    (values,) = numbers.at(points, SAMPLES)
     values = values[np.isfinite(values)]
-    return bool(values.size and values.max() > SMALL * np.abs(values).max())
+    return bool(values.size and values.max() > ROUNDING * np.abs(values).max())
 
 
-def _by_common_factor(e: sympy.Expr, free: set) -> bool:
-    """Return whether e = sum_k f_k p_k, f_k > 0 no polynomial and each p_k never positive."""
-    polynomials: dict[sympy.Expr, sympy.Expr] = {}
-    for term in sympy.Add.make_args(sympy.expand(e)):
-        factors = sympy.Mul.make_args(term)
-        common = sympy.Mul(*(f for f in factors if not f.is_polynomial(*free)))
-        polynomials[common] = polynomials.get(common, sympy.S.Zero) + term / common
-    if len(polynomials) < 2 and sympy.S.One in polynomials:
+# --- tests of a whole expression ------------------------------------------------------------
+
+
+def _by_squares(expression: Expr, variables: set, parameters: set) -> bool:
+    """Complete squares, also without terms that are known, with inputs as coefficients."""
+    terms = sympy.Add.make_args(expression)
+    undecided = [
+        term
+        for term in terms
+        if term.is_polynomial(*variables) or not term.is_nonpositive
+    ]
+    calls = filter(is_input, expression.atoms(AppliedUndef))
+    inputs = {call: Dummy(real=True) for call in calls}
+    for total in dict.fromkeys((expression, sympy.Add(*undecided))):
+        for symbols in ({}, inputs) if inputs else ({},):
+            coefficients = {*parameters, *symbols.values()}
+            completed = squares(-total.xreplace(symbols), coefficients)
+            if completed and completed.constant.is_nonnegative:
+                return True
+    return False
+
+
+def _by_common_factors(expression: Expr, variables: set) -> bool:
+    """Write it as sum_k f_k p_k, f_k >= 0 no polynomials, and test each polynomial p_k."""
+    polynomials: dict[Expr, Expr] = {}
+    for term in sympy.Add.make_args(expand(expression)):
+        factors = Mul.make_args(term)
+        common = Mul(*(f for f in factors if not f.is_polynomial(*variables)))
+        polynomials.setdefault(common, S.Zero)
+        polynomials[common] += term / common
+    if [*polynomials] == [S.One]:
         return False
     return all(
-        all(map(_is_above_zero, sympy.Mul.make_args(common)))
-        and nonpositive(sympy.expand(p), free)
-        for common, p in polynomials.items()
+        all(map(_is_nonnegative, Mul.make_args(common)))
+        and groups_never_positive(expand(polynomial), variables)
+        for common, polynomial in polynomials.items()
     )
 
 
-def _is_above_zero(factor: sympy.Expr) -> bool:
+def _is_nonnegative(factor: Expr) -> bool:
     """Return whether a factor is never negative; of a power also by the squares in its base."""
     if factor.is_nonnegative:
         return True
     base, _ = factor.as_base_exp()
-    total = squares(base, set()) if base.is_Add else None
-    return total is not None and bool(total.constant.is_positive)
+    completed = squares(base, set()) if base.is_Add else None
+    return completed is not None and bool(completed.constant.is_positive)
 
 
-def nonpositive(expression: sympy.Expr, apart: set, by: set | None = None) -> bool:
-    """Return whether an expression is known never to be positive.
+def _by_interval(expression: Expr) -> bool:
+    """Compute the interval of an expression from those of its factors."""
+    products = factored(expression), sympy.factor_terms(expression)
+    return any(interval(product)[1].is_nonpositive for product in products)
 
-    Terms that share no symbol of `apart`, the states and truths, or of `by`, are examined apart.
+
+# --- tests of groups of terms ---------------------------------------------------------------
+
+
+def groups_never_positive(
+    expression: Expr, variables: set, shared: set | None = None
+) -> bool:
+    """Return whether each group of terms that share variables is never positive.
+
+    If `shared` is given, groups are the terms that share a symbol of `shared` instead.
     """
-    groups = groups_of(expression, apart if by is None else by)
-    return all(_negative(group, apart) for group in groups)
+    groups = groups_of(expression, variables if shared is None else shared)
+    return all(_group_never_positive(group, variables) for group in groups)
 
 
-def groups_of(expression: sympy.Expr, apart: set) -> list[sympy.Expr]:
-    """Return an expression as a sum of expressions that share no symbol of `apart`."""
+def groups_of(expression: Expr, variables: set) -> list[Expr]:
+    """Return an expression as a sum of expressions that share no variable."""
     groups: list[tuple[set, list]] = []
-    for term in sympy.Add.make_args(sympy.expand(expression, power_exp=False)):
-        symbols, terms = term.free_symbols & apart, [term]
+    for term in sympy.Add.make_args(expand(expression, power_exp=False)):
+        symbols = term.free_symbols & variables
+        terms = [term]
         touching = [group for group in groups if group[0] & symbols]
         groups = [group for group in groups if not group[0] & symbols]
-        for others, more in touching:
-            symbols, terms = symbols | others, terms + more
+        for group_symbols, group_terms in touching:
+            symbols = symbols | group_symbols
+            terms = terms + group_terms
         groups.append((symbols, terms))
     return [sympy.Add(*terms) for _, terms in groups]
 
 
+def _group_never_positive(group: Expr, variables: set) -> bool:
+    """Return whether one of the tests shows that a group is never positive."""
+    if group == 0:
+        return True
+    if len(sympy.Add.make_args(group)) > MOST_IN_GROUP:
+        return False
+    factors = Mul.make_args(group)
+    signed = Mul(*(f for f in factors if not f.is_nonnegative))
+    return any(test(signed, variables) for test in GROUP_TESTS)
+
+
+def _by_factors(group: Expr, variables: set) -> bool:
+    """Factor a group and test the product of the factors that may be negative."""
+    exponents = [power.exp for power in group.atoms(sympy.Pow)]
+    if not all(n.is_Integer and n <= HIGHEST for n in exponents):
+        return False
+    if functions_in(group) and len(sympy.Add.make_args(group)) > MOST_WITH_FUNCTIONS:
+        return False
+    product = _without_nonnegative_factors(group)
+    if product.is_nonpositive:
+        return True
+    return product != group and groups_never_positive(product, variables)
+
+
 @lru_cache(maxsize=10_000)
-def _without_squares(group: sympy.Expr) -> sympy.Expr:
-    """Return an expression without its factors that are not negative where they have a value."""
-    factors = sympy.Mul.make_args(factored(group, MOST_EXAMINED))
-    rest = (f for f in factors if not (f.is_nonnegative or f.as_base_exp()[1].is_even))
-    return sympy.expand(sympy.Mul(*rest))
+def _without_nonnegative_factors(group: Expr) -> Expr:
+    """Return the product of the factors that may be negative."""
+    factors = Mul.make_args(factored(group, MOST_IN_GROUP))
+    signed = [
+        factor
+        for factor in factors
+        if not (factor.is_nonnegative or factor.as_base_exp()[1].is_even)
+    ]
+    return expand(Mul(*signed))
 
 
-def _negative(group: sympy.Expr, apart: set) -> bool:
-    if group == 0 or len(sympy.Add.make_args(group)) > MOST_EXAMINED:
-        return bool(group == 0)
-    group = sympy.Mul(*(f for f in sympy.Mul.make_args(group) if not f.is_nonnegative))
-    powers = [power.exp for power in group.atoms(sympy.Pow)]
-    low = all(exponent.is_Integer and exponent <= HIGHEST for exponent in powers)
-    words = functions_in(group)
-    simple = not words or len(sympy.Add.make_args(group)) <= FEW
-    if low and simple:
-        left = _without_squares(group)
-        if left.is_nonpositive or (left != group and nonpositive(left, apart)):
+def _by_forms(group: Expr, variables: set) -> bool:
+    """Test the form of each degree; one of degree 2 is -s^T M s with M >= 0."""
+    symbols = sorted(group.free_symbols & variables, key=str)
+    if functions_in(group) or not symbols or not group.is_polynomial(*symbols):
+        return False
+    polynomial = sympy.Poly(group, *symbols)
+    forms: dict[int, Expr] = {}
+    for powers, coefficient in polynomial.terms():
+        pairs = zip(symbols, powers, strict=True)
+        term = coefficient * sympy.prod(s**n for s, n in pairs)
+        forms.setdefault(sum(powers), S.Zero)
+        forms[sum(powers)] += term
+    if len(forms) > 1:
+        return all(_group_never_positive(form, variables) for form in forms.values())
+    if 2 not in forms:
+        return False
+    rows = [[polynomial.diff(a, b).as_expr() for a in symbols] for b in symbols]
+    hessian = sympy.Matrix(rows)
+    if hessian.free_symbols or hessian.atoms(sympy.Function):
+        return False
+    return bool((-hessian).is_positive_semidefinite)
+
+
+def _by_roots(group: Expr, variables: set) -> bool:
+    """Test a polynomial in one symbol: it falls far away, and its roots are even."""
+    if functions_in(group) or len(group.free_symbols) != 1:
+        return False
+    if not group.is_polynomial():
+        return False
+    polynomial = sympy.Poly(group, *group.free_symbols)
+    is_rational = polynomial.domain.is_ZZ or polynomial.domain.is_QQ
+    if not is_rational or not polynomial.LC() < 0:
+        return False
+    factors = polynomial.sqf_list()[1]
+    return not any(factor.count_roots() for factor, power in factors if power % 2)
+
+
+# --- functions at the ends of their sectors -------------------------------------------------
+
+
+def _by_sectors(group: Expr, variables: set) -> bool:
+    """Test a group at the ends of the sectors of its outermost functions."""
+    functions = functions_in(group)
+    inner = {f for call in functions for a in call.args for f in functions_in(a)}
+    outer = sorted(functions - inner, key=str)
+    if not outer or len(outer) > MOST_FUNCTIONS:
+        return False
+    ratios = sympy.symbols(f"q_:{len(outer)}", real=True, cls=Dummy)
+    polynomial = group.xreplace(dict(zip(outer, ratios, strict=True)))
+    if not polynomial.is_polynomial(*ratios):
+        return False
+    has_slopes = group.has(sympy.sin, sympy.exp)
+    for by_slope in (False, True) if has_slopes else (False,):
+        sectors = [sector_of(call, by_slope) for call in outer]
+        if None in sectors:
+            continue
+        if _at_sector_ends(polynomial, ratios, sectors, variables):
             return True
-    if not words:
-        return _in_forms(group, apart) or _in_one_symbol(group)
-    return _in_sectors(group, words, apart) or _in_pieces(group, words, apart)
+    return False
 
 
-def _in_forms(group: sympy.Expr, apart: set) -> bool:
-    """Return whether no part of a degree is positive; of degree 2 it is -s^T M s with M >= 0."""
-    symbols = sorted(group.free_symbols & apart, key=str)
-    if not symbols or not group.is_polynomial(*symbols):
-        return False
-    degrees: dict[int, sympy.Expr] = {}
-    whole = sympy.Poly(group, *symbols)
-    for monomial, share in whole.terms():
-        term = share * sympy.prod(s**n for s, n in zip(symbols, monomial, strict=True))
-        degrees[sum(monomial)] = degrees.get(sum(monomial), sympy.S.Zero) + term
-    if len(degrees) > 1:
-        return all(_negative(d, apart) for d in degrees.values())
-    H = sympy.Matrix([[whole.diff(a, b).as_expr() for a in symbols] for b in symbols])
-    known = not H.free_symbols and not H.atoms(sympy.Function)
-    return 2 in degrees and known and bool((-H).is_positive_semidefinite)
-
-
-def _in_one_symbol(group: sympy.Expr) -> bool:
-    """Return whether a polynomial of one symbol falls far away, and changes its sign nowhere."""
-    if len(group.free_symbols) != 1 or not group.is_polynomial():
-        return False
-    whole = sympy.Poly(group, *group.free_symbols)
-    falls = (whole.domain.is_ZZ or whole.domain.is_QQ) and whole.LC() < 0
-    return bool(falls) and not any(
-        f.count_roots() for f, n in whole.sqf_list()[1] if n % 2
-    )
-
-
-def _in_sectors(group: sympy.Expr, words: set, apart: set) -> bool:
-    """Return whether an expression is not positive wherever its words lie in their sectors."""
-    inner = {one for word in words for a in word.args for one in functions_in(a)}
-    outer = sorted(words - inner, key=str)
-    if len(outer) > MOST_WORDS:
-        return False
-    q = sympy.symbols(f"q_:{len(outer)}", real=True, cls=sympy.Dummy)
-    plain = group.xreplace(dict(zip(outer, q, strict=True)))
-    if not plain.is_polynomial(*q):
-        return False
-    return any(
-        _at_the_ends(plain, q, [sector_of(word, slope) for word in outer], apart)
-        for slope in (False, True)[: 1 + group.has(sympy.sin, sympy.exp)]
-    )
-
-
-def _at_the_ends(plain: sympy.Expr, q: tuple, found: list, apart: set) -> bool:
-    """Return whether an expression, convex in each q, is not positive where q is at its ends."""
-    if None in found:
-        return False
-    sectors = dict(zip(q, found, strict=True))
-    bends = ((sympy.diff(plain, one, 2), at.high) for one, at in sectors.items())
-    if any(b != 0 and not (b.is_nonnegative and high < sympy.oo) for b, high in bends):
-        return False
-    q_times = plain.xreplace(
-        {one: at.factor * one + at.offset for one, at in sectors.items()}
-    )
-    if terms_of(q_times) > MOST_TERMS:
-        return False
-    ends = [sympy.expand(q_times)]
-    for one, sector in sectors.items():
-        last = [sympy.diff(f, one) for f in ends] if sector.high == sympy.oo else None
-        more = last or [f.xreplace({one: sector.high}) for f in ends]
-        ends = [f.xreplace({one: sector.low}) for f in ends] + more
-    return all(nonpositive(sympy.expand(f), apart) for f in set(ends))
-
-
-def _in_pieces(
-    group: sympy.Expr, words: set, apart: set, facts: tuple[sympy.Expr, ...] = ()
+def _at_sector_ends(
+    polynomial: Expr, ratios: tuple, sectors: list[Sector], variables: set
 ) -> bool:
-    """Return whether an expression is not positive in any piece of its words.
+    """Test a polynomial, if it is convex in each ratio q, at the ends of the sectors."""
+    pairs = [*zip(ratios, sectors, strict=True)]
+    for ratio, sector in pairs:
+        curvature = sympy.diff(polynomial, ratio, 2)
+        is_convex = curvature.is_nonnegative and sector.high < sympy.oo
+        if curvature != 0 and not is_convex:
+            return False
+    functions = {q: sector.factor * q + sector.offset for q, sector in pairs}
+    expression = polynomial.xreplace(functions)
+    if terms_of(expression) > MOST_TERMS:
+        return False
+    corners = [expand(expression)]
+    for ratio, sector in pairs:
+        lower = [corner.xreplace({ratio: sector.low}) for corner in corners]
+        if sector.high == sympy.oo:  # the slope counts
+            upper = [sympy.diff(corner, ratio) for corner in corners]
+        else:
+            upper = [corner.xreplace({ratio: sector.high}) for corner in corners]
+        corners = lower + upper
+    return all(groups_never_positive(expand(c), variables) for c in {*corners})
 
-    `facts` are expressions that are not negative in the piece at hand.
+
+# --- functions piece by piece ---------------------------------------------------------------
+
+
+def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -> bool:
+    """Test a group in each piece of one of its functions.
+
+    `conditions` are expressions that are not negative in the piece that is tested.
     """
-    for word in sorted(words, key=str) if len(words) <= MOST_WORDS else ():
-        pieces = [] if any(map(functions_in, word.args)) else pieces_of(word)
-        if pieces:
+    functions = functions_in(group)
+    if len(functions) > MOST_FUNCTIONS:
+        return False
+    for call in sorted(functions, key=str):
+        is_nested = any(map(functions_in, call.args))
+        if not is_nested and (pieces := pieces_of(call)):
             return all(
-                _in_piece(decided(group.xreplace(values)), apart, (*facts, *conditions))
-                for conditions, values in pieces
+                _in_piece(
+                    decided(group.xreplace(values)), variables, (*conditions, *margins)
+                )
+                for margins, values in pieces
             )
     return False
 
 
-def _in_piece(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
-    """Return whether an expression is not positive where facts are not negative."""
-    if nonpositive(e, apart) or any(_is_negative(fact) for fact in facts):
+def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) -> bool:
+    """Return whether an expression is not positive where conditions are not negative."""
+    if groups_never_positive(expression, variables):
         return True
-    words = functions_in(e)
-    if any(map(pieces_of, words)):
-        return _in_pieces(e, words, apart, facts)
-    return _by_facts(e, apart, facts)
+    if any(map(_is_negative, conditions)):
+        return True  # the piece is empty
+    if any(map(pieces_of, functions_in(expression))):
+        return _by_pieces(expression, variables, conditions)
+    return _by_conditions(expression, variables, conditions)
 
 
-def _is_negative(fact: sympy.Expr) -> bool:
-    """Return whether a fact holds nowhere: an expression that is below zero everywhere."""
-    expanded = sympy.expand(fact)
+def _is_negative(condition: Expr) -> bool:
+    """Return whether an expression is known to be negative everywhere."""
+    expanded = expand(condition)
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
 
 
-def _by_facts(e: sympy.Expr, apart: set, facts: tuple[sympy.Expr, ...]) -> bool:
-    """Return whether -e is a sum of facts, and products of two, times what is not negative.
+def _by_conditions(
+    expression: Expr, variables: set, conditions: tuple[Expr, ...]
+) -> bool:
+    """Divide -e by the conditions c_i >= 0 and by products of two, and test the quotients.
 
-    -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    c_i >= 0 known, q and r never negative
+    -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    q and r never negative
     """
-    functions = sympy.Tuple(e, *facts).atoms(sympy.Function)  # each may be any number
-    names = {f: sympy.Dummy(real=True) for f in functions}
-    e = e.xreplace(names)
-    known = [sympy.expand(fact.xreplace(names)) for fact in dict.fromkeys(facts)]
-    known = known[:MOST_FACTS]
-    known = [fact for fact in known if fact.free_symbols]
-    products = [sympy.expand(a * b) for a, b in combinations(known, 2)]
-    gens = sorted(e.free_symbols.union(*(c.free_symbols for c in known)), key=str)
-    whole = sympy.Tuple(e, *known)
-    if not known or not all(f.is_polynomial(*gens) for f in whole):
+    # each function may be any number
+    functions = sympy.Tuple(expression, *conditions).atoms(sympy.Function)
+    symbols = {call: Dummy(real=True) for call in functions}
+    distinct = [*dict.fromkeys(conditions)]
+    margins = [expand(c.xreplace(symbols)) for c in distinct]
+    margins = [margin for margin in margins[:MOST_CONDITIONS] if margin.free_symbols]
+    products = [expand(a * b) for a, b in combinations(margins, 2)]
+    expressions = sympy.Tuple(expression.xreplace(symbols), *margins)
+    generators = sorted(expressions.free_symbols, key=str)
+    if not margins or not all(e.is_polynomial(*generators) for e in expressions):
         return False
-    shares, rest = sympy.reduced(sympy.expand(-e), [*products, *known], *gens)
-    return all(nonpositive(sympy.expand(-q), apart) for q in (*shares, rest))
+    negated = expand(-expressions[0])
+    quotients, remainder = sympy.reduced(negated, [*products, *margins], *generators)
+    return all(
+        groups_never_positive(expand(-quotient), variables)
+        for quotient in (*quotients, remainder)
+    )
+
+
+GROUP_TESTS = (_by_factors, _by_forms, _by_roots, _by_sectors, _by_pieces)

@@ -1,12 +1,12 @@
-"""V of an adaptive law: by default from its gains, else as the user gives it.
+"""V of an adaptive law: by default from its gains, otherwise from the user's function.
 
-The default is Eq. (24), each error weighed by the inverse of the gain with which the law adapts it,
-so that the terms with e cancel.  Gains are read off the law's equations,
+The default is Eq. (24), each error weighted by the inverse of the gain with which the law adapts
+it, so that the terms with e cancel.  Gains are coefficients in the law's equations,
 
-    alpha' = -gain e phi + rest,    K' = -gain z e + rest,    Gamma' = gain zc e + rest
+    alpha' = -gain e phi + terms,    K' = -gain z e + terms,    Gamma' = gain zc e + terms
 
-Where the products e phi, e z and e zc drive each other's rates, by a matrix that is symmetric and
-positive definite, V weighs the errors by its inverse.
+If the products e phi, e z and e zc drive each other's rates, by a symmetric positive definite
+matrix, V weights the errors by its inverse.
 """
 
 from collections.abc import Callable, Mapping
@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 import sympy
+from sympy import Expr, S
 from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
@@ -27,7 +28,7 @@ from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
 from ...paper.laws.law import LEARNED, Truth
 from ...simulation.user_parts import functions_of
 from ..promises import truth_of
-from .exact import tidied
+from .exact import normal_form
 from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import mixed_candidate, theorem_loop, theorem_scenario
 
@@ -35,13 +36,22 @@ MakeV = Callable[[Truth], Block]
 
 
 class LawV(NamedTuple):
-    """V of a law: a function that makes it of the truth, and what is known of it."""
+    """V of a law as a function of the truth, and its relation to the law."""
 
     make: MakeV
-    # weights of V in the law's parameters; None for a V of the user
+    # the law's parameters -> weights of V; None for a V of the user
     gains: Callable[[list], list] | None = None
-    # whether V' > 0 refutes the law: V was fitted to it
+    # whether V was fitted to the law: then V' > 0 refutes the law
     fitted: bool = False
+
+
+class Learned(NamedTuple):
+    """Learned parameters of a law, one by one."""
+
+    e: np.ndarray
+    states: list[Any]
+    rates: list[Expr]
+    products: list[Expr]  # the product with e that drives each rate
 
 
 # --- the default ----------------------------------------------------------------------------
@@ -50,65 +60,80 @@ class LawV(NamedTuple):
 def default_V(law: Block, N: int) -> LawV:
     """Return V fitted to a law.
 
-    V refutes the law if each learned parameter that is not held has a gain, and if a V of squares
-    can take the other terms of the rates; otherwise V is a guess, and refutes nothing.
+    V refutes the law if each learned parameter that is not fixed has a gain, and if a V of squares
+    accounts for the other terms of the rates; otherwise V is a guess, and refutes nothing.
     """
     diagram = connect([law], external=list(law.input_ports), name=law.name)
     loop = symbolic_loop(diagram, jumps=True)
     refuse_no_value(loop, law.name)
+    learned = _learned(loop, N)
+    # gains, and the other terms of the rates
     parameters = {*loop.values}
-    e, states, rates, products = _learned(loop, N)
-    gains, rests = list[sympy.Expr](), dict[sympy.Expr, sympy.Expr]()
+    weights: list[Expr] = []
+    terms: dict[Expr, Expr] = {}
     has_gains = True
-    for state, rate, product in zip(states, rates, products, strict=True):
-        gain = -_factor(rate, product, parameters)
+    for state, rate, product in zip(*learned[1:], strict=True):
+        gain = -_coefficient(rate, product, parameters)
         number = gain.xreplace(loop.values)
         has_gains &= number != 0 or rate == 0
-        size = gain if number.is_positive else -gain if number else sympy.S.One
-        gains.append(size)
-        rests[state] = sympy.expand(rate + gain * product) / size
-    inverse = _inverse_of_gains(loop, e, rates, products, rests)
-    still = {s: sympy.Dummy(real=True) for s in _inputs_without_e(loop)}
-    own_states = {s: r.xreplace(still) for s, r in rests.items() if s.is_Symbol}
-    fitted = has_gains and len(own_states) == len(states) and inverse is None
-    known = {*loop.values, *still.values()}
-    fitted = fitted and _weighed_by_squares(own_states, known)
-    symbols = flat(loop.parameters[law.name])
-    weights = gains if inverse is None else [*inverse]
-
-    def weights_of(values: list) -> list[sympy.Expr]:
-        pairs = zip(symbols, values, strict=True)
-        names = {s: value for s, value in pairs if isinstance(s, sympy.Symbol)}
-        return [weight.xreplace(names) for weight in weights]
-
+        weight = gain if number.is_positive else -gain if number else S.One
+        weights.append(weight)
+        terms[state] = sympy.expand(rate + gain * product) / weight
+    # is V fitted to the law?
+    inverse = _inverse_of_gains(loop, learned, terms)
+    constant = {s: sympy.Dummy(real=True) for s in _inputs_without_e(loop)}
+    of_states = {s: e.xreplace(constant) for s, e in terms.items() if s.is_Symbol}
+    is_fitted = (
+        has_gains
+        and inverse is None
+        and len(of_states) == len(learned.states)
+        and _is_gradient(of_states, {*loop.values, *constant.values()})
+    )
+    # V in numbers
+    weights_of = partial(
+        _substituted,
+        [*weights] if inverse is None else [*inverse],
+        flat(loop.parameters[law.name]),
+    )
     if inverse is not None:
         matrix = np.array(inverse, dtype=float)
-        return LawV(partial(mixed_candidate, matrix), weights_of, fitted)
-    numbers = [float(gain.subs(loop.values)) for gain in gains]
-    K, Gamma = np.reshape(numbers[-4:], (2, 2))
-    each = {"gain": np.reshape(numbers[:-4], (2, N)), "gain_K": K, "gain_Gamma": Gamma}
-
-    def make(truth: Truth) -> Block:
-        parameters = weighted([1.0] * 3, *truth)._replace(**each)
-        return lyapunov_candidate("learned-flow", parameters)
-
-    return LawV(make, weights_of, fitted)
+        return LawV(partial(mixed_candidate, matrix), weights_of, is_fitted)
+    numbers = [float(weight.subs(loop.values)) for weight in weights]
+    return LawV(partial(_candidate_of_gains, numbers), weights_of, is_fitted)
 
 
-def _learned(loop: SymbolicLoop, N: int) -> tuple:
-    """Return e, what is learned, its rates, and the product of e that drives each."""
-    nothing = np.zeros(2 * N, dtype=object)
+def _substituted(weights: list, symbols: list, values: list) -> list[Expr]:
+    """Return weights with values in place of symbols."""
+    pairs = zip(symbols, values, strict=True)
+    value_of = {s: value for s, value in pairs if isinstance(s, sympy.Symbol)}
+    return [weight.xreplace(value_of) for weight in weights]
+
+
+def _candidate_of_gains(gains: list[float], truth: Truth) -> Block:
+    """Return V of Eq. (24) with a gain for each element of alpha, K and Gamma."""
+    alpha, K, Gamma = gains[:-4], gains[-4:-2], gains[-2:]
+    parameters = weighted([1.0] * 3, *truth)._replace(
+        gain=np.reshape(alpha, (2, -1)), gain_K=np.array(K), gain_Gamma=np.array(Gamma)
+    )
+    return lyapunov_candidate("learned-flow", parameters)
+
+
+def _learned(loop: SymbolicLoop, N: int) -> Learned:
+    """Return the learned parameters of a law."""
+    zeros = np.zeros(2 * N, dtype=object)
     e = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)])
     differences = {}
-    if {"x", "z"} <= set(loop.inputs):  # e may be written x - z
+    if {"x", "z"} <= {*loop.inputs}:  # e may be written x - z
         differences = dict(zip(loop.inputs["x"], e + loop.inputs["z"], strict=True))
-    phi, z, zc = (loop.inputs.get(port, nothing) for port in ("phi_x", "z", "zc"))
+    phi, z, zc = (loop.inputs.get(port, zeros) for port in ("phi_x", "z", "zc"))
     products = [*np.ravel(np.outer(e, phi[:N])), *(e * z[:2]), *(-e * zc[:2])]
-    states = [s for port in LEARNED for s in np.ravel(loop.signals.get(port, nothing))]
-    rates = [
-        tidied(loop.derivative(sympy.sympify(s)).xreplace(differences)) for s in states
-    ]
-    return e, states, rates, products
+    ports = [loop.signals.get(port, zeros) for port in LEARNED]
+    states = [state for port in ports for state in np.ravel(port)]
+    rates = []
+    for state in states:
+        rate = loop.derivative(sympy.sympify(state))
+        rates.append(normal_form(rate.xreplace(differences)))
+    return Learned(e, states, rates, products)
 
 
 def _inputs_without_e(loop: SymbolicLoop) -> list[Any]:
@@ -118,52 +143,53 @@ def _inputs_without_e(loop: SymbolicLoop) -> list[Any]:
 
 
 def _inverse_of_gains(
-    loop: SymbolicLoop, e: np.ndarray, rates: list, products: list, rests: dict
+    loop: SymbolicLoop, learned: Learned, terms: dict
 ) -> sympy.Matrix | None:
-    """Return the inverse of a matrix of gains between all that is learned, if there is one."""
-    if not any(rest.has(*e) for rest in rests.values()):
+    """Return the inverse of the matrix of gains if gains couple learned parameters."""
+    if not any(term.has(*learned.e) for term in terms.values()):
         return None
     parameters = {*loop.values}
-    M = [
-        [-_factor(rate, product, parameters) for product in products] for rate in rates
+    rows = [
+        [-_coefficient(rate, product, parameters) for product in learned.products]
+        for rate in learned.rates
     ]
-    M = sympy.Matrix(M).xreplace(loop.values)
-    is_mixed = M.is_symmetric() and not M.is_diagonal()
-    return M.inv() if is_mixed and M.is_positive_definite else None
+    gains = sympy.Matrix(rows).xreplace(loop.values)
+    is_mixed = gains.is_symmetric() and not gains.is_diagonal()
+    return gains.inv() if is_mixed and gains.is_positive_definite else None
 
 
-def _weighed_by_squares(rests: dict, known: set) -> bool:
-    """Return whether a V of squares can take the terms of a law besides its gains.
+def _is_gradient(terms: dict, constants: set) -> bool:
+    """Return whether a V of squares accounts for the terms of a law without gains.
 
-    It cannot if they contain e or time, as gains that change do, or other states of the law, which
-    need not take every value, or if they weigh the errors in another way.
+    It does not if they contain e or time, as gains that change do, or other states of the law,
+    which need not take every value, or if they weight the errors in another way.
     """
-    if any(rest.free_symbols - set(rests) - known for rest in rests.values()):
+    if any(term.free_symbols - {*terms} - constants for term in terms.values()):
         return False
-    slopes = {(a, b): sympy.diff(rest, b) for a, rest in rests.items() for b in rests}
+    slopes = {(a, b): sympy.diff(term, b) for a, term in terms.items() for b in terms}
     return all(
         sympy.expand(slope - slopes[b, a]) == 0 for (a, b), slope in slopes.items()
     )
 
 
-def _factor(rate: sympy.Expr, product: sympy.Expr, parameters: set) -> sympy.Expr:
-    """Return the factor of a product in a rate, made of parameters alone."""
-    if product == 0:  # the law does not read a signal of it
-        return sympy.S.Zero
+def _coefficient(rate: Expr, product: Expr, parameters: set) -> Expr:
+    """Return the coefficient of a product in a rate, made of parameters alone."""
+    if product == 0:  # the law does not read a signal of the product
+        return S.Zero
     quotients = [term / product for term in sympy.Add.make_args(rate)]
-    factors = [
-        q
-        for q in quotients
-        if not q.atoms(AppliedUndef) and q.free_symbols <= parameters
+    coefficients = [
+        quotient
+        for quotient in quotients
+        if not quotient.atoms(AppliedUndef) and quotient.free_symbols <= parameters
     ]
-    return sympy.Add(*factors)
+    return sympy.Add(*coefficients)
 
 
 # --- a V of the user ------------------------------------------------------------------------
 
 
 def user_V(V: Callable[..., Any], law: Block) -> LawV:
-    """Return V of the user: a function of signals, or one that makes a block of the truth."""
+    """Return V of the user: a function of signals, or of the truth that returns a block."""
     if isinstance(V, control.InputOutputSystem):
         raise DiagramError(
             f"{V.name}: is made, and would know one truth; give V(truth) or V(truth, parameters), "
@@ -171,21 +197,23 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
         )
 
     def make(truth: Truth) -> Block:
-        block = V(*(truth, law.parameters)[: len(signature(V).parameters)])
+        count = len(signature(V).parameters)
+        block = V(*(truth, law.parameters)[:count])
         if not isinstance(block, Block) or block.output_ports != {"V": 1}:
             raise DiagramError(f"{block}: a candidate makes V[1] and nothing else")
         read_anew(block)
         return block.copy("candidate")
 
+    scenario = theorem_scenario(functions_of(law), "learned-flow")
     try:
-        make(truth_of(theorem_scenario(functions_of(law), "learned-flow")))
+        make(truth_of(scenario))
     except AttributeError:  # the truth alone has no signals
         return LawV(partial(_block_of_signals, V, law))
     return LawV(make)
 
 
 class LawSignals:
-    """The signals, parameters and true values that a V of a law may ask for: s.e, s.theta."""
+    """Signals, parameters and true values that a V of a law may read: s.e, s.theta."""
 
     def __init__(self, ports: Mapping[str, Any], signals: Any, parameters: Any):
         self._ports, self._signals, self._parameters = ports, signals, parameters
@@ -202,12 +230,14 @@ class LawSignals:
 def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Block:
     """Return V as a block, of a function of the loop's signals."""
     loop = theorem_loop(functions_of(law), "learned-flow", law_block=law)
-    parts = [part for part in loop.syslist if part.output_ports != {"V": 1}]
-    shapes = {port: s for part in parts for port, s in part.declared["outputs"].items()}
+    shapes = {}
+    for block in loop.syslist:
+        if block.output_ports != {"V": 1}:
+            shapes |= block.declared["outputs"]
     shapes |= {"phi_x": ("N",), "phi_z": ("N",), "zc": (2,)}
     parameters = {**law.parameters._asdict(), **truth._asdict()}
 
-    def block(ports: Mapping[str, Any], fields: Mapping[str, Any]) -> Block:
+    def candidate(ports: Mapping[str, Any], fields: Mapping[str, Any]) -> Block:
         return Block(
             "candidate",
             output=lambda t, x, u, p: {"V": V(LawSignals(ports, u, p))},
@@ -218,9 +248,12 @@ def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Bloc
             sizes={"N": functions_of(law)},
         )
 
-    record = block(shapes, parameters).array_record("output")
-    ports, fields = (
-        {name: every[name] for name in every if name in {*record.leaves(group)}}
-        for group, every in (("u", shapes), ("p", parameters))
-    )
-    return block(ports, fields)
+    # only with the ports and parameters that V reads
+    record = candidate(shapes, parameters).array_record("output")
+    ports = {port: shapes[port] for port in shapes if port in {*record.leaves("u")}}
+    fields = {
+        name: value
+        for name, value in parameters.items()
+        if name in {*record.leaves("p")}
+    }
+    return candidate(ports, fields)

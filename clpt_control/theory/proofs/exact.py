@@ -1,14 +1,16 @@
-"""Exact algebra: zero tests, expansion and factors of expressions.
+"""Exact algebra: zero tests, normal forms and factors of expressions.
 
 An expression is zero if as one fraction p/q, of polynomials over the rationals in its symbols and
 functions, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's own rules.
 """
 
+from collections import defaultdict
 from functools import lru_cache
 from math import comb, prod
 from typing import Any
 
 import sympy
+from sympy import Expr, Pow, S, expand
 from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
@@ -17,13 +19,15 @@ from ...base.errors import DiagramError
 from .facts import CLIP, INSIDE
 from .steps import short
 
-MOST_TERMS = 20_000  # more are not multiplied out
+MOST_TERMS = 20_000  # longer expressions are not multiplied out
 HIGHEST = 4  # higher powers are not factored
-MOST_FACTORED, LARGEST = 40, 10  # terms; numbers in an exponent of e
-WHOLE = 100  # higher powers stay as they are
-MOST_PLACES = 20  # of three, one in five polynomials of nine words had bad ones alone
-# 1 - sin^2, 1 + sinh^2
-EVEN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}
+MOST_FACTORED = 40  # terms
+LARGEST_IN_EXP = 10  # numbers in an exponent of e
+HIGHEST_REWRITTEN = 100  # higher powers stay as they are
+# of 3 configurations, one in five polynomials with nine functions had bad ones alone
+FACTOR_CONFIGURATIONS = 20
+# even function -> the odd function and the sign in 1 - sin^2, 1 + sinh^2
+PYTHAGOREAN = {sympy.cos: (sympy.sin, -1), sympy.cosh: (sympy.sinh, 1)}
 
 
 @lru_cache(maxsize=1000)  # much is the same for each N
@@ -31,170 +35,200 @@ def vanishes(expression: Any) -> bool:
     """Return whether an expression is zero; one that divides by zero is not."""
     expression = sympy.sympify(expression)
     p, q = _fraction(expression)
-    parts = p.ring.symbols
-    if (
-        p == 0
-        or q == 0
-        or all(isinstance(part, sympy.Symbol | AppliedUndef) for part in parts)
+    generators = p.ring.symbols
+    is_decided = p == 0 or q == 0
+    if not is_decided and any(
+        not isinstance(g, sympy.Symbol | AppliedUndef) for g in generators
     ):
-        return p == 0 and q != 0
-    p, q = map(sympy.expand, sympy.fraction(sympy.together(expression)))
+        p, q = map(expand, sympy.fraction(sympy.together(expression)))
     return p == 0 and q != 0
 
 
 @lru_cache(maxsize=1000)
-def as_factors(expression: sympy.Expr) -> sympy.Expr:
+def as_factors(expression: Expr) -> Expr:
     """Return an expression as one fraction of factors."""
     p, q = _fraction(expression)
-    return _product(p.as_expr()) / _product(q.as_expr())
+    return _factor(p.as_expr()) / _factor(q.as_expr())
 
 
-def _product(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression factored.
-
-    SymPy lifts factors from random places; from a bad one of a few it does not come back.
-    """
-    with using(EEZ_NUMBER_OF_CONFIGS=MOST_PLACES):
+def _factor(expression: Expr) -> Expr:
+    """Factor an expression; from a few bad random configurations SymPy does not return."""
+    with using(EEZ_NUMBER_OF_CONFIGS=FACTOR_CONFIGURATIONS):
         return sympy.factor(expression)
 
 
-def left_over(residual: Any) -> str:
-    """Return a residual that should be zero, in words; "" where it is."""
-    return "" if vanishes(residual) else f"left over: {short(sympy.expand(residual))}"
+def nonzero_residual(residual: Any) -> str:
+    """Return "" if a residual is zero, otherwise a sentence with the residual."""
+    return "" if vanishes(residual) else f"left over: {short(expand(residual))}"
 
 
-def _parts(expression: sympy.Expr) -> set[sympy.Expr]:
-    """Return what an expression is a fraction of polynomials in."""
+# --- fractions of polynomials ---------------------------------------------------------------
+
+
+def _generators(expression: Expr) -> set[Expr]:
+    """Return the symbols and functions of which an expression is a rational function."""
     if expression.is_Add or expression.is_Mul:
-        return set().union(*map(_parts, expression.args))
+        return set().union(*map(_generators, expression.args))
     if expression.is_Pow and expression.exp.is_Integer:
-        return _parts(expression.base)
+        return _generators(expression.base)
     return set() if expression.is_Rational else {expression}
 
 
-def _fraction(expression: sympy.Expr) -> tuple[PolyElement, PolyElement]:
-    """Return p and q of an expression p/q; SymPy's own field takes much longer, with divisors."""
-    ring = PolyRing([*_parts(expression)], sympy.ZZ)
-    known = {
-        part: (own, ring.one) for part, own in zip(ring.symbols, ring.gens, strict=True)
-    }
+def _fraction(expression: Expr) -> tuple[PolyElement, PolyElement]:
+    """Return p and q of an expression p/q; SymPy's own field is slower, with divisors."""
+    ring = PolyRing([*_generators(expression)], sympy.ZZ)
+    generators = zip(ring.symbols, ring.gens, strict=True)
+    fractions = {symbol: (generator, ring.one) for symbol, generator in generators}
 
-    def fraction(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
-        if e not in known:
-            known[e] = multiplied(e)
-        return known[e]
+    def fraction(e: Expr) -> tuple[PolyElement, PolyElement]:
+        if e not in fractions:
+            fractions[e] = combined(e)
+        return fractions[e]
 
-    def multiplied(e: sympy.Expr) -> tuple[PolyElement, PolyElement]:
+    def combined(e: Expr) -> tuple[PolyElement, PolyElement]:
         if e.is_Rational:
             return ring.ground_new(e.p), ring.ground_new(e.q)
         if e.is_Pow:
-            p, q = fraction(e.base)[:: 1 if e.exp > 0 else -1]
-            return p ** abs(int(e.exp)), q ** abs(int(e.exp))
-        parts = [fraction(one) for one in e.args]
+            p, q = fraction(e.base)
+            exponent = abs(int(e.exp))
+            power = p**exponent, q**exponent
+            return power if e.exp > 0 else power[::-1]
+        arguments = [fraction(a) for a in e.args]
         if e.is_Mul:
-            return ring.mul(*(p for p, _ in parts)), ring.mul(*(q for _, q in parts))
-        numerators: dict[PolyElement, list[PolyElement]] = {}  # by their denominator
-        for p, q in parts:
-            numerators.setdefault(q, []).append(p)
+            numerators, denominators = zip(*arguments, strict=True)
+            return ring.mul(*numerators), ring.mul(*denominators)
+        return added(arguments)
+
+    def added(summands: list) -> tuple[PolyElement, PolyElement]:
+        """Add fractions, those with the same denominator first."""
+        numerators = defaultdict[PolyElement, list[PolyElement]](list)
+        for p, q in summands:
+            numerators[q].append(p)
         p, q = ring.zero, ring.one
-        for other, shares in numerators.items():
-            p, q = p * other + ring.add(*shares) * q, q * other
+        for denominator, terms in numerators.items():
+            p = p * denominator + ring.add(*terms) * q
+            q = q * denominator
         return p, q
 
     return fraction(expression)
 
 
+# --- normal form ----------------------------------------------------------------------------
+
+
 @lru_cache(maxsize=1000)
-def tidied(expression: sympy.Expr) -> sympy.Expr:
+def normal_form(expression: Expr) -> Expr:
     """Return an expression multiplied out, cos^2 as 1 - sin^2, cosh^2 as 1 + sinh^2.
 
-    An angle's sums and multiples are written out only where others share its symbols: of sin(3 t)
-    alone more is known than of 3 sin(t) - 4 sin(t)^3.
+    Sums and multiples of angles are expanded only where other angles share their symbols: of
+    sin(3 t) alone more is known than of 3 sin(t) - 4 sin(t)^3.
     """
     if terms_of(expression) > MOST_TERMS:
         raise DiagramError(
             f"V' has more than {MOST_TERMS} terms; make the law or its N smaller"
         )
-    masked = {
-        e: sympy.Dummy(str(e), positive=True) for e in expression.atoms(sympy.exp)
-    }
-    if masked and not any(e.args[0].atoms(sympy.exp) for e in masked):
-        # else in its denominators
-        plain = tidied(expression.xreplace(masked)).xreplace(
-            {d: e for e, d in masked.items()}
-        )
-        return sympy.expand(plain, deep=False, power_exp=False)
-    angles = {
-        p.base.args[0]
-        for p in expression.atoms(sympy.Pow)
-        if isinstance(p.base, sympy.cosh)
-    }
-    if angles:  # sinh/cosh, as of log(cosh)
-        tanh = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
-        expression = sympy.expand(expression.xreplace(tanh))
-    known = dict[sympy.Expr, sympy.Expr]()
-    high = {p.base for p in high_powers(expression)}
-    for even, (odd, _) in EVEN.items():
-        turns = expression.atoms(even, odd) - high
-        angles = {one.args[0] for one in turns}
-        known |= {
-            one: sympy.expand_trig(one) for one in turns if _meets(one.args[0], angles)
-        }
-    expression = sympy.expand(expression.xreplace(known))
-    for within in expression.atoms(INSIDE):  # where clip(s, a, b) is s
-        ends = {at: expression.xreplace({within: sympy.Integer(at)}) for at in (0, 1)}
-        inside = (ends[1] - ends[0]).xreplace({CLIP(*within.args): within.args[0]})
-        expression = sympy.expand(ends[0] + within * inside)
-    for p in expression.atoms(sympy.Pow):
-        if (
-            p.base.func in EVEN
-            and p.exp.is_Integer
-            and p.exp != -1
-            and p.base not in high
-        ):
-            odd, sign = EVEN[p.base.func]
-            square = 1 + sign * odd(*p.base.args) ** 2
-            known[p] = square ** (p.exp // 2) * p.base ** (p.exp % 2)
-    return sympy.expand(expression.xreplace(known))
+    exponentials = expression.atoms(sympy.exp)
+    is_nested = any(e.args[0].atoms(sympy.exp) for e in exponentials)
+    if exponentials and not is_nested:
+        # as symbols: SymPy would multiply them into denominators
+        symbols = {e: sympy.Dummy(str(e), positive=True) for e in exponentials}
+        original = {symbol: e for e, symbol in symbols.items()}
+        plain = normal_form(expression.xreplace(symbols)).xreplace(original)
+        return expand(plain, deep=False, power_exp=False)
+    expression = _with_tanh(expression)
+    unchanged = {power.base for power in high_powers(expression)}
+    expression = _with_expanded_angles(expression, unchanged)
+    for inside in expression.atoms(INSIDE):
+        expression = _with_clip_inside(expression, inside)
+    return _with_odd_functions(expression, unchanged)
 
 
-def high_powers(expression: sympy.Expr) -> set[sympy.Expr]:
-    """Return the powers that stay as they are, and exp(1000 x): SymPy has it as exp(x)**1000."""
+def _with_tanh(expression: Expr) -> Expr:
+    """Write sinh as tanh cosh where cosh has a power, as in derivatives of log(cosh)."""
+    bases = {power.base for power in expression.atoms(Pow)}
+    angles = [base.args[0] for base in bases if isinstance(base, sympy.cosh)]
+    products = {sympy.sinh(a): sympy.tanh(a) * sympy.cosh(a) for a in angles}
+    return expand(expression.xreplace(products)) if products else expression
+
+
+def _with_expanded_angles(expression: Expr, unchanged: set) -> Expr:
+    """Expand functions of sums of angles that share symbols with other angles."""
+    expanded = {}
+    for even, (odd, _) in PYTHAGOREAN.items():
+        calls = expression.atoms(even, odd) - unchanged
+        angles = {call.args[0] for call in calls}
+        for call in calls:
+            if _may_cancel(call.args[0], angles):
+                expanded[call] = sympy.expand_trig(call)
+    return expand(expression.xreplace(expanded))
+
+
+def _may_cancel(angle: Expr, angles: set[Expr]) -> bool:
+    """Return whether terms of an expanded angle may cancel those of other angles."""
+    has_low_multiples = all(abs(n) <= HIGHEST for n in angle.atoms(sympy.Integer))
+    different = angles - {angle, -angle}
+    shares_symbols = any(angle.free_symbols & a.free_symbols for a in different)
+    return has_low_multiples and shares_symbols
+
+
+def _with_clip_inside(expression: Expr, inside: Expr) -> Expr:
+    """Write clip(s, a, b) as s in the factor of inside(s, a, b)."""
+    outside = expression.xreplace({inside: S.Zero})
+    factor = expression.xreplace({inside: S.One}) - outside
+    clip = CLIP(*inside.args)
+    return expand(outside + inside * factor.xreplace({clip: inside.args[0]}))
+
+
+def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
+    """Write powers of cos and cosh by those of sin and sinh."""
+    powers = {}
+    for power in expression.atoms(Pow):
+        base, n = power.base, power.exp
+        if base.func not in PYTHAGOREAN or base in unchanged:
+            continue
+        if n.is_Integer and n != -1:
+            odd, sign = PYTHAGOREAN[base.func]
+            square = 1 + sign * odd(*base.args) ** 2
+            powers[power] = square ** (n // 2) * base ** (n % 2)
+    return expand(expression.xreplace(powers))
+
+
+# --- factors and sizes ----------------------------------------------------------------------
+
+
+def high_powers(expression: Expr) -> set[Expr]:
+    """Return the powers that stay as they are, and exp(1000 x): SymPy has exp(x)**1000."""
     powers = {
-        p
-        for p in expression.atoms(sympy.Pow)
-        if p.exp.is_Integer and abs(p.exp) > WHOLE
+        power
+        for power in expression.atoms(Pow)
+        if power.exp.is_Integer and abs(power.exp) > HIGHEST_REWRITTEN
     }
-    for e in expression.atoms(sympy.exp):
-        if any(max(abs(n.p), n.q) > LARGEST for n in e.args[0].atoms(sympy.Rational)):
-            powers.add(e)
+    for call in expression.atoms(sympy.exp):
+        numbers = call.args[0].atoms(sympy.Rational)
+        if any(max(abs(n.p), n.q) > LARGEST_IN_EXP for n in numbers):
+            powers.add(call)
     return powers
 
 
-def _meets(angle: sympy.Expr, others: set[sympy.Expr]) -> bool:
-    """Return whether sums and low multiples in an angle may cancel what others of them make."""
-    low = all(abs(n) <= HIGHEST for n in angle.atoms(sympy.Integer))
-    apart = others - {angle, -angle}
-    return low and any(angle.free_symbols & other.free_symbols for other in apart)
-
-
-def factored(expression: sympy.Expr, most: int = MOST_FACTORED) -> sympy.Expr:
-    """Return an expression factored, or as it is where it has many terms or operations."""
-    if len(sympy.Add.make_args(expression)) > most or expression.count_ops() > 5 * most:
+def factored(expression: Expr, most: int = MOST_FACTORED) -> Expr:
+    """Return an expression factored; unchanged if it has many terms or operations."""
+    terms = sympy.Add.make_args(expression)
+    if len(terms) > most or expression.count_ops() > 5 * most:
         return expression
-    whole = {
-        e: sympy.Dummy(
-            str(e), positive=e.is_positive or None, nonnegative=e.is_nonnegative or None
+    symbols = {
+        power: sympy.Dummy(
+            str(power),
+            positive=power.is_positive or None,
+            nonnegative=power.is_nonnegative or None,
         )
-        for e in high_powers(expression)
+        for power in high_powers(expression)
     }
-    return _product(expression.xreplace(whole)).xreplace(
-        {dummy: e for e, dummy in whole.items()}
-    )
+    original = {symbol: power for power, symbol in symbols.items()}
+    return _factor(expression.xreplace(symbols)).xreplace(original)
 
 
-def terms_of(expression: sympy.Expr) -> int:
-    """Return how many terms there are at most, multiplied out."""
+def terms_of(expression: Expr) -> int:
+    """Return the largest number of terms of an expression that is multiplied out."""
     if expression.is_Add:
         return sum(map(terms_of, expression.args))
     if expression.is_Mul:

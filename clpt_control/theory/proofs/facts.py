@@ -1,19 +1,14 @@
-"""Facts about nonlinear functions in expressions: one table.
-
-A row says of a function, such as tanh(s) or clip(s, a, b), what proofs may use:
+"""Table of facts about nonlinear functions in expressions, such as tanh(s) or clip(s, a, b).
 
 - **sector**: an odd rising h has h(s) = q s with q in a range, so tanh(s) = q s, 0 <= q <= 1;
 - **pieces**: clip(s, a, b) is s where s - a >= 0 and b - s >= 0, a where a - s >= 0, ...;
-- **range**: the interval in which it lies, from those of its arguments;
+- **range**: the interval of its values, from those of its arguments;
 - **growth**: bounded, or at most as fast as (one of) its arguments;
-- **kind**: smooth, a kink, a step (constant but where it jumps), or a choice of branches.
+- **kind**: smooth, a kink, a step (constant except where it jumps), or a choice of branches.
 
-Where pieces meet with one slope, V' is that of each piece (`meets_smoothly`).  A V with a kink
-decreases too where each piece says so, if rates are continuous: a motion that stays on the kink has
-the slope of both sides.  Where rates jump it may slide along the kink, and V rise.
-
-A state s that V does not contain, with |s'| <= a (1 + |s|), a bounded on bounded times, exists for
-all t (Gronwall's lemma); s' = 1 + s^2 escapes at t = pi/2.  `degree` is that power of the states.
+Where pieces meet with equal slopes, V' is that of each piece (`meets_smoothly`).  A V with a kink
+decreases too if it does in each piece and rates are continuous.  Where rates jump, a motion may
+slide along the kink, and V rise.
 """
 
 from collections.abc import Callable
@@ -24,6 +19,7 @@ from operator import ge, gt, le, lt
 from typing import Any, Literal, NamedTuple
 
 import sympy
+from sympy import Add, Expr, Function, Max, Min, S, expand, oo
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -32,12 +28,12 @@ from .every_n import SUM
 
 # --- functions that SymPy leaves as they are ------------------------------------------------
 
-INSIDE = sympy.Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
-CLIP = sympy.Function("clip", real=True)
-GT = sympy.Function("gt", real=True)
-SIGN = sympy.Function("sign", real=True)
-WHERE = sympy.Function("where", real=True)
-MAXIMUM = sympy.Function("maximum", real=True)
+INSIDE = Function("inside", real=True)  # 1 where clip(s, a, b) is s, else 0
+CLIP = Function("clip", real=True)
+GT = Function("gt", real=True)
+SIGN = Function("sign", real=True)
+WHERE = Function("where", real=True)
+MAXIMUM = Function("maximum", real=True)
 COMPARISONS: dict[str, Callable[..., Any]] = {"gt": gt, "ge": ge, "lt": lt, "le": le}
 LOGIC: dict[str, Callable[..., Any]] = {
     "and_": lambda a, b: a * b,
@@ -48,7 +44,7 @@ NUMPY_OF = {**ON_NUMBERS, "inside": lambda s, low, high: (low < s) & (s < high)}
 
 Interval = tuple[Any, Any]
 # expressions that are not negative in the piece, and values of functions there
-Piece = tuple[list[sympy.Expr], dict[Any, Any]]
+Piece = tuple[list[Expr], dict[Any, Any]]
 
 
 class Fact(NamedTuple):
@@ -68,198 +64,188 @@ class Fact(NamedTuple):
 # --- pieces ---------------------------------------------------------------------------------
 
 
-def _pieces_of_comparison(name: str, a: Any, b: Any) -> list[Piece]:
-    margin = a - b if name in ("gt", "ge") else b - a
-    call = sympy.Function(name, real=True)(a, b)
-    return [([margin], {call: sympy.S.One}), ([-margin], {call: sympy.S.Zero})]
+def _pieces_of_comparison(call: Any, a: Any, b: Any) -> list[Piece]:
+    is_greater = call.func.__name__ in ("gt", "ge")
+    margin = a - b if is_greater else b - a
+    return [([margin], {call: S.One}), ([-margin], {call: S.Zero})]
 
 
-def _pieces_of_extreme(name: str, a: Any, b: Any) -> list[Piece]:
-    call = sympy.Function(name, real=True)(a, b)
-    margin = a - b if name == "maximum" else b - a
+def _pieces_of_extreme(call: Any, a: Any, b: Any) -> list[Piece]:
+    is_maximum = call.func.__name__ == "maximum"
+    margin = a - b if is_maximum else b - a
     return [([margin], {call: a}), ([-margin], {call: b})]
 
 
-def _pieces_of_clip(name: str, s: Any, low: Any, high: Any) -> list[Piece]:
+def _pieces_of_clip(call: Any, s: Any, low: Any, high: Any) -> list[Piece]:
     if not (high - low).is_nonnegative:
         return []
-    clip, inside = CLIP(s, low, high), INSIDE(s, low, high)
+    clip = CLIP(s, low, high)
+    inside = INSIDE(s, low, high)
     return [
-        ([s - low, high - s], {clip: s, inside: sympy.S.One}),
-        ([low - s], {clip: low, inside: sympy.S.Zero}),
-        ([s - high], {clip: high, inside: sympy.S.Zero}),
+        ([s - low, high - s], {clip: s, inside: S.One}),
+        ([low - s], {clip: low, inside: S.Zero}),
+        ([s - high], {clip: high, inside: S.Zero}),
     ]
 
 
-def _pieces_of_sign(name: str, s: Any) -> list[Piece]:
-    signs = SIGN(s), sympy.sign(s)
-    sides = (([s], sympy.S.One), ([-s], -sympy.S.One), ([s, -s], sympy.S.Zero))
-    return [
-        (conditions, {sympy.Abs(s): side * s} | dict.fromkeys(signs, side))
-        for conditions, side in sides
-    ]
+def _pieces_of_sign(call: Any, s: Any) -> list[Piece]:
+    def values(sign: Any) -> dict[Any, Any]:
+        return {SIGN(s): sign, sympy.sign(s): sign, sympy.Abs(s): sign * s}
+
+    return [([s], values(S.One)), ([-s], values(-S.One)), ([s, -s], values(S.Zero))]
 
 
 # --- ranges ---------------------------------------------------------------------------------
 
 
-def _between(low: Any, high: Any) -> Callable[..., Interval]:
+def _constant(low: Any, high: Any) -> Callable[..., Interval]:
+    """Return a range that does not depend on the arguments."""
     return lambda *ends: (sympy.sympify(low), sympy.sympify(high))
 
 
-def _rising(function: Callable[..., Any]) -> Callable[..., Interval]:
+def _monotone(function: Callable[..., Any]) -> Callable[..., Interval]:
     """Return the range of a function that rises with each argument."""
     return lambda *ends: tuple(function(*values) for values in zip(*ends, strict=True))
 
 
-def _of_branches(*ends: Interval) -> Interval:
-    """Return the range of one of some branches; the first argument chooses."""
+def _range_of_choice(*ends: Interval) -> Interval:
+    """Return the range of a choice: the first argument selects one of the others."""
     lows, highs = zip(*ends[1:], strict=True)
-    return sympy.Min(*lows), sympy.Max(*highs)
+    return Min(*lows), Max(*highs)
 
 
-def _of_exp(ends: Interval) -> Interval:
-    high = sympy.oo if ends[1] == sympy.oo else sympy.exp(ends[1])
-    return sympy.S.Zero, high
+def _range_of_exp(ends: Interval) -> Interval:
+    high = oo if ends[1] == oo else sympy.exp(ends[1])
+    return S.Zero, high
 
 
 def _clip_number(s: Any, low: Any, high: Any) -> Any:
-    return sympy.Min(sympy.Max(s, low), high)
+    return Min(Max(s, low), high)
+
+
+def _inside_number(s: Any, low: Any, high: Any) -> Any:
+    return sympy.Integer(bool(low < s) and bool(s < high))
+
+
+def _extreme(function: Any) -> Fact:
+    return Fact(
+        "kink",
+        "as all",
+        pieces=_pieces_of_extreme,
+        range=_monotone(function),
+        number=function,
+    )
 
 
 # --- the table ------------------------------------------------------------------------------
 
-ZERO_ONE = _between(0, 1)
-ONE_EACH = _between(-1, 1)
+TRUTH = _constant(0, 1)
+UNIT = _constant(-1, 1)
+SMOOTH = "erfc cosh acosh atanh asin acos tan log"
 FACTS: dict[str, Fact] = {
-    "sin": Fact("smooth", "bounded", range=ONE_EACH),
-    "cos": Fact("smooth", "bounded", range=ONE_EACH),
-    "tanh": Fact("smooth", "bounded", (0, 1), range=ONE_EACH),
-    "atan": Fact("smooth", "bounded", (0, 1)),
+    "sin": Fact("smooth", "bounded", range=UNIT),
+    "cos": Fact("smooth", "bounded", range=UNIT),
+    "tanh": Fact("smooth", "bounded", sector=(0, 1), range=UNIT),
+    "atan": Fact("smooth", "bounded", sector=(0, 1)),
     "atan2": Fact("choice", "bounded"),
-    "erf": Fact("smooth", "bounded", (0, 2)),
-    "erfc": Fact("smooth"),
-    "asinh": Fact("smooth", "as all", (0, 1)),
-    "sinh": Fact("smooth", sector=(1, sympy.oo)),
-    "cosh": Fact("smooth"),
-    "acosh": Fact("smooth"),
-    "atanh": Fact("smooth"),
-    "asin": Fact("smooth"),
-    "acos": Fact("smooth"),
-    "tan": Fact("smooth"),
-    "exp": Fact("smooth", range=_of_exp),
-    "log": Fact("smooth"),
+    "erf": Fact("smooth", "bounded", sector=(0, 2)),
+    "asinh": Fact("smooth", "as all", sector=(0, 1)),
+    "sinh": Fact("smooth", sector=(1, oo)),
+    "exp": Fact("smooth", range=_range_of_exp),
+    **dict.fromkeys(SMOOTH.split(), Fact("smooth")),
     "Abs": Fact("kink", "as all", pieces=_pieces_of_sign),
     "clip": Fact(
         "kink",
         "as branches",
         pieces=_pieces_of_clip,
-        range=_rising(_clip_number),
+        range=_monotone(_clip_number),
         number=_clip_number,
     ),
-    "maximum": Fact(
-        "kink",
-        "as all",
-        pieces=_pieces_of_extreme,
-        range=_rising(sympy.Max),
-        number=sympy.Max,
-    ),
-    "minimum": Fact(
-        "kink",
-        "as all",
-        pieces=_pieces_of_extreme,
-        range=_rising(sympy.Min),
-        number=sympy.Min,
-    ),
+    "maximum": _extreme(Max),
+    "minimum": _extreme(Min),
     "sign": Fact(
-        "step", "bounded", pieces=_pieces_of_sign, range=ONE_EACH, number=sympy.sign
+        "step", "bounded", pieces=_pieces_of_sign, range=UNIT, number=sympy.sign
     ),
     "inside": Fact(
-        "step",
-        "bounded",
-        pieces=_pieces_of_clip,
-        range=ZERO_ONE,
-        number=lambda s, low, high: sympy.Integer(bool(low < s) and bool(s < high)),
+        "step", "bounded", pieces=_pieces_of_clip, range=TRUTH, number=_inside_number
     ),
-    "floor": Fact("step", "as all"),
-    "trunc": Fact("step", "as all"),
-    "ceil": Fact("step", "as all"),
+    **dict.fromkeys(("floor", "trunc", "ceil"), Fact("step", "as all")),
     "mod": Fact("choice", "as branches", number=lambda a, b: a % b),
-    "where": Fact("choice", "as branches", range=_of_branches),
-    "pick": Fact("choice", "as branches", range=_of_branches),
-    **{
-        name: Fact("step", "bounded", pieces=_pieces_of_comparison, range=ZERO_ONE)
-        for name in COMPARISONS
-    },
-    **{name: Fact("step", "bounded", range=ZERO_ONE) for name in LOGIC},
+    **dict.fromkeys(
+        ("where", "pick"), Fact("choice", "as branches", range=_range_of_choice)
+    ),
+    **dict.fromkeys(
+        COMPARISONS, Fact("step", "bounded", pieces=_pieces_of_comparison, range=TRUTH)
+    ),
+    **dict.fromkeys(LOGIC, Fact("step", "bounded", range=TRUTH)),
 }
 UNKNOWN = Fact("choice")
 # functions of SymPy that are odd and rise
 ODD = tuple(getattr(sympy, name) for name, fact in FACTS.items() if fact.sector)
 
 
-def fact_of(call: sympy.Expr) -> Fact:
-    """Return what is known of a function in an expression."""
+def fact_of(call: Expr) -> Fact:
+    """Return the row of the table for a function in an expression."""
     return FACTS.get(call.func.__name__, UNKNOWN)
 
 
 # --- functions in expressions ---------------------------------------------------------------
 
 
-def functions_in(expression: sympy.Expr) -> set[Any]:
-    """Return the functions in an expression, but for numbers, sums and functions of time alone."""
-    calls = expression.atoms(sympy.Function)
+def functions_in(expression: Expr) -> set[Any]:
+    """Return the functions in an expression, except numbers, sums and functions of time alone."""
+    calls = expression.atoms(Function)
     return {f for f in calls if not (is_input(f) or f.func == SUM or f.is_number)}
 
 
 def is_input(call: Any) -> bool:
     """Return whether a function is an unknown function of time alone, as the inputs are."""
-    is_of_time = isinstance(call, AppliedUndef) and [str(a) for a in call.args] == ["t"]
-    return is_of_time and call.func.__name__ not in NUMPY_OF
+    if not isinstance(call, AppliedUndef) or call.func.__name__ in NUMPY_OF:
+        return False
+    return [str(a) for a in call.args] == ["t"]
 
 
-def decided(expression: sympy.Expr) -> sympy.Expr:
-    """Return an expression where comparisons and choices of numbers are carried out."""
-
-    def outcome(call: Any) -> Any:
-        name, arguments = call.func.__name__, call.args
-        if name == "where" and arguments[0].is_number:
-            return arguments[1] if arguments[0] != 0 else arguments[2]
-        if name in COMPARISONS:
-            truth = COMPARISONS[name](*arguments)
-            return sympy.Integer(bool(truth)) if truth in (True, False) else call
-        if name in LOGIC:
-            is_known = any(a.is_number for a in arguments)
-            return (
-                LOGIC[name](*arguments) if is_known and _are_truths(arguments) else call
-            )
-        number = fact_of(call).number
-        if number is not None and all(a.is_number for a in arguments):
-            return number(*arguments)
-        return call
-
-    return expression.replace(lambda e: isinstance(e, AppliedUndef), outcome)
+def decided(expression: Expr) -> Expr:
+    """Return an expression in which comparisons and choices of numbers are evaluated."""
+    return expression.replace(lambda e: isinstance(e, AppliedUndef), _outcome)
 
 
-def _are_truths(arguments: tuple) -> bool:
-    """Return whether each argument is 0 or 1."""
-    return all(
-        a in (0, 1) or a.func.__name__ in (*COMPARISONS, *LOGIC) for a in arguments
-    )
+def _outcome(call: Any) -> Any:
+    """Return the value of a comparison, a choice or a function of numbers, or the call."""
+    name, arguments = call.func.__name__, call.args
+    are_numbers = [a.is_number for a in arguments]
+    if name == "where" and are_numbers[0]:
+        condition, *branches = arguments
+        return branches[0] if condition != 0 else branches[1]
+    if name in COMPARISONS:
+        truth = COMPARISONS[name](*arguments)
+        return sympy.Integer(bool(truth)) if truth in (True, False) else call
+    if name in LOGIC:
+        is_known = any(are_numbers) and all(map(_is_truth, arguments))
+        return LOGIC[name](*arguments) if is_known else call
+    number = fact_of(call).number
+    if number is not None and all(are_numbers):
+        return number(*arguments)
+    return call
+
+
+def _is_truth(e: Expr) -> bool:
+    """Return whether an expression is 0, 1 or a truth value."""
+    return e in (0, 1) or e.func.__name__ in (*COMPARISONS, *LOGIC)
 
 
 def pieces_of(call: Any) -> list[Piece]:
-    """Return the pieces of a function; none where it is not known to be made of any."""
+    """Return the pieces of a function; none if no pieces are known."""
     pieces = fact_of(call).pieces
-    return [] if pieces is None else pieces(call.func.__name__, *call.args)
+    return [] if pieces is None else pieces(call, *call.args)
 
 
-def is_smooth(expression: sympy.Expr) -> bool:
+def is_smooth(expression: Expr) -> bool:
     """Return whether an expression has no functions with pieces or jumps."""
     return all(fact_of(call).kind == "smooth" for call in functions_in(expression))
 
 
-def is_continuous(expression: sympy.Expr) -> bool:
+def is_continuous(expression: Expr) -> bool:
     """Return whether an expression is known to jump nowhere where it has a value."""
     kinds = {fact_of(call).kind for call in functions_in(expression)}
     return kinds <= {"smooth", "kink"}
@@ -271,10 +257,11 @@ def is_continuous(expression: sympy.Expr) -> bool:
 class Sector(NamedTuple):
     """A function is q times `factor`, q between `low` and `high`, plus `offset`."""
 
-    factor: sympy.Expr
+    factor: Expr
     low: Any
-    high: Any  # oo where there is no end
-    rises: bool = False  # whether q > 0 but at s = 0, and s h(s) never falls with |s|
+    high: Any  # oo if q is unbounded
+    # whether q > 0 except at s = 0, and s h(s) never falls with |s|
+    rises: bool = False
     offset: Any = 0
 
 
@@ -284,41 +271,45 @@ def sector_of(call: Any, by_slope: bool = False) -> Sector | None:
     if by_slope and name == "sin":
         return Sector(s, -1, 1)
     if by_slope and name == "exp":
-        return Sector(s, 0, sympy.oo, offset=1)
-    if (ends := fact_of(call).sector) is not None:
-        return Sector(s, ends[0], ends[1], True)
+        return Sector(s, 0, oo, offset=1)
+    sector = fact_of(call).sector
+    if sector is not None:
+        return Sector(s, *sector, rises=True)
     if name in ("sign", "floor", "trunc", "ceil"):
-        return Sector(s, 0, sympy.oo, name == "sign")
-    if name == "clip" and call.args[1].is_nonpositive and call.args[2].is_nonnegative:
-        rises = bool(call.args[1].is_negative and call.args[2].is_positive)
-        return Sector(s, 0, 1, rises)
+        return Sector(s, 0, oo, rises=name == "sign")
+    if name == "clip":
+        _, low, high = call.args
+        if low.is_nonpositive and high.is_nonnegative:
+            return Sector(s, 0, 1, bool(low.is_negative and high.is_positive))
     if name in ("maximum", "minimum") and 0 in call.args:
-        return Sector(sympy.Add(*call.args), 0, 1)
+        return Sector(Add(*call.args), 0, 1)
     low, high = interval(call)
-    return None if low == -inf else Sector(sympy.Integer(1), low, high)
+    return None if low == -inf else Sector(S.One, low, high)
 
 
 @lru_cache(maxsize=10_000)
-def interval(e: sympy.Expr) -> Interval:
-    """Return the numbers between which an expression lies, whatever its symbols are."""
+def interval(e: Expr) -> Interval:
+    """Return the numbers between which an expression is, for all values of its symbols."""
     if e.is_number and e.is_real:
         return e, e
-    # runs begin at t = 0
-    low: Any = sympy.S.Zero if e.is_nonnegative or e == TIME else -sympy.oo
-    high: Any = sympy.S.Zero if e.is_nonpositive else sympy.oo
     ends = [interval(a) for a in e.args]
     fact = fact_of(e)
     if fact.range is not None:
         return fact.range(*ends)
+    # runs begin at t = 0
+    low: Any = S.Zero if e.is_nonnegative or e == TIME else -oo
+    high: Any = S.Zero if e.is_nonpositive else oo
+    bounds = low, high
     if e.is_Add:
-        low = sympy.Max(low, sympy.Add(*(a for a, _ in ends)))
-        high = sympy.Min(high, sympy.Add(*(b for _, b in ends)))
-    elif e.is_Mul or (e.is_Pow and e.exp == 2):
-        product = _product_range(ends if e.is_Mul else [ends[0], ends[0]])
-        low, high = sympy.Max(low, product[0]), sympy.Min(high, product[1])
+        lows, highs = zip(*ends, strict=True)
+        bounds = Add(*lows), Add(*highs)
+    elif e.is_Mul:
+        bounds = _product_range(ends)
+    elif e.is_Pow and e.exp == 2:
+        bounds = _product_range([ends[0], ends[0]])
     elif e.is_Pow and e.exp.is_negative and _power_falls(e.exp, *ends[0]):
-        low, high = ends[0][1] ** e.exp, ends[0][0] ** e.exp
-    return low, high
+        return ends[0][1] ** e.exp, ends[0][0] ** e.exp
+    return Max(low, bounds[0]), Min(high, bounds[1])
 
 
 def _product_range(ends: list[Interval]) -> Interval:
@@ -326,27 +317,27 @@ def _product_range(ends: list[Interval]) -> Interval:
     product = ends[0]
     for factor in ends[1:]:
         corners = [a * b for a in product for b in factor]
-        corners = [sympy.S.Zero if c is sympy.nan else c for c in corners]
-        product = sympy.Min(*corners), sympy.Max(*corners)
+        corners = [S.Zero if c is sympy.nan else c for c in corners]
+        product = Min(*corners), Max(*corners)
     return product
 
 
-def _power_falls(exponent: sympy.Expr, low: Any, high: Any) -> bool:
+def _power_falls(exponent: Expr, low: Any, high: Any) -> bool:
     """Return whether a power with an exponent below zero falls from `low` to `high`."""
     return bool(low.is_positive or (exponent.is_odd and high.is_negative))
 
 
-def positive_maximum(f: sympy.Expr) -> bool:
-    """Return whether an expression is maximum(a, b) with a positive one."""
-    is_maximum = isinstance(f, AppliedUndef) and str(f.func) == "maximum"
-    return is_maximum and any(bool(a.is_positive) for a in f.args)
+def is_positive_maximum(e: Expr) -> bool:
+    """Return whether an expression is maximum(a, b) with a > 0 or b > 0."""
+    is_maximum = isinstance(e, AppliedUndef) and str(e.func) == "maximum"
+    return is_maximum and any(bool(a.is_positive) for a in e.args)
 
 
 # --- slopes ---------------------------------------------------------------------------------
 
 
-def slope_of(call: Any, along: Callable[[sympy.Expr], sympy.Expr]) -> sympy.Expr | None:
-    """Return the derivative of a function with pieces, by those of its arguments; else None."""
+def slope_of(call: Any, along: Callable[[Expr], Expr]) -> Expr | None:
+    """Return the derivative of a function with pieces, by those of its arguments; or None."""
     name, arguments = call.func.__name__, call.args
     rates = [along(a) for a in arguments]
     if name == "clip" and rates[1:] == [0, 0]:
@@ -355,81 +346,94 @@ def slope_of(call: Any, along: Callable[[sympy.Expr], sympy.Expr]) -> sympy.Expr
         return SIGN(arguments[0]) * rates[0]
     if name in ("where", "pick"):
         return call.func(arguments[0], *rates[1:])
-    if name in ("maximum", "minimum"):
-        first, second = arguments if name == "maximum" else arguments[::-1]
-        return WHERE(GT(first, second), *rates)
-    return sympy.S.Zero if fact_of(call).kind == "step" else None
+    if name == "maximum":
+        return WHERE(GT(*arguments), *rates)
+    if name == "minimum":
+        return WHERE(GT(*arguments[::-1]), *rates)
+    return S.Zero if fact_of(call).kind == "step" else None
 
 
-def along(expression: sympy.Expr, rates: dict[Any, sympy.Expr]) -> sympy.Expr:
+def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
     """Return the derivative of an expression along a motion: symbols -> their rates, or 0."""
-    known = dict(rates)
+    rates = dict(rates)  # of subexpressions as well
 
-    def rate(e: sympy.Expr) -> sympy.Expr:
-        if e not in known:
-            known[e] = slope(e)
-        return known[e]
+    def rate(e: Expr) -> Expr:
+        if e not in rates:
+            rates[e] = chain_rule(e)
+        return rates[e]
 
-    def slope(e: sympy.Expr) -> sympy.Expr:
+    def chain_rule(e: Expr) -> Expr:
         if e.is_Atom:
-            return sympy.Integer(0)
+            return S.Zero
         if e.is_Add:
-            return sympy.Add(*map(rate, e.args))
+            return Add(*map(rate, e.args))
         if e.is_Mul:
             moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
-            rest = (sympy.Mul(*e.args[:k], *e.args[k + 1 :]) for k in moving)
-            terms = (rate(e.args[k]) * b for k, b in zip(moving, rest, strict=True))
-            return sympy.Add(*terms)
+            terms = []
+            for k in moving:
+                constant = sympy.Mul(*e.args[:k], *e.args[k + 1 :])
+                terms.append(rate(e.args[k]) * constant)
+            return Add(*terms)
         if e.is_Pow and e.exp.is_Number:
             return e.exp * e.base ** (e.exp - 1) * rate(e.base)
         if (derivative := slope_of(e, rate)) is not None:
             return derivative
-        is_known = isinstance(e, sympy.Function) and not isinstance(e, AppliedUndef)
-        if is_known and len(e.args) == 1:
+        is_of_sympy = isinstance(e, Function) and not isinstance(e, AppliedUndef)
+        if is_of_sympy and len(e.args) == 1:
             return e.fdiff() * rate(e.args[0])
-        moving = [s for s in e.free_symbols if rate(s) != 0]
-        return sympy.Add(*(sympy.diff(e, s) * rate(s) for s in moving))
+        symbols = [s for s in e.free_symbols if rate(s) != 0]
+        return Add(*(sympy.diff(e, s) * rate(s) for s in symbols))
 
     return rate(expression)
 
 
-def meets_smoothly(V: sympy.Expr) -> bool:
+def meets_smoothly(V: Expr) -> bool:
     """Return whether V and its slopes agree where the pieces of its functions meet."""
     powers = V.atoms(sympy.Pow)
     if any(not p.exp.is_Integer and not p.base.is_positive for p in powers):
         return False
-    for call in functions_in(V):
-        if fact_of(call).kind == "smooth" or call.func.__name__ in ("where", *LOGIC):
-            continue  # a choice is judged by the comparisons in it
-        pieces = pieces_of(call)
-        if not pieces or functions_in(sympy.Add(*call.args)):
+    return all(_call_meets_smoothly(V, call) for call in functions_in(V))
+
+
+def _call_meets_smoothly(V: Expr, call: Any) -> bool:
+    """Return whether V and its slopes agree where the pieces of one function meet."""
+    is_choice = call.func.__name__ in ("where", *LOGIC)
+    if is_choice or fact_of(call).kind == "smooth":
+        return True  # a choice is judged by the comparisons in it
+    pieces = pieces_of(call)
+    is_nested = bool(functions_in(Add(*call.args)))
+    if not pieces or is_nested:
+        return False
+    values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
+    for j, k in combinations(range(len(pieces)), 2):
+        opposite = [expand(-margin) for margin in pieces[k][0]]
+        borders = [margin for margin in pieces[j][0] if expand(margin) in opposite]
+        if not all(_agrees(values[j] - values[k], border) for border in borders):
             return False
-        values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
-        for j, k in combinations(range(len(pieces)), 2):
-            opposite = [sympy.expand(-margin) for margin in pieces[k][0]]
-            borders = [u for u in pieces[j][0] if sympy.expand(u) in opposite]
-            if not all(_agrees(values[j] - values[k], u) for u in borders):
-                return False
     return True
 
 
-def _agrees(difference: sympy.Expr, border: sympy.Expr) -> bool:
+def _agrees(difference: Expr, border: Expr) -> bool:
     """Return whether a difference vanishes with its slopes where a border is zero."""
-    border = sympy.expand(border)
-    gens = sorted(border.free_symbols, key=str)
+    square = expand(expand(border) ** 2)
+    symbols = sorted(expand(border).free_symbols, key=str)
     numerator, _ = sympy.fraction(sympy.together(difference))
     try:
-        rest = sympy.rem(sympy.expand(numerator), sympy.expand(border**2), *gens)
+        remainder = sympy.rem(expand(numerator), square, *symbols)
     except sympy.PolynomialError:
         return False
-    return bool(rest == 0)
+    return bool(remainder == 0)
 
 
 # --- growth ---------------------------------------------------------------------------------
 
 
-def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
-    """Return the power of the states with which an expression grows; inf if it is not known."""
+def degree(expression: Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
+    """Return the power of the states with which an expression grows; inf if not known.
+
+    A state that V does not contain exists for all t if |s'| <= a (1 + |s|), a bounded on bounded
+    times (Gronwall's lemma); s' = 1 + s^2 escapes at t = pi/2.
+    """
     if not any(map(is_state, expression.free_symbols)):
         return 0.0
     if expression.is_Symbol:
@@ -446,9 +450,11 @@ def degree(expression: sympy.Expr, is_state: Callable[[sympy.Symbol], bool]) -> 
     if expression.is_Pow and expression.exp.is_number:
         if expression.exp.is_positive:
             return float(expression.exp) * degrees[0]
-        # a base that stays away from zero
-        return 0.0 if interval(expression.base)[0].is_positive else inf
+        is_away_from_zero = interval(expression.base)[0].is_positive
+        return 0.0 if is_away_from_zero else inf
     growth = fact_of(expression).growth
-    if growth == "as branches":  # whatever the first argument is
+    if growth == "as all":
+        return max(degrees)
+    if growth == "as branches":  # for any value of the first argument
         return max(degrees[1:])
-    return {"bounded": 0.0, "as all": max(degrees)}.get(growth, inf)
+    return 0.0 if growth == "bounded" else inf

@@ -22,20 +22,20 @@ from ...paper.laws.law import LEARNED, Law
 from ...simulation.loops import paper_blocks
 from ...simulation.starts import state_columns, state_of
 from ..promises import truth_of
-from .decide import never_positive, nonpositive
-from .exact import as_factors, left_over, vanishes
-from .facts import positive_maximum
+from .decide import groups_never_positive, never_positive
+from .exact import as_factors, nonzero_residual, vanishes
+from .facts import is_positive_maximum
 from .states_outside_V import states_outside_V
 from .steps import Step, short
-from .sums_of_squares import holds_all, squares
+from .sums_of_squares import contains_all, squares
 from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import (
     Hedging,
     law_and_V,
     law_loop,
     rate_of_V,
+    symbols_of_V,
     theorem_scenario,
-    tied,
     truth_in,
 )
 
@@ -79,13 +79,15 @@ class InvariantLoop:
         every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
         if blocks is None:
-            self.tied = tied(self.loop, V, law.V, (block.parameters, p), (true, truth))
+            self.tied = symbols_of_V(
+                self.loop, V, law.V, (block.parameters, p), (true, truth)
+            )
         else:
             own = {
                 s for one in (block, V) for s in flat(self.loop.parameters[one.name])
             }
             values = {s: number for s, number in self.loop.values.items() if s in own}
-            self.tied = values | tied(self.loop, V, blocks[1], (true, truth))
+            self.tied = values | symbols_of_V(self.loop, V, blocks[1], (true, truth))
         self.losses = [
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
@@ -199,7 +201,9 @@ class InvariantLoop:
         words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
         for word in sorted(words, key=_outer_first):
             if expression.has(word):
-                sign = {"positive": True} if positive_maximum(word) else {"real": True}
+                sign = (
+                    {"positive": True} if is_positive_maximum(word) else {"real": True}
+                )
                 symbol = self.words.setdefault(
                     word, sympy.Dummy(str(word.func), **sign)
                 )
@@ -210,7 +214,7 @@ class InvariantLoop:
         """Return what V' has beyond a claim and what is beside, or has no value, or nothing."""
         claimed = claim(self.loop) + self.beside
         rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claimed)
-        return left_over(rest) or "".join(self.loop.undefined[:1])
+        return nonzero_residual(rest) or "".join(self.loop.undefined[:1])
 
     def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
         """Return which relation the states leave, by their rates or at a jump, or nothing."""
@@ -268,7 +272,7 @@ class InvariantLoop:
         )
         if not self.error_growth.is_nonpositive:
             return "what it gains may be positive"
-        return left_over(
+        return nonzero_residual(
             self.reduced(sympy.sympify(rate - self.error_growth).xreplace(at))
         )
 
@@ -331,7 +335,7 @@ class InvariantLoop:
                 sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs))
             )
         parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
-        return all(nonpositive(-part, self.apart | others) for part in parts)
+        return all(groups_never_positive(-part, self.apart | others) for part in parts)
 
     def existing(self) -> tuple[str, Step]:
         """Return what a verdict adds of states that V does not hold, and that all exist.
@@ -356,7 +360,7 @@ class InvariantLoop:
             *e,
             *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat),
         ]
-        total = squares(V, V.free_symbols - set(states), words_are_free=False)
+        total = squares(V, V.free_symbols - set(states), functions_are_free=False)
         free = loop.motion.keys() - {
             s for port in grown for s in self.matrices[port].flat
         }
@@ -368,7 +372,7 @@ class InvariantLoop:
         }
         held = (
             {*x, *z, *states, *made}
-            if total and holds_all(total, states)
+            if total and contains_all(total, states)
             else set[Any]()
         )
         apart, step = states_outside_V([*held], self.relations, loop)

@@ -20,12 +20,12 @@ from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
 from .decide import never_positive
 from .every_n import base_and_term, reindexed
-from .exact import tidied, vanishes
+from .exact import normal_form, vanishes
 from .facts import CLIP, SIGN, along, degree, interval
 from .judge import Candidate, Fall, Refutation, Verdict
 from .same_as_running import running_step, search_of
 from .steps import Step, checked, exact, short
-from .sums_of_squares import dead_zone, least_place, rising_in
+from .sums_of_squares import dead_zone, rising_in, zero_of
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in
 from .ultimate_bounds import Bound, Bounding
@@ -67,7 +67,7 @@ class LawCandidate(Candidate):
         for e in self.e:
             zone, self.V_of_e = dead_zone(self.V_of_e, e)
             self.zones.append(zone)
-        self.rate = tidied(rate_of_V(loop).xreplace(self.known))
+        self.rate = normal_form(rate_of_V(loop).xreplace(self.known))
         self.residual = self._residual()
         self.for_every_N = False
 
@@ -88,7 +88,7 @@ class LawCandidate(Candidate):
 
     def _residual(self) -> sympy.Expr:
         """Return V' less its fall."""
-        rest = tidied(self.rate - self.fall_of_e)
+        rest = normal_form(self.rate - self.fall_of_e)
         sizes = {a: a.args[0] * SIGN(*a.args) for a in rest.atoms(sympy.Abs)}
         has_powers = rest.atoms(sympy.Pow)
         return sympy.S.Zero if has_powers and vanishes(rest.xreplace(sizes)) else rest
@@ -103,7 +103,7 @@ class LawCandidate(Candidate):
         terms = [
             k * e * along(V, {e: sympy.S.One}) for k, e in zip(KD, self.e, strict=True)
         ]
-        return -tidied(sympy.Add(*terms)).xreplace(self.in_x)
+        return -normal_form(sympy.Add(*terms)).xreplace(self.in_x)
 
     @cached_property
     def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
@@ -169,7 +169,7 @@ class LawCandidate(Candidate):
         if any(s.name.endswith(".interval") for s in V.free_symbols):
             return False  # V itself may jump
         shifted = {s: s + true for s, true in self.truth.items() if s in self.learned}
-        V = tidied(V.xreplace(shifted))
+        V = normal_form(V.xreplace(shifted))
         states = [*self.e, *self.learned, *self.others_in_V]
         for learned, error in self.errors:
             # alpha = s + s^3: V is least where its error is zero
@@ -182,7 +182,7 @@ class LawCandidate(Candidate):
             if not (share.is_number and share.is_positive and rises.is_positive):
                 return False
             V, states = rest, [state for state in states if state != s]
-        least = least_place(V, states)
+        least = zero_of(V, states)
         if least is None:
             return False
         self.truth |= {s: least[s] for s in self.others_in_V}
@@ -227,7 +227,7 @@ class LawCandidate(Candidate):
         ):  # it may depend on inputs, which may jump as well
             return [sympy.Symbol("jump_of_V", real=True)]
         return [
-            tidied((self.V.xreplace(after) - self.V).xreplace(self.values))
+            normal_form((self.V.xreplace(after) - self.V).xreplace(self.values))
             for after in self.loop.jumps_at_once()
         ]
 
@@ -249,7 +249,7 @@ class LawCandidate(Candidate):
     def rises(self) -> bool:
         """Whether V rises with each |e_i|, beyond its zone, so that its fall is one."""
         slopes = {e: along(self.V_of_e, {e: sympy.S.One}) for e in self.e}
-        return all(rising_in(tidied(e * slope), e) for e, slope in slopes.items())
+        return all(rising_in(normal_form(e * slope), e) for e, slope in slopes.items())
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive."""
@@ -267,7 +267,7 @@ class LawCandidate(Candidate):
         ]
         squares = sympy.Add(*(k * square for k, square in zip(KD, beyond, strict=True)))
         fall = "-D^T KD e" if any(self.zones) else "-e^T KD e"
-        if tidied(self.fall_of_e.xreplace(self.in_e) + squares) != 0:
+        if normal_form(self.fall_of_e.xreplace(self.in_e) + squares) != 0:
             fall = "-sum KD_i e_i dV/de_i"
         if not self.rises:
             return False, fall
@@ -302,8 +302,8 @@ class LawCandidate(Candidate):
         return step
 
     def _holds_for_every_N(self) -> tuple[bool, str]:
-        loop = ArrayLoop(self.loop.diagram, known=self._of_every_N)
-        residual = tidied(loop.elements.of(rate_of_V(loop) - decay(loop)))
+        loop = ArrayLoop(self.loop.diagram, substitute=self._of_every_N)
+        residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
         if loop.undefined:
             return False, loop.undefined[0]
         # what no equation reads exists as long as what drives it
@@ -312,7 +312,7 @@ class LawCandidate(Candidate):
         states = {port: loop.elements.of(loop.states[port]) for port in ports}
         if faster := faster_than_linear(rates, states):
             return False, faster
-        base, term = parts = [tidied(part) for part in base_and_term(residual)]
+        base, term = parts = [normal_form(part) for part in base_and_term(residual)]
         # for all gains, or for those that it has
         for values in ({}, self.values):
             if all(self.never_positive(part.xreplace(values)) for part in parts):

@@ -24,7 +24,7 @@ from ...paper.blocks.vehicle import speed_limit
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..counterexamples import limited_speed_counterexample
-from .exact import left_over, vanishes
+from .exact import nonzero_residual, vanishes
 from .facts import MAXIMUM
 from .invariant_loop import InvariantLoop
 from .paper_loop import PaperLoop, algebra, line
@@ -45,7 +45,7 @@ def differs(law: Law) -> str:
         for speed in ("no limit", "hedged")
     )
     flown = dict(zip(hedged.inputs["v_x"], free.signals["v_x"], strict=True))
-    if difference := left_over(rate_of_V(free) - rate_of_V(hedged)):
+    if difference := nonzero_residual(rate_of_V(free) - rate_of_V(hedged)):
         # whatever v is flown
         return difference
     own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}

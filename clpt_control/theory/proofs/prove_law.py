@@ -1,8 +1,8 @@
-"""`prove`: judge an adaptive law by V' along the paper's closed loop.
+"""Proof or refutation of an adaptive law by V' along the paper's closed loop.
 
-The law is a block that takes any of the diagram's signals and makes alpha, K, Gamma.  V is that of
-`default_candidate`, or the user's; `judge` asks the five questions.  A law whose states have
-invariants is proved by the steps of `invariants`.
+The law is a block that reads any of the diagram's signals and returns alpha, K and Gamma.  V is
+that of `default_candidate`, or the user's; `judge` asks the five questions.  A law whose states
+have invariants is proved by the steps of `invariants`.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -10,7 +10,6 @@ from dataclasses import replace
 from typing import Any
 
 import control
-import numpy as np
 
 from ...base.arguments import Count, Seed, public
 from ...base.errors import DiagramError
@@ -31,7 +30,13 @@ from .law_candidate import LawCandidate
 from .paper_symbols import paper_name
 from .steps import first_failure, worked_out
 from .symbolic_loop import flat, symbolic_loop
-from .theorem_loop import rate_of_V, theorem_loop, theorem_scenario, tied, truth_in
+from .theorem_loop import (
+    rate_of_V,
+    symbols_of_V,
+    theorem_loop,
+    theorem_scenario,
+    truth_in,
+)
 
 SLOWER = ", where the flow stays slower than the vehicle (hedging)"
 ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
@@ -54,46 +59,46 @@ def prove(
     ----------
     law_block : Block, control.NonlinearIOSystem or Diagram
         With outputs alpha[2N], K[2], Gamma[2] and inputs among the diagram's ports, such
-        as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, and nothing else of
-        your own, nor a disturbance, noise, held gains or a limit of the speed without hedging.
+        as e[2], phi_x[N], z[2], zc[2]; or a `closed_loop` with such a law, without other parts of
+        your own, a disturbance, noise, fixed gains or a speed limit without hedging.
     V : callable, optional
-        A function of signals, as `lyapunov` takes it: ``lambda s: s.e @ s.e / 2 + ...``, which
-        may ask for signals of the loop (``s.e``, ``s.alpha``, ``s.K``, ...), the truth
-        (``s.theta``, ``s.KD``, ``s.GammaD``) and the law's parameters. Or a function of the truth,
-        ``V(truth)`` or ``V(truth, parameters)``, that makes a Block with the output V[1].
-        By default Eq. (24), each error weighed by the gain with which the
-        law adapts it, or by the inverse of a matrix of gains.
+        A function of signals, as of `lyapunov`: ``lambda s: s.e @ s.e / 2 + ...``, which may read
+        signals of the loop (``s.e``, ``s.alpha``, ``s.K``, ...), the truth (``s.theta``, ``s.KD``,
+        ``s.GammaD``) and the law's parameters. Or a function of the truth, ``V(truth)`` or
+        ``V(truth, parameters)``, that returns a Block with the output V[1].
+        Default: Eq. (24), each error weighted by the inverse of the gain with which the law adapts
+        it, or by the inverse of a matrix of gains.
     points : int, optional
         Random points at which the running blocks are called.
     seed : int, optional
-        Of the random points.
+        Seed of the random points.
     invariants : callable, optional
-        ``invariants(states, parameters, truth)``, state -> what it is in the others, where they
-        begin so; V' is then -e^T KD e less `losses`, and V has to be given.
+        ``invariants(states, parameters, truth)`` returns state -> its value in terms of other
+        states, if they start so; V' is then -e^T KD e less `losses`, and `V` is required.
     start : mapping, optional
-        Initial values of the law's own states, by name, from which `invariants` hold. Default: 0.
+        Initial values of the law's states, by name, at which `invariants` hold. Default: 0.
     semidefinite : sequence of str, optional
-        States that are symmetric positive semidefinite matrices; where V weighs errors by one,
-        that it begins positive definite.
+        States that are symmetric positive semidefinite matrices; one that weights errors in V is
+        positive definite at the start.
     losses : callable, optional
-        ``losses(states, parameters, truth)``, what V' loses: products, tuples of factors that are
-        not negative.
+        ``losses(states, parameters, truth)`` returns what V' loses: products, as tuples of factors
+        that are not negative.
 
     Returns
     -------
     Verdict
-        `status`: ``"proved"``, ``"bounded"``, ``"refuted"`` or ``"open"``; `residual`, what V'
-        has beyond its fall; `point`, where V' > 0; and the `steps` that were tried. A law whose
-        states jump is ``"refuted at a jump"`` where V rises there, however far off, and only
-        ``"proved between jumps"`` where nothing is known of V there.
+        `status`: ``"proved"``, ``"bounded"``, ``"refuted"`` or ``"open"``; `residual`, V' less its
+        negative terms; `point`, at which V' > 0; and the `steps` that were tried. A law whose
+        states jump is ``"refuted at a jump"`` if V rises at a jump at any distance, and
+        ``"proved between jumps"`` if V at jumps is unknown.
 
     Raises
     ------
     DiagramError
-        If the law does not make alpha[2N], K[2] and Gamma[2], or has the name of a block that
-        holds the truth.
+        If the law does not return alpha[2N], K[2] and Gamma[2], or has the name of a block that
+        contains the truth.
     BlockError
-        If its equations cannot be read.
+        If its equations cannot be traced.
 
     Examples
     --------
@@ -103,97 +108,108 @@ def prove(
     'proved'
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
-        loop = loop_of(law_block)
-        if beside := loop.changes.description or _changes_of_V(loop.scenario):
-            raise DiagramError(
-                f"{law_block.name}: has {beside}, so V' is not its law's alone; a law is judged in "
-                f"the paper's own diagram without, or give it as a Block; {ANY}"
-            )
-        law_block = loop.changes.law or loop.scenario.law_block
-        if loop.scenario.vehicle.max_speed is not None:
-            more = (V, points, seed, invariants, semidefinite, losses, start)
-            verdict = prove(law_block, *more)
-            return replace(verdict, claim=f"{verdict.claim}{SLOWER}")
-    if isinstance(law_block, control.NonlinearIOSystem):
-        law_block = as_law_block(law_block)
-    if not isinstance(law_block, Block):
-        raise DiagramError(
-            f"{law_block.name}: is a {type(law_block).__name__}; a law is judged in the paper's "
-            f"own diagram, give it as a Block; {ANY}"
-        )
-    for field in law_block.parameters._fields:
-        if paper_name(law_block.name, field) not in (None, "gamma"):
-            raise DiagramError(
-                f"{law_block.name}: its parameter {field} would be taken for what the paper's "
-                "block of this name holds, which no law knows; give the law another name"
-            )
-    read_anew(law_block)
-    N = functions_of(law_block)
-    theorem_loop(N, "learned-flow", law_block=law_block)  # refuses what is no law
-    with worked_out(law_block.name):
-        if invariants is None:  # one V that does not fall refutes no law
-            law_V = default_V(law_block, N) if V is None else user_V(V, law_block)
-            return judge(_candidate(law_block, N, law_V, points, seed))
+        scenario, law = _law_of(law_block)
+        verdict = prove(law, V, points, seed, invariants, semidefinite, losses, start)
+        is_limited = scenario.vehicle.max_speed is not None
+        return replace(verdict, claim=verdict.claim + SLOWER * is_limited)
+    block = _checked_law(law_block)
+    N = functions_of(block)
+    theorem_loop(N, "learned-flow", law_block=block)  # rejects other blocks
+    with worked_out(block.name):
+        if invariants is None:
+            law_V = default_V(block, N) if V is None else user_V(V, block)
+            return judge(_candidate(block, N, law_V, points, seed))
         if V is None:
             raise DiagramError(
-                f"{law_block.name}: a law whose states keep relations needs its V"
+                f"{block.name}: a law whose states keep relations needs its V"
             )
-        make = user_V(V, law_block).make
-        part = {
-            "invariants": invariants,
-            "semidefinite": semidefinite,
-            "losses": losses,
-        }
-        row = Law(law_block.name, rates=law_block.values, V_rate="-e^T KD e - losses")
-        row = row.with_parts(part)
-        case = InvariantLoop(row, N, blocks=(law_block, make), start=start or {})
-        steps, (apart, existing) = (
-            invariant_steps(row, points, case, seed),
-            case.existing(),
+        declared = Law(block.name, rates=block.values, V_rate="-e^T KD e - losses")
+        law = declared.with_parts(
+            {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         )
-        failed = first_failure(steps)
-        known = "proved" if existing.holds else f"proved {apart}"
-        return Verdict(
-            "open" if failed else known,
-            failed or f"V' = {row.V_rate}",
-            case.V,
-            rate_of_V(case.loop).xreplace(case.tied),
-            steps=(*steps, existing),
-            residual=case.beside,
-            diagram=case.loop.diagram,
+        blocks = block, user_V(V, block).make
+        case = InvariantLoop(law, N, blocks=blocks, start=start or {})
+        return _verdict_by_invariants(law, case, points, seed)
+
+
+def _law_of(diagram: Diagram) -> tuple[Scenario, Block]:
+    """Return the scenario and the law of a closed loop; reject other terms in V'."""
+    loop = loop_of(diagram)
+    change = loop.changes.description or _changes_of_V(loop.scenario)
+    if change:
+        raise DiagramError(
+            f"{diagram.name}: has {change}, so V' is not its law's alone; a law is judged in "
+            f"the paper's own diagram without, or give it as a Block; {ANY}"
         )
+    return loop.scenario, loop.changes.law or loop.scenario.law_block
+
+
+def _checked_law(law: Block | Diagram | control.NonlinearIOSystem) -> Block:
+    """Return a law as a block; reject diagrams and names that the truth has."""
+    if isinstance(law, control.NonlinearIOSystem):
+        law = as_law_block(law)
+    if not isinstance(law, Block):
+        raise DiagramError(
+            f"{law.name}: is a {type(law).__name__}; a law is judged in the paper's own "
+            f"diagram, give it as a Block; {ANY}"
+        )
+    for field in law.parameters._fields:
+        if paper_name(law.name, field) not in (None, "gamma"):
+            raise DiagramError(
+                f"{law.name}: its parameter {field} would be taken for what the paper's "
+                "block of this name holds, which no law knows; give the law another name"
+            )
+    read_anew(law)
+    return law
+
+
+def _verdict_by_invariants(
+    law: Law, case: InvariantLoop, points: int, seed: int
+) -> Verdict:
+    """Return the verdict on a law whose states have invariants."""
+    steps = invariant_steps(law, points, case, seed)
+    condition, existence = case.existing()
+    status, claim = "proved", f"V' = {law.V_rate}"
+    if not existence.holds:
+        status = f"proved {condition}"
+    if failed := first_failure(steps):
+        status, claim = "open", failed
+    return Verdict(
+        status,
+        claim,
+        case.V,
+        rate_of_V(case.loop).xreplace(case.tied),
+        steps=(*steps, existence),
+        residual=case.beside,
+        diagram=case.loop.diagram,
+    )
 
 
 def _changes_of_V(scenario: Scenario) -> str:
-    """Return what of a scenario adds to V' of its law, or takes from it, or nothing."""
-    flow, fixes, limit = (
-        scenario.flow,
-        scenario.localization,
-        scenario.vehicle.max_speed,
-    )
-    adds = {
-        "a disturbance": flow.disturbance is not None,
-        "a measured flow": flow.field is not None,
-        "noise in its positions": fixes is not None and fixes.noise > 0,
-        "a limit of its speed without hedging": limit is not None
-        and not scenario.hedged,
-        "K and Gamma that are held": not scenario.learning.adapt_gains,
-    }
-    return next((what for what, has in adds.items() if has), "")
+    """Return a part of a scenario that adds a term to V' of its law, or ""."""
+    flow, fixes = scenario.flow, scenario.localization
+    if flow.disturbance is not None:
+        return "a disturbance"
+    if flow.field is not None:
+        return "a measured flow"
+    if fixes is not None and fixes.noise > 0:
+        return "noise in its positions"
+    if scenario.vehicle.max_speed is not None and not scenario.hedged:
+        return "a limit of its speed without hedging"
+    return "" if scenario.learning.adapt_gains else "K and Gamma that are held"
 
 
 def _candidate(law: Block, N: int, law_V: LawV, points: int, seed: int) -> LawCandidate:
     """Return a law with its V on the symbols of the theorems' loop."""
-    true = truth_of(theorem_scenario(N, "learned-flow"))
-    V = law_V.make(true)
+    truth = truth_of(theorem_scenario(N, "learned-flow"))
+    V = law_V.make(truth)
     diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=V)
     loop = symbolic_loop(diagram, jumps=True)
-    known = tied(loop, V, law_V.make, (true, truth_in(loop)))
+    symbols = symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop)))
     if law_V.gains is not None:
         p = loop.parameters[V.name]
         is_matrix = "inverse" in p._fields
-        fields = ("inverse",) if is_matrix else ("gain", "gain_K", "gain_Gamma")
-        symbols = [s for field in fields for s in np.ravel(getattr(p, field))]
+        fields = [p.inverse] if is_matrix else [p.gain, p.gain_K, p.gain_Gamma]
         weights = law_V.gains(flat(loop.parameters[law.name]))
-        known |= zip(symbols, weights, strict=True)
-    return LawCandidate(loop, V, law, known, law_V.fitted, points, seed)
+        symbols |= zip(flat(fields), weights, strict=True)
+    return LawCandidate(loop, V, law, symbols, law_V.fitted, points, seed)

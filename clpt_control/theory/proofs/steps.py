@@ -1,8 +1,8 @@
-"""What a proof is made of: steps, and what they add up to.
+"""Steps of proofs, and proofs of statements.
 
-A step is an identity or an inequality with how it was established.  A proof is of a statement as
-printed in the paper, of a law or of a team; where the print is false it carries the corrected
-statement, and it always says what was not proved and what is cited.
+A step is an identity or an inequality and the method by which it was established.  A proof is of a
+statement as printed in the paper, of a law or of a team.  If the print is false, the proof has the
+corrected statement; it always lists parts that are cited or not proved.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -14,50 +14,49 @@ from typing import Any, Literal
 from ...base.errors import ClptError, DiagramError
 from ...engine.trace.arrays import Unread
 
-LONG = 10**12  # denominators beyond are rounded where they are printed
+LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One claim, and how it was established.
+    """A claim and the method by which it was established.
 
-    ``"exact"``: derived by SymPy, without rounding; ``"enclosed"``: in each of some boxes, by
-    numbers rounded outward; ``"counterexample"``: a case that was
-    computed; ``"sampled"``: seen at random points; ``"cited"``: taken from a book, not checked.
+    ``"exact"``: derived by SymPy, without rounding; ``"enclosed"``: by interval arithmetic in each
+    box of a region; ``"counterexample"``: a computed case; ``"sampled"``: seen at random points;
+    ``"cited"``: taken from a book, not checked.
     """
 
     claim: str  # the identity or inequality
     holds: bool
     how: How
-    detail: str = ""  # what was computed, in a line; for a cited step the source
+    detail: str = ""  # the result in a line; of a cited step the source
     every_N: bool = True  # whether it holds for every number of basis functions
 
 
 @dataclass(frozen=True)
 class Proof:
-    """What is known of a statement, of a law or of a team, and the steps that show it.
+    """The outcome for a statement, a law or a team, and its steps.
 
-    A theorem is ``"proved"``: by exact steps alone; ``"cited"``: some of them are cited;
+    A theorem is ``"proved"``: by exact steps alone; ``"cited"``: some steps are cited;
     ``"corrected"``: false as printed, and another statement holds; ``"refuted"``: false as
-    printed, no more; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
+    printed; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
     A law or a team is ``"proved"``, ``"bounded"``, ``"open"`` or ``"refuted"``.
     """
 
     status: str
-    claim: str  # what holds: a conclusion, or V' and the set that is reached; or what failed
+    claim: str  # a conclusion, or V' and the set that is reached; or the failure
     for_every_N: bool
     steps: tuple[Step, ...]
-    cited: str = ""  # the part of the statement that rests on cited steps
+    cited: str = ""  # the part of the statement that depends on cited steps
     printed: str = ""  # a theorem as printed
     assumptions: tuple[str, ...] = ()
-    # what holds where the print does not: proved, but for what is cited
-    corrected: str = ""
-    not_proved: tuple[str, ...] = ()  # what is not shown here
+    corrected: str = ""  # the statement that holds if the print is false
+    not_proved: tuple[str, ...] = ()
 
     @property
     def holds(self) -> bool:
-        """Whether it is what the package claims."""
+        """True if the outcome is as the package claims."""
         return self.status in ("proved", "cited", "corrected", "sampled", "bounded")
 
     @property
@@ -76,29 +75,39 @@ def theorem(
     cited: str = "",
     not_proved: tuple[str, ...] = (),
 ) -> Proof:
-    """Return the proof of a statement as printed; a correction, even "", says that it is false."""
+    """Return the proof of a statement as printed; a correction, even "", means that it is false."""
     steps = tuple(steps)
-    hows = {step.how for step in steps}
-    if first_failure(steps) or (corrected is not None and "counterexample" not in hows):
+    methods = {step.how for step in steps}
+    is_false = corrected is not None
+    if first_failure(steps) or (is_false and "counterexample" not in methods):
         status = "failed"
-    elif corrected is not None:
+    elif is_false:
         status = "corrected" if corrected else "refuted"
-    elif "exact" not in hows:
+    elif "exact" not in methods:
         status = "sampled"
     else:
-        status = "cited" if "cited" in hows else "proved"
-    more = (cited, printed, assumptions, corrected or "", not_proved)
-    return Proof(status, conclusion, exact_for_every_N(steps), steps, *more)
+        status = "cited" if "cited" in methods else "proved"
+    return Proof(
+        status,
+        conclusion,
+        exact_for_every_N(steps),
+        steps,
+        cited=cited,
+        printed=printed,
+        assumptions=assumptions,
+        corrected=corrected or "",
+        not_proved=not_proved,
+    )
 
 
 def where_all_hold(
     status: str, claim: str, steps: Iterable[Step], cited: str = ""
 ) -> Proof:
-    """Return a proof with this status and claim where every step holds; else an open one."""
+    """Return a proof with a status and a claim if every step holds; otherwise an open one."""
     steps = tuple(steps)
-    failed = first_failure(steps)
-    known = ("open", failed) if failed else (status, claim)
-    return Proof(*known, not failed and exact_for_every_N(steps), steps, cited)
+    if failed := first_failure(steps):
+        return Proof("open", failed, False, steps, cited)
+    return Proof(status, claim, exact_for_every_N(steps), steps, cited)
 
 
 def exact_for_every_N(steps: Iterable[Step]) -> bool:
@@ -108,20 +117,17 @@ def exact_for_every_N(steps: Iterable[Step]) -> bool:
 
 
 def proof_or_failure(status: str, proof: Callable[[], Proof]) -> Proof:
-    """Return a proof, or one with this status and a failed step where equations cannot be read."""
+    """Return a proof; if equations cannot be traced, a proof with a status and a failed step."""
     try:
         return proof()
-    except (
-        ClptError,
-        Unread,
-    ) as error:  # an equation so changed that it cannot be traced
+    except (ClptError, Unread) as error:
         step = Step("the equations can be read", False, "exact", f"{error}")
         return Proof(status, f"{error}", False, (step,))
 
 
 @contextmanager
 def worked_out(name: str) -> Iterator[None]:
-    """Raise a DiagramError with a sentence for whatever SymPy raises."""
+    """Raise a DiagramError with a sentence for any error of SymPy."""
     try:
         yield
     except ClptError:
@@ -129,9 +135,8 @@ def worked_out(name: str) -> Iterator[None]:
     except Unread as error:
         raise DiagramError(f"{error}") from None
     except Exception as error:
-        text = "".join(format_exception_only(error)).rpartition(
-            f"{type(error).__module__}."
-        )[2]
+        text = "".join(format_exception_only(error))
+        text = text.rpartition(f"{type(error).__module__}.")[2]
         cause = " ".join(text.split())  # in one line
         raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
 
@@ -139,27 +144,27 @@ def worked_out(name: str) -> Iterator[None]:
 def checked(
     claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True
 ) -> Step:
-    """Return a step from a check that returns a truth, or (truth, detail).
+    """Return a step from a check that returns a truth value, or (truth value, detail).
 
-    Equations that are refused in it are a step that does not hold, and says why; any other error is
-    one of the package itself, and says nothing of the claim.
+    If the check rejects equations, the step does not hold and has the reason as its detail.  Any
+    other error is a defect of the package, and is raised.
     """
     try:
-        answer = check()
+        result = check()
     except (ClptError, Unread) as error:
         return Step(claim, False, how, f"cannot be checked: {error}")
-    truth, detail = answer if isinstance(answer, tuple) else (answer, "")
-    return Step(claim, bool(truth), how, str(detail), every_N)
+    holds, detail = result if isinstance(result, tuple) else (result, "")
+    return Step(claim, bool(holds), how, str(detail), every_N)
 
 
 def counterexample(
-    claim: str, run: Callable[[], Any], shows: Callable[[Any], bool], said: str
+    claim: str, run: Callable[[], Any], shows: Callable[[Any], bool], text: str
 ) -> Step:
-    """Check that a case, which is computed, shows what is claimed; it is said with its numbers."""
+    """Check that a computed case shows a claim; `text` is formatted with the case."""
 
     def check() -> tuple[bool, str]:
-        found = run()
-        return shows(found), said.format(found)
+        case = run()
+        return shows(case), text.format(case)
 
     return checked(claim, check, "counterexample")
 
@@ -169,40 +174,45 @@ def exact_step(
 ) -> Step:
     """Check a claim for each number of functions.
 
-    A check returns whether it holds; or what is wrong, and nothing where it holds.
+    A check returns a truth value, or a text: the problem, "" if the claim holds.
     """
 
     def holds() -> tuple[bool, str]:
         for case in cases:
-            answer = check(case)
-            if answer is False or (answer and answer is not True):
-                return False, f"N = {case.N}: {answer}" if answer else ""
+            result = check(case)
+            if isinstance(result, str):
+                if result:
+                    return False, f"N = {case.N}: {result}"
+            elif not result:
+                return False, ""
         return True, ""
 
     return checked(claim, holds, every_N=False)
 
 
 def first_failure(steps: Iterable[Step]) -> str:
-    """Return the claim and the detail of the first step that does not hold, or nothing."""
-    failed = (step for step in steps if not step.holds)
-    return next((f"{one.claim} ({one.detail or 'not shown'})" for one in failed), "")
+    """Return the claim and the detail of the first step that does not hold, or ""."""
+    for step in steps:
+        if not step.holds:
+            return f"{step.claim} ({step.detail or 'not shown'})"
+    return ""
 
 
 def short(expression: Any, most: int = 160) -> str:
     """Return an expression as text of a line; numbers of many digits are rounded."""
-    from sympy import Rational  # what was proved before is read without SymPy
+    from sympy import Rational  # cached outcomes are read without SymPy
 
-    known = getattr(expression, "atoms", lambda kind: ())(Rational)
-    long = {one: one.n(6) for one in known if one.q > LONG}
-    text = str(expression.xreplace(long) if long else expression)
+    numbers = getattr(expression, "atoms", lambda kind: ())(Rational)
+    rounded = {n: n.n(6) for n in numbers if n.q > LARGEST_DENOMINATOR}
+    text = str(expression.xreplace(rounded) if rounded else expression)
     return text if len(text) <= most else text[:most] + " ..."
 
 
 def exact(claim: str, holds: bool, detail: str = "") -> Step:
-    """Return a step that SymPy showed for the N at hand, or did not."""
+    """Return an exact step for one N."""
     return Step(claim, holds, "exact", detail, False)
 
 
 def cited(claim: str, source: str) -> Step:
-    """Return a step that is taken from a source, not checked here."""
+    """Return a step that is taken from a source, not checked."""
     return Step(claim, True, "cited", source)

@@ -1,18 +1,19 @@
-"""An expression as a sum of terms that are not negative: the forms that a V contains.
+"""Sums of squares: an expression as a sum of terms that are never negative.
 
     V = c + sum_k a_k f_k^2 + sum_i g_i(s_i)        a_k > 0,  g_i convex or rising away from 0
 
 Forms f are taken as the user wrote them, or squares are completed, symbol by symbol.  V bounds
-every form: where V does not rise, no f leaves a bound, but one of the kind sin(s/2), of 1 - cos(s).
+every form: where V does not rise, no f leaves a bound, except one such as sin(s/2), of 1 - cos(s).
 """
 
 from typing import Any, NamedTuple
 
 import sympy
+from sympy import Add, Dummy, Expr, Poly, S, Symbol, expand
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
-from .exact import factored, tidied, vanishes
+from .exact import factored, normal_form, vanishes
 from .facts import (
     CLIP,
     along,
@@ -26,211 +27,265 @@ from .facts import (
 
 
 class Squares(NamedTuple):
-    """Terms that are not negative, and forms that are bounded where they are."""
+    """Terms that are never negative, and forms that are bounded where the terms are."""
 
-    constant: sympy.Expr
-    terms: list[sympy.Expr]
-    forms: list[sympy.Expr]
+    constant: Expr
+    terms: list[Expr]
+    forms: list[Expr]
 
 
-def squares(V: sympy.Expr, fixed: set, words_are_free: bool = True) -> Squares | None:
-    """Return an expression as a sum of terms that are not negative; None where none is known.
+class SortedTerms(NamedTuple):
+    """Terms of an expression by what is known of them."""
 
-    Words with kinks stand for any number, or only those of time and not of states.
+    form_of: dict[Any, Any]  # positive multiple of an even power -> its base
+    polynomial: list[Any]
+    nonnegative: list[Any]  # without a form
+    functions: dict[frozenset, list]  # symbols -> terms with functions of them
+
+
+def squares(V: Expr, fixed: set, functions_are_free: bool = True) -> Squares | None:
+    """Return an expression as a sum of terms that are never negative; None if none is known.
+
+    Functions with kinks may have any value, or only those of time and not of states.
     """
-    free = (f for f in V.atoms(AppliedUndef) if words_are_free or is_input(f))
-    words = {f: sympy.Dummy(str(f.func), real=True) for f in free}
-    back = {dummy: f for f, dummy in words.items()}
-    inner = [f.args[0] for f in V.atoms(sympy.Function) if f.args[0].is_Add]
-    sums = {
-        a: sympy.Dummy("sum", real=True)
-        for a in inner
-        if len(a.free_symbols - fixed) > 1
-    }
-    back |= {dummy: a for a, dummy in sums.items()}
-    V = V.xreplace(words).xreplace(sums)
-    moving = sorted(V.free_symbols - fixed, key=str)
-    form_of = dict[Any, Any]()  # term -> the form that it holds
-    low, more = list[Any](), list[Any]()
-    others = dict[frozenset, list]()
-    parts = [sympy.expand_mul(one, deep=False) for one in sympy.Add.make_args(V)]
-    for term in sympy.Add.make_args(sympy.Add(*parts)):
-        factor, rest = term.as_independent(*moving, as_Add=False)
-        base, power = rest.as_base_exp()
-        if (
-            _positive(factor)
-            and power.is_Integer
-            and power.is_even
-            and power.is_positive
-        ):
-            form_of[term] = base
-        elif rest.is_polynomial(*moving):
-            low.append(term)
-        elif term.is_nonnegative and len(rest.free_symbols & set(moving)) > 1:
-            # it holds no form
-            more.append(term)
-        else:
-            others.setdefault(frozenset(rest.free_symbols & set(moving)), []).append(
-                term
-            )
-    for symbols, terms in others.items():
+    V, original = _with_symbols(V, fixed, functions_are_free)
+    variables = sorted(V.free_symbols - fixed, key=str)
+    form_of, polynomial, nonnegative, functions = _sorted_terms(V, variables)
+    # functions of one symbol: their least value, and a form
+    for symbols, terms in functions.items():
         if len(symbols) != 1:
             return None
         (s,) = symbols
-        rising = _rising(sympy.Add(*terms), s)
-        if rising is None:  # with all that s is in alone
-            same = [term for term in low if term.free_symbols & set(moving) == {s}]
-            terms, low = terms + same, [term for term in low if term not in same]
-            rising = _rising(sympy.Add(*terms), s)
-        if rising is None:
+        minimum = _minimum(Add(*terms), s)
+        if minimum is None:  # with all terms in s alone
+            alone = [t for t in polynomial if t.free_symbols & {*variables} == {s}]
+            terms = terms + alone
+            polynomial = [t for t in polynomial if t not in alone]
+            minimum = _minimum(Add(*terms), s)
+        if minimum is None:
             return None
-        low.append(rising[0])
-        form_of[sympy.Add(*terms) - rising[0]] = rising[1]
-    if any(term.free_symbols & set(moving) for term in low):
-        # squares are completed with them
-        plain = [term for term in form_of if term.is_polynomial(*moving)]
-        low += plain
-        form_of = {term: form for term, form in form_of.items() if term not in plain}
-    whole = _completed(sympy.expand(sympy.Add(*low)), moving)
-    if whole is None:
+        least, form = minimum
+        polynomial.append(least)
+        form_of[Add(*terms) - least] = form
+    # other polynomials: squares are completed, together with the squares that there are
+    if any(term.free_symbols & {*variables} for term in polynomial):
+        plain = [term for term in form_of if term.is_polynomial(*variables)]
+        polynomial += plain
+        form_of = {t: form for t, form in form_of.items() if t not in plain}
+    completed = _completed(expand(Add(*polynomial)), variables)
+    if completed is None:
         return None
-    both = [*form_of, *more, *whole.terms], [*form_of.values(), *whole.forms]
+    terms = [*form_of, *nonnegative, *completed.terms]
+    forms = [*form_of.values(), *completed.forms]
     return Squares(
-        whole.constant, *([one.xreplace(back) for one in terms] for terms in both)
+        completed.constant,
+        [term.xreplace(original) for term in terms],
+        [form.xreplace(original) for form in forms],
     )
 
 
-def _completed(p: sympy.Expr, moving: list) -> Squares | None:
-    """Complete the squares of a polynomial, in one order of its symbols or another."""
-    symbols = [s for s in moving if p.has(s)]
+def _with_symbols(V: Expr, fixed: set, functions_are_free: bool) -> tuple[Expr, dict]:
+    """Replace functions, and sums of variables in functions, by symbols; return the inverse."""
+    calls = [f for f in V.atoms(AppliedUndef) if functions_are_free or is_input(f)]
+    symbols = {f: Dummy(str(f.func), real=True) for f in calls}
+    arguments = [f.args[0] for f in V.atoms(sympy.Function)]
+    sums = {
+        a: Dummy("sum", real=True)
+        for a in arguments
+        if a.is_Add and len(a.free_symbols - fixed) > 1
+    }
+    original = {symbol: e for e, symbol in (symbols | sums).items()}
+    return V.xreplace(symbols).xreplace(sums), original
+
+
+def _sorted_terms(V: Expr, variables: list) -> SortedTerms:
+    """Sort the terms of an expression."""
+    terms = SortedTerms({}, [], [], {})
+    summands = Add.make_args(V)
+    expanded = [sympy.expand_mul(summand, deep=False) for summand in summands]
+    for term in Add.make_args(Add(*expanded)):
+        coefficient, varying = term.as_independent(*variables, as_Add=False)
+        base, power = varying.as_base_exp()
+        symbols = frozenset(varying.free_symbols & {*variables})
+        is_square = power.is_Integer and power.is_even and power.is_positive
+        if is_square and _is_positive(coefficient):
+            terms.form_of[term] = base
+        elif varying.is_polynomial(*variables):
+            terms.polynomial.append(term)
+        elif term.is_nonnegative and len(symbols) > 1:
+            terms.nonnegative.append(term)
+        else:
+            terms.functions.setdefault(symbols, []).append(term)
+    return terms
+
+
+def _completed(p: Expr, variables: list) -> Squares | None:
+    """Complete the squares of a polynomial, in the order of its symbols."""
+    symbols = [s for s in variables if p.has(s)]
     if not symbols:
         return Squares(p, [], [])
-    poly = sympy.Poly(p, *symbols)
-    if any(poly.degree(s) % 2 for s in symbols):  # which has no least value
+    polynomial = Poly(p, *symbols)
+    if any(polynomial.degree(s) % 2 for s in symbols):  # no least value
         return None
-    high = Squares(sympy.S.Zero, [], [])
-    for powers, c in poly.terms():
-        even, holds = any(powers) and not any(n % 2 for n in powers), _positive(c)
-        if even and (holds or c.is_nonnegative) and (sum(powers) > 2 or not holds):
-            root = sympy.Mul(
-                *(s ** (n // 2) for s, n in zip(symbols, powers, strict=True))
-            )
-            high.terms.append(c * root**2)
-            high.forms.extend([root.as_base_exp()[0]] * holds)
     for s in symbols:
         a, b, c = (p.coeff(s, n) for n in (2, 1, 0))
-        if poly.degree(s) != 2 or a.has(*symbols) or not _positive(a):
+        if polynomial.degree(s) != 2 or a.has(*symbols) or not _is_positive(a):
             continue
-        form = s + sympy.expand(b / (2 * a))
-        below = c - b**2 / (4 * a)
-        below = sympy.expand(below if a.is_number else sympy.cancel(below))
-        rest = _completed(below, moving)
-        if rest is not None:
-            return Squares(
-                rest.constant, [a * form**2, *rest.terms], [form, *rest.forms]
-            )
+        form = s + expand(b / (2 * a))
+        remainder = c - b**2 / (4 * a)
+        remainder = remainder if a.is_number else sympy.cancel(remainder)
+        square = Squares(S.Zero, [a * form**2], [form])
+        completed = _added(square, expand(remainder), variables)
+        if completed is not None:
+            return completed
         break
-    if not high.terms:
+    powers = _even_powers(polynomial)
+    remainder = expand(p - Add(*powers.terms))
+    return _added(powers, remainder, variables) if powers.terms else None
+
+
+def _added(total: Squares, remainder: Expr, variables: list) -> Squares | None:
+    """Add the completed squares of a remainder to squares."""
+    completed = _completed(remainder, variables)
+    if completed is None:
         return None
-    rest = _completed(sympy.expand(p - sympy.Add(*high.terms)), moving)
-    if rest is None:
-        return None
-    return Squares(rest.constant, high.terms + rest.terms, high.forms + rest.forms)
+    return Squares(
+        completed.constant, total.terms + completed.terms, total.forms + completed.forms
+    )
 
 
-def _positive(a: sympy.Expr) -> bool:
-    """Return whether a factor is positive, and stays away from zero, which exp(-t) does not."""
-    alone = not a.has(TIME) and (a.is_positive or factored(a).is_positive)
-    return bool(alone or interval(a)[0].is_positive)
+def _even_powers(polynomial: Poly) -> Squares:
+    """Return the terms with even powers, except positive multiples of squares."""
+    powers = Squares(S.Zero, [], [])
+    for exponents, coefficient in polynomial.terms():
+        is_even = any(exponents) and not any(n % 2 for n in exponents)
+        is_positive = _is_positive(coefficient)
+        if not is_even or not (is_positive or coefficient.is_nonnegative):
+            continue
+        if is_positive and sum(exponents) <= 2:
+            continue
+        pairs = zip(polynomial.gens, exponents, strict=True)
+        root = sympy.Mul(*(s ** (n // 2) for s, n in pairs))
+        powers.terms.append(coefficient * root**2)
+        if is_positive:
+            powers.forms.append(root.as_base_exp()[0])
+    return powers
 
 
-def _rising(g: sympy.Expr, s: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr] | None:
+def _is_positive(a: Expr) -> bool:
+    """Return whether a factor stays above a positive number, as exp(-t) does not."""
+    is_constant = not a.has(TIME)
+    if is_constant and (a.is_positive or factored(a).is_positive):
+        return True
+    return bool(interval(a)[0].is_positive)
+
+
+def _minimum(g: Expr, s: Symbol) -> tuple[Expr, Expr] | None:
     """Return g(0), and a form that is zero where g - g(0) >= 0 is, of a function of one symbol."""
     least = decided(g.subs(s, 0))
     k, m = sympy.Wild("k", exclude=[s, 0]), sympy.Wild("m", exclude=[s, 0])
     cosine = g.match(-k * sympy.cos(m * s))
     if cosine is not None and cosine[k].is_positive:
         return least, sympy.sin(cosine[m] * s / 2)
-    slope = along(g, {s: sympy.S.One})
-    if least.is_finite and any(
-        rising_in(one(s * slope), s) for one in (tidied, factored)
-    ):
+    if not least.is_finite:
+        return None
+    slope = along(g, {s: S.One})
+    if any(rising_in(form(s * slope), s) for form in (normal_form, factored)):
         return least, s
     if g.atoms(AppliedUndef) or g.has(TIME):
         return None
-    bend = factored(sympy.diff(slope, s))
-    bends = (
-        least.is_finite
-        and vanishes(slope.subs(s, 0))
-        and bend != 0
-        and bend.is_nonnegative
-    )
-    return (least, s) if bends else None  # so that g rises without bound
+    curvature = factored(sympy.diff(slope, s))
+    is_convex = curvature != 0 and curvature.is_nonnegative
+    # convex and level at 0, g rises without bound
+    return (least, s) if is_convex and vanishes(slope.subs(s, 0)) else None
 
 
-def rising_in(E: sympy.Expr, s: sympy.Symbol) -> bool:
-    """Return whether s dV/ds is positive but at s = 0, and V has no end.
+def rising_in(E: Expr, s: Symbol) -> bool:
+    """Return whether E = s dV/ds is positive except at s = 0, and V is unbounded.
 
-    Each term is an even power of s, or s h(s), times what is not negative; one of them rises, or
-    is positive and has a limit far away that is: s dV/ds >= c > 0 there, and V >= c log|s|.
+    Each term is an even power of s, or s h(s), times a factor that is not negative.  One term
+    rises, or is positive with a positive limit far away: s dV/ds >= c > 0 and V >= c log|s|.
     """
     rises = False
-    for term in sympy.Add.make_args(sympy.expand(E)):
-        rest, strict, n = sympy.S.One, True, 0
-        for factor in sympy.Mul.make_args(term):
-            base, power = factor.as_base_exp()
-            sector = sector_of(factor) if functions_in(factor) and power == 1 else None
-            if base == s and power.is_Integer and power > 0:
-                n += int(power)
-            elif sector is not None and sector.factor == s and sector.low >= 0:
-                n += 1
-                strict &= sector.rises
-            else:
-                rest *= factor
-        low = interval(rest)[0]
-        if not low.is_extended_nonnegative or n % 2:
+    for term in Add.make_args(expand(E)):
+        power, factor, is_strict = _power_in(term, s)
+        low = interval(factor)[0]
+        if not low.is_extended_nonnegative or power % 2:
             return False
-        sure = low.is_positive
-        if rest.free_symbols == {s} and rest.is_positive and not functions_in(rest):
-            # 1/(1 + s^2)
-            far = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
-            sure = sure or all(limit.is_extended_positive for limit in far)
-        rises |= bool(n and strict and sure)
+        if power and is_strict:
+            rises |= bool(low.is_positive) or _has_positive_limits(term, factor, s)
     return rises
 
 
-def dead_zone(V: sympy.Expr, e: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return d where V holds e as e - clip(e, -d, d) alone, and V with e in its place; else 0."""
-    clips = [w for w in functions_in(V) if w.func == CLIP and w.args[0] == e]
-    if len(clips) == 1 and clips[0].args[1] == -clips[0].args[2]:
-        clip, D = clips[0], sympy.Dummy(real=True)
-        inner = V.xreplace({e: D + clip}).xreplace(
-            {CLIP(D + clip, *clip.args[1:]): clip}
-        )
-        inner = sympy.expand(inner)
-        if not inner.has(clip) and clip.args[2].is_positive:
-            return clip.args[2], inner.xreplace({D: e})
-    return sympy.S.Zero, V
+def _power_in(term: Expr, s: Symbol) -> tuple[int, Expr, bool]:
+    """Return n, f and whether h rises, of a term s^n f, where odd functions h count as s."""
+    power, factor, is_strict = 0, S.One, True
+    for part in sympy.Mul.make_args(term):
+        base, exponent = part.as_base_exp()
+        is_function = functions_in(part) and exponent == 1
+        sector = sector_of(part) if is_function else None
+        if base == s and exponent.is_Integer and exponent > 0:
+            power += int(exponent)
+        elif sector is not None and sector.factor == s and sector.low >= 0:
+            power += 1
+            is_strict &= sector.rises
+        else:
+            factor *= part
+    return power, factor, is_strict
 
 
-def least_place(V: sympy.Expr, states: list) -> dict[Any, sympy.Expr] | None:
-    """Return where V is zero, if it is positive elsewhere and holds each state; else None."""
+def _has_positive_limits(term: Expr, factor: Expr, s: Symbol) -> bool:
+    """Return whether a term is positive far away, as s^2/(1 + s^2) is."""
+    if factor.free_symbols != {s} or functions_in(factor) or not factor.is_positive:
+        return False
+    limits = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
+    return all(limit.is_extended_positive for limit in limits)
+
+
+def dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
+    """Return d if V contains e only as e - clip(e, -d, d), and V of that; otherwise 0 and V."""
+    calls = functions_in(V)
+    clips = [call for call in calls if call.func == CLIP and call.args[0] == e]
+    if len(clips) != 1:
+        return S.Zero, V
+    (clip,) = clips
+    _, low, high = clip.args
+    if low != -high or not high.is_positive:
+        return S.Zero, V
+    excess = Dummy(real=True)
+    shifted = V.xreplace({e: excess + clip})
+    shifted = shifted.xreplace({CLIP(excess + clip, low, high): clip})
+    shifted = expand(shifted)
+    if shifted.has(clip):
+        return S.Zero, V
+    return high, shifted.xreplace({excess: e})
+
+
+def zero_of(V: Expr, states: list) -> dict[Any, Expr] | None:
+    """Return the point at which V is zero, if V is positive elsewhere; otherwise None.
+
+    The forms of V contain each state.
+    """
     if not meets_smoothly(V):
         return None
-    total = squares(V, V.free_symbols - set(states), words_are_free=False)
-    if total is None or not vanishes(total.constant) or not holds_all(total, states):
+    total = squares(V, V.free_symbols - {*states}, functions_are_free=False)
+    if total is None or not vanishes(total.constant):
         return None
-    linear = [f for f in total.forms if f.is_polynomial(*states)]
-    linear = [f for f in linear if sympy.Poly(f, *states).is_linear]
-    places = [*sympy.linsolve(linear, *states)]
-    if not places:
+    if not contains_all(total, states):
         return None
-    least = dict(zip(states, places[0], strict=True))
-    return least if all(vanishes(f.xreplace(least)) for f in total.forms) else None
+    polynomials = [form for form in total.forms if form.is_polynomial(*states)]
+    linear = [form for form in polynomials if Poly(form, *states).is_linear]
+    solutions = [*sympy.linsolve(linear, *states)]
+    if not solutions:
+        return None
+    zero = dict(zip(states, solutions[0], strict=True))
+    return zero if all(vanishes(form.xreplace(zero)) for form in total.forms) else None
 
 
-def holds_all(total: Squares, states: list) -> bool:
-    """Return whether the linear forms of a sum of squares hold each state."""
-    J = sympy.Matrix(total.forms).jacobian(states) if total.forms else sympy.Matrix()
+def contains_all(total: Squares, states: list) -> bool:
+    """Return whether the linear forms of a sum of squares determine each state."""
+    if not total.forms:
+        return not states
+    J = sympy.Matrix(total.forms).jacobian(states)
     linear = [row for row in J.tolist() if all(slope.is_Rational for slope in row)]
     return sympy.Matrix(linear).rank() == len(states)

@@ -24,7 +24,7 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
 from .decide import never_positive
-from .exact import factored, tidied, vanishes
+from .exact import factored, normal_form, vanishes
 from .facts import along, is_continuous, meets_smoothly
 from .judge import Candidate, Fall, Refutation, Verdict
 from .point_search import Failure, PointSearch
@@ -234,7 +234,7 @@ class SystemCandidate(Candidate):
         rate = short(self.readable_rate())
         steps = [exact(f"V' = {rate} <= 0{where}", falls)]
         if self.claim is not None:
-            residual = tidied(self.rate - self.claim)
+            residual = normal_form(self.rate - self.claim)
             self.is_claimed = vanishes(residual)
             detail = "" if self.is_claimed else f"left over: {short(residual)}"
             claim = f"V' = {short(self.in_signals(self.claim))}"
@@ -263,17 +263,17 @@ class SystemCandidate(Candidate):
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
         after = self.eq.jumps_at_once()
-        return [tidied(self.V.xreplace(change) - self.V) for change in after]
+        return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
     # --- V' -------------------------------------------------------------------------------------
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive, for t >= 0."""
-        return never_positive(tidied(expression), self.fixed)
+        return never_positive(normal_form(expression), self.fixed)
 
     def _claim_falls(self) -> bool:
         """Return whether V' is as claimed, and the claim as written is never positive."""
-        if self.claim is None or not vanishes(tidied(self.rate - self.claim)):
+        if self.claim is None or not vanishes(normal_form(self.rate - self.claim)):
             return False
         terms = sympy.Add.make_args(self.claim)
         is_sum_of_squares = all(bool(term.is_nonpositive) for term in terms)
@@ -298,7 +298,7 @@ class SystemCandidate(Candidate):
 
         others = list[sympy.Expr]()
         for s, rate in {TIME: sympy.S.One, **self.eq.motion}.items():
-            slope = tidied(along(self.V, {s: sympy.S.One}))
+            slope = normal_form(along(self.V, {s: sympy.S.One}))
             if slope == 0 or goes_down(rate, slope):
                 continue
             terms = sympy.Add.make_args(rate)
@@ -308,7 +308,7 @@ class SystemCandidate(Candidate):
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""
-        rate = tidied(self.rate)
+        rate = normal_form(self.rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
     # --- points that refute ---------------------------------------------------------------------
@@ -363,7 +363,7 @@ class SystemCandidate(Candidate):
         return Refutation(claim, step, *failure, status="refuted at a jump")
 
     def _rises(self) -> Failure | None:
-        rate, zero = tidied(self.rate), sympy.S.Zero
+        rate, zero = normal_form(self.rate), sympy.S.Zero
         still = self.search.rate_above(rate, zero, still=True)
         if still is not None:
             return still
@@ -372,7 +372,7 @@ class SystemCandidate(Candidate):
         return self.search.rate_above(rate, zero, still=False)
 
     def _not_as_claimed(self) -> Failure | None:
-        claim, rate = self.claim, tidied(self.rate)
+        claim, rate = self.claim, normal_form(self.rate)
         above = self.search.rate_above(rate, claim, still=False)
         return above or self.search.rate_above(rate, claim, still=False, sign=-1)
 
@@ -425,7 +425,7 @@ class SystemCandidate(Candidate):
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        rate = tidied(self.rate)
+        rate = normal_form(self.rate)
         total = squares(-rate, self.fixed)
         forms = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:
@@ -439,5 +439,7 @@ def reduced(rate: sympy.Expr) -> sympy.Expr:
     divisors = (p.base for p in rate.atoms(sympy.Pow) if p.exp.is_negative)
     if not sympy.Mul(*divisors).has(sympy.sin, sympy.cos):
         return rate
-    numerator, divisor = map(tidied, sympy.fraction(sympy.together(tidied(rate))))
+    numerator, divisor = map(
+        normal_form, sympy.fraction(sympy.together(normal_form(rate)))
+    )
     return sympy.cancel(numerator / divisor)

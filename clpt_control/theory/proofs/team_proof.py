@@ -1,12 +1,11 @@
-"""The law of a team: several vehicles that learn one flow.
-
-V is the sum of the vehicles' V,
+"""Proof of the law of a team: several vehicles that learn one flow.
 
     V' = -sum_i e_i^T KD_i e_i - (kappa/gamma) sum |alpha_i - alpha_j|^2    over the edges (i, j)
 
-Each vehicle has its own phi, zc, KD, GammaD and alpha_M; theta, gamma and kappa are one.  Proved
-for two vehicles, three in a row and three in a circle, for every N.  As V never rises, e goes to
-zero by the argument of Theorem 3.2, and so do the differences between neighbours.
+V is the sum of the vehicles' V.  Each vehicle has its own phi, zc, KD, GammaD and alpha_M; theta,
+gamma and kappa are shared.  Proved for two vehicles, three in a row and three in a circle, for
+every N.  As V is non-increasing, e goes to zero by the argument of Theorem 3.2, and so do the
+differences between neighbours.
 """
 
 from collections.abc import Iterator
@@ -34,7 +33,7 @@ from .theorem_loop import (
 )
 
 POINTS = 1_000  # at which the running blocks are called
-N = 2  # functions of a vehicle that runs
+N = 2  # basis functions of each running vehicle
 GRAPHS = {
     "two vehicles": (("a", "b"),),
     "three in a row": (("a", "b"), ("b", "c")),
@@ -45,7 +44,7 @@ CITED = (
     "all vehicles go to theta exponentially (Chen, Wen, Hua and Sun 2014, IEEE Transactions on "
     "Automatic Control 59(1))"
 )
-COUPLING = 0.6  # stands for any kappa > 0
+COUPLING = 0.6  # becomes a symbol, kappa > 0
 CLAIM = "V' = -sum e^T KD e - (kappa/gamma) sum over edges |alpha_i - alpha_j|^2"
 
 
@@ -58,47 +57,52 @@ def proof_of_team() -> Proof:
 def team_steps() -> Iterator[Step]:
     """Yield the steps of the proof one by one."""
     for name, edges in GRAPHS.items():
-        diagram, rest = (
-            partial(team_diagram, edges, N),
-            partial(beside_claim, edges=edges),
-        )
-        yield zero_step(f"{CLAIM}, {name}, every N", diagram, rest)
+        diagram = partial(team_diagram, edges, N)
+        residuals = partial(residuals_of_claim, edges=edges)
+        yield zero_step(f"{CLAIM}, {name}, every N", diagram, residuals)
     row = team_diagram(GRAPHS["three in a row"], N)
     yield running_step(lambda: symbolic_loop(row), POINTS, ", three in a row")
 
 
 def team_diagram(edges: tuple[tuple[str, str], ...], N: int) -> Diagram:
-    """Wire a team with its V, whose vehicles differ in all that may differ.
+    """Wire a team with its V; its vehicles differ in all parameters that may differ.
 
     phi_x, phi_z and zc of each vehicle are inputs.
     """
-    members = {
-        name: theorem_scenario(N, TEAM_LAW).with_values(
-            {
-                "vehicle.feedback": [1.0 + 0.3 * k, 0.7 + 0.2 * k],
-                "vehicle.feedforward": [1.2 - 0.4 * k, -0.5 - 0.1 * k],
-            }
-        )
-        for k, name in enumerate(sorted({*chain(*edges)}))
-    }
-    blocks = team_blocks(Team(members=members, edges=edges, coupling=COUPLING))
-    sources = [block for block in blocks if split(block.name)[1] in SOURCES]
-    external = [port for block in sources for port in block.output_ports]
-    blocks = [block for block in blocks if block not in sources]
-    blocks += [within(theorem_candidate(one), name) for name, one in members.items()]
-    return connect([*blocks, total_candidate(list(members))], external, name="team")
+    scenario = theorem_scenario(N, TEAM_LAW)
+    members = {}
+    for k, name in enumerate(vehicles(edges)):
+        settings = {
+            "vehicle.feedback": [1.0 + 0.3 * k, 0.7 + 0.2 * k],
+            "vehicle.feedforward": [1.2 - 0.4 * k, -0.5 - 0.1 * k],
+        }
+        members[name] = scenario.with_values(settings)
+    team = Team(members=members, edges=edges, coupling=COUPLING)
+    blocks, external = [], []
+    for block in team_blocks(team):
+        if split(block.name)[1] in SOURCES:
+            external += [*block.output_ports]
+        else:
+            blocks.append(block)
+    for name, member in members.items():
+        blocks.append(within(theorem_candidate(member), name))
+    return connect([*blocks, total_candidate([*members])], external, name="team")
 
 
-def beside_claim(loop: Loop, edges: tuple[tuple[str, str], ...]) -> list[Any]:
-    """Return what V' has beside the claim."""
-    p, signals = loop.parameters, loop.signals
-    kappa, gamma = p[named("a", "consensus")].coupling, p[named("a", "adaptation")].gain
-    falls = [
-        np.sum(p[named(name, "vehicle_controller")].KD * signals[named(name, "e")] ** 2)
-        for name in sorted({*chain(*edges)})
-    ]
-    apart = [
-        np.sum((signals[named(one, "alpha")] - signals[named(other, "alpha")]) ** 2)
-        for one, other in edges
-    ]
-    return [rate_of_V(loop) + sum(falls) + kappa / gamma * sum(apart)]
+def vehicles(edges: tuple[tuple[str, str], ...]) -> list[str]:
+    """Return the names of the vehicles of a graph."""
+    return sorted({*chain(*edges)})
+
+
+def residuals_of_claim(loop: Loop, edges: tuple[tuple[str, str], ...]) -> list[Any]:
+    """Return V' less the claim."""
+    kappa = loop.parameters[named("a", "consensus")].coupling
+    gamma = loop.parameters[named("a", "adaptation")].gain
+    residual = rate_of_V(loop)
+    for name in vehicles(edges):
+        KD = loop.parameters[named(name, "vehicle_controller")].KD
+        residual = residual + np.sum(KD * loop.signals[named(name, "e")] ** 2)
+    for edge in edges:
+        alpha_i, alpha_j = (loop.signals[named(name, "alpha")] for name in edge)
+        residual = residual + kappa / gamma * np.sum((alpha_i - alpha_j) ** 2)
+    return [residual]

@@ -1,14 +1,12 @@
-"""The closed loop that the theorems speak of, with its V as a block, and V' along it for every N.
-
-The basis, the waypoints, the disturbance and the limit of the speed are inputs of the diagram:
-what is proved holds for every phi_x, phi_z, zc, Delta and flown velocity v_x, and the running
-blocks are called with any.
+"""Closed loops of the theorems, each with its V as a block, and V' for every N.
 
     V' = sum_i dV/ds_i * s_i'        over all states s of the closed loop
 
-s' comes from the update functions.  What a theorem claims V' to be is stated once, on the loop's
-arrays, and compared with what the blocks give: for every N, and, at random points, with the blocks
-that run.
+The basis, the waypoints, the disturbance and the speed limit are inputs of the diagram: proofs hold
+for every phi_x, phi_z, zc, Delta and flown velocity v_x, and the running blocks are called with
+random ones.  s' comes from the update functions.  The V' that a theorem claims is stated once, on
+the loop's arrays, and compared with V' of the blocks: for every N, and at random points with the
+running blocks.
 """
 
 from collections.abc import Callable, Iterable
@@ -27,7 +25,7 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.loops import paper_blocks
 from ..promises import truth_of
-from .exact import left_over
+from .exact import nonzero_residual
 from .steps import Step, checked
 from .symbolic_loop import ArrayLoop, SymbolicLoop
 
@@ -38,7 +36,8 @@ SOURCES = {
     "disturbance": "delta",
     "speed_limit": "v_x",
 }
-AT_FIXES = {  # of a law that learns at fixes: the interval, and gains that it does not take
+# settings of a law that learns at fixes: the interval, and gains that it does not have
+AT_FIXES = {
     "localization": {"interval": 5.0},
     "learning.gain": None,
     "learning.feedback": None,
@@ -56,42 +55,46 @@ def theorem_scenario(
     KD and gamma are positive; theta, theta_hat, alpha_M, alpha(0) and GammaD have either sign.
     """
     signs = np.array([[1.0], [-1.0]]) * np.arange(1, N + 1)
-    known = law == "known-flow"
-    push = {"kind": "constant", "amplitude": [0.1, 0.1]}
-    return paper_scenario().with_values(
-        {
-            "basis.centers": [[float(k), float(-k)] for k in range(N)],
-            "basis.widths": [1.0 + k for k in range(N)],
-            "basis.periods": [2.0 + k for k in range(N)],
-            "basis.phases": [0.0] * N,
-            "flow.parameters": (0.1 * signs).tolist(),
-            "flow.disturbance": push if disturbed else None,
-            "model.parameters": (-0.3 * signs).tolist(),
-            "vehicle.feedback": [1.0, 0.7],
-            "vehicle.feedforward": [1.2, -0.5],
-            "vehicle.max_speed": None if speed == "no limit" else 1.5,
-            "learning.hedging": None if speed == "no limit" else speed == "hedged",
-            "learning.law": law,
-            "learning.parameters": None
-            if LAWS[law].alpha_is_constant
-            else (0.2 * signs).tolist(),
-            "learning.theta_estimate": (0.4 * signs).tolist() if known else None,
-            **(AT_FIXES if LAWS[law].at_fixes else {}),
-        }
-    )
+    is_limited = speed != "no limit"
+    settings: dict[str, Any] = {
+        "basis.centers": [[float(k), float(-k)] for k in range(N)],
+        "basis.widths": [1.0 + k for k in range(N)],
+        "basis.periods": [2.0 + k for k in range(N)],
+        "basis.phases": [0.0] * N,
+        "flow.parameters": (0.1 * signs).tolist(),
+        "flow.disturbance": None,
+        "model.parameters": (-0.3 * signs).tolist(),
+        "vehicle.feedback": [1.0, 0.7],
+        "vehicle.feedforward": [1.2, -0.5],
+        "vehicle.max_speed": 1.5 if is_limited else None,
+        "learning.hedging": speed == "hedged" if is_limited else None,
+        "learning.law": law,
+        "learning.parameters": (0.2 * signs).tolist(),
+        "learning.theta_estimate": None,
+    }
+    if disturbed:
+        amplitude = [0.1, 0.1]
+        settings["flow.disturbance"] = {"kind": "constant", "amplitude": amplitude}
+    if LAWS[law].alpha_is_constant:
+        settings["learning.parameters"] = None
+    if law == "known-flow":
+        settings["learning.theta_estimate"] = (0.4 * signs).tolist()
+    if LAWS[law].at_fixes:
+        settings |= AT_FIXES
+    return paper_scenario().with_values(settings)
 
 
 def law_and_V(law: Law, N: int, speed: Hedging = "no limit") -> tuple[Block, Block]:
     """Return a law's block and V in the theorems' scenario, at its defaults.
 
-    A default of 0 is 0.1 instead: what is 0 would be no symbol.
+    A default of 0 is replaced by 0.1: zero is not a symbol.
     """
     scenario = theorem_scenario(N, law.name, speed=speed)
-    known = scenario.known_to_law
+    inputs = scenario.known_to_law
     settings = {
-        key: 0.1 if value == 0 else value for key, value in known.settings.items()
+        key: 0.1 if value == 0 else value for key, value in inputs.settings.items()
     }
-    block = law.block(known._replace(settings=settings))
+    block = law.block(inputs._replace(settings=settings))
     return block, law.V(block.parameters, truth_of(scenario))
 
 
@@ -106,110 +109,111 @@ def theorem_loop(
     """Wire the closed loop of a theorem, with its V as a block.
 
     V is that of Eq. (17) for the known-flow law, of Eq. (24) for the learned-flow law;
-    `law_block` and `candidate` (with the output V[1]) take the place of the paper's.
+    `law_block` and `candidate` (with the output V[1]) replace those of the paper.
     """
     scenario = theorem_scenario(N, law, disturbed, speed)
     blocks = {block.name: block for block in paper_blocks(scenario)}
     if law_block is not None:
         blocks["adaptation"] = law_block
-    external = [
-        port for name, port in SOURCES.items() if blocks.pop(name, None) is not None
-    ]
-    candidate = theorem_candidate(scenario) if candidate is None else candidate
-    return connect([*blocks.values(), candidate], external, name="theorem")
+    if candidate is None:
+        candidate = theorem_candidate(scenario)
+    external = [port for name, port in SOURCES.items() if name in blocks]
+    wired = [block for name, block in blocks.items() if name not in SOURCES]
+    return connect([*wired, candidate], external, name="theorem")
 
 
 def law_loop(law: Law, block: Block, V: Block, speed: Hedging = "no limit") -> Diagram:
     """Wire a law of the table with its V."""
-    known = law.name if law.alpha_is_constant else "learned-flow"
-    return theorem_loop(
-        block.sizes["N"], known, law_block=block, candidate=V, speed=speed
-    )
+    name = law.name if law.alpha_is_constant else "learned-flow"
+    return theorem_loop(block.sizes["N"], name, False, block, V, speed)
 
 
 def theorem_candidate(scenario: Scenario) -> Block:
     """Return V of Eq. (17) or (24) with the scenario's truth."""
-    p = weighted([scenario.learning.used_gains.parameters] * 3, *truth_of(scenario))
-    return lyapunov_candidate(scenario.learning.law, p)
+    gain = scenario.learning.used_gains.parameters
+    parameters = weighted([gain] * 3, *truth_of(scenario))
+    return lyapunov_candidate(scenario.learning.law, parameters)
 
 
 def mixed_level(t, x, u, p):
     """V of Eq. (24) with the inverse of a matrix of gains between all learned parameters."""
-    eta = np.concatenate([np.ravel(p.theta + u.alpha), u.K - p.KD, u.Gamma - p.GammaD])
+    alpha_error = np.ravel(p.theta + u.alpha)
+    eta = np.concatenate([alpha_error, u.K - p.KD, u.Gamma - p.GammaD])
     return {"V": (u.e @ u.e + eta @ (p.inverse @ eta)) / 2}
 
 
 def mixed_candidate(inverse: np.ndarray, truth: Truth) -> Block:
-    """Return V of the errors of alpha row by row, K and Gamma, weighed by a matrix."""
-    given = {"inverse": inverse, **truth._asdict()}
-    return paper_block("lyapunov", PORTS, given, output=mixed_level)
+    """Return V of the errors of alpha row by row, K and Gamma, weighted by a matrix."""
+    parameters = {"inverse": inverse, **truth._asdict()}
+    return paper_block("lyapunov", PORTS, parameters, output=mixed_level)
 
 
-def tied(
+def symbols_of_V(
     loop: SymbolicLoop, V: Block, make: Callable[..., Block], *sources: tuple
 ) -> dict:
-    """Return V's symbols -> the symbols of its sources that they stand for.
+    """Return the symbols of V -> the symbols of the parameters that they are equal to.
 
-    A source is a tuple of numbers with names, as parameters and the truth are, and their symbols.
-    V is made anew of numbers that stand nowhere else: a number of V tells the symbol it stands for,
-    or its square.
+    A source is a named tuple of numbers, as parameters and the truth are, and one of their symbols.
+    V is made again with random numbers; a parameter of V that equals one of the numbers, or its
+    square, has the symbol of that number.
     """
-    random, marks, altered = np.random.default_rng(0), dict[float, Any](), []
+    random = np.random.default_rng(0)
+    symbol_of: dict[float, Any] = {}
+    varied = []
     for numbers, symbols in sources:
         changed = {}
         for field, value in numbers._asdict().items():
-            if not isinstance(value, int) and field != "interval":
-                mark = np.asarray(value, dtype=float)
-                changed[field] = mark = mark * random.uniform(1.01, 1.1, mark.shape)
-                theirs = np.broadcast_to(
-                    np.asarray(getattr(symbols, field), object), mark.shape
-                )
-                for n in (1, 2):
-                    marks |= zip(
-                        np.ravel(mark**n).tolist(), np.ravel(theirs**n), strict=True
-                    )
-        altered.append(numbers._replace(**changed))
-    values, mine = make(*altered).parameters, loop.parameters[V.name]
-    tied_to: dict[Any, Any] = {}
-    for field in values._fields:
-        own = np.asarray(getattr(mine, field), dtype=object)
-        theirs = np.broadcast_to(
-            np.asarray(getattr(values, field), dtype=float), own.shape
-        )
-        pairs = zip(own.ravel(), theirs.ravel().tolist(), strict=True)
-        tied_to |= {
-            s: marks[a]
-            for s, a in pairs
-            if a in marks and getattr(s, "is_Symbol", False)
-        }
-    return tied_to
+            if isinstance(value, int) or field == "interval":
+                continue
+            scaled = np.asarray(value, dtype=float)
+            scaled = scaled * random.uniform(1.01, 1.1, scaled.shape)
+            changed[field] = scaled
+            for power in (1, 2):
+                array = np.asarray(getattr(symbols, field), dtype=object)
+                pairs = _elements(scaled**power, array**power)
+                symbol_of.update(pairs)
+        varied.append(numbers._replace(**changed))
+    varied_V = make(*varied).parameters
+    return {
+        symbol: symbol_of[number]
+        for field, value in varied_V._asdict().items()
+        for number, symbol in _elements(value, getattr(loop.parameters[V.name], field))
+        if number in symbol_of and getattr(symbol, "is_Symbol", False)
+    }
+
+
+def _elements(numbers: Any, symbols: Any) -> list[tuple[float, Any]]:
+    """Return pairs of a number and its symbol from two arrays."""
+    numbers = np.asarray(numbers, dtype=float)
+    symbols = np.asarray(symbols, dtype=object)
+    numbers, symbols = np.broadcast_arrays(numbers, symbols)
+    return [*zip(numbers.ravel().tolist(), symbols.ravel(), strict=True)]
 
 
 def truth_in(loop: SymbolicLoop) -> Truth:
     """Return the symbols of theta, KD and GammaD."""
-    car = loop.parameters["vehicle_controller"]
-    return Truth(loop.parameters["true_flow"].theta, car.KD, car.GammaD)
+    vehicle = loop.parameters["vehicle_controller"]
+    theta = loop.parameters["true_flow"].theta
+    return Truth(theta, vehicle.KD, vehicle.GammaD)
 
 
 Loop = ArrayLoop | SymbolicLoop
-Claim = Callable[[Any], Any]  # what V' should be, of a loop
-WIRED = 3  # functions that a loop has which is read for every N
+Claim = Callable[[Any], Any]  # loop -> the claimed V'
+WIRED = 3  # functions of a loop whose equations are computed for every N
 
 
 def decay(loop: Loop) -> Any:
     """V' = -e^T KD e, Eq. (26)."""
-    return -np.sum(loop.parameters["vehicle_controller"].KD * loop.signals["e"] ** 2)
-
-
-KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
+    KD = loop.parameters["vehicle_controller"].KD
+    return -np.sum(KD * loop.signals["e"] ** 2)
 
 
 def decay_and_known_error(loop: Loop) -> Any:
     """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1; theta_hat a state or given."""
-    p, state = loop.parameters, loop.states.get("theta_hat")
-    error = p["true_flow"].theta - (
-        p["injection"].theta_hat if state is None else state
-    )
+    theta_hat = loop.states.get("theta_hat")
+    if theta_hat is None:
+        theta_hat = loop.parameters["injection"].theta_hat
+    error = loop.parameters["true_flow"].theta - theta_hat
     return decay(loop) + loop.signals["e"] @ (error @ loop.inputs["phi_x"])
 
 
@@ -221,9 +225,9 @@ def rate_of_V(loop: Loop) -> Any:
 def vanish(loop: ArrayLoop, residuals: Iterable[Any]) -> tuple[bool, str]:
     """Return whether each residual of a loop is zero for every N, and the first that is not."""
     for residual in residuals:
-        for one in loop.read(residual):
-            if rest := left_over(one):
-                return False, rest
+        for element in loop.read(residual):
+            if problem := nonzero_residual(element):
+                return False, problem
     return (False, loop.undefined[0]) if loop.undefined else (True, "")
 
 

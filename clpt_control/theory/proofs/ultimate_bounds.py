@@ -30,7 +30,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from .decide import groups_of
-from .facts import interval, positive_maximum
+from .facts import interval, is_positive_maximum
 
 
 class Pull(NamedTuple):
@@ -312,7 +312,7 @@ class Bounding:
     def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
         outward = [f for f in leak.factor.atoms(AppliedUndef) if f.args[-1] == 0]
-        divisor = [f for f in leak.factor.atoms(AppliedUndef) if positive_maximum(f)]
+        divisor = [f for f in leak.factor.atoms(AppliedUndef) if is_positive_maximum(f)]
         if len(outward) != 1 or len(divisor) != 1:
             return False
         (taken,), (least,) = outward, divisor
