@@ -11,21 +11,26 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
+import numpy as np
+import sympy
+
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
+from ..promises import truth_of
 from .fixes import fix_steps
 from .invariants import invariant_steps
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .paper_loop import PaperLoop
 from .prove_law import prove
-from .steps import Proof, proof_or_failure, where_all_hold
+from .steps import Proof, Step, checked, proof_or_failure, where_all_hold
 from .team_proof import proof_of_team
-from .theorem_loop import law_and_V
+from .theorem_loop import law_and_V, theorem_scenario
 from .theorems import KNOWN_ERROR, THEOREMS, known_flow_steps, numbers_of
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # basis functions of a law of the table; a proof for every N says so
+DISTURBANCES = ((0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0))  # of each axis
 MEAN = "in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
@@ -45,7 +50,38 @@ def proof_of_law(law: Law) -> Proof:
         return where_all_hold("bounded", f"{KNOWN_ERROR}: {MEAN}", steps)
     block, _ = law_and_V(law, N)
     verdict = prove(block, lambda truth, p: law.V(p, truth), points=POINTS)
-    return Proof(verdict.status, verdict.claim, verdict.for_every_N, verdict.steps)
+    declared: tuple[Step, ...] = ()
+    if law.level is not None and verdict.level is not None:
+        declared = (declared_level_step(law, verdict.level),)
+    every_step = (*verdict.steps, *declared)
+    return Proof(verdict.status, verdict.claim, verdict.for_every_N, every_step)
+
+
+def declared_level_step(law: Law, level: sympy.Expr) -> Step:
+    """Check that the level a law declares is not below the bound of V that is proved.
+
+    `clpt laws --check` and runs compare V with the declared level.
+    """
+    scenario = theorem_scenario(N, law.name)
+    parameters, truth = law_and_V(law, N)[0].parameters, truth_of(scenario)
+    numbers = {f"KD_{i + 1}": value for i, value in enumerate(truth.KD)}
+    numbers |= {f"GammaD_{i + 1}": value for i, value in enumerate(truth.GammaD)}
+    for (i, k), value in np.ndenumerate(truth.theta):
+        numbers[f"theta_{i + 1}[{k + 1}]"] = value
+
+    def holds() -> tuple[bool, str]:
+        assert law.level is not None
+        for disturbance in DISTURBANCES:
+            values = numbers | {"Delta_1": disturbance[0], "Delta_2": disturbance[1]}
+            symbols = {s: values[s.name] for s in level.free_symbols}
+            proved = float(level.subs(symbols))
+            declared = law.level(parameters, truth, float(np.hypot(*disturbance)))
+            if declared < proved * (1 - 1e-9):
+                return False, f"declared {declared:.4g}, proved {proved:.4g}"
+        return True, f"at {len(DISTURBANCES)} disturbances"
+
+    claim = "the level of V that the law declares is not below the one that is proved"
+    return checked(claim, holds, "sampled", False)
 
 
 class Room(NamedTuple):

@@ -254,8 +254,9 @@ def _by_sectors(group: Expr, variables: set) -> bool:
         return False
     has_slopes = group.has(sympy.sin, sympy.exp)
     for by_slope in (False, True) if has_slopes else (False,):
-        sectors = [sector_of(call, by_slope) for call in outer]
-        if None in sectors:
+        tried_sectors = [sector_of(call, by_slope) for call in outer]
+        sectors = [sector for sector in tried_sectors if sector is not None]
+        if len(sectors) < len(outer):
             continue
         if _at_sector_ends(polynomial, ratios, sectors, variables):
             return True

@@ -230,7 +230,7 @@ class LawSignals:
 def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Block:
     """Return V as a block, of a function of the loop's signals."""
     loop = theorem_loop(functions_of(law), "learned-flow", law_block=law)
-    shapes = {}
+    shapes: dict[str, Any] = {}
     for block in loop.syslist:
         if block.output_ports != {"V": 1}:
             shapes |= block.declared["outputs"]

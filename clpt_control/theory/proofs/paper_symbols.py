@@ -67,8 +67,8 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
     for block in blocks:
         for field in block.parameters._fields:
             name = paper_name(block.name, field)
-            is_shared = name is not None and name in equal
-            names[block.name, field] = name if is_shared else f"{block.name}.{field}"
+            own_name = f"{block.name}.{field}"
+            names[block.name, field] = name if name in equal and name else own_name
     return names
 
 

@@ -108,8 +108,8 @@ def prove(
     'proved'
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
-        scenario, law = _law_of(law_block)
-        verdict = prove(law, V, points, seed, invariants, semidefinite, losses, start)
+        scenario, part = _law_of(law_block)
+        verdict = prove(part, V, points, seed, invariants, semidefinite, losses, start)
         is_limited = scenario.vehicle.max_speed is not None
         return replace(verdict, claim=verdict.claim + SLOWER * is_limited)
     block = _checked_law(law_block)
