@@ -47,12 +47,12 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
 
 def _searched(
     system: control.NonlinearIOSystem,
-    rest: Any,
+    rest_state: Any,
     judged: Callable[[sympy.Expr], Verdict],
 ) -> Verdict:
     """Return the verdict on the best of the functions that are searched for."""
     best = None
-    candidate = SystemCandidate(system, sympy.S.Zero, None, rest)
+    candidate = SystemCandidate(system, sympy.S.Zero, None, rest_state)
     for V in candidates(candidate):
         verdict = judged(V)
         if verdict.status == "proved" or verdict.level:
@@ -61,8 +61,8 @@ def _searched(
             best = verdict
     inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
-    none = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
-    return best or Verdict("open", none, None, None)
+    message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
+    return best or Verdict("open", message, None, None)
 
 
 @public
@@ -128,13 +128,13 @@ def lyapunov(
     """
 
     def judged(V: Any) -> Verdict:
-        given = system, V, claim, at, points, seed
-        candidate = SystemCandidate(*given, numbers=bool(within))
+        arguments = system, V, claim, at, points, seed
+        candidate = SystemCandidate(*arguments, numbers=bool(within))
         if within:
             return _in_region(candidate, within)
         verdict = judge(candidate, refute=False)
         if verdict.status != "proved" and candidate.eq.values:
-            of_numbers = judge(SystemCandidate(*given, numbers=True), refute=False)
+            of_numbers = judge(SystemCandidate(*arguments, numbers=True), refute=False)
             is_proved = verdict.status.startswith("proved")
             if of_numbers.status == "proved" or not is_proved:
                 verdict = of_numbers

@@ -71,15 +71,15 @@ def enclosed(expression: sympy.Expr, boxes: dict[Any, Interval]) -> Interval:
         return _enclosed(expression, dict(boxes))
 
 
-def _enclosed(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
-    if e not in known:
-        low, high = _operation(e, known)
+def _enclosed(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
+    if e not in ranges:
+        low, high = _operation(e, ranges)
         lost = np.isnan(low) | np.isnan(high)
-        known[e] = np.where(lost, -np.inf, low), np.where(lost, np.inf, high)
-    return known[e]
+        ranges[e] = np.where(lost, -np.inf, low), np.where(lost, np.inf, high)
+    return ranges[e]
 
 
-def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
+def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
     if e.is_number:
         value = np.array([float(e)])
         return (
@@ -87,7 +87,7 @@ def _operation(e: sympy.Expr, known: dict[Any, Interval]) -> Interval:
             if e.is_Integer and abs(e) < 2**53
             else _outward(value, value)
         )
-    of, name = [_enclosed(one, known) for one in e.args], e.func.__name__
+    of, name = [_enclosed(argument, ranges) for argument in e.args], e.func.__name__
     if e.is_Add:
         return reduce(plus, of)
     if e.is_Mul:
@@ -174,10 +174,10 @@ def _sine(function: Any, low: np.ndarray, high: np.ndarray) -> Interval:
     turns = low / (2 * np.pi) - top - TURN, high / (2 * np.pi) - top + TURN
     ends = of(low), of(high)
     bottom, peak = _outward(np.minimum(*ends), np.maximum(*ends))
-    far = ~(np.maximum(np.abs(low), np.abs(high)) < LARGEST)
-    peak = np.where(far | (np.floor(turns[0]) < np.floor(turns[1])), 1.0, peak)
+    is_far = ~(np.maximum(np.abs(low), np.abs(high)) < LARGEST)
+    peak = np.where(is_far | (np.floor(turns[0]) < np.floor(turns[1])), 1.0, peak)
     lowest = np.floor(turns[0] + 0.5) < np.floor(turns[1] + 0.5)
-    return np.where(far | lowest, -1.0, bottom), peak
+    return np.where(is_far | lowest, -1.0, bottom), peak
 
 
 def _chosen(condition: Interval, yes: Interval, no: Interval) -> Interval:
@@ -252,9 +252,11 @@ class Region:
 
     def near_the_rest(self) -> Ends | None:
         """Return a box about the rest in which V' < 0 but there, by its second derivatives."""
-        rest, share = np.array([float(value) for value in self.rest.values()]), 1.0
+        center, share = np.array([float(value) for value in self.rest.values()]), 1.0
         while share > NEAREST:
-            low, high = (rest + share * (end - rest) for end in (self.low, self.high))
+            low, high = (
+                center + share * (end - center) for end in (self.low, self.high)
+            )
             boxes, share = self.boxes(low[None], high[None]), share / 2
             rate, *motion = (_in_one_piece(e, boxes) for e in (self.rate, *self.motion))
             if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
@@ -265,10 +267,10 @@ class Region:
                 for e in (rate, *motion, *slopes)
             ):
                 return None
-            second = [
+            hessian = [
                 [enclosed(e, boxes) for e in self.slopes_of(slope)] for slope in slopes
             ]
-            if _is_negative(np.array(second)[..., 0]):
+            if _is_negative(np.array(hessian)[..., 0]):
                 return low, high
         return None
 
@@ -277,8 +279,8 @@ class Region:
 
         It has four digits, rounded down.
         """
-        near = self.near_the_rest()
-        if near is None:
+        rest_box = self.near_the_rest()
+        if rest_box is None:
             return 0.0
         edges = [(k, end[k]) for end in (self.low, self.high) for k in range(len(end))]
         low, high = (
@@ -294,37 +296,42 @@ class Region:
             and floor.min() < (1 - ENOUGH) * cap
         ):
             order = np.argsort(floor, kind="stable")
-            first, later = order[:BATCH], order[BATCH:]
-            a, b = low[first], high[first]
+            tried, later = order[:BATCH], order[BATCH:]
+            a, b = low[tried], high[tried]
             edge = (a == b).any(axis=1)
-            falls = ((near[0] <= a) & (b <= near[1])).all(axis=1)
+            falls = ((rest_box[0] <= a) & (b <= rest_box[1])).all(axis=1)
             falls |= self.range(self.rate, a, b)[1] < 0.0
-            left = edge | ~falls
-            a, b, edge, floors = a[left], b[left], edge[left], floor[first][left]
+            undecided = edge | ~falls
+            a, b, edge, floors = (
+                a[undecided],
+                b[undecided],
+                edge[undecided],
+                floor[tried][undecided],
+            )
             middle = 0.5 * a + 0.5 * b
             above = edge | (self.range(self.rate, middle, middle)[0] >= 0.0)
             cap = min([cap, *self.range(self.V, middle, middle)[1][above]])
-            parts = _halved(a, b, self.high - self.low)
-            floors = np.maximum(self.range(self.V, *parts)[0], np.tile(floors, 2))
+            halves = _halved(a, b, self.high - self.low)
+            floors = np.maximum(self.range(self.V, *halves)[0], np.tile(floors, 2))
             low, high = (
-                np.vstack([own[later], more])
-                for own, more in zip((low, high), parts, strict=True)
+                np.vstack([ends_k[later], new_half])
+                for ends_k, new_half in zip((low, high), halves, strict=True)
             )
             floor = np.append(floor[later], floors)
-            low, high, floor = (one[floor <= cap] for one in (low, high, floor))
-            looked += len(first)
+            low, high, floor = (array_k[floor <= cap] for array_k in (low, high, floor))
+            looked += len(tried)
         most = min([cap, *floor])
         unit = 10.0 ** np.floor(np.log10(most) - 3) if most > 0.0 else 1.0
         return max(0.0, float(np.floor(most / unit) * unit))
 
 
-def _box(rest: Mapping[Any, Any], within: Any) -> Ends:
+def _box(rest_state: Mapping[Any, Any], ends_by_state: Any) -> Ends:
     """Return the ends of a box of states, about the rest."""
-    labels = [str(s) for s in rest]
-    check_holds("within", labels, within, f"states are {', '.join(labels)}")
-    check_holds("within", within, labels, "give each state its two ends")
-    ends = np.array([numbers("within", within[name], 2) for name in labels])
-    for name, (low, high), value in zip(labels, ends, rest.values(), strict=True):
+    labels = [str(s) for s in rest_state]
+    check_holds("within", labels, ends_by_state, f"states are {', '.join(labels)}")
+    check_holds("within", ends_by_state, labels, "give each state its two ends")
+    ends = np.array([numbers("within", ends_by_state[name], 2) for name in labels])
+    for name, (low, high), value in zip(labels, ends, rest_state.values(), strict=True):
         if not (np.isfinite([low, high]).all() and low < value < high):
             raise DiagramError(
                 f"within: {name} from {low:g} to {high:g}; must be finite, with the rest, "
@@ -333,12 +340,12 @@ def _box(rest: Mapping[Any, Any], within: Any) -> Ends:
     return ends[:, 0], ends[:, 1]
 
 
-def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
+def _halved(low: np.ndarray, high: np.ndarray, box: np.ndarray) -> Ends:
     """Return both halves of boxes, each cut across its side that is the largest of the whole."""
-    side, rows = np.argmax((high - low) / whole, axis=1), np.arange(len(low))
+    axis, rows = np.argmax((high - low) / box, axis=1), np.arange(len(low))
     lows, highs = np.vstack([low, low]), np.vstack([high, high])
-    highs[rows, side] = lows[rows + len(low), side] = (0.5 * low + 0.5 * high)[
-        rows, side
+    highs[rows, axis] = lows[rows + len(low), axis] = (0.5 * low + 0.5 * high)[
+        rows, axis
     ]
     return lows, highs
 
@@ -346,17 +353,17 @@ def _halved(low: np.ndarray, high: np.ndarray, whole: np.ndarray) -> Ends:
 def _in_one_piece(e: sympy.Expr, boxes: dict[Any, Interval]) -> sympy.Expr:
     """Return an expression without the words that are of one piece in all of a box."""
     for word in functions_in(e):
-        for facts, known in pieces_of(word):
+        for facts, values in pieces_of(word):
             if all((enclosed(fact, boxes)[0] > 0.0).all() for fact in facts):
-                return _in_one_piece(decided(e.xreplace(known)), boxes)
+                return _in_one_piece(decided(e.xreplace(values)), boxes)
     return e
 
 
-def _is_negative(second: np.ndarray) -> bool:
+def _is_negative(hessian: np.ndarray) -> bool:
     """Return whether all symmetric matrices between two, (n, n, 2), are negative definite."""
-    if not np.isfinite(second).all():
+    if not np.isfinite(hessian).all():
         return False
-    middle = 0.25 * (second + second.transpose(1, 0, 2)).sum(axis=-1)
-    apart = np.maximum(second[..., 1] - middle, middle - second[..., 0])
-    radius = np.linalg.norm(apart) + ROUNDING * np.linalg.norm(second)
+    middle = 0.25 * (hessian + hessian.transpose(1, 0, 2)).sum(axis=-1)
+    spread = np.maximum(hessian[..., 1] - middle, middle - hessian[..., 0])
+    radius = np.linalg.norm(spread) + ROUNDING * np.linalg.norm(hessian)
     return bool(np.linalg.eigvalsh(middle).max() + radius < 0.0)

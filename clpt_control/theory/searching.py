@@ -42,18 +42,20 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
 
     First for any inputs, then for inputs of 0.
     """
-    rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
+    rest_state = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
     zero = dict.fromkeys(case.inputs, sympy.S.Zero)
     rates: Rates = {}
     for s, rate in case.eq.motion.items():
         number = rate.xreplace(case.eq.values)
-        slope = number.xreplace(rest).xreplace(zero)
+        slope = number.xreplace(rest_state).xreplace(zero)
         if slope.is_number and not vanishes(slope):
             value = f"= {short(slope)}" if slope.is_finite else "has no value"
             raise DiagramError(
                 f"{case.system.name}: {s}' {value} at the rest: give it (at=)"
             )
-        rates[s] = sympy.expand(number.xreplace({q: q + rest[q] for q in rest}))
+        rates[s] = sympy.expand(
+            number.xreplace({q: q + rest_state[q] for q in rest_state})
+        )
     if len(rates) > MOST:
         raise DiagramError(
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
@@ -61,9 +63,9 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
         )
     still = {s: rate.xreplace(zero) for s, rate in rates.items()}
     programs = [_of_program(rates), *[_of_program(still)] * bool(case.inputs)]
-    found = chain(*programs, _of_linear_part(still))
-    for V in dict.fromkeys(found):
-        yield V.xreplace({s: s - rest[s] for s in rest})
+    functions = chain(*programs, _of_linear_part(still))
+    for V in dict.fromkeys(functions):
+        yield V.xreplace({s: s - rest_state[s] for s in rest_state})
 
 
 def _of_linear_part(rates: Rates) -> Iterator[sympy.Expr]:
@@ -74,15 +76,17 @@ def _of_linear_part(rates: Rates) -> Iterator[sympy.Expr]:
         [[along(rate, {s: sympy.S.One}) for s in states] for rate in rates.values()]
     )
     A = A.xreplace(zero).applyfunc(decided)
-    if not all(one.is_Rational for one in A):
+    if not all(entry.is_Rational for entry in A):
         return
     if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:
         n = len(states)
-        places = list(combinations_with_replacement(range(n), 2))
-        known = {at: sympy.Symbol("p_{}_{}".format(*at)) for at in places}
-        P = sympy.Matrix(n, n, lambda i, j: known[min(i, j), max(i, j)])
-        (found,) = sympy.linsolve(list(A.T * P + P * A + sympy.eye(n)), *known.values())
-        shares = zip(places, found, strict=True)
+        indices = list(combinations_with_replacement(range(n), 2))
+        unknowns = {index: sympy.Symbol("p_{}_{}".format(*index)) for index in indices}
+        P = sympy.Matrix(n, n, lambda i, j: unknowns[min(i, j), max(i, j)])
+        (solution,) = sympy.linsolve(
+            list(A.T * P + P * A + sympy.eye(n)), *unknowns.values()
+        )
+        shares = zip(indices, solution, strict=True)
         yield sympy.Add(
             *(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares)
         )
@@ -94,14 +98,16 @@ def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
     terms: dict[sympy.Expr, tuple] = {
         a * b: (a, b) for a, b in combinations_with_replacement(states, 2)
     }
-    whole = sympy.Tuple(*rates.values())
-    for h in sorted(whole.atoms(sympy.sin, *ODD) | whole.atoms(sympy.Pow), key=str):
+    rates_tuple = sympy.Tuple(*rates.values())
+    for h in sorted(
+        rates_tuple.atoms(sympy.sin, *ODD) | rates_tuple.atoms(sympy.Pow), key=str
+    ):
         inner, power = (h.base, h.exp) if h.is_Pow else (h.args[0], sympy.S.One)
-        for s in (s for s in states if inner.has(s)):
+        for state in (state for state in states if inner.has(state)):
             odd = power.is_Integer and power > 0 and power % 2
-            if odd and (inner / s).is_Rational and h != s:
-                H = sympy.integrate(h, s)
-                terms[H - H.subs(s, 0)] = (s,)
+            if odd and (inner / state).is_Rational and h != state:
+                H = sympy.integrate(h, state)
+                terms[H - H.subs(state, 0)] = (state,)
     return terms
 
 
@@ -112,17 +118,17 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
         for k, g in enumerate(gens)
         if g.func in ODD and g.args[0] in gens
     }
-    found = dict[Monomial, Monomial | None]()
+    roots = dict[Monomial, Monomial | None]()
     for powers in monomials:
         odd = {k for k, n in enumerate(powers) if n % 2}
         signed = frozenset(
             k for k in odd if not gens[k].is_nonnegative and gens[k] != TIME
         )
         if not odd:
-            found[powers] = tuple(n // 2 for n in powers)
+            roots[powers] = tuple(n // 2 for n in powers)
         elif not signed or signed in rises:
-            found[powers] = None
-    return found
+            roots[powers] = None
+    return roots
 
 
 def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
@@ -134,13 +140,13 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
     """
     terms, states = _terms(rates), [*rates]
     slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
-    whole = {  # exp(1e8 x) is no power of exp(x)
+    exponentials = {  # exp(1e8 x) is no power of exp(x)
         e: sympy.Dummy(str(e), positive=True)
         for e in sympy.Tuple(*slopes).atoms(sympy.exp)
     }
-    slopes = [one.xreplace(whole) for one in slopes]
+    slopes = [item.xreplace(exponentials) for item in slopes]
     gens = sorted(
-        {*rates}.union(*(sympy.Poly(one).gens for one in slopes if one)), key=str
+        {*rates}.union(*(sympy.Poly(item).gens for item in slopes if item)), key=str
     )
     # -V', monomial by monomial: term -> its share
     falls = defaultdict[Monomial, dict](dict)
@@ -151,52 +157,60 @@ def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
         return
     roots = _roots(falls, gens)
     crossed = list[tuple[Monomial, ...]]()  # a product, and the two that make up for it
-    for (a, root), (b, other) in combinations(roots.items(), 2):
-        both = tuple(map(int.__add__, root or (), other or ()))
-        if both in falls and both not in roots:
-            crossed.append((both, a, b))
-    products = {both for both, *_ in crossed}
+    for (a, root), (b, second_root) in combinations(roots.items(), 2):
+        product_powers = tuple(map(int.__add__, root or (), second_root or ()))
+        if product_powers in falls and product_powers not in roots:
+            crossed.append((product_powers, a, b))
+    products = {product_powers for product_powers, *_ in crossed}
 
     row = {
         powers: k
         for k, powers in enumerate(
-            [*roots, *(one for one in falls if one not in roots)]
+            [*roots, *(item for item in falls if item not in roots)]
         )
     }
     squares, n, total = len(roots), len(terms), len(terms) + len(crossed)
     # -V' less the cross terms, of c and q
     shares = scipy.sparse.lil_array((len(falls), total))
     made_up = scipy.sparse.lil_array((squares, total))  # of their sizes
-    for powers, own in falls.items():
-        for k, share in own.items():
+    for powers, shares_by_term in falls.items():
+        for k, share in shares_by_term.items():
             shares[row[powers], k] = float(share)
-    for k, (both, *two) in enumerate(crossed, n):
-        shares[row[both], k] = -1.0
-        made_up[[row[one] for one in two], k] = 0.5
-    alone, beside = np.zeros((2, len(states), total))
-    for k, places in enumerate(terms.values()):
-        one, share = (alone, 1.0) if len({*places}) == 1 else (beside, 0.5)
-        one[[states.index(s) for s in places], k] = share
+    for k, (product_powers, *two) in enumerate(crossed, n):
+        shares[row[product_powers], k] = -1.0
+        made_up[[row[item] for item in two], k] = 0.5
+    square_states, crossed_states = np.zeros((2, len(states), total))
+    for k, states_of_term in enumerate(terms.values()):
+        item, share = (
+            (square_states, 1.0)
+            if len({*states_of_term}) == 1
+            else (crossed_states, 0.5)
+        )
+        item[[states.index(s) for s in states_of_term], k] = share
 
     stacked, side_by_side = scipy.sparse.vstack, scipy.sparse.hstack
     shares, holds = shares.tocsr(), 2 * len(states)
-    signed = stacked([-shares[:squares], -alone, -alone])
-    sizes = stacked([made_up, beside, 0 * beside])
-    equal, none = shares[squares:], np.zeros((len(falls) - squares, holds))
+    signed = stacked([-shares[:squares], -square_states, -square_states])
+    sizes = stacked([made_up, crossed_states, 0 * crossed_states])
+    equal, no_equalities = shares[squares:], np.zeros((len(falls) - squares, holds))
     small = np.repeat([1.0, 0.0], [n, total - n])
-    found = scipy.optimize.linprog(
+    solution = scipy.optimize.linprog(
         np.concatenate([small, small, np.repeat([-HELD, -(HELD**2)], len(states))]),
         side_by_side(
             [sizes + signed, sizes - signed, np.eye(squares + holds, holds, -squares)]
         ),
         np.zeros(squares + holds),
-        side_by_side([equal, -equal, none]),
-        np.zeros(len(none)),
+        side_by_side([equal, -equal, no_equalities]),
+        np.zeros(len(no_equalities)),
         [(0, None)] * (2 * total) + [(0, 0.5)] * holds,
     )
-    if found.status == 0:
-        exact = [own for one, own in falls.items() if one not in {*roots, *products}]
-        c = _rounded(found.x[:n] - found.x[total:][:n], exact)
+    if solution.status == 0:
+        exact = [
+            shares_by_term
+            for item, shares_by_term in falls.items()
+            if item not in {*roots, *products}
+        ]
+        c = _rounded(solution.x[:n] - solution.x[total:][:n], exact)
         yield sympy.Add(*(share * term for share, term in zip(c, terms, strict=True)))
 
 
@@ -205,14 +219,14 @@ def _rounded(
 ) -> list[sympy.Expr]:
     """Return rational numbers beside these; each exact row times them is zero."""
     used = [k for k, value in enumerate(values) if abs(value) > 1e-9]
-    found = [
+    rationals = [
         sympy.Rational(Fraction(float(v)).limit_denominator(SHARE)) for v in values
     ]
     numbers = [row.get(k, 0) for row in exact for k in used]
     reduced, pivots = sympy.Matrix(len(exact), len(used), numbers).rref()
     free = [j for j in range(len(used)) if j not in pivots]
     for row, pivot in enumerate(pivots):
-        found[used[pivot]] = -sympy.Add(
-            *(reduced[row, j] * found[used[j]] for j in free)
+        rationals[used[pivot]] = -sympy.Add(
+            *(reduced[row, j] * rationals[used[j]] for j in free)
         )
-    return found
+    return rationals

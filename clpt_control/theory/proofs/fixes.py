@@ -38,7 +38,9 @@ States = dict[str, np.ndarray]
 def wrong(rows: dict[str, Any]) -> str:
     """Return the names of the rows that are not zero for all symbols."""
     names = [
-        name for name, rest in rows.items() if not all(map(vanishes, np.ravel(rest)))
+        name
+        for name, residual in rows.items()
+        if not all(map(vanishes, np.ravel(residual)))
     ]
     return f"{', '.join(names)} differs" if names else ""
 
@@ -50,12 +52,12 @@ class AtFixes:
         self.N, self.late = N, late
         block, V = law_and_V(law, N)
         block.parameters = block.parameters._replace(latency=float(late))
-        parts, _ = remaining_parts(
+        blocks, _ = remaining_parts(
             *LoopOf(theorem_scenario(N, law.name), external=OUTSIDE)
         )
-        parts = [one for one in parts if one.name != block.name]
+        blocks = [b for b in blocks if b.name != block.name]
         self.loop = symbolic_loop(
-            connect([*parts, block, V], OUTSIDE, name="between"), jumps=True
+            connect([*blocks, block, V], OUTSIDE, name="between"), jumps=True
         )
         p = self.loop.parameters
         self.theta, self.r = p["true_flow"].theta, p["adaptation"].noise
@@ -73,17 +75,17 @@ class AtFixes:
 
     def V(self, states: States) -> sympy.Expr:
         """Return V = r^2 tr(eta P^-1 eta^T)/2 of the states, as its block has it."""
-        known = self.known | equated(self.loop.states, states)
-        return self.loop.signals["V"][0].xreplace(known)
+        substitutions = self.known | equated(self.loop.states, states)
+        return self.loop.signals["V"][0].xreplace(substitutions)
 
     def stays(self) -> str:
         """Return what changes between fixes where phi(x) = phi(z), or nothing."""
         loop, s = self.loop, self.loop.states
-        same = dict(zip(loop.inputs["phi_x"], loop.inputs["phi_z"], strict=True))
+        equal_phi = dict(zip(loop.inputs["phi_x"], loop.inputs["phi_z"], strict=True))
         return wrong(
             {
                 "x - z - eta m": [
-                    loop.derivative(e).subs(same)
+                    loop.derivative(e).subs(equal_phi)
                     for e in s["x"] - s["z"] - self.missed(s)
                 ],
                 "V": rate_of_V(loop),
@@ -94,30 +96,33 @@ class AtFixes:
 
     def learns(self) -> str:
         """Return what a jump does wrong, or nothing; there is a fix, or it is missing."""
-        jumps = (self.after(*one) for one in product((SEND, ARRIVE), (0, 1)))
+        jumps = (self.after(*jump_k) for jump_k in product((SEND, ARRIVE), (0, 1)))
         return next(filter(None, jumps), "")
 
-    def after(self, interval: int, taken: int, off: float = 0) -> str:
+    def after(self, interval: int, has_fix: int, off: float = 0) -> str:
         """Return which of the claims fails at the jump with which an interval begins.
 
         `off` is by how much the fix is not exact.
         """
-        s, r, one = self.loop.states, self.r, np.eye(self.N, dtype=int)
-        got = taken if interval == ARRIVE or not self.late else 0
-        known = self.known | equated(self.loop.inputs, {"taken": taken})
-        known[self.loop.parameters["adaptation"].interval] = sympy.Integer(interval)
+        s, r, identity = self.loop.states, self.r, np.eye(self.N, dtype=int)
+        got = has_fix if interval == ARRIVE or not self.late else 0
+        substitutions = self.known | equated(self.loop.inputs, {"taken": has_fix})
+        substitutions[self.loop.parameters["adaptation"].interval] = sympy.Integer(
+            interval
+        )
         sent = s["z_sent"] + self.eta(s) @ s["m_sent"] if self.late else s["sent"]
-        known |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
+        substitutions |= equated(s, {"waiting": got if self.late else 0, "sent": sent})
 
         def states(new: dict[Any, sympy.Expr]) -> States:
             put = np.vectorize(
-                lambda a: decided(a.xreplace(new).xreplace(known)), otypes=[object]
+                lambda a: decided(a.xreplace(new).xreplace(substitutions)),
+                otypes=[object],
             )
             return {port: put(symbols) for port, symbols in s.items()}
 
         before = states({})
         x, m = before["z"] + self.missed(before), before["m_sent" if self.late else "m"]
-        known |= equated(self.loop.inputs, {"fix": x + off})
+        substitutions |= equated(self.loop.inputs, {"fix": x + off})
         after = states(*self.loop.jumps.values())
         y, d = self.eta(before) @ m, r**2 + m @ before["P"] @ m
         sent = after["sent"] - after["z_sent"] - self.eta(after) @ after["m_sent"]
@@ -125,13 +130,13 @@ class AtFixes:
         return wrong(
             {
                 "V": self.V(after) - self.V(before) + got * r**2 * sum(y**2) / (2 * d),
-                "P": after["P"] @ after["information"] - one,
+                "P": after["P"] @ after["information"] - identity,
                 "P^-1": gained - got * np.outer(m, m) / r**2,
                 "x - z - eta m": x - after["z"] - self.missed(after),
                 "what is missing": (1 - got) * (after["alpha"] - before["alpha"]),
                 "the fix under way": [
                     *after["waiting"] * sent,
-                    *after["waiting"] - taken + got,
+                    *after["waiting"] - has_fix + got,
                 ],
             }
         )

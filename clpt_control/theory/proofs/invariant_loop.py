@@ -83,16 +83,20 @@ class InvariantLoop:
                 self.loop, V, law.V, (block.parameters, p), (true, truth)
             )
         else:
-            own = {
-                s for one in (block, V) for s in flat(self.loop.parameters[one.name])
+            judged = {
+                s
+                for block_k in (block, V)
+                for s in flat(self.loop.parameters[block_k.name])
             }
-            values = {s: number for s, number in self.loop.values.items() if s in own}
+            values = {
+                s: number for s, number in self.loop.values.items() if s in judged
+            }
             self.tied = values | symbols_of_V(self.loop, V, blocks[1], (true, truth))
         self.losses = [
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
         ]
-        self.c = _any(2 * N).reshape(2, N)  # d P^-1, d = theta_hat - theta
+        self.c = _arbitrary(2 * N).reshape(2, N)  # d P^-1, d = theta_hat - theta
         every["d P^-1"] = self.c
         self.error_growth = sympy.sympify(law.error_growth(every, p, truth))
         perturbation = law.perturbation(every, p, truth) if law.perturbation else 0
@@ -150,8 +154,8 @@ class InvariantLoop:
         }
         start = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
         for name, value in self.start.items():
-            given = np.broadcast_to(np.asarray(value, float), self.states[name].shape)
-            start |= equated(self.states, {name: np.vectorize(rational)(given)})
+            values = np.broadcast_to(np.asarray(value, float), self.states[name].shape)
+            start |= equated(self.states, {name: np.vectorize(rational)(values)})
         for symbol, value in self.stated.items():
             residual = (symbol - value).xreplace(start)
             if residual.has(*NO_VALUE):  # P = R^-1 from R = 0: another start is meant
@@ -213,17 +217,17 @@ class InvariantLoop:
     def left_over(self, claim: Callable[[SymbolicLoop], Any]) -> str:
         """Return what V' has beyond a claim and what is beside, or has no value, or nothing."""
         claimed = claim(self.loop) + self.beside
-        rest = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claimed)
-        return nonzero_residual(rest) or "".join(self.loop.undefined[:1])
+        remainder = self.reduced(rate_of_V(self.loop).xreplace(self.tied) - claimed)
+        return nonzero_residual(remainder) or "".join(self.loop.undefined[:1])
 
     def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
         """Return which relation the states leave, by their rates or at a jump, or nothing."""
         for symbol, value in self.relations.items():
             off = symbol - value
             moved = self.loop.derivative(off) if jump is None else off.xreplace(jump)
-            left = self.reduced(moved)
-            if not vanishes(left):
-                return f"{symbol} leaves it by {short(sympy.expand(left))}"
+            remainder = self.reduced(moved)
+            if not vanishes(remainder):
+                return f"{symbol} leaves it by {short(sympy.expand(remainder))}"
             if jump is None and self.forks(moved):
                 return f"{symbol} may leave it, as s' = |s|^(1/2) may leave 0"
         return ""
@@ -236,7 +240,7 @@ class InvariantLoop:
         """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
         for after in self.loop.jumps_at_once():
             for M in self.matrices.values():
-                c = _any(len(M))
+                c = _arbitrary(len(M))
                 new = np.array(
                     [[after.get(m, m) for m in row] for row in M], dtype=object
                 )
@@ -266,14 +270,18 @@ class InvariantLoop:
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
-        at = dict(zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True))
+        substitutions = dict(
+            zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True)
+        )
         rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum(
             (c @ self.rates[port]) * c
         )
         if not self.error_growth.is_nonpositive:
             return "what it gains may be positive"
         return nonzero_residual(
-            self.reduced(sympy.sympify(rate - self.error_growth).xreplace(at))
+            self.reduced(
+                sympy.sympify(rate - self.error_growth).xreplace(substitutions)
+            )
         )
 
     def stays_semidefinite(self, port: str) -> bool:
@@ -283,21 +291,21 @@ class InvariantLoop:
         little.
         """
         M = self.symmetric[port].copy()
-        c = np.append(_any(len(M) - 1), sympy.Integer(1))
+        c = np.append(_arbitrary(len(M) - 1), sympy.Integer(1))
         M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
         M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
-        at = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
+        substitutions = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
         rate = sympy.sympify(c @ self.rates[port] @ c)
-        form = as_factors(rate.xreplace(at))
+        form = as_factors(rate.xreplace(substitutions))
         return bool(form.is_nonnegative) and not self.forks(rate)
 
     def forks(self, rate: sympy.Expr) -> bool:
         """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
         roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
         return any(
-            one.free_symbols & {*self.loop.motion}
-            for one in roots
-            if not one.is_positive
+            base.free_symbols & {*self.loop.motion}
+            for base in roots
+            if not base.is_positive
         )
 
     @cached_property
@@ -308,7 +316,7 @@ class InvariantLoop:
         )
         return {port: expanded(symbols) for port, symbols in self.matrices.items()}
 
-    def not_negative(self, expression: Any, others: Set[Any] = frozenset()) -> bool:
+    def not_negative(self, expression: Any, arbitrary: Set[Any] = frozenset()) -> bool:
         """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
 
         `others` are symbols beside states and truths that may have any value.
@@ -317,7 +325,7 @@ class InvariantLoop:
         if self.masked(expression).is_nonnegative or self.is_room(expression):
             return True
         expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
-        matrices, parts = self.symmetric, []
+        matrices, shares_of_M = self.symmetric, []
         symbols = sorted({s for M in matrices.values() for s in M.ravel()}, key=str)
         if not expanded.is_polynomial(*symbols):
             return False
@@ -325,17 +333,21 @@ class InvariantLoop:
         if any(sum(powers) > 1 for powers in shares):
             return False
         of = {
-            s: shares.get(tuple(int(s == one) for one in symbols), 0) for s in symbols
+            s: shares.get(tuple(int(s == symbol) for symbol in symbols), 0)
+            for s in symbols
         }
         for M in matrices.values():
-            c = _any(len(M), "d")
+            c = _arbitrary(len(M), "d")
             # M_jk stands for M_kj too
             pairs = combinations_with_replacement(range(len(M)), 2)
-            parts.append(
+            shares_of_M.append(
                 sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs))
             )
-        parts.append(shares.get((0,) * len(symbols), sympy.S.Zero))
-        return all(groups_never_positive(-part, self.apart | others) for part in parts)
+        shares_of_M.append(shares.get((0,) * len(symbols), sympy.S.Zero))
+        return all(
+            groups_never_positive(-share, self.apart | arbitrary)
+            for share in shares_of_M
+        )
 
     def existing(self) -> tuple[str, Step]:
         """Return what a verdict adds of states that V does not hold, and that all exist.
@@ -346,13 +358,13 @@ class InvariantLoop:
         """
         loop, V, grown = self.loop, self.V, list[str]()
         for port, M in self.matrices.items():
-            c = _any(len(M))
+            c = _arbitrary(len(M))
             grows = not loop.jumps and self.not_negative(
                 c @ self.rates[port] @ c, set(c)
             )
             grown += [port] * grows
-            like = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
-            V = V.xreplace(dict(zip(M.flat, like, strict=True)))
+            bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
+            V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
         e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
         V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
@@ -365,19 +377,19 @@ class InvariantLoop:
             s for port in grown for s in self.matrices[port].flat
         }
         over = {s: value.free_symbols & free for s, value in self.relations.items()}
-        made = {
+        derived = {
             s
-            for s, own in over.items()
-            if not own or self.relations[s].is_polynomial(*own)
+            for s, states_in in over.items()
+            if not states_in or self.relations[s].is_polynomial(*states_in)
         }
-        held = (
-            {*x, *z, *states, *made}
+        bounded = (
+            {*x, *z, *states, *derived}
             if total and contains_all(total, states)
             else set[Any]()
         )
-        apart, step = states_outside_V([*held], self.relations, loop)
+        status, step = states_outside_V([*bounded], self.relations, loop)
         begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
-        return apart, replace(step, claim=f"{step.claim}{begun}")
+        return status, replace(step, claim=f"{step.claim}{begun}")
 
     def is_room(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""
@@ -388,7 +400,7 @@ class InvariantLoop:
 
 
 @cache
-def _any(n: int, name: str = "c") -> np.ndarray:
+def _arbitrary(n: int, name: str = "c") -> np.ndarray:
     """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
     return np.array(
         sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object
@@ -402,23 +414,27 @@ def _outer_first(word: AppliedUndef) -> tuple[int, str]:
 
 def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:
     """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""
-    found: dict[Any, sympy.Expr] = {}
+    solved: dict[Any, sympy.Expr] = {}
     for symbol, value in relations.items():
-        value = sympy.expand(value.xreplace(found))
+        value = sympy.expand(value.xreplace(solved))
         share = value.coeff(symbol)
         if share.is_Rational and 0 < share < 1:
             value = sympy.expand((value - share * symbol) / (1 - share))
         if value != symbol:
-            found[symbol] = value
-    return found
+            solved[symbol] = value
+    return solved
 
 
 def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
     """Return symbol -> expression such that each value, linear in it, becomes a symbol."""
-    flat, found = list(np.ravel(values)), {}
+    flat, replacements = list(np.ravel(values)), {}
     for k, value in enumerate(flat):
-        others = {s for j, one in enumerate(flat) if j != k for s in one.free_symbols}
-        symbol = min(value.free_symbols - others, key=str)
+        shared = {
+            s for j, value_j in enumerate(flat) if j != k for s in value_j.free_symbols
+        }
+        symbol = min(value.free_symbols - shared, key=str)
         fresh = sympy.Symbol(f"over_{k + 1}", real=True)
-        found[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(value, symbol)
-    return found
+        replacements[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(
+            value, symbol
+        )
+    return replacements

@@ -75,22 +75,24 @@ def invariant_steps(
     ]
 
 
-def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
+def claims_of(law: Law, case: InvariantLoop, is_user_law: bool) -> Claims:
     """Return what is to be shown of a law, one's own or of the table."""
     names = law.semidefinite
-    start = InvariantLoop.off_at_zero if own else InvariantLoop.off_at_the_start
-    sizes = f"N = {case.N} and the parameters as they are" if own else "N = 1, 2, 3"
+    start = InvariantLoop.off_at_zero if is_user_law else InvariantLoop.off_at_the_start
+    sizes = (
+        f"N = {case.N} and the parameters as they are" if is_user_law else "N = 1, 2, 3"
+    )
     claims: Claims = {
-        f"what the law's states keep is kept{' where it begins so' * own}": (
+        f"what the law's states keep is kept{' where it begins so' * is_user_law}": (
             lambda case: case.broken() or start(case)
         )
     }
-    if own:
+    if is_user_law:
         claims["what is kept does not repel"] = InvariantLoop.repels
     if case.loop.jumps:
-        left = f"{', '.join(names)} >= 0 is not left where they jump"
+        claim = f"{', '.join(names)} >= 0 is not left where they jump"
         claims["and is kept where they jump"] = InvariantLoop.broken_at_a_jump
-        claims[left] = InvariantLoop.semidefinite_after_a_jump
+        claims[claim] = InvariantLoop.semidefinite_after_a_jump
         claims["V does not rise where they jump"] = InvariantLoop.V_rises_by
     if names:
         claims[
@@ -99,9 +101,9 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
     claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
     if law.weighted_error:
         # where CLPE drives alpha BOUNDS[0] does not hold
-        first = int(law.perturbation is None)
+        start_index = int(law.perturbation is None)
         claims |= {
-            BOUNDS[k]: partial(_moves, which=k) for k in range(first, len(BOUNDS))
+            BOUNDS[k]: partial(_moves, index=k) for k in range(start_index, len(BOUNDS))
         }
         claims[BOUNDED_BY_V] = _cauchy
     if law.makes_estimate:
@@ -112,8 +114,8 @@ def claims_of(law: Law, case: InvariantLoop, own: bool) -> Claims:
         claims[
             f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
         ] = _reads
-    given = f"with {', '.join(names)} >= 0 " * bool(names)
-    claims[f"{given}V and what V' loses are not negative"] = lambda case: all(
+    premise = f"with {', '.join(names)} >= 0 " * bool(names)
+    claims[f"{premise}V and what V' loses are not negative"] = lambda case: all(
         map(case.not_negative, {case.V, *chain.from_iterable(case.losses)})
     )
     return claims
@@ -126,17 +128,22 @@ def _reads(case: InvariantLoop) -> bool:
         case.loop.signals[case.law.readout],
         case.loop.parameters["true_flow"].theta,
     )
-    for one, alpha, theta in zip(
+    for element, alpha, theta in zip(
         read.flat, case.states["alpha"].flat, truth.flat, strict=True
     ):
-        if not isinstance(one, WHERE) or str(one.args[0].func) != "ge":
+        if not isinstance(element, WHERE) or str(element.args[0].func) != "ge":
             return False
-        condition, then, before = one.args
-        gone, margin = condition.args
-        known = {MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))}
-        right = vanishes(case.reduced(then.subs(known)) - theta)
+        condition, then, before = element.args
+        gone_share, margin = condition.args
+        substitutions = {
+            MAXIMUM(*pair): 1 - w for pair in ((margin, 1 - w), (1 - w, margin))
+        }
+        is_truth = vanishes(case.reduced(then.subs(substitutions)) - theta)
         if not (
-            right and gone == 1 - w and margin.is_positive and vanishes(before + alpha)
+            is_truth
+            and gone_share == 1 - w
+            and margin.is_positive
+            and vanishes(before + alpha)
         ):
             return False
     return True
@@ -153,8 +160,8 @@ BOUNDED_BY_V = (
 )
 
 
-def _moves(case: InvariantLoop, which: int) -> bool:
-    pairs = zip(*map(np.ravel, covariance_rates(case)[which]), strict=True)
+def _moves(case: InvariantLoop, index: int) -> bool:
+    pairs = zip(*map(np.ravel, covariance_rates(case)[index]), strict=True)
     return bool(case.parameters.forgetting.is_nonnegative) and all(
         vanishes(case.reduced(case.loop.derivative(a) - rate)) for a, rate in pairs
     )

@@ -88,10 +88,14 @@ class LawCandidate(Candidate):
 
     def _residual(self) -> sympy.Expr:
         """Return V' less its fall."""
-        rest = normal_form(self.rate - self.fall_of_e)
-        sizes = {a: a.args[0] * SIGN(*a.args) for a in rest.atoms(sympy.Abs)}
-        has_powers = rest.atoms(sympy.Pow)
-        return sympy.S.Zero if has_powers and vanishes(rest.xreplace(sizes)) else rest
+        remainder = normal_form(self.rate - self.fall_of_e)
+        sizes = {a: a.args[0] * SIGN(*a.args) for a in remainder.atoms(sympy.Abs)}
+        has_powers = remainder.atoms(sympy.Pow)
+        return (
+            sympy.S.Zero
+            if has_powers and vanishes(remainder.xreplace(sizes))
+            else remainder
+        )
 
     # --- the truth ------------------------------------------------------------------------------
 
@@ -111,9 +115,9 @@ class LawCandidate(Candidate):
         truth, states = truth_in(self.loop), set(self.loop.motion)
         x, z = self.loop.states["x"], self.loop.states["z"]
         true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
-        known = self.values | dict(zip(x, z, strict=True))
+        substitutions = self.values | dict(zip(x, z, strict=True))
         errors = [
-            sympy.expand(output.xreplace(known) - true[port][k])
+            sympy.expand(output.xreplace(substitutions) - true[port][k])
             for port in true
             for k, output in enumerate(self.loop.signals[port].flat)
         ]
@@ -139,8 +143,8 @@ class LawCandidate(Candidate):
     @property
     def others_in_V(self) -> list[Any]:
         """States of V that are neither the vehicle's, the learner's nor learned."""
-        known = {*self.learned, *self.loop.states["x"], *self.loop.states["z"]}
-        return [s for s in self.loop.motion if s not in known and self.V.has(s)]
+        excluded = {*self.learned, *self.loop.states["x"], *self.loop.states["z"]}
+        return [s for s in self.loop.motion if s not in excluded and self.V.has(s)]
 
     # --- the five questions ---------------------------------------------------------------------
 
@@ -157,8 +161,8 @@ class LawCandidate(Candidate):
 
     def is_definite(self) -> Step:
         """Return the step that V is positive definite, or so beyond dead zones."""
-        within = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
-        claim = f"V is positive definite in {within} and the parameter errors"
+        measure = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
+        claim = f"V is positive definite in {measure} and the parameter errors"
         claim = f"{claim}, at the blocks' own values"
         step = checked(claim, self._definite, every_N=False)
         self.definite = step.holds
@@ -176,12 +180,12 @@ class LawCandidate(Candidate):
             if len(learned) != 1 or learned[0] in self.truth:
                 continue
             (s,) = learned
-            rest, level = V.as_independent(s, as_Add=True)
+            remainder, level = V.as_independent(s, as_Add=True)
             share = sympy.cancel(sympy.diff(level, s) / error)
             rises = interval(sympy.diff(error, s))[0]
             if not (share.is_number and share.is_positive and rises.is_positive):
                 return False
-            V, states = rest, [state for state in states if state != s]
+            V, states = remainder, [state for state in states if state != s]
         least = zero_of(V, states)
         if least is None:
             return False
@@ -255,8 +259,8 @@ class LawCandidate(Candidate):
         """Return whether an expression is known never to be positive."""
         expression, e = expression.xreplace(self.in_e), {*self.e}
         z = {*self.loop.states["z"]}
-        others = expression.free_symbols - {TIME, *self.values} - z - e
-        return never_positive(expression, {*self.values}, (others, e, None))
+        free_symbols = expression.free_symbols - {TIME, *self.values} - z - e
+        return never_positive(expression, {*self.values}, (free_symbols, e, None))
 
     def _falls(self) -> tuple[bool, str]:
         """Return whether V' less its fall, or half of it, is never positive, and the fall."""
@@ -284,11 +288,11 @@ class LawCandidate(Candidate):
         As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
         """
         zones = [f"{float(zone):.4g}" for zone in self.zones]
-        half = "/2" * fall.endswith("/2")
+        suffix = "/2" * fall.endswith("/2")
         below = " and ".join(
-            f"|Delta_{i}| <= {d} KD_{i}{half}" for i, d in enumerate(zones, 1)
+            f"|Delta_{i}| <= {d} KD_{i}{suffix}" for i, d in enumerate(zones, 1)
         )
-        most = f"-D^T KD D{half}" if fall.startswith("-D^T") else "0"
+        most = f"-D^T KD D{suffix}" if fall.startswith("-D^T") else "0"
         where = f"V' <= {most} where {below}" if self.takes_delta() else f"V' <= {fall}"
         ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(zones, 1))
         return Bound(f"{where}: V never rises, {ends}")
@@ -312,10 +316,14 @@ class LawCandidate(Candidate):
         states = {port: loop.elements.of(loop.states[port]) for port in ports}
         if faster := faster_than_linear(rates, states):
             return False, faster
-        base, term = parts = [normal_form(part) for part in base_and_term(residual)]
+        base, term = summands = [
+            normal_form(summand) for summand in base_and_term(residual)
+        ]
         # for all gains, or for those that it has
         for values in ({}, self.values):
-            if all(self.never_positive(part.xreplace(values)) for part in parts):
+            if all(
+                self.never_positive(summand.xreplace(values)) for summand in summands
+            ):
                 return True, ""
         return False, f"left over: {short(base)}; summand {short(term)}"
 
@@ -346,10 +354,10 @@ class LawCandidate(Candidate):
         """Return remarks on signals that no vehicle measures by itself."""
         return [
             exact(
-                f"the law reads {port}, {what}, which no vehicle measures by itself",
+                f"the law reads {port}, {reason}, which no vehicle measures by itself",
                 True,
             )
-            for port, what in HIDDEN.items()
+            for port, reason in HIDDEN.items()
             if port in self.law.input_ports
         ]
 
@@ -392,7 +400,7 @@ class LawCandidate(Candidate):
         step = Step(claim, True, "counterexample", f"by {size:.3g}", False)
         return Refutation(claim, step, before, None, "refuted at a jump", after)
 
-    def verdict(self, status: str, claim: str, **known: Any) -> Verdict:
+    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on the law."""
         return Verdict(
             status,
@@ -402,7 +410,7 @@ class LawCandidate(Candidate):
             residual=self.residual,
             diagram=self.loop.diagram,
             for_every_N=self.for_every_N and status.startswith("proved"),
-            **known | {"steps": tuple(known["steps"])},
+            **fields | {"steps": tuple(fields["steps"])},
         )
 
 

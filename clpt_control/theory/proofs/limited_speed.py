@@ -48,11 +48,11 @@ def differs(law: Law) -> str:
     if difference := nonzero_residual(rate_of_V(free) - rate_of_V(hedged)):
         # whatever v is flown
         return difference
-    own = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
+    compared = free.motion.keys() - {*free.states["x"].flat, *free.states["z"].flat}
     jumps = zip(free.jumps.values(), hedged.jumps.values(), strict=True)
-    for one, other in [(free.motion, hedged.motion), *jumps]:
-        for s in own & one.keys():
-            if not vanishes(one[s] - other[s].xreplace(flown)):
+    for without_limit, with_limit in [(free.motion, hedged.motion), *jumps]:
+        for s in compared & without_limit.keys():
+            if not vanishes(without_limit[s] - with_limit[s].xreplace(flown)):
                 return f"{s} moves or jumps differently"
     return "" if law.invariants is None else InvariantLoop(law, N, "hedged").broken()
 
@@ -77,7 +77,7 @@ def limits() -> bool:
     largest = loop.parameters["speed_limit"].max_speed
     speed = sympy.sqrt(c[0] ** 2 + c[1] ** 2)
     larger = MAXIMUM(speed, largest), MAXIMUM(largest, speed)
-    return any(all(map(vanishes, v - largest * c / one)) for one in larger)
+    return any(all(map(vanishes, v - largest * c / size)) for size in larger)
 
 
 def with_hedging() -> Proof:

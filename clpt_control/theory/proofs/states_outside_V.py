@@ -23,7 +23,7 @@ ANGLES = (sympy.sin, sympy.cos)
 
 
 def states_outside_V(
-    forms: list[sympy.Expr], known: Mapping[Any, sympy.Expr], eq: Equations
+    forms: list[sympy.Expr], substitutions: Mapping[Any, sympy.Expr], eq: Equations
 ) -> tuple[str, Step]:
     """Return what a status adds of the states that V does not contain, and the step.
 
@@ -32,7 +32,9 @@ def states_outside_V(
     still = {
         f: sympy.Dummy(real=True) for port in eq.inputs.values() for f in port.flat
     }
-    motion = {s: rate.xreplace(known).xreplace(still) for s, rate in eq.motion.items()}
+    motion = {
+        s: rate.xreplace(substitutions).xreplace(still) for s, rate in eq.motion.items()
+    }
     intervals = {p.interval for p in eq.parameters.values() if "interval" in p._fields}
     fixed = set(eq.values) - intervals
     forms = _bounded_forms([form.xreplace(still) for form in forms], motion, fixed)
@@ -42,7 +44,7 @@ def states_outside_V(
     names = _names(eq, free)
     rates = [motion[s].xreplace(bounded) for s in free]
     jumps = [
-        after.xreplace(known).xreplace(bounded)
+        after.xreplace(substitutions).xreplace(bounded)
         for change in eq.jumps.values()
         for s, after in change.items()
         if s in free and after != s
@@ -51,18 +53,21 @@ def states_outside_V(
     functions = sympy.Tuple(*rates).atoms(AppliedUndef)
     sources = sorted({str(f.func) for f in functions if is_input(f)})
     verb = "are" if sources[1:] else "is"
-    given = f", if {' and '.join(sources)} {verb} bounded" if sources else ""
+    condition = f", if {' and '.join(sources)} {verb} bounded" if sources else ""
     how: How = "sampled" if sources else "exact"
     if not jumps and _is_linear_and_stable(rates, free, fixed, intervals):
         driven = (
             " and bounded inputs" if sympy.Tuple(*rates).has(*still.values()) else ""
         )
-        claim = f"{names}: linear and stable, driven by what V holds{driven}{given}"
+        claim = f"{names}: linear and stable, driven by what V holds{driven}{condition}"
         return "", Step(claim, True, how, every_N=False)
     # a rate as it is or expanded, which hides roots
     written = [(rate, sympy.expand(rate)) for rate in rates] + [(j,) for j in jumps]
-    if all(min(degree(f, free.__contains__) for f in both) <= 1 for both in written):
-        claim = f"{names}: not held by V, may grow, and exist for all t{given}"
+    if all(
+        min(degree(f, free.__contains__) for f in forms_of_rate) <= 1
+        for forms_of_rate in written
+    ):
+        claim = f"{names}: not held by V, may grow, and exist for all t{condition}"
         return f"but for {names}", Step(claim, True, how, every_N=False)
     claim = f"{names}: not held by V, exist for all t"
     return f"as long as {names} exist", exact(claim, False, "not shown")
@@ -77,12 +82,12 @@ def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:
     expressions = (*motion.values(), *forms)
     turns = {call for e in expressions for call in e.atoms(*ANGLES)}
     # functions of angles that whole turns leave as they are, as th**2 is none
-    whole = {
+    periodic = {
         call: sympy.Dummy()
         for call in turns
         if not any(sympy.diff(call.args[0], s).free_symbols - fixed for s in motion)
     }
-    without_angles = [e.xreplace(whole) for e in expressions]
+    without_angles = [e.xreplace(periodic) for e in expressions]
     bounded = []
     for form in forms:
         inner = form.as_coeff_Mul()[1]
@@ -104,33 +109,35 @@ def _bounded_states(
     A form in one state bounds it; where each form has several states, the state that moves most
     simply is free, and the forms bound the others.
     """
-    left, bounded, free = list(motion), dict[Any, Any](), list[Any]()
-    while left:
-        solved = (_state_of(form.xreplace(bounded), left, fixed) for form in forms)
+    remaining, bounded, free = list(motion), dict[Any, Any](), list[Any]()
+    while remaining:
+        solved = (_state_of(form.xreplace(bounded), remaining, fixed) for form in forms)
         state = next(filter(None, solved), None)
         if state is not None:
             bounded |= state
-            left = [s for s in left if s not in state]
+            remaining = [s for s in remaining if s not in state]
             continue
-        free.append(_simplest(left, free, motion, fixed))
-        left.remove(free[-1])
+        free.append(_simplest(remaining, free, motion, fixed))
+        remaining.remove(free[-1])
     return bounded, free
 
 
-def _simplest(left: list, free: list, motion: dict, fixed: set) -> Any:
+def _simplest(remaining: list, free: list, motion: dict, fixed: set) -> Any:
     """Return the state that moves most simply, of those that are left."""
-    is_state = {*left, *free}.__contains__
+    is_state = {*remaining, *free}.__contains__
 
     def order(s: Any) -> tuple:
         varies = bool(sympy.diff(motion[s], s).free_symbols - fixed)
         return varies, degree(motion[s], is_state)
 
-    return min(left, key=order)
+    return min(remaining, key=order)
 
 
-def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr] | None:
+def _state_of(
+    form: sympy.Expr, remaining: list, fixed: set
+) -> dict[Any, sympy.Expr] | None:
     """Return the single state of a form, if it has one, in terms of bounded symbols."""
-    states = [s for s in left if form.has(s)]
+    states = [s for s in remaining if form.has(s)]
     if len(states) != 1 or not form.is_polynomial(*states):
         return None
     (s,), bound = states, sympy.Dummy("bound", real=True)
@@ -140,8 +147,8 @@ def _state_of(form: sympy.Expr, left: list, fixed: set) -> dict[Any, sympy.Expr]
     if len(coefficients) == 1:
         return {s: (bound - coefficients[0]) / leading}
     # of higher degree it bounds s where nothing else in it moves freely
-    others = form.free_symbols - fixed - {s}
-    return {s: bound} if all(isinstance(o, sympy.Dummy) for o in others) else None
+    moving = form.free_symbols - fixed - {s}
+    return {s: bound} if all(isinstance(o, sympy.Dummy) for o in moving) else None
 
 
 def _names(eq: Equations, free: list) -> str:
@@ -159,8 +166,8 @@ def _is_linear_and_stable(rates: list, free: list, fixed: set, intervals: set) -
     """Return whether rates are linear in the free states, with a Hurwitz matrix."""
     expanded = sympy.Matrix([sympy.expand(rate) for rate in rates])
     J = expanded.jacobian(free)
-    rest = expanded - J * sympy.Matrix(free)
-    varies = rest.has(TIME, *intervals, *free)
+    remainder = expanded - J * sympy.Matrix(free)
+    varies = remainder.has(TIME, *intervals, *free)
     return not (varies or J.free_symbols - fixed) and hurwitz(J)
 
 

@@ -66,20 +66,20 @@ def function_of_signals(system: Any, V: Any) -> Any:
     if not isinstance(V, sympy.Expr):
         return V
     signals = signals_by_name(on_symbols(system))
-    places = {
+    indices = {
         symbol: (name, k)
         for name, symbols in signals.items()
         for k, symbol in enumerate(symbols.flat)
         if symbol.is_Symbol or isinstance(symbol, AppliedUndef)
     }
-    if unknown := V.free_symbols - places.keys():
+    if unknown := V.free_symbols - indices.keys():
         raise DiagramError(
             f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
-            f"{', '.join(map(str, places))}"
+            f"{', '.join(map(str, indices))}"
         )
-    run = sympy.lambdify([*places], V, "numpy")
+    run = sympy.lambdify([*indices], V, "numpy")
     return lambda s: run(
-        *(np.ravel(getattr(s, name))[k] for name, k in places.values())
+        *(np.ravel(getattr(s, name))[k] for name, k in indices.values())
     )
 
 
@@ -185,14 +185,16 @@ class SystemCandidate(Candidate):
 
     def _rest_state(self, values: Mapping[str, float]) -> dict[Any, sympy.Expr]:
         """Return each state's value at a rest, a share of pi where a number is that."""
-        rest = dict.fromkeys(self.states, sympy.Integer(0))
+        rest_state = dict.fromkeys(self.states, sympy.Integer(0))
         names = {str(s): s for s in self.states}
         check_holds("at", names, values, f"states are {', '.join(names)}")
         for name, value in values.items():
             turns = rational(float(value) / pi)
             is_turn = turns.q <= MOST_TURNS
-            rest[names[name]] = turns * sympy.pi if is_turn else rational(float(value))
-        return rest
+            rest_state[names[name]] = (
+                turns * sympy.pi if is_turn else rational(float(value))
+            )
+        return rest_state
 
     # --- the five questions ---------------------------------------------------------------------
 
@@ -204,19 +206,19 @@ class SystemCandidate(Candidate):
     def is_definite(self) -> Step:
         """Return the step that V is positive definite in forms of the states."""
         claim = "V is positive definite"
-        parts = self.V, *self.eq.motion.values()
-        bends = not meets_smoothly(self.V) and not all(map(is_continuous, parts))
+        expressions = self.V, *self.eq.motion.values()
+        bends = not meets_smoothly(self.V) and not all(map(is_continuous, expressions))
         if bends or self.V.free_symbols & self.intervals:
             return exact(claim, False, "V may jump or bend")
-        rest = self.rest or {}
+        rest_state = self.rest or {}
         total = squares(
-            self.V.xreplace({s: s + v for s, v in rest.items()}), self.fixed
+            self.V.xreplace({s: s + v for s, v in rest_state.items()}), self.fixed
         )
         forms = total.forms if total else []
         if self.rest is not None:
             zero = dict.fromkeys(self.states, 0)
             forms = forms if all(vanishes(f.subs(zero)) for f in forms) else []
-        back = {s: s - v for s, v in rest.items()}
+        back = {s: s - v for s, v in rest_state.items()}
         self.forms = [form.xreplace(back) for form in forms]
         names = ", ".join(dict.fromkeys(str(self.in_signals(f)) for f in self.forms))
         self.definite_claim = f"{claim} in {names}" if forms else claim
@@ -246,15 +248,15 @@ class SystemCandidate(Candidate):
         """Return the step that the running blocks have the same V and rates."""
         return self.compared(lambda points: points)
 
-    def compared(self, within: Callable[[tuple], tuple]) -> Step:
+    def compared(self, restrict: Callable[[tuple], tuple]) -> Step:
         """Compare with the running blocks at random points, `within` a region if need be."""
 
-        def same() -> tuple[bool, str]:
+        def agrees() -> tuple[bool, str]:
             return compare(
-                self.search, within(self.search.wide(self.points)), self.points
+                self.search, restrict(self.search.wide(self.points)), self.points
             )
 
-        return checked("the running blocks give the same V'", same, "sampled", False)
+        return checked("the running blocks give the same V'", agrees, "sampled", False)
 
     def held(self) -> tuple[list[sympy.Expr], dict]:
         """Return the forms that V bounds."""
@@ -296,15 +298,15 @@ class SystemCandidate(Candidate):
         def goes_down(rate: sympy.Expr, slope: sympy.Expr) -> bool:
             return self.never_positive(sympy.cancel(rate / slope))
 
-        others = list[sympy.Expr]()
+        remaining = list[sympy.Expr]()
         for s, rate in {TIME: sympy.S.One, **self.eq.motion}.items():
             slope = normal_form(along(self.V, {s: sympy.S.One}))
             if slope == 0 or goes_down(rate, slope):
                 continue
             terms = sympy.Add.make_args(rate)
-            left = [g for g in terms if g == rate or not goes_down(g, slope)]
-            others += [slope * term for term in left]
-        return self.never_positive(sympy.Add(*others))
+            undecided = [g for g in terms if g == rate or not goes_down(g, slope)]
+            remaining += [slope * term for term in undecided]
+        return self.never_positive(sympy.Add(*remaining))
 
     def depends_on(self) -> list[str]:
         """Return the inputs that V' depends on."""
@@ -316,8 +318,10 @@ class SystemCandidate(Candidate):
     @cached_property
     def search(self) -> PointSearch:
         """Random points about the rest."""
-        rest = self.rest or {}
-        return PointSearch(self.system, self.eq, self.V, self.output, rest, self.seed)
+        rest_state = self.rest or {}
+        return PointSearch(
+            self.system, self.eq, self.V, self.output, rest_state, self.seed
+        )
 
     def refuted(self, steps: list[Step]) -> Refutation | None:
         """Return a point at which V' > 0, V' is not as claimed, or V is no least value."""
@@ -387,19 +391,19 @@ class SystemCandidate(Candidate):
             return self.search.sign_at(V - V.xreplace(self.rest), -1)
         if not (V.is_polynomial(*states) and V.has(*states)):
             return None
-        far = sympy.Dummy()
-        scaled = sympy.Poly(V.xreplace({s: far * s for s in states}), far)
+        scale = sympy.Dummy()
+        scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
         return self.search.sign_at(scaled.LC(), -1)
 
-    def verdict(self, status: str, claim: str, **known: Any) -> Verdict:
+    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
         rate = self.readable_rate()
         if status == "open":
             claim = f"V' = {short(rate)}; {claim}"
         inputs = tuple(self.depends_on())
-        steps = tuple(known.pop("steps"))
+        steps = tuple(fields.pop("steps"))
         V = self.in_signals(self.V)
-        return Verdict(status, claim, V, rate, inputs, steps, **known)
+        return Verdict(status, claim, V, rate, inputs, steps, **fields)
 
     # --- in the user's signals ------------------------------------------------------------------
 
@@ -419,8 +423,8 @@ class SystemCandidate(Candidate):
     def in_signals(self, e: sympy.Expr) -> sympy.Expr:
         """Return an expression in the diagram's own signals, each signal in place of its sum."""
         return e.replace(
-            lambda part: part.is_Add,
-            lambda part: self.sums.get(sympy.expand(part), part),
+            lambda term: term.is_Add,
+            lambda term: self.sums.get(sympy.expand(term), term),
         )
 
     def readable_rate(self) -> sympy.Expr:

@@ -72,23 +72,23 @@ class Radial(NamedTuple):
 
 def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
     """Return the leaks that V' has beyond -e^T KD e; none where it has anything else."""
-    parts: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
+    residuals: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
     for term in sympy.Add.make_args(sympy.expand(residual)):
         factor = sympy.Mul(
             *(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving))
         )
-        parts[factor] = parts.get(factor, sympy.Integer(0)) + term / factor
+        residuals[factor] = residuals.get(factor, sympy.Integer(0)) + term / factor
     leaks = []
-    for factor, part in parts.items():
-        states = tuple(s for s in truth if part.has(s))
+    for factor, residual_term in residuals.items():
+        states = tuple(s for s in truth if residual_term.has(s))
         if not states or not all(map(_not_negative, sympy.Mul.make_args(factor))):
             return []
-        weight = -part.coeff(states[0], 2)
-        wanted = sympy.Add(*(-weight * s * (s - truth[s]) for s in states))
+        weight = -residual_term.coeff(states[0], 2)
+        leak_form = sympy.Add(*(-weight * s * (s - truth[s]) for s in states))
         if (
             not weight.is_positive
             or weight.free_symbols
-            or sympy.expand(part - wanted) != 0
+            or sympy.expand(residual_term - leak_form) != 0
         ):
             return []
         leaks.append(Leak(factor, states, weight))
@@ -113,29 +113,29 @@ def _radial(leak: Leak) -> Radial | None:
         if not isinstance(word, AppliedUndef) or str(word.func) != "clip":
             continue
         u, low, top = word.args
-        along = u.subs(dict.fromkeys(leak.states[1:], 0)).subs(leak.states[0], r)
+        on_axis = u.subs(dict.fromkeys(leak.states[1:], 0)).subs(leak.states[0], r)
         if (
-            along.free_symbols != {r}
-            or along.has(AppliedUndef)
+            on_axis.free_symbols != {r}
+            or on_axis.has(AppliedUndef)
             or low != 0
             or not top.is_positive
         ):
             continue
-        same = sympy.expand(u - along.subs(r, sympy.sqrt(leak.square))) == 0
-        ends = [sympy.solve(along - at, r) for at in (0, top)]
+        is_radial = sympy.expand(u - on_axis.subs(r, sympy.sqrt(leak.square))) == 0
+        ends = [sympy.solve(on_axis - value, r) for value in (0, top)]
         if (
-            same
-            and sympy.diff(along, r).is_positive
+            is_radial
+            and sympy.diff(on_axis, r).is_positive
             and all(len(end) == 1 for end in ends)
         ):
             return Radial(word, ends[0][0], ends[1][0], top)
     return None
 
 
-def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
+def _pull_of(quadratic: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
     """Return a and b^2/(2 a) of -a s^2 + b s."""
-    a, b = -part.coeff(s, 2), part.coeff(s, 1)
-    if sympy.expand(part + a * s**2 - b * s) != 0:
+    a, b = -quadratic.coeff(s, 2), quadratic.coeff(s, 1)
+    if sympy.expand(quadratic + a * s**2 - b * s) != 0:
         return None
     if (
         not a.is_nonnegative
@@ -147,19 +147,19 @@ def _pull_of(part: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
     return Pull(a, b**2 / (2 * a) if b != 0 else sympy.S.Zero)
 
 
-def _leak_of(part: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
+def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None:
     """Return how -f a^2k a (a - a*) pulls, a = a* + s, for f between two numbers.
 
     It is not positive but where |a| < |a*|, and there at most f |a*|^(2k + 2)/4; where f keeps away
     from zero and k is 0 it is -f s^2/2 and at most f |a*|^2/2.
     """
     a = sympy.Dummy(real=True)
-    of_a = sympy.expand(part.xreplace({s: a - true}))
+    of_a = sympy.expand(term.xreplace({s: a - true}))
     if not of_a.is_polynomial(a):
         return None
-    share, rest = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
+    share, remainder = sympy.div(of_a, sympy.expand(-a * (a - true)), a)
     push, slowest = sympy.S.Zero, sympy.S.Zero
-    for (power,), f in sympy.Poly(share, a).terms() if rest == 0 else ():
+    for (power,), f in sympy.Poly(share, a).terms() if remainder == 0 else ():
         low, high = interval(f)
         if power % 2 or not (low.is_extended_nonnegative and high.is_finite):
             return None
@@ -227,8 +227,8 @@ class Bounding:
             return None
         push, rates = sympy.Integer(0), []
         for s, weight in self.weights.items():
-            part = groups.get((s,), sympy.S.Zero)
-            pull = _pull_of(part, s, moves) or _leak_of(part, s, self.truth[s])
+            term = groups.get((s,), sympy.S.Zero)
+            pull = _pull_of(term, s, moves) or _leak_of(term, s, self.truth[s])
             if pull is None:
                 return None
             push += pull.push
@@ -252,21 +252,21 @@ class Bounding:
 
     def rising(self) -> Bound | None:
         """Return the bound where every factor rises with |s|."""
-        full, more, within = self.case.rate, sympy.Integer(0), []
+        full, excess, conditions = self.case.rate, sympy.Integer(0), []
         for leak in self.leaks:
             radial = _radial(leak)
             if radial is None or leak.factor != radial.word:
                 return None
             full = full.subs(radial.word, radial.top)
-            more += (
+            excess += (
                 radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
             )
-            within.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
+            conditions.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
         pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
-        bound = self.pulled_to(Pull(pull.rate, pull.push + more))
-        more_known = f"; where {listed(within)}, V' <= -e^T KD e without Delta"
+        bound = self.pulled_to(Pull(pull.rate, pull.push + excess))
+        more_known = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
         return Bound(bound.sentence + more_known, bound.level)
 
     def by_error(self) -> Bound | None:
@@ -290,7 +290,7 @@ class Bounding:
         """Return the bound where what is learned stays within balls."""
         if not self.all_leak:
             return None
-        level, within = self.push**2 / (2 * self.k**2), []
+        level, conditions = self.push**2 / (2 * self.k**2), []
         for leak in self.leaks:
             radial = _radial(leak)
             if radial is None or radial.top != 1 or not self.stays(leak, radial):
@@ -302,8 +302,8 @@ class Bounding:
                 f"|{port}| <= {float(radial.R):.4g}",
                 f"{float(radial.M):.4g}",
             )
-            within.append((f"{self.size(leak)} <= {largest}", radius))
-        truths, radii = map(listed, zip(*within, strict=True))
+            conditions.append((f"{self.size(leak)} <= {largest}", radius))
+        truths, radii = map(listed, zip(*conditions, strict=True))
         falls = f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}"
         return Bound(
             f"{radii} for good where it starts so; where {truths}, {falls}", level
@@ -315,27 +315,40 @@ class Bounding:
         divisor = [f for f in leak.factor.atoms(AppliedUndef) if is_positive_maximum(f)]
         if len(outward) != 1 or len(divisor) != 1:
             return False
-        (taken,), (least,) = outward, divisor
-        if leak.factor != radial.word * taken / least or str(taken.func) != "maximum":
+        (outward_part,), (least,) = outward, divisor
+        if (
+            leak.factor != radial.word * outward_part / least
+            or str(outward_part.func) != "maximum"
+        ):
             return False
         if (
             sympy.expand(least.args[0] - leak.square) != 0
             or least.args[1] > radial.R**2
         ):
             return False
-        n, part, o = sympy.Dummy(nonnegative=True), sympy.Dummy(), taken.args[0]
-        beyond = {radial.word: radial.top, taken: o + n, least: 1 / part}
+        n, inverse_square, o = (
+            sympy.Dummy(nonnegative=True),
+            sympy.Dummy(),
+            outward_part.args[0],
+        )
+        beyond = {
+            radial.word: radial.top,
+            outward_part: o + n,
+            least: 1 / inverse_square,
+        }
         power = sympy.Add(*(s * self.case.loop.motion[s] for s in leak.states))
         power = sympy.expand(
             sympy.expand(power.xreplace(self.case.values)).xreplace(beyond)
         )
-        rest = power.subs(part, 0) * leak.square + sympy.diff(power, part)
+        remainder = power.subs(inverse_square, 0) * leak.square + sympy.diff(
+            power, inverse_square
+        )
         return (
-            sympy.diff(power, part, 2) == 0
-            and sympy.expand(rest + n * leak.square) == 0
+            sympy.diff(power, inverse_square, 2) == 0
+            and sympy.expand(remainder + n * leak.square) == 0
         )
 
 
-def listed(parts: Sequence[str]) -> str:
+def listed(items: Sequence[str]) -> str:
     """Return "a, b and c"."""
-    return " and ".join(part for part in (", ".join(parts[:-1]), parts[-1]) if part)
+    return " and ".join(item for item in (", ".join(items[:-1]), items[-1]) if item)
