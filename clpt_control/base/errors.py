@@ -1,4 +1,4 @@
-"""What can go wrong, each said in one sentence.
+"""Errors that a user can cause, each with one sentence.
 
 Every error that a user can cause is a `ClptError`: its text names what was
 given, where, what is allowed and what to try.  The command line prints that

@@ -20,7 +20,7 @@ def _ellipsoid() -> Any:
 
 
 def is_place(lat: Any, lon: Any) -> Any:
-    """Whether two numbers, or many, are a place on Earth, degrees."""
+    """Return whether two numbers, or many, are a place on Earth, degrees."""
     return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False where not a number
 
 

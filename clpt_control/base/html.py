@@ -20,7 +20,7 @@ LONGEST = 300  # letters of a cell
 
 
 class Result(NamedTuple):
-    """What was found, as a terminal and a page show it: a table whose first column names rows."""
+    """A table of results for the terminal and for pages; its first column names rows."""
 
     title: str = ""
     columns: Sequence[str] = ()

@@ -1,4 +1,4 @@
-"""What is tried, and on what: candidates, and the flows that are drawn.
+"""Candidates of a tuning, and the sampled flows that they are tried on.
 
 Candidates: every law of the table that learns, with gains and filters about its defaults.
 

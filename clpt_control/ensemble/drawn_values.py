@@ -1,4 +1,4 @@
-"""What varies in an ensemble, as a user writes it, and the values of each member.
+"""Sampled parameters of an ensemble, and the values of each member.
 
     learning.gain=0.2:2.0         uniform between two numbers
     flow.parameters~normal:0.1    normal about the value that is there, with an

@@ -249,7 +249,7 @@ class Ensemble:
 
     @property
     def batch(self) -> int:
-        """How many members' states fit into the memory of a thread; one where Python runs them.
+        """Number of members whose states fit into a thread's memory; one in Python.
 
         An interrupt waits for the batches that run.
         """

@@ -69,12 +69,12 @@ class VariedScenario:
 
     @property
     def knows_flow(self) -> bool:
-        """Whether the true flow parameters are the scenario's."""
+        """True if the true flow parameters are the scenario's."""
         return self.scenario.flow.parameters is not None and "true_flow" not in self.own
 
     @property
     def knows_gains(self) -> bool:
-        """Whether there are true gains, the scenario's."""
+        """True if there are true gains, the scenario's."""
         return (
             not self.scenario.learning.row.at_fixes
             and "vehicle_controller" not in self.own
@@ -126,7 +126,7 @@ class VariedScenario:
 
     @cached_property
     def columns(self) -> dict[str, slice]:
-        """Where each state lies."""
+        """Columns of each state."""
         return state_columns(self.blocks)
 
     @cached_property

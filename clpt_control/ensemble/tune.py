@@ -46,7 +46,7 @@ HIDDEN = 1e-3  # a track that shows less of an error hides it
 
 
 class Score(NamedTuple):
-    """What one candidate reached over the members."""
+    """Score of one candidate over the members."""
 
     candidate: Candidate
     error: (
@@ -61,7 +61,7 @@ class Score(NamedTuple):
 
 @dataclass(frozen=True)
 class Tuned:
-    """What `tune_law` chose."""
+    """Result of `tune_law`."""
 
     scenario: Scenario  # the given one with the law, gains and filter chosen
     report: dict[str, Any]  # ready for JSON

@@ -163,7 +163,7 @@ def _usage(error: Any) -> str:
 
 
 def _interrupted(error: BaseException | None) -> bool:
-    """Whether an interrupt is behind an error."""
+    """Return whether an interrupt is behind an error."""
     while error is not None:
         if isinstance(error, KeyboardInterrupt):
             return True

@@ -1,4 +1,4 @@
-"""Of measurements: `clpt fit` of a current, `clpt tides` of a record, `clpt estimate` of fixes."""
+"""Commands on measurements: `clpt fit`, `clpt tides` and `clpt estimate`."""
 
 from pathlib import Path
 

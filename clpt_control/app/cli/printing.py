@@ -1,4 +1,4 @@
-"""What `clpt` shows: its page, the help of each command, its version; one JSON object, or tables.
+"""Output of `clpt`: help pages, the version, tables, or one JSON object.
 
 Help is plain text of 80 columns, on a terminal and in a pipe.  Values are named by shell words
 (FILE, SECONDS, LAT LON), and a command's docstring ends in an example.

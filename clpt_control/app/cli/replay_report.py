@@ -1,4 +1,4 @@
-"""What `clpt replay` prints and writes, and the dives to come that it forecasts: `--next`, `--aim`.
+"""Output of `clpt replay`, and forecasts of dives to come: `--next` and `--aim`.
 
 The table has a row for each dive, as many columns as the terminal is wide: columns join in
 the order of their rank while they fit; those of rank 0 always stand.

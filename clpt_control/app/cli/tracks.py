@@ -1,4 +1,4 @@
-"""What a track teaches: `clpt excitation`, `clpt certify`, and `clpt design` for a better one."""
+"""Commands on tracks: `clpt excitation`, `clpt certify` and `clpt design`."""
 
 from pathlib import Path
 from typing import Any

@@ -1,1 +1,1 @@
-"""What a notebook has of clpt: `dataset.clpt`, on every xarray.Dataset."""
+"""Notebook accessor `dataset.clpt` of every xarray.Dataset."""

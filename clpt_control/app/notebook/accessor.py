@@ -108,14 +108,14 @@ def _valid(name: str, taken: Any) -> str:
 
 
 class ClptAccessor:
-    """What clpt does with a dataset of its own, as ``run.clpt``."""
+    """Accessor ``run.clpt`` of datasets that clpt made."""
 
     def __init__(self, data: "xarray.Dataset"):
         self._data = data
 
     @property
     def kind(self) -> str:
-        """What the dataset is: "run", "team", "diagram", "ensemble" or "replay"."""
+        """Kind of dataset: "run", "team", "diagram", "ensemble" or "replay"."""
         if kind := kind_of(self._data):
             return kind
         raise DataError(

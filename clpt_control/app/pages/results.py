@@ -1,4 +1,4 @@
-"""What a run achieved, and what its track can teach, as a terminal and a page show it.
+"""Results of runs and tracks as tables, for the terminal and for pages.
 
 A run carries its figures, or they are those of its samples: nothing is run again.  `clpt run` and
 `clpt paper` leave mean squares over many samples a cycle in the run.

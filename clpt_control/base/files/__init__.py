@@ -101,7 +101,7 @@ def _place(path: AnyPath) -> tuple[Path, int | None]:
 
 
 def _is_dead(process: int) -> bool:
-    """Whether a process of this machine has ended; on Windows it may not be asked."""
+    """Return whether a process of this machine has ended; on Windows it may not be asked."""
     if os.name != "posix":
         return False
     try:

@@ -1,4 +1,4 @@
-"""How every file is opened to be read, and read whole where it is text.
+"""Readers of text, NetCDF and Zarr files.
 
 A file is opened once, without waiting, and checked through its descriptor: it is a regular file of
 bounded size, and all else, a pipe too, is refused in a sentence.  A library that opens by name

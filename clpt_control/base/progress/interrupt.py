@@ -64,7 +64,7 @@ def listen(before: Any) -> None:
 
 
 def pending() -> bool:
-    """Whether an interrupt came and has no answer yet."""
+    """Return whether an interrupt came and has no answer yet."""
     return _pending
 
 

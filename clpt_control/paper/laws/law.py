@@ -1,4 +1,4 @@
-"""What a row of the table of laws is, and what all laws share: K and Gamma.
+"""Rows of the table of laws, and the rates of K and Gamma that all laws share.
 
     K'     = -gamma_K z e                         Eq. (14), Eq. (22)
     Gamma' =  gamma_Gamma zc e                    Eq. (15), Eq. (23)
@@ -42,7 +42,7 @@ class Gains(NamedTuple):
 
 
 class Fixes(NamedTuple):
-    """When the vehicle learns where it is."""
+    """Times and noise of position fixes."""
 
     between: float  # from one fix to the next, time
     latency: float  # from a fix to its arrival, time; below `between`
@@ -50,7 +50,7 @@ class Fixes(NamedTuple):
 
 
 class Known(NamedTuple):
-    """What a law may know of the experiment: never theta."""
+    """Facts of the experiment that a law may use: never theta."""
 
     N: int  # number of basis functions
     gains: Gains
@@ -85,7 +85,7 @@ class Known(NamedTuple):
 
     @property
     def R(self) -> float:
-        """How far start and waypoints lie from the waypoints' middle: the scale of length."""
+        """Largest distance of start and waypoints from the waypoints' mean: the scale of length."""
         places = np.vstack([self.waypoints, self.position])
         R = float(np.max(np.linalg.norm(places - self.waypoints.mean(axis=0), axis=1)))
         if R == 0:
@@ -181,7 +181,7 @@ def output_and_states(
 
 
 class Promise(NamedTuple):
-    """What a law promises, which `theory.promises` says in words and checks along runs."""
+    """A promise of a law, which `theory.promises` describes and checks along runs."""
 
     what: str  # a predicate
     where: tuple[str, ...]  # its conditions
@@ -263,27 +263,27 @@ class Law(NamedTuple):
 
     @property
     def alpha_by_gain(self) -> bool:
-        """Whether learning.gain adapts alpha too, not only K and Gamma."""
+        """True if learning.gain adapts alpha too, not only K and Gamma."""
         return "gain" in self.parameters
 
     @property
     def at_fixes(self) -> bool:
-        """Whether it learns at fixes; z is then a state of it, and K and Gamma are true."""
+        """True if it learns at fixes; z is then a state of it, and K and Gamma are true."""
         return "fix" in self.inputs
 
     @property
     def alpha_is_constant(self) -> bool:
-        """Whether alpha stays alpha_M, and the injection is Eq. (13)."""
+        """True if alpha stays alpha_M, and the injection is Eq. (13)."""
         return "alpha" not in self.states
 
     @property
     def makes_estimate(self) -> bool:
-        """Whether theta_hat of Eq. (13) is a state of the law."""
+        """True if theta_hat of Eq. (13) is a state of the law."""
         return "theta_hat" in self.states
 
     @property
     def given_estimate(self) -> bool:
-        """Whether theta_hat of Eq. (13) is given."""
+        """True if theta_hat of Eq. (13) is given."""
         return self.alpha_is_constant and not self.makes_estimate
 
     def with_parts(self, *parts: Part) -> "Law":

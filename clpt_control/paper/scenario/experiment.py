@@ -181,13 +181,13 @@ class Scenario(tables.Table):
 
     @property
     def hedged(self) -> bool:
-        """Whether the learner knows what the speed limit took away."""
+        """True if the learner knows what the speed limit took away."""
         knows = self.learning.hedging is not False and not self.learning.row.at_fixes
         return self.vehicle.max_speed is not None and knows
 
     @property
     def known_to_law(self) -> Known:
-        """What the law knows of the experiment."""
+        """Facts of the experiment that the law may use."""
         return Known(
             self.basis.N,
             self.learning.used_gains,

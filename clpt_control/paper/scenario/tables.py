@@ -254,7 +254,7 @@ class Waypoints(Table):
 
 
 class Localization(Table):
-    """How the vehicle learns its position: fixes, and their noise.
+    """Position measurements of the vehicle: fixes, and their noise.
 
     Without the table it reads its true position at all times, with interval = 0 its position with
     noise; with an interval above 0 it has fixes and steers by its own prediction in between.
@@ -276,7 +276,7 @@ class Localization(Table):
 
     @property
     def fixes(self) -> Fixes | None:
-        """What a law knows of the fixes; None where the position is read at all times."""
+        """Fixes that a law may use; None if the position is read at all times."""
         return (
             Fixes(self.interval, self.latency, self.noise)
             if self.interval > 0
@@ -304,7 +304,7 @@ class Localization(Table):
 
 
 class Run(Table):
-    """How long, how often recorded, how exact."""
+    """Duration, output step and tolerances of a run."""
 
     duration: Positive
     output_step: Positive = 1.0

@@ -144,7 +144,7 @@ class Team(Table):
 
     @property
     def run(self) -> Run:
-        """How long, how often recorded, how exact."""
+        """Duration, output step and tolerances of a run."""
         return self.first.run
 
     @property

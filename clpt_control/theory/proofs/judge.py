@@ -28,7 +28,7 @@ from .symbolic_loop import Point
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of V' under a law or along a diagram.
+    """Result of a judgement of V' under a law or along a diagram.
 
     Attributes
     ----------
@@ -107,7 +107,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Fall:
-    """How V falls along the equations: what was shown of V', and what follows."""
+    """Proof that V falls along the equations, or is bounded."""
 
     steps: list[Step]
     status: str = "proved"  # "bounded", "proved where u = 0"

@@ -125,7 +125,7 @@ class LawCandidate(Candidate):
 
     @cached_property
     def truth(self) -> dict[Any, sympy.Expr]:
-        """Where each error is zero, of states of which a learned parameter is linear."""
+        """Values of states at which each parameter error is zero."""
         truth = dict(zip(self.loop.states["x"], self.loop.states["z"], strict=True))
         for states, error in self.errors:
             if len(states) != 1:
@@ -251,7 +251,7 @@ class LawCandidate(Candidate):
 
     @cached_property
     def rises(self) -> bool:
-        """Whether V rises with each |e_i|, beyond its zone, so that its fall is one."""
+        """True if V rises with each |e_i|, beyond its zone, so that its fall is one."""
         slopes = {e: along(self.V_of_e, {e: sympy.S.One}) for e in self.e}
         return all(rising_in(normal_form(e * slope), e) for e, slope in slopes.items())
 

@@ -1,4 +1,4 @@
-"""What bounds V where V' does not fall by itself: what pulls back, and leaks.
+"""Ultimate bounds of V from dissipative terms and leaks.
 
 A term that pulls back bounds one that does not:
 
@@ -41,7 +41,7 @@ class Pull(NamedTuple):
 
 
 class Bound(NamedTuple):
-    """What V comes to, in a sentence and as a level."""
+    """An ultimate bound of V as a sentence and as a level."""
 
     sentence: str
     # in theta, KD, GammaD and the bounds Delta_1, Delta_2
