@@ -113,7 +113,11 @@ def undrawn(monkeypatch):
     monkeypatch.setattr(
         Figure, "savefig", lambda self, file, **_: Path(file).write_bytes(b"drawn")
     )
-    for page in ("ocean.forecast.replay_page", "ocean.forecast.track_map", "app.pages.page"):
+    for page in (
+        "ocean.forecast.replay_page",
+        "ocean.forecast.track_map",
+        "app.pages.page",
+    ):
         monkeypatch.setattr(f"clpt_control.{page}.inline_svg", lambda *_: "")
 
 

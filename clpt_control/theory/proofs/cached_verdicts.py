@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from datetime import UTC, datetime
 from functools import cache
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING, Any
@@ -91,7 +91,9 @@ def digest() -> str:
     for path in paths:
         name = path.relative_to(PACKAGE)
         texts.append(f"{name}\n{path.read_text('utf-8')}")
-    versions = platform.python_version(), *map(version, REQUIRED)
+    versions = [platform.python_version(), *map(version, REQUIRED)]
+    with suppress(PackageNotFoundError):  # optional
+        versions.append(f"z3-solver {version('z3-solver')}")
     return code_name(*texts, *versions, os.environ.get(ENGINE, ""))
 
 

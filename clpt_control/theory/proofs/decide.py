@@ -28,6 +28,7 @@ from .facts import (
 )
 from .sums_of_squares import squares
 from .symbolic_loop import Numbers
+from .z3_decider import z3_never_positive
 
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
 MOST_WITH_FUNCTIONS = 12  # terms of a group with functions that is factored
@@ -55,6 +56,7 @@ def never_positive(
         or _by_squares(expression, variables, parameters)
         or _by_common_factors(expression, variables)
         or _by_interval(expression)
+        or z3_never_positive(expression, parameters)  # last, if Z3 is installed
     )
 
 
