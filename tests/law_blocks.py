@@ -7,7 +7,7 @@ import numpy as np
 
 import clpt_control as clpt
 from clpt_control.engine.model.ports import places
-from clpt_control.simulation.starts import state_columns
+from clpt_control.simulation.initial_states import state_columns
 
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part
 TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}

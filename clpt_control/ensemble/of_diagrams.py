@@ -32,10 +32,10 @@ from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.solver_layout import Status
 from ..engine.trace.arrays import Unread
-from ..simulation.frame import Axes, Series, port_variables
-from ..simulation.integrate import request_of, sizes_of_run
-from ..simulation.running import labels_of, signal_units
-from ..simulation.starts import stacked_state
+from ..simulation.dataset_template import Axes, Series, port_variables
+from ..simulation.diagram_runs import labels_of, signal_units
+from ..simulation.initial_states import stacked_state
+from ..simulation.integrate import request_of
 from .drawn_values import Vary, what_may_vary
 from .members import Ensemble, Member, Members, States, Values, hash_of
 from .summaries import Arrays, ends_of
@@ -65,13 +65,12 @@ class VariedDiagram:
         trajectories: bool = False,
         **solver: Any,
     ):
-        diagram, self.state_times, self.skipped, inputs, x0, solver = request_of(
-            diagram, timepts, inputs, initial_state, **solver
-        )
+        request = request_of(diagram, timepts, inputs, initial_state, **solver)
+        diagram, self.state_times, self.skipped, inputs, x0, solver = request
         self.times, self.name = self.state_times[self.skipped :], diagram.name
         self.title, self.trajectories = f"Ensemble of {diagram.name}", trajectories
         read_anew(diagram)
-        sizes = sizes_of_run(diagram, inputs, x0, self.state_times)
+        sizes = request.sizes()
         self.params = dict(params or {})
         self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, taken, states = labels_of(diagram, self.wiring)
@@ -91,9 +90,7 @@ class VariedDiagram:
             "method": options.method,
         }
         self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
-        self.start = stacked_state(
-            "initial_state", 0.0 if x0 is None else x0, len(states)
-        )
+        self.start = stacked_state("initial_state", x0, len(states))
         self.names = places_of(self.wiring, self.given, states, taken)
         self.places: dict[str, Place] = {}
         self.values: Values = {}

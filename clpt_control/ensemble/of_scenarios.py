@@ -21,9 +21,9 @@ from ..paper.scenario.quantities import (
     keys_of,
     keys_of_law,
 )
-from ..simulation.loops import changed_blocks
-from ..simulation.starts import state_columns, state_of
-from ..simulation.user_parts import LAW, UNCHANGED, Changes, functions_of
+from ..simulation.initial_states import state_columns, state_of
+from ..simulation.loop_blocks import changed_blocks
+from ..simulation.user_components import LAW, UNCHANGED, Changes, functions_of
 from .drawn_values import what_may_vary
 from .members import Member, Values, hash_of
 from .summaries import arrays_of, marks_of, sample_times_of, summarise

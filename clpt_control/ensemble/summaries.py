@@ -24,7 +24,7 @@ from ..paper.scenario.quantities import QUANTITIES, Quantity
 from ..simulation.dataset import VARIABLES
 from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
-from ..simulation.loops import units_of_ports
+from ..simulation.loop_blocks import units_of_ports
 from ..simulation.mean_squares import nearest, samples_for_means, starts_of_rounds
 from .members import Ensemble, Members, States, Values
 

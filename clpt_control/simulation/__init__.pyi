@@ -1,19 +1,19 @@
-from .charts import track_plot
-from .comparing import compare, response_plot
-from .export import export_c
-from .film import animate
+from .animation import animate
+from .c_export import export_c
+from .comparison import compare, response_plot
 from .fitting import Fit, fit_parameters
 from .flows import explained_variance, flow_velocity
-from .fmu import export_fmu
+from .fmu_export import export_fmu
+from .initial_states import initial_state, state_at
 from .integrate import sample_times, simulate
-from .loops import closed_loop, error_loop, paper_blocks
-from .plots import clpe_plot, learning_plot, run_plot
+from .loop_blocks import paper_blocks
+from .loops import closed_loop, error_loop, team_loop
 from .run_file import load_diagram, load_run, save_run
-from .starts import initial_state, state_at
+from .run_plots import clpe_plot, learning_plot, run_plot
+from .sensitivities import sensitivity
 from .summary import claims, run_and_report
-from .tangents import sensitivity
-from .team_loops import team_loop
 from .team_plots import team_plot
+from .track_chart import track_plot
 
 __all__ = [
     "Fit",

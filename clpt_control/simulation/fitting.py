@@ -1,16 +1,16 @@
-"""Fit parameters of a diagram to measured outputs: least squares with exact sensitivities.
+"""Fit of a diagram's parameters to measured outputs: least squares with exact sensitivities.
 
     minimize  sum over samples of ((y(t; p) - measured) / noise)^2
 
-The noise of each output is estimated from what the fit leaves, over its numbers less those that
-the unknowns have spent: the trace of its part of the projection on J.
-
-SciPy's `least_squares` takes the steps, `sensitivity` is its Jacobian J.  The covariance of what is
-found is s^2 (J' J)^-1; a direction of parameters that J does not feel has none, and is told.
+SciPy's `least_squares` takes the steps, and `sensitivities` are its Jacobian J.  The noise of each
+output is estimated from its residuals, with as many degrees of freedom as it has measurements less
+its part of the trace of the projection on J.  The covariance of the estimates is s^2 (J' J)^-1;
+directions of parameters that are not identifiable are reported.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import compress
 from typing import Any
 
 import control
@@ -21,18 +21,19 @@ from ..base.errors import ArgumentError, SimulationError
 from ..engine.model.ports import ports_of
 from ..engine.solver.schedule import checked_times
 from ..paper.scenario.experiment import Scenario
-from .tangents import RunWithDerivatives, Sensitive, varied_places
+from .sensitivities import RunWithDerivatives, SensitivityRun
+from .sensitivity_names import varied_numbers
 
-UNFELT = 1e-6  # of the strongest direction of relative changes: a weaker one is not identified
-TAKES_PART = 1e-2  # share of a direction from which on a parameter is named
-# in which the noise of several outputs is estimated, until it moves less
-ROUNDS, SETTLED = (6, 1e-3)
-CLOSE = 1e-10  # of steps and sums, where least squares ends
+IDENTIFIABLE = 1e-6  # least singular value of an identifiable direction, relative
+NAMED = 1e-2  # least component of a parameter that is named in a direction
+ROUNDS = 6  # of the estimate of the noise, at most
+NOISE_TOLERANCE = 1e-3  # change of the noise at which the rounds end, relative
+TOLERANCE = 1e-10  # of least squares
 
 
 @dataclass
 class Fit:
-    """What `fit_parameters` found.
+    """Result of `fit_parameters`.
 
     Attributes
     ----------
@@ -53,8 +54,8 @@ class Fit:
 
     Examples
     --------
-    >>> found = Fit({"k": 2.0}, {"k": 0.1}, {"k": (1.8, 2.2)}, np.array([[0.01]]), {"y": 0.05})
-    >>> found
+    >>> fit = Fit({"k": 2.0}, {"k": 0.1}, {"k": (1.8, 2.2)}, np.array([[0.01]]), {"y": 0.05})
+    >>> fit
     k = 2 +- 0.1    (1.8 to 2.2)
     noise of y: 0.05
     """
@@ -127,38 +128,47 @@ def fit_parameters(
     ...                       inputs=0, states=["y"], outputs=["y"], params={"k": 1.0})
     >>> times = np.linspace(0.0, 2.0, 21)
     >>> measured = 3.0 * np.exp(-1.7 * times) + 0.01 * np.cos(40.0 * times)
-    >>> found = clpt.fit_parameters(decay, {"y": measured}, {"k": 1.0, "x0.y": 2.0}, times)
-    >>> {name: round(value, 2) for name, value in found.values.items()}
+    >>> fit = clpt.fit_parameters(decay, {"y": measured}, {"k": 1.0, "x0.y": 2.0}, times)
+    >>> {name: round(value, 2) for name, value in fit.values.items()}
     {'k': 1.7, 'x0.y': 3.0}
     """
-    times, measured = _read(data, timepts)
-    solver = {"rtol": rtol, "atol": atol, "method": method}
-    ready = Sensitive(
-        system, times, list(parameters), inputs, initial_state, params, **solver
+    times, measured = _measurements(data, timepts)
+    run = SensitivityRun(
+        system,
+        times,
+        list(parameters),
+        inputs,
+        initial_state,
+        params,
+        rtol=rtol,
+        atol=atol,
+        method=method,
     )
-    fitting = _Fitting(ready, measured, parameters)
-    strange = measured.keys() - fitting.known if isinstance(data, dict) else set()
+    problem = _FitProblem(run, measured, parameters)
+    unknown = set()
+    if isinstance(data, dict):
+        unknown |= measured.keys() - problem.ports.keys()
     if inputs is None:
-        strange |= measured.keys() & fitting.inputs
-    if strange:
+        unknown |= measured.keys() & ports_of(run.input_labels).keys()
+    if unknown:
         raise ArgumentError(
-            f"data: {min(strange)} is no output; they are {', '.join(ports_of(ready.labels))}; "
+            f"data: {min(unknown)} is no output; they are {', '.join(ports_of(run.labels))}; "
             "inputs= takes inputs"
         )
-    return fitting.fit()
+    return problem.fit()
 
 
-def _read(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def _measurements(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Return times, and measured arrays by name, samples first."""
-    if hasattr(data, "data_vars") and "time" in data.dims:
-        variables = {
-            str(name): one for name, one in data.data_vars.items() if "time" in one.dims
-        }
+    is_dataset = hasattr(data, "data_vars")
+    if is_dataset and "time" in data.dims:
         arrays = {
-            name: one.transpose("time", ...).values for name, one in variables.items()
+            str(name): variable.transpose("time", ...).values
+            for name, variable in data.data_vars.items()
+            if "time" in variable.dims
         }
         return checked_times("data.time", data.time.values), arrays
-    if not isinstance(data, Mapping) or hasattr(data, "data_vars"):
+    if is_dataset or not isinstance(data, Mapping):
         raise ArgumentError(
             "data: must be an xarray.Dataset with the dimension `time`, or arrays by name"
         )
@@ -168,192 +178,221 @@ def _read(data: Any, times: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     return checked_times("timepts", times), arrays
 
 
-class _Fitting:
-    """A diagram, what was measured of it, and where a fit begins."""
+class _FitProblem:
+    """Measurements of a diagram's outputs, initial values of the parameters, and bounds."""
 
-    def __init__(self, ready: Sensitive, measured: Mapping[str, Any], begin: Any):
-        self.ready, self.names = ready, [*ready.places]
-        ports = {one: [k] for k, one in enumerate(ready.labels)} | ports_of(
-            ready.labels
-        )
-        self.known, self.inputs = ports.keys(), ports_of(ready.input_labels).keys()
-        n, places, columns = (
-            len(ready.times) - ready.skipped,
-            list[int](),
-            list[np.ndarray](),
-        )
-        self.outputs: list[str] = []
-        for name, values in measured.items():
-            if name not in ports or not np.isfinite(values).any():
-                continue
-            if set(ports[name]) & set(places):
-                raise ArgumentError(f"data: {name} is given twice")
-            if values.size != n * len(ports[name]) or values.shape[0] != n:
-                raise ArgumentError(
-                    f"data: {name} has the shape {values.shape}; must be {n} samples of "
-                    f"{len(ports[name])} signals"
-                )
-            places += ports[name]
-            columns += list(values.reshape(n, -1).T)
-            self.outputs += [
-                ready.labels[k] if len(ports[name]) > 1 else name for k in ports[name]
-            ]
-        if not places:
-            raise ArgumentError(
-                f"data: has no finite numbers of the outputs {', '.join(ports_of(ready.labels))}"
-            )
-        self.places, self.measured = places, np.array(columns).T
-        self.there = np.isfinite(self.measured)
-        if self.there.sum() <= len(self.names):
-            raise ArgumentError(
-                f"data: {self.there.sum()} numbers for {len(self.names)} unknowns"
-            )
-        self.begin, self.low, self.high = self._bounds(begin)
+    def __init__(
+        self,
+        run: SensitivityRun,
+        measured: Mapping[str, np.ndarray],
+        parameters: Mapping[str, Any],
+    ):
+        self.run = run
+        self.names = [*run.varied]
+        signals = {label: [k] for k, label in enumerate(run.labels)}
+        self.ports = signals | ports_of(run.labels)
+        self._read(measured)
+        self.start, self.low, self.high = self._bounds(parameters)
         self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
 
-    def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
-        """Return where each number begins, and its bounds."""
-        rows = []
-        for name, one in parameters.items():
-            begin, *bounds = one if isinstance(one, tuple) else (one,)
-            count = len(varied_places(name, self.ready.wiring, self.ready.states))
-            given = [
-                np.ravel(numbers(name, v))
-                for v in (begin, *(bounds or (-np.inf, np.inf)))
-            ]
-            if len(given) == 3 and all(len(v) in (1, count) for v in given):
-                start, low, high = row = np.array(
-                    [np.broadcast_to(v, count) for v in given]
+    def _read(self, measured: Mapping[str, np.ndarray]) -> None:
+        """Read the measurements: columns of outputs, their names, values and finite ones."""
+        n = len(self.run.times) - self.run.skipped
+        self.columns: list[int] = []
+        self.outputs: list[str] = []
+        values: list[np.ndarray] = []
+        for name, array in measured.items():
+            if name not in self.ports or not np.isfinite(array).any():
+                continue
+            columns = self.ports[name]
+            if set(columns) & set(self.columns):
+                raise ArgumentError(f"data: {name} is given twice")
+            if array.size != n * len(columns) or array.shape[0] != n:
+                raise ArgumentError(
+                    f"data: {name} has the shape {array.shape}; must be {n} samples of "
+                    f"{len(columns)} signals"
                 )
-                if np.all(
-                    np.isfinite(start) & (low <= start) & (start <= high) & (low < high)
-                ):
-                    rows.append(row)
-                    continue
-            what = "a number" if count == 1 else f"{count} numbers"
-            raise ArgumentError(
-                f"parameters: {name} = {brief(one)}: must be {what} to begin at, or (start, low, "
-                "high) with low <= start <= high"
-            )
+            self.columns += columns
+            values += list(array.reshape(n, -1).T)
+            labels = [self.run.labels[k] for k in columns]
+            self.outputs += labels if len(columns) > 1 else [name]
+        if not values:
+            ports = ", ".join(ports_of(self.run.labels))
+            raise ArgumentError(f"data: has no finite numbers of the outputs {ports}")
+        self.measured = np.array(values).T
+        self.is_measured = np.isfinite(self.measured)
+        count = self.is_measured.sum()
+        if count <= len(self.names):
+            raise ArgumentError(f"data: {count} numbers for {len(self.names)} unknowns")
+
+    def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
+        """Return the initial values of all numbers, and their bounds."""
+        rows = []
+        for name, value in parameters.items():
+            start, *bounds = value if isinstance(value, tuple) else (value,)
+            row = [start, *(bounds or (-np.inf, np.inf))]
+            row = [np.ravel(numbers(name, bound)) for bound in row]
+            count = len(varied_numbers(name, self.run.wiring, self.run.states))
+            if not _is_valid(row, count):
+                what = "a number" if count == 1 else f"{count} numbers"
+                raise ArgumentError(
+                    f"parameters: {name} = {brief(value)}: must be {what} to begin at, or (start, "
+                    "low, high) with low <= start <= high"
+                )
+            rows.append(np.array([np.broadcast_to(bound, count) for bound in row]))
         return list(np.hstack(rows))
 
-    def run(self, values: np.ndarray) -> RunWithDerivatives:
-        """Return the run at these values, of the last ones again."""
-        if self.last is None or not np.array_equal(values, self.last[0]):
-            try:
-                result = self.ready.run(values)
-            except SimulationError as error:
-                said = ", ".join(
-                    f"{n} = {v:.6g}" for n, v in zip(self.names, values, strict=True)
-                )
-                raise SimulationError(
-                    f"at {said}: {error}; begin closer, or give bounds"
-                ) from None
-            if len(result.outputs) < len(self.measured):
-                raise SimulationError(
-                    f"the run ends before the data: {result.solution.message}"
-                )
-            self.last = values.copy(), result
-        return self.last[1]
-
-    def residuals(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
-        """Return what is left, in units of the noise; infinite where a try cannot run."""
+    def run_at(self, values: np.ndarray) -> RunWithDerivatives:
+        """Return the run at values of the parameters; the last run is cached."""
+        if self.last is not None and np.array_equal(values, self.last[0]):
+            return self.last[1]
         try:
-            residuals = self.run(values).outputs[:, self.places, 0] - self.measured
+            run = self.run.run(values)
+        except SimulationError as error:
+            pairs = zip(self.names, values, strict=True)
+            point = ", ".join(f"{name} = {value:.6g}" for name, value in pairs)
+            raise SimulationError(
+                f"at {point}: {error}; begin closer, or give bounds"
+            ) from None
+        if len(run.outputs) < len(self.measured):
+            raise SimulationError(
+                f"the run ends before the data: {run.solution.message}"
+            )
+        self.last = values.copy(), run
+        return run
+
+    def residuals(self, values: np.ndarray, noise: Any) -> np.ndarray:
+        """Return residuals in units of the noise; infinite ones if a trial cannot run."""
+        try:
+            outputs = self.run_at(values).outputs[:, self.columns, 0]
         except SimulationError:
-            if self.last is None:  # where the fit begins
+            if self.last is None:  # the initial values cannot run
                 raise
-            return np.full(self.there.sum(), np.inf)
-        return (residuals / noise)[self.there]
+            return np.full(self.is_measured.sum(), np.inf)
+        return ((outputs - self.measured) / noise)[self.is_measured]
 
     def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
-        """Return the derivatives of what is left."""
-        return (self.run(values).outputs[:, self.places, 1:] / noise[:, None])[
-            self.there
-        ]
+        """Return the derivatives of the residuals."""
+        derivatives = self.run_at(values).outputs[:, self.columns, 1:]
+        return (derivatives / noise[:, None])[self.is_measured]
 
     def fit(self) -> Fit:
-        """Take steps until nothing gets better, and the noise of several outputs settles."""
+        """Solve least squares; with several outputs, until their noise settles."""
         from scipy.optimize import least_squares
 
-        count = self.there.sum(axis=0)
-        size = np.nanstd(np.where(self.there, self.measured, np.nan), axis=0)
-        values, noise = self.begin, np.where(size > 0, size, 1.0)
-        least = 1e-9 * noise
+        deviation = np.nanstd(np.where(self.is_measured, self.measured, np.nan), axis=0)
+        noise = np.where(deviation > 0, deviation, 1.0)
+        least_noise = 1e-9 * noise
+        values = self.start
         for _ in range(ROUNDS):
             result = least_squares(
-                self.residuals, values, self.jacobian, (self.low, self.high), x_scale="jac",
-                ftol=CLOSE, xtol=CLOSE, gtol=CLOSE, args=(noise,),
-            )  # fmt: skip
-            values = result.x
-            self.ready.confirm(values, self.run(values))
-            residuals = np.zeros(self.there.shape)
-            residuals[self.there] = self.residuals(values, np.ones(len(noise)))
-            # by each number, of as many as there are unknowns
-            spent = np.zeros(self.there.shape)
-            J = result.jac[:, result.active_mask == 0]
-            spent[self.there] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
-            freedom = np.maximum(count - spent.sum(axis=0), 1e-9)
-            before, noise = (
-                noise,
-                np.maximum(np.sqrt((residuals**2).sum(axis=0) / freedom), least),
+                self.residuals,
+                values,
+                self.jacobian,
+                (self.low, self.high),
+                x_scale="jac",
+                ftol=TOLERANCE,
+                xtol=TOLERANCE,
+                gtol=TOLERANCE,
+                args=(noise,),
             )
-            if len(noise) == 1 or np.all(np.abs(noise / before - 1.0) < SETTLED):
+            values = result.x
+            free = result.active_mask == 0  # not on a bound
+            self.run.confirm(values, self.run_at(values))
+            previous_noise = noise
+            noise = self._noise(values, result.jac[:, free])
+            noise = np.maximum(noise, least_noise)
+            change = np.abs(noise / previous_noise - 1.0)
+            if len(noise) == 1 or np.all(change < NOISE_TOLERANCE):
                 break
-        return self._found(values, noise, result.active_mask == 0)
+        return self._result(values, noise, free)
 
-    def _found(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
-        """Return the estimates with what the Jacobian says of them."""
+    def _noise(self, values: np.ndarray, J: np.ndarray) -> np.ndarray:
+        """Return the standard deviation of each output's residuals."""
+        squares = np.zeros(self.is_measured.shape)
+        squares[self.is_measured] = self.residuals(values, 1.0) ** 2
+        # diagonal of the projection on J
+        leverage = np.zeros(self.is_measured.shape)
+        leverage[self.is_measured] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
+        freedom = self.is_measured.sum(axis=0) - leverage.sum(axis=0)
+        return np.sqrt(squares.sum(axis=0) / np.maximum(freedom, 1e-9))
+
+    def _result(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
+        """Return the estimates with their covariance and unidentifiable directions."""
         from scipy.stats import t
 
-        residuals, J = self.residuals(values, noise), self.jacobian(values, noise)
+        residuals = self.residuals(values, noise)
         freedom = len(residuals) - int(free.sum())
         variance = float(residuals @ residuals) / freedom
-        value, begun = np.abs(values)[free], np.abs(self.begin)[free]
-        # of a zero, that of its start
-        scale = np.where(value > UNFELT * begun, value, begun)
-        scale[scale == 0.0] = 1.0
-        _, strength, directions = np.linalg.svd(J[:, free] * scale, full_matrices=False)
-        identified = strength > UNFELT * strength.max(initial=0.0)
-        half = directions[identified].T / strength[identified] * scale[:, None]
-        inner = variance * half @ half.T
-        lost = np.any(np.abs(directions[~identified]) > TAKES_PART, axis=0)
-        inner[lost, :] = inner[:, lost] = np.nan
-        covariance = np.full((len(values), len(values)), np.nan)
-        covariance[np.ix_(free, free)] = inner
-        errors = np.sqrt(np.diag(covariance))
-        errors[np.flatnonzero(free)[lost]] = np.inf
-        times = t.ppf(0.975, freedom)
-        free_names = [name for name, one in zip(self.names, free, strict=True) if one]
-        start, blocks = self.ready.with_values(values)
-        params = {
-            name.partition("[")[0]: getattr(blocks[k], field)
-            for name, place in self.ready.places.items()
-            for k, field in place.fields[:1]
-        }
+        J = self.jacobian(values, noise)[:, free]
+        covariance, errors, directions = self._covariance(values, variance, J, free)
+        margins = t.ppf(0.975, freedom) * errors
+        bounds = zip(
+            (values - margins).tolist(), (values + margins).tolist(), strict=True
+        )
+        free_names = [*compress(self.names, free)]
+        sentences = [_sentence(free_names, direction) for direction in directions]
+        sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
+        start, parameters = self.run.with_values(values)
+        params = {}
+        for name, location in self.run.varied.items():
+            for k, key in location.fields[:1]:
+                value = getattr(parameters[k], key)
+                params[name.partition("[")[0]] = value if value.ndim else float(value)
         return Fit(
-            dict(zip(self.names, map(float, values), strict=True)),
-            dict(zip(self.names, map(float, errors), strict=True)),
-            {name: (float(v - times * e), float(v + times * e))
-             for name, v, e in zip(self.names, values, errors, strict=True)},
+            dict(zip(self.names, values.tolist(), strict=True)),
+            dict(zip(self.names, errors.tolist(), strict=True)),
+            dict(zip(self.names, bounds, strict=True)),
             covariance,
-            dict(zip(self.outputs, map(float, noise), strict=True)),
-            (*(_sentence(free_names, one) for one in directions[~identified]),
-             *(f"{name} lies on a bound" for name in self.names if name not in free_names)),
-            {name: one if one.ndim else float(one) for name, one in params.items()},
+            dict(zip(self.outputs, noise.tolist(), strict=True)),
+            tuple(sentences),
+            params,
             start,
-        )  # fmt: skip
+        )
+
+    def _covariance(
+        self, values: np.ndarray, variance: float, J: np.ndarray, free: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return covariance, standard errors and directions that are not identifiable."""
+        # relative changes; of a zero, relative to its initial value
+        size = np.abs(values)[free]
+        initial_size = np.abs(self.start)[free]
+        scale = np.where(size > IDENTIFIABLE * initial_size, size, initial_size)
+        scale[scale == 0.0] = 1.0
+        _, strength, directions = np.linalg.svd(J * scale, full_matrices=False)
+        identified = strength > IDENTIFIABLE * strength.max(initial=0.0)
+        root = directions[identified].T / strength[identified] * scale[:, None]
+        free_covariance = variance * root @ root.T
+        unidentified = directions[~identified]
+        unknown = np.any(np.abs(unidentified) > NAMED, axis=0)
+        free_covariance[unknown, :] = np.nan
+        free_covariance[:, unknown] = np.nan
+        covariance = np.full((len(values), len(values)), np.nan)
+        covariance[np.ix_(free, free)] = free_covariance
+        errors = np.sqrt(np.diag(covariance))
+        errors[np.flatnonzero(free)[unknown]] = np.inf
+        return covariance, errors, unidentified
+
+
+def _is_valid(row: Sequence[np.ndarray], count: int) -> bool:
+    """Return whether a row is a start of `count` finite numbers, and bounds around it."""
+    if len(row) != 3 or any(len(values) not in (1, count) for values in row):
+        return False
+    start, low, high = row
+    inside = (low <= start) & (start <= high) & (low < high)
+    return bool(np.all(inside & np.isfinite(start)))
 
 
 def _sentence(names: Sequence[str], direction: np.ndarray) -> str:
-    """Return of which change together the data know nothing."""
-    parts = [
-        (name, v)
-        for name, v in zip(names, direction, strict=True)
-        if abs(v) > TAKES_PART
-    ]
-    if len(parts) == 1:
-        return f"the data do not tell {parts[0][0]}"
-    largest = max(abs(v) for _, v in parts)
-    moves = ", ".join(f"{name} by {v / largest:+z.2g} %" for name, v in parts)
-    return f"the data do not tell {' and '.join(n for n, _ in parts)} apart: {moves} is not felt"
+    """Return a sentence on a direction of parameters that is not identifiable."""
+    largest = np.abs(direction).max()
+    changes = {
+        name: component / largest
+        for name, component in zip(names, direction, strict=True)
+        if abs(component) > NAMED
+    }
+    joined = " and ".join(changes)
+    if len(changes) == 1:
+        return f"the data do not tell {joined}"
+    moves = ", ".join(f"{name} by {change:+z.2g} %" for name, change in changes.items())
+    return f"the data do not tell {joined} apart: {moves} is not felt"

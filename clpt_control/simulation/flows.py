@@ -36,7 +36,7 @@ from ..paper.blocks.field import gridded_flow
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.tables import Units
-from .loops import paper_blocks
+from .loop_blocks import paper_blocks
 
 if TYPE_CHECKING:
     import xarray

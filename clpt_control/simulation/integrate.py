@@ -1,10 +1,11 @@
-"""Run a scenario or any diagram, exactly to every breakpoint.
+"""Simulation of scenarios, teams and diagrams; the solver stops exactly at every breakpoint.
 
-A run is an `xarray.Dataset`; that of a scenario has CF attributes, from which it repeats.
+A run is an `xarray.Dataset`.  The Dataset of a scenario has CF attributes, from which the run can
+be repeated.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
 import numpy as np
@@ -17,12 +18,12 @@ from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times, stacked
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.team import Team
+from .diagram_runs import DiagramRun
 from .flows import note_speeds, speeds_of
+from .initial_states import initial_state as initial_state_of
 from .loops import closed_loop
-from .plain_data import diagram_key
-from .running import DiagramRun, ScenarioRun, TeamRun, ready
-from .starts import initial_state as start_of
-from .starts import with_solver
+from .run_cache import cached_run, diagram_key, scenario_key
+from .system_runs import ScenarioRun, TeamRun
 
 if TYPE_CHECKING:
     import xarray
@@ -110,17 +111,17 @@ def simulate(
     >>> float(run.clpe[-1, 0].round(3)), run.attrs["status"]
     (0.027, 'finished')
     """
-    how: dict[str, Any] = {
+    solver: dict[str, Any] = {
         "rtol": rtol,
         "atol": atol,
         "method": method and checked_method(method),
     }
-    limits: dict[str, Any] = {
+    steps: dict[str, Any] = {
         "max_step": max_step,
         "first_step": first_step,
         "progress": progress,
     }
-    before = 0  # samples before those asked for
+    skipped = 0  # samples before the caller's
     if isinstance(system, Scenario | Team):
         if stop is not None:
             raise SimulationError(
@@ -130,7 +131,7 @@ def simulate(
             raise SimulationError(
                 "a scenario has no inputs; simulate closed_loop(..., external=)"
             )
-        timepts, before = _from_zero(system, timepts)
+        timepts, skipped = _times_from_zero(system, timepts)
         if initial_state is not None or params:
             if isinstance(system, Team):
                 raise SimulationError(
@@ -138,95 +139,118 @@ def simulate(
                     "team_loop(team)"
                 )
             system = closed_loop(system)
+
     if isinstance(system, Scenario | Team):
-        key = _key(system, *how.values(), engine)
-        system = with_solver(system, how)
+        key = scenario_key(system, *solver.values(), engine)
+        system = _with_solver(system, solver)
         run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-        with ready(key, lambda: run_type(system, engine)) as run:
-            result = run.run(timepts, **system.run.solver, **limits)
+        with cached_run(key, lambda: run_type(system, engine)) as run:
+            data = run.run(timepts, **system.run.solver, **steps)
     else:
-        overrides = any(
-            one is not None for one in (inputs, initial_state, stop, *how.values())
-        )
-        diagram, times, skipped, inputs, start, options = request_of(
-            system, timepts, inputs, initial_state, **how, **limits
-        )
-        before += skipped
-        asked = sizes_of_run(diagram, inputs, start, times), engine
-        key = diagram_key(diagram, params, *asked) if stop is None else None
-        with ready(key, lambda: DiagramRun(diagram, params, *asked, stop)) as run:
-            result = run.run(times, inputs, start, **options)
-            result.attrs |= (
-                run.beyond_scenario if overrides or not run.is_unchanged else {}
+        request = request_of(system, timepts, inputs, initial_state, **solver, **steps)
+        skipped += request.skipped
+        arguments = request.diagram, params, request.sizes(), engine
+        key = diagram_key(*arguments) if stop is None else None
+        with cached_run(key, lambda: DiagramRun(*arguments, stop)) as run:
+            data = run.run(
+                request.times, request.inputs, request.initial_state, **request.options
             )
-    result = result.isel(time=slice(before, None)) if before else result
-    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(result):
-        note_speeds(result, speeds_of(result, run.max_speed), run.scenario.units)
-    return result
+            overrides = (inputs, initial_state, stop, *solver.values())
+            if not run.is_unchanged or any(value is not None for value in overrides):
+                data.attrs |= run.beyond_scenario
+
+    if skipped:
+        data = data.isel(time=slice(skipped, None))
+    if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
+        note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)
+    return data
 
 
-def _from_zero(experiment: Scenario | Team, timepts: Any) -> tuple[np.ndarray, int]:
-    """Return the times of a run from t = 0, and how many of them come before `timepts`."""
+def _times_from_zero(
+    experiment: Scenario | Team, timepts: Any
+) -> tuple[np.ndarray, int]:
+    """Return the times of a run from t = 0, and the number of times before `timepts`."""
     run = experiment.run
     times = sample_times(run.duration, run.output_step) if timepts is None else timepts
     times = checked_times("timepts", times)
     return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
 
 
-def sizes_of_run(diagram: Any, inputs: Any, x0: Any, times: np.ndarray) -> Sizes:
-    """Return the numbers of states and inputs of a run, where its system leaves them open."""
-    states = inputs_ = None
-    if diagram.nstates is None:
-        parts = x0 if isinstance(x0, list | tuple) else [0.0 if x0 is None else x0]
-        states = sum(np.size(part) for part in parts)
-    if diagram.ninputs is None:
-        shape = np.shape(np.asarray(stacked(inputs, times)))
-        inputs_ = shape[0] if shape and shape != times.shape else 1
-    return states, inputs_
+def _with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
+    """Return a scenario or a team with tolerances and method that are not None."""
+    values = {f"run.{key}": value for key, value in solver.items() if value is not None}
+    if not values:
+        return system
+    if isinstance(system, Scenario):
+        return system.with_values(values)
+    members = {
+        name: scenario.with_values(values) for name, scenario in system.members.items()
+    }
+    return Team(members=members, edges=system.edges, coupling=system.coupling)
+
+
+class RunRequest(NamedTuple):
+    """Arguments of a diagram's run; the first `skipped` times are not the caller's."""
+
+    diagram: Any
+    times: np.ndarray
+    skipped: int
+    inputs: Any
+    initial_state: Any
+    options: dict[str, Any]
+
+    def sizes(self) -> Sizes:
+        """Return the numbers of states and inputs that the diagram leaves open, or None."""
+        nstates = ninputs = None
+        if self.diagram.nstates is None:
+            state = self.initial_state
+            if not isinstance(state, list | tuple):
+                state = [0.0 if state is None else state]
+            nstates = sum(map(np.size, state))
+        if self.diagram.ninputs is None:
+            shape = np.shape(stacked(self.inputs, self.times))
+            ninputs = shape[0] if shape and shape != self.times.shape else 1
+        return nstates, ninputs
 
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
-    """Return a system as a diagram, and what it knows itself of how it is to run."""
+    """Return a system as a diagram, and the arguments of its run that it has itself."""
     if isinstance(system, Scenario):
         system = closed_loop(system)
     if isinstance(system, control.TransferFunction):
         system = linear(system)
-    if (loop := getattr(system, "origin", None)) is not None:
-        return system, {**loop.scenario.run.solver, "initial_state": start_of(system)}
-    return system, getattr(system, "recorded", None) or {}
+    loop = getattr(system, "origin", None)
+    if loop is None:
+        return system, getattr(system, "recorded", None) or {}
+    start = initial_state_of(system)
+    return system, {**loop.scenario.run.solver, "initial_state": start}
 
 
 def request_of(
-    system: Any, timepts: Any, inputs: Any, initial_state: Any, **how: Any
-) -> tuple[Any, np.ndarray, int, Any, Any, dict[str, Any]]:
-    """Return how a system is to run: as the caller says, else as the diagram itself knows.
+    system: Any, timepts: Any, inputs: Any, initial_state: Any, **options: Any
+) -> RunRequest:
+    """Return the arguments of a run: the caller's, or the diagram's own where these are None.
 
-    These are the diagram, the times, how many of them come before the caller's own, inputs, start,
-    and options of solver and steps.  A closed loop without inputs and start runs from t = 0.
+    A closed loop without inputs and initial state runs from t = 0.
     """
-    diagram, known = as_diagram(system)
+    diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
-    timepts, skipped = known.get("timepts") if timepts is None else timepts, 0
+    if timepts is None:
+        timepts = own_arguments.get("timepts")
+    skipped = 0
     if loop is not None and (timepts is None or inputs is initial_state is None):
-        times, skipped = _from_zero(loop.scenario, timepts)
+        times, skipped = _times_from_zero(loop.scenario, timepts)
     elif timepts is None:
         raise SimulationError("timepts: is required to simulate a diagram")
     else:
         times = checked_times("timepts", timepts)
-    inputs = known.get("inputs") if inputs is None else inputs
-    start = known.get("initial_state") if initial_state is None else initial_state
-    how = {
-        k: known.get(k, one) if one is None or one is np.inf else one
-        for k, one in how.items()
-    }
-    return diagram, times, skipped, inputs, start, how
-
-
-def _key(system: Scenario | Team, *more: Any) -> tuple[Any, Any] | None:
-    """Return the key of a run of the package's own blocks; None where it reads a file too."""
-    scenarios = system.members.values() if isinstance(system, Team) else [system]
-    by_file = any(one.field_path is not None for one in scenarios)
-    return None if by_file else ((id(system), *more), system)
+    arguments = {"inputs": inputs, "initial_state": initial_state, **options}
+    for name, value in arguments.items():
+        if value is None or value is np.inf:
+            arguments[name] = own_arguments.get(name, value)
+    inputs = arguments.pop("inputs")
+    initial_state = arguments.pop("initial_state")
+    return RunRequest(diagram, times, skipped, inputs, initial_state, arguments)
 
 
 @public
@@ -248,6 +272,7 @@ def sample_times(duration: float, step: float) -> np.ndarray:
     >>> sample_times(1.0, 0.4)
     array([0. , 0.4, 0.8, 1. ])
     """
-    times = step * np.arange(int(np.floor(duration / step * (1 + 1e-12))) + 1)
+    count = int(np.floor(duration / step * (1 + 1e-12))) + 1
+    times = step * np.arange(count)
     times = times[times < duration * (1 - 1e-12)]
     return np.append(times, duration)

@@ -1,37 +1,32 @@
-"""A run as a file: NetCDF with CF attributes, and its scenario or its equations, which repeat it.
+"""Run files: NetCDF with CF attributes, from which a run can be repeated.
 
-The equations of a diagram's run are JSON, with inputs, start and method.  A run in memory has them
-in its `encoding`, which xarray hands on, a file in an attribute.  They are written when a run is
-saved, and only if the machine code of what is written is that of the run.
+The file of a scenario's run has the scenario as TOML.  The file of a diagram's run has the
+equations, inputs, initial state and solver options as JSON (`serialization.run_record`), or the
+reason why they are missing.
 """
 
-import json
-from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
-
-import numpy as np
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.files import write_file
 from ..base.files.reading import open_netcdf
 from ..engine.diagram.interconnection import Diagram
-from ..engine.solver.native_diagram import NativeDiagram
-from ..engine.solver.schedule import Inputs
-from ..engine.trace.arrays import Unread
 from ..paper.scenario import file
 from ..paper.scenario.experiment import MOST_BYTES, Scenario
 from ..paper.scenario.recorded_run import check_response, check_run, is_response
 from ..paper.scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
-from .plain_data import diagram_of, plain_diagram
+from .serialization.run_record import diagram_of_text, equations_text
 
 if TYPE_CHECKING:
     import xarray
 
 NO_RUN = "is no run: it has no variable 'clpe', nor the signals of a diagram"
 LOST = "it was saved without them, by another way than clpt.save_run"
+# attributes for changes of a loop that are not in its scenario
+BEYOND = (file.OWN_LAW, file.OWN_PARTS, file.CHANGED)
 
 
 @public
@@ -72,24 +67,21 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
 
 
 def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
-    """Return a run as its file holds it: with its scenario or its equations, which repeat it.
-
-    The scenario's paths are relative to the file.
-    """
+    """Return a run with the attributes of its file; paths of the scenario are relative to it."""
+    attributes: dict[str, str] = {}
     if {"scenario", file.TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):
-            run = run.assign_attrs({file.TEAM: team_to_text(system, path.parent)})
+            attributes[file.TEAM] = team_to_text(system, path.parent)
         else:
-            run = run.assign_attrs(scenario=file.scenario_to_text(system, path.parent))
-    text, why = equations_text(run)
-    if text:
-        run = run.assign_attrs({file.EQUATIONS: text})
+            attributes["scenario"] = file.scenario_to_text(system, path.parent)
+    equations, reason = equations_text(run)
+    if equations:
+        attributes[file.EQUATIONS] = equations
     elif is_response(run):
-        run = run.assign_attrs(
-            {file.NOT_REPEATED: why or run.attrs.get(file.NOT_REPEATED, LOST)}
-        )
-    return run.assign_attrs({file.FORM: file.LATEST})
+        reason = reason or run.attrs.get(file.NOT_REPEATED, LOST)
+        attributes[file.NOT_REPEATED] = reason
+    return run.assign_attrs({**attributes, file.FORM: file.LATEST})
 
 
 @public
@@ -142,112 +134,22 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     return run
 
 
-# --- what repeats a diagram's run ---------------------------------------------------------------
-
-CONDITIONS = (
-    *("timepts", "initial_state", "inputs"),
-    *("rtol", "atol", "method", "max_step", "first_step"),
-)
-# attributes for what a scenario does not hold
-BEYOND = (file.OWN_LAW, file.OWN_PARTS, file.CHANGED)
-
-
 class RecordedScenario(NamedTuple):
-    """The scenario of a closed loop in a file, and the attributes for what it does not hold."""
+    """The scenario of a closed loop in a file, and attributes for changes of the loop."""
 
     scenario: Scenario
     beyond_scenario: dict[str, str]
 
 
-class RunRecord:
-    """How a diagram ran: `text` is JSON, or raises an `Unread` that says why there is none."""
-
-    def __init__(
-        self, run: Any, engine: str, inputs: Inputs, conditions: dict[str, Any]
-    ):
-        self.run, self.engine = run, engine  # a `DiagramRun`, and what ran it
-        self.conditions = conditions
-        self.inputs = tuple(map(np.array, inputs.samples))  # copies
-
-    def __deepcopy__(self, memo: Any) -> "RunRecord":
-        return self
-
-    def __reduce__(self) -> Any:
-        try:
-            return str, (self.text,)
-        except Unread:
-            return str, ("",)
-
-    @cached_property
-    def text(self) -> str:
-        """The equations, inputs, start and method."""
-        runner, times = self.run.runner, self.conditions["timepts"]
-        if self.engine != "native" or not isinstance(runner, NativeDiagram):
-            raise Unread("it ran in Python, by functions that no file holds")
-        given, ends = runner.sweep.parameters, map(float, times[[0, -1]])
-        plain = {
-            "run": {**self.conditions, "inputs": self.inputs},
-            "diagram": plain_diagram(self.run.wiring, given, self.run.names, *ends),
-        }
-        text = json.dumps(plain, default=lambda value: value.tolist())
-        try:
-            again = NativeDiagram(diagram_of_text(text))
-        except DataError as error:  # a name that no block of a file has
-            raise Unread(str(error)) from None
-        arrays = [(getattr(again.layout, a), getattr(runner.layout, a)) for a in "PT"]
-        # NaN differs from itself
-        same = repr(again.code.program) == repr(runner.code.program)
-        if not (same and all(np.array_equal(*pair) for pair in arrays)):
-            raise Unread("its blocks have changed since it ran")
-        return text
-
-
-def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
-    """Return the equations that repeat a run, or "" and why there are none."""
-    record = run.encoding.get(file.EQUATIONS) or run.attrs.get(file.EQUATIONS, "")
-    try:
-        return (record.text if isinstance(record, RunRecord) else str(record)), ""
-    except Unread as error:
-        return "", str(error)
-
-
-def diagram_of_text(text: str) -> Diagram:
-    """Return the diagram of the equations that repeat a run; it knows how it ran."""
-    try:
-        plain = json.loads(text)
-        diagram, run = diagram_of(plain["diagram"]), plain["run"]
-        diagram.recorded = {name: run[name] for name in CONDITIONS}
-        at, values = (np.array(one, dtype=float) for one in run["inputs"])
-        diagram.recorded["inputs"] = Inputs(
-            (at, values.reshape(diagram.ninputs, len(at)))
-        )
-        state = np.array(run["initial_state"], dtype=float).reshape(
-            diagram.nstates or 0
-        )
-        rest = [run[name] or 0.0 for name in ("rtol", "atol", "max_step", "first_step")]
-        if not np.isfinite(np.concatenate([at, values.ravel(), state, rest[:2]])).all():
-            raise DataError("a number is not finite")
-        if not (np.all(np.diff(at) > 0) and np.all(np.diff(run["timepts"]) > 0)):
-            raise DataError("its times do not increase")
-        if min(rest) < 0 or not isinstance(run["method"], str | None):
-            raise DataError("its tolerances, steps or method are none")
-    except ClptError as error:
-        raise DataError(f"its equations are damaged: {error}") from None
-    except Exception as error:  # damaged data can raise anything
-        what = f"{type(error).__name__}: {error}".replace("\n", " ")
-        raise DataError(f"its equations are damaged: {what:.80}") from None
-    return diagram
-
-
 def repeats_by_equations(path: Path) -> bool:
-    """Return whether a run's file holds equations, and no scenario that repeats it alone."""
+    """Return whether a file has equations, and no scenario that repeats its run alone."""
     if path.suffix != ".nc":
         return False
     with open_netcdf(path) as data:
-        beyond = data.attrs.keys() & {*BEYOND}
-        return file.EQUATIONS in data.attrs and bool(
-            beyond or "scenario" not in data.attrs
-        )
+        attributes = data.attrs.keys()
+        if file.EQUATIONS not in attributes:
+            return False
+        return "scenario" not in attributes or not attributes.isdisjoint(BEYOND)
 
 
 @public
@@ -285,13 +187,12 @@ def load_diagram(path: str | Path) -> Diagram:
     with open_netcdf(Path(path)) as data:
         file.check_form(data.attrs, path)
         attributes = {name: str(value) for name, value in data.attrs.items()}
-    text, why = (
-        attributes.get(name, "") for name in (file.EQUATIONS, file.NOT_REPEATED)
-    )
+    text = attributes.get(file.EQUATIONS)
     if not text and "scenario" in attributes:
         return closed_loop(file.load_scenario(path))
     if not text:
-        raise DataError(f"{path}: holds no equations{f': {why}' if why else ''}")
+        reason = attributes.get(file.NOT_REPEATED)
+        raise DataError(f"{path}: holds no equations{f': {reason}' if reason else ''}")
     try:
         diagram = diagram_of_text(text)
         if "scenario" in attributes:

@@ -11,7 +11,9 @@ from ..base.figures import COLOURS, GREY, TITLE, axes_for, figure_of
 from ..paper.scenario.file import TEAM
 from ..paper.scenario.recorded_run import check_run
 from ..paper.scenario.team import team_of_run
-from .charts import (
+from .comparison import response_plot
+from .run_plots import clpe_plot, learning_plot
+from .track_chart import (
     draw_first_flow,
     draw_track,
     positive,
@@ -19,8 +21,6 @@ from .charts import (
     told_apart,
     track_plot,
 )
-from .comparing import response_plot
-from .plots import clpe_plot, learning_plot
 
 if TYPE_CHECKING:
     import xarray

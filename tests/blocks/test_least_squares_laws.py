@@ -15,7 +15,7 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.paper.laws.least_squares import LEAST_SQUARES, NORMALISED_GRADIENT
 from clpt_control.paper.laws.paper import KALMAN_FLOW, kalman_flow
-from clpt_control.simulation.starts import state_columns
+from clpt_control.simulation.initial_states import state_columns
 
 SQUARES = ("least-squares", "composite-least-squares")
 THETA = np.array([[0.6], [-0.4]])

@@ -10,7 +10,7 @@ from clpt_control.errors import ScenarioError
 from clpt_control.paper.laws.law import Gains, Truth
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.quantities import keys_of, keys_of_law
-from clpt_control.simulation.user_parts import functions_of
+from clpt_control.simulation.user_components import functions_of
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 N = 2

@@ -10,7 +10,7 @@ from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.errors import BlockError, DiagramError
 from clpt_control.paper.blocks import flow, vehicle
-from clpt_control.simulation.starts import initial_state
+from clpt_control.simulation.initial_states import initial_state
 
 TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")

@@ -13,7 +13,7 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control import save_run
 from clpt_control.base.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
-from clpt_control.simulation.film import draw_samples
+from clpt_control.simulation.animation import draw_samples
 
 PLOTS = {  # what it draws -> name of a plot, how many axes
     "run": "track 1, clpe 2, learning 2, run 7, excitation 4",

@@ -15,7 +15,7 @@ from sentences import says
 import clpt_control as clpt
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.errors import BlockError, DataError, DiagramError, SimulationError
-from clpt_control.simulation.starts import initial_state
+from clpt_control.simulation.initial_states import initial_state
 
 T = np.linspace(0.0, 2.0, 21)
 TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}

@@ -18,8 +18,8 @@ from clpt_control.base.figures import new_figure
 from clpt_control.errors import BlockError, ClptError, DataError, DiagramError
 from clpt_control.paper.blocks import vehicle
 from clpt_control.paper.scenario.file import OWN_PARTS
-from clpt_control.simulation.film import draw_samples
-from clpt_control.simulation.user_parts import LAW
+from clpt_control.simulation.animation import draw_samples
+from clpt_control.simulation.user_components import LAW
 from clpt_control.theory import prove
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 30})

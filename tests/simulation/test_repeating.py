@@ -20,7 +20,10 @@ from sentences import says
 from test_compare import lemniscate, loop
 
 import clpt_control as clpt
-from clpt_control.simulation.run_file import diagram_of_text, equations_text
+from clpt_control.simulation.serialization.run_record import (
+    diagram_of_text,
+    equations_text,
+)
 
 TIMES = np.linspace(0.0, 4.0, 21)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})

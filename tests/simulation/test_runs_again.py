@@ -12,7 +12,7 @@ import pytest
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.simulation.plain_data import diagram_key
+from clpt_control.simulation.run_cache import diagram_key
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE = 1.0, [1.0]

@@ -16,7 +16,7 @@ import clpt_control as clpt
 from clpt_control.paper.blocks import clpe
 from clpt_control.paper.laws.law import Gains
 from clpt_control.paper.laws.table import LAWS as TABLE
-from clpt_control.simulation.loops import paper_blocks
+from clpt_control.simulation.loop_blocks import paper_blocks
 from clpt_control.theory.counterexamples import burst_counterexample, with_square_wave
 from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proofs.prove_law import prove

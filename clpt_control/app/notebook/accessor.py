@@ -20,7 +20,7 @@ from ...base.files import beside, check_writable, write_file
 from ...engine.model.ports import ports_of
 from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
-from ...simulation.comparing import named, ports_along, signals_of
+from ...simulation.comparison import named, ports_along, signals_of
 
 if TYPE_CHECKING:
     import pandas

@@ -22,15 +22,14 @@ from ...paper.scenario.file import (
 from ...paper.scenario.recorded_run import unknown_parts, waypoints_of
 from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
-from ...simulation.charts import track_plot
-from ...simulation.comparing import named, ports_along, response_plot, signals_of
-from ...simulation.film import draw_samples
-from ...simulation.loops import closed_loop
-from ...simulation.plots import DIRECTIONS, clpe_plot, learning_plot
-from ...simulation.run_file import diagram_of_text, equations_text
+from ...simulation.animation import draw_samples
+from ...simulation.comparison import named, ports_along, response_plot, signals_of
+from ...simulation.loops import closed_loop, team_loop
+from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot
+from ...simulation.serialization.run_record import diagram_of_text, equations_text
 from ...simulation.summary import claims
-from ...simulation.team_loops import team_loop
 from ...simulation.team_plots import team_plot
+from ...simulation.track_chart import track_plot
 from ...theory.excitation.excitation_report import excitation_plot, excitation_report
 from . import results
 from .page import Drawn, Page, Section, drawn, versions_section

@@ -23,8 +23,8 @@ from ...engine.solver.batch import Batch
 from ...engine.solver.native_diagram import NativeDiagram
 from ...paper.laws.law import LEARNED
 from ...paper.scenario.experiment import Scenario
-from ...simulation.loops import LoopOf, remaining_parts
-from ...simulation.starts import state_of
+from ...simulation.initial_states import state_of
+from ...simulation.loops import ClosedLoop
 from ..excitation.certificates import smallest_eigenvalue, worst_drop
 from ..excitation.regressor import quadrature, w_along, waypoint_in
 
@@ -64,8 +64,8 @@ class Tracks:
         self.with_speed = with_speed
         self.gains = gains
         self.runs = 0
-        loop = LoopOf(self.scenario, external=LEARNER)
-        self.blocks: list[Any] = remaining_parts(*loop)[0]
+        loop = ClosedLoop(self.scenario, external=LEARNER)
+        self.blocks: list[Any] = loop.blocks()
         self.native = NativeDiagram(wiring_of_blocks(self.blocks))
         self.callee = self.native.callee(self.native.lanes(LANES))
         self.basis = self.scenario.basis_block()

@@ -26,7 +26,7 @@ from ...engine.diagram.wiring import read_anew
 from ...engine.model.block import Block
 from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
 from ...paper.laws.law import LEARNED, Truth
-from ...simulation.user_parts import functions_of
+from ...simulation.user_components import functions_of
 from ..promises import truth_of
 from .exact import normal_form
 from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop

@@ -18,7 +18,7 @@ import sympy
 
 from ...engine.diagram.interconnection import connect
 from ...paper.laws.law import Law
-from ...simulation.loops import LoopOf, remaining_parts
+from ...simulation.loops import ClosedLoop
 from .exact import vanishes
 from .facts import decided
 from .same_as_running import running_step
@@ -52,10 +52,8 @@ class AtFixes:
         self.N, self.late = N, late
         block, V = law_and_V(law, N)
         block.parameters = block.parameters._replace(latency=float(late))
-        blocks, _ = remaining_parts(
-            *LoopOf(theorem_scenario(N, law.name), external=OUTSIDE)
-        )
-        blocks = [b for b in blocks if b.name != block.name]
+        closed_loop = ClosedLoop(theorem_scenario(N, law.name), external=OUTSIDE)
+        blocks = [b for b in closed_loop.blocks() if b.name != block.name]
         self.loop = symbolic_loop(
             connect([*blocks, block, V], OUTSIDE, name="between"), jumps=True
         )

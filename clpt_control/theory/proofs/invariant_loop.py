@@ -19,8 +19,8 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.record.symbolic import extent, rational
 from ...paper.laws.law import LEARNED, Law
-from ...simulation.loops import paper_blocks
-from ...simulation.starts import state_columns, state_of
+from ...simulation.initial_states import state_columns, state_of
+from ...simulation.loop_blocks import paper_blocks
 from ..promises import truth_of
 from .decide import groups_never_positive, never_positive
 from .exact import as_factors, nonzero_residual, vanishes

@@ -19,8 +19,8 @@ from ...engine.model.block import Block
 from ...paper.laws.law import Law
 from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
-from ...simulation.user_parts import functions_of
-from ...simulation.user_parts import law_block as as_law_block
+from ...simulation.user_components import functions_of
+from ...simulation.user_components import law_block as as_law_block
 from ..promises import truth_of
 from .default_candidate import LawV, default_V, user_V
 from .invariant_loop import InvariantLoop

@@ -19,7 +19,7 @@ from ...engine.diagram.interconnection import Diagram, connect
 from ...engine.model.ports import named, split, within
 from ...paper.laws.consensus import total_candidate
 from ...paper.scenario.team import TEAM_LAW, Team
-from ...simulation.team_loops import team_blocks
+from ...simulation.loops import team_blocks
 from .same_as_running import running_step
 from .steps import Proof, Step, where_all_hold
 from .symbolic_loop import symbolic_loop

@@ -23,7 +23,7 @@ from ...paper.laws.law import Law, Truth
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
-from ...simulation.loops import paper_blocks
+from ...simulation.loop_blocks import paper_blocks
 from ..promises import truth_of
 from .exact import nonzero_residual
 from .steps import Step, checked

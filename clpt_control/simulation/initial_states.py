@@ -1,6 +1,9 @@
-"""The states of a diagram: at t = 0, by a scenario's keys, and at a time of a run."""
+"""Initial states of a diagram: at t = 0 from a scenario, at a time of a run, or the caller's.
 
-from collections.abc import Iterable, Mapping
+`state_columns` maps the name of a state to its columns in the state of the diagram.
+"""
+
+from collections.abc import Iterable
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
@@ -17,47 +20,47 @@ from ..engine.solver.schedule import checked_state
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.quantities import STARTS
-from ..paper.scenario.team import Team
-from .loops import paper_blocks
+from .loop_blocks import paper_blocks
 
 if TYPE_CHECKING:
     import xarray
 
 
 def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
-    """Return `count` states as python-control takes them.
+    """Return `count` states in the forms of python-control; None is zero.
 
-    A list, ``[x0, 0]``, holds numbers and arrays one after the other; a last zero is repeated.
+    A list, ``[x0, 0]``, is a sequence of numbers and arrays; a last zero is repeated.
     """
-    if isinstance(state, list | tuple) and state and not all(map(np.isscalar, state)):
-        state = np.concatenate([numbers(name, part).ravel() for part in state])
+    if state is None:
+        return np.zeros(count)
+    if isinstance(state, list | tuple) and not all(map(np.isscalar, state)):
+        state = np.concatenate([numbers(name, value).ravel() for value in state])
     else:
         state = numbers(name, state)
         state = state.ravel() if state.ndim else state
     if 0 < np.size(state) < count and np.ndim(state) == 1:
         if state[-1] != 0:
             warn(f"{name} is too short: filled with zeros")
-        state = np.pad(numbers(name, state), (0, count - len(state)))
+        state = np.pad(state, (0, count - len(state)))
     return checked_state(name, state, (count,))
 
 
-def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
+def state_columns(blocks: Iterable[Part]) -> dict[str, slice]:
     """Return the columns of each state in the state of a diagram.
 
-    Of several with one name, that which is the signal of this name counts: a scenario starts it.
+    If several states have one name, the state that is the signal of this name has priority.
     """
     signals: dict[str, slice] = {}
     hidden: dict[str, slice] = {}
     end = 0
-    for name, part in leaves(parts, "_"):
-        ports = (
-            part.state_ports
-            if isinstance(part, Block)
-            else {part.name: part.nstates or 0}
-        )
+    for name, block in leaves(blocks, "_"):
+        ports = {block.name: block.nstates or 0}
+        if isinstance(block, Block):
+            ports = block.state_ports
         for port, size in ports.items():
-            column = slice(end, end := end + size)
-            if _is_signal(part, port, size):
+            column = slice(end, end + size)
+            end += size
+            if _is_signal(block, port, size):
                 signals.setdefault(port, column)
             else:
                 label = f"{name}.{port}" if port in STARTS.values() else port
@@ -65,30 +68,33 @@ def state_columns(parts: Iterable[Part]) -> dict[str, slice]:
     return {**hidden, **signals}
 
 
-def _is_signal(part: Part, port: str, size: int) -> bool:
-    """Return whether a state is a signal of the same name; of x it may be the true position."""
-    outputs = output_ports(part)
-    signals = outputs.get(port) or (outputs.get(TRUE) if port == "x" else None) or []
+def _is_signal(block: Part, port: str, size: int) -> bool:
+    """Return whether a state is an output of the same name; x may be the true position."""
+    outputs = output_ports(block)
+    signals = outputs.get(port, [])
+    if not signals and port == "x":
+        signals = outputs.get(TRUE, [])
     if len(signals) != size:
         return False
-    return not is_linear(part) or np.array_equal(part.parameters.C, np.eye(size))
+    return not is_linear(block) or np.array_equal(block.parameters.C, np.eye(size))
 
 
 def state_of(
-    scenario: Scenario, parts: Iterable[Part], law: Part | None = None
+    scenario: Scenario, blocks: Iterable[Part], law: Part | None = None
 ) -> np.ndarray:
-    """Return the state of parts at t = 0; what no key of the scenario starts is 0."""
-    parts = list(parts)
-    columns = state_columns(parts)
-    of_law = scenario.learning.row.starts(scenario.known_to_law) if law is None else {}
-    state = np.zeros(sum(part.nstates or 0 for part in parts))
-    keys = {port: attrgetter(key)(scenario) for key, port in STARTS.items()}
-    keys["alpha"] = scenario.learning_parameters
-    if scenario.learning.row.alpha_is_constant:  # it is no state
-        del keys["alpha"]
-    for port, value in {**keys, **of_law}.items():
-        if port in columns:
-            state[columns[port]] = np.ravel(value)
+    """Return the state of blocks at t = 0; a state without a key of the scenario is 0."""
+    blocks = list(blocks)
+    row = scenario.learning.row
+    values = {port: attrgetter(key)(scenario) for key, port in STARTS.items()}
+    values["alpha"] = scenario.learning_parameters
+    if row.alpha_is_constant:  # it is not a state
+        del values["alpha"]
+    if law is None:
+        values |= row.starts(scenario.known_to_law)
+    state = np.zeros(sum(block.nstates or 0 for block in blocks))
+    for port, column in state_columns(blocks).items():
+        if port in values:
+            state[column] = np.ravel(values[port])
     return state
 
 
@@ -154,21 +160,12 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     if "states" not in run.variables:
         raise DataError("the run carries no states; one that clpt.simulate gives does")
     times = run.time.values
-    k = int(np.abs(times - t).argmin()) if len(times) and np.isfinite(t) else -1
-    if k < 0 or abs(times[k] - t) > 1e-12 * max(1.0, abs(t)):
-        near = f"; the nearest of its times is {times[k]:.9g}" if k >= 0 else ""
-        raise DataError(
-            f"t = {t}: the run has no sample there{near}; simulate it with timepts that hold t"
-        )
-    return np.array(run.states.values[k], dtype=float)
-
-
-def with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
-    """Return a scenario or a team with tolerances and method, where these are not None."""
-    values = {f"run.{key}": value for key, value in solver.items() if value is not None}
-    if values and isinstance(system, Team):
-        members = {
-            name: one.with_values(values) for name, one in system.members.items()
-        }
-        return Team(members=members, edges=system.edges, coupling=system.coupling)
-    return system.with_values(values) if values else system
+    nearest = ""
+    if len(times) and np.isfinite(t):
+        k = int(np.abs(times - t).argmin())
+        if abs(times[k] - t) <= 1e-12 * max(1.0, abs(t)):
+            return np.array(run.states.values[k], dtype=float)
+        nearest = f"; the nearest of its times is {times[k]:.9g}"
+    raise DataError(
+        f"t = {t}: the run has no sample there{nearest}; simulate it with timepts that hold t"
+    )

@@ -8,9 +8,9 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.figures import COLOURS, axes_for, line_style, literal
-from .charts import told_apart, track_plot
-from .frame import INDEX
-from .plots import clpe_plot, learning_plot, run_plot
+from .dataset_template import INDEX
+from .run_plots import clpe_plot, learning_plot, run_plot
+from .track_chart import told_apart, track_plot
 
 if TYPE_CHECKING:
     import xarray

@@ -30,7 +30,7 @@ from ..base.files import write_file
 from ..base.html import plain
 from ..base.progress import note
 from ..paper.scenario.experiment import Scenario
-from .export import FIXED, CFile, as_lines, c_file
+from .c_export import FIXED, CFile, as_lines, c_file
 
 FUNCTIONS, DOCUMENTS = (
     (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")

@@ -11,7 +11,7 @@ from ..base.arguments import public
 from ..base.errors import ClptError
 from ..base.figures import BLUE, GREY, TITLE, axes_for, line_style
 from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
-from .charts import positive, scenario_with, told_apart, track_plot
+from .track_chart import positive, scenario_with, told_apart, track_plot
 
 if TYPE_CHECKING:
     import xarray

@@ -25,9 +25,9 @@ from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
 from ..engine.solver.engine_choice import beside, misread_function
 from ..paper.scenario.experiment import Scenario
+from .diagram_runs import DiagramRun, compiled
+from .initial_states import stacked_state
 from .integrate import as_diagram
-from .running import DiagramRun, compiled
-from .starts import stacked_state
 
 FIXED = " fixed"
 LONGEST = 60  # letters of a name in C, of which 63 count

@@ -29,8 +29,8 @@ from ..base.html import fragment
 from ..base.progress import progress_bar
 from ..base.progress.interrupt import check
 from ..paper.scenario.recorded_run import waypoints_of
-from .charts import scenario_with, square_chart
 from .flows import flow_to_draw
+from .track_chart import scenario_with, square_chart
 
 if TYPE_CHECKING:
     import xarray

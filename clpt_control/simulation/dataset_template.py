@@ -1,0 +1,171 @@
+"""Template of a Dataset: names, dimensions, units and attributes, without numbers.
+
+The runs of one system share a template, which is filled with the signals of each run.
+"""
+
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ..engine.solver.termination import Solution
+
+if TYPE_CHECKING:
+    import xarray
+
+
+INDEX = "index"  # suffix of the dimension of a port
+STATE = {"long_name": "state of the diagram"}
+STATES = {"long_name": "states of the diagram, each in its own unit"}
+PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
+
+Labels = tuple[str, ...]
+Axes = dict[str, tuple[Any, Mapping[str, str]]]  # dimension -> values, attributes
+
+
+class Series(NamedTuple):
+    """A variable of a Dataset: a function `of` all signals, of shape (nt, nsignals)."""
+
+    dims: tuple[str, ...]
+    of: Callable[[np.ndarray], np.ndarray]
+    attributes: dict[str, str]
+
+
+@dataclass(eq=False)
+class DatasetTemplate:
+    """A Dataset without numbers.
+
+    `axes` has values and attributes of each dimension except time, whose attributes are
+    `time_attributes`.  `states` are labels; without labels the Dataset has no states.  `folder` is
+    that of a scenario's files, and `note` is appended to the message of each run.
+    """
+
+    variables: Mapping[str, Series]
+    axes: Mapping[str, tuple[Any, Any]]
+    attributes: dict[str, Any]
+    time_attributes: Mapping[str, str] | None = None
+    states: Sequence[str] | None = None
+    folder: str | None = None
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        self.axes = {name: _index(name, *axis) for name, axis in self.axes.items()}
+        if self.states is not None:
+            labels = np.array(self.states, dtype=object)
+            self.axes["state"] = _index("state", labels, STATE)
+        # the last times, and their index
+        self._cached_time: tuple[bytes | None, Any] = (None, None)
+
+    def filled(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a Dataset of a run's signals and states, with attributes of its own.
+
+        xarray's constructor would search and align the indexes, which takes longer.
+        """
+        from xarray import Dataset, Variable
+
+        variables: dict[str, Any] = {
+            name: Variable(
+                series.dims, series.of(signals), series.attributes, fastpath=True
+            )
+            for name, series in self.variables.items()
+        }
+        if self.states is not None:
+            dims = ("time", "state")
+            variables["states"] = Variable(dims, solution.x, STATES, fastpath=True)
+        axes = {"time": self._time_index(solution.t), **self.axes}
+        for name, (_, axis) in axes.items():
+            copy = type(axis)(axis.dims, axis._data, axis.attrs, fastpath=True)
+            variables[name] = copy
+        attributes = {**self.attributes, **solver_attributes(solution)}
+        if self.note:
+            attributes["message"] += f"; {self.note}"
+        indexes = {name: index for name, (index, _) in axes.items()}
+        sizes = {name: axis.size for name, (_, axis) in axes.items()}
+        run = Dataset._construct_direct(
+            variables, set(axes), sizes, attributes, indexes, {}
+        )
+        if self.folder is not None:
+            run.encoding["folder"] = self.folder
+        return run
+
+    def _time_index(self, times: np.ndarray) -> tuple[Any, Any]:
+        cached_times, index = self._cached_time
+        if times.tobytes() != cached_times:
+            index = _index("time", times.copy(), self.time_attributes)
+            self._cached_time = times.tobytes(), index
+        return index
+
+
+def _index(name: str, values: Any, attributes: Any) -> tuple[Any, Any]:
+    """Return an index of values and its variable, without xarray's slower constructor."""
+    from pandas import Index
+    from xarray import Variable
+    from xarray.indexes import PandasIndex
+
+    index = PandasIndex(Index(values), name)
+    variable = Variable((name,), np.asarray(values), attributes, fastpath=True)
+    return index, index.create_variables({name: variable})[name]
+
+
+def port_variables(
+    ports: Mapping[str, list[int]],
+    dims: Mapping[int, str],
+    reserved: Any,
+    units: Mapping[str, str],
+) -> tuple[dict[str, Series], Axes]:
+    """Return variables of ports, each with the columns of its signals, and their axes.
+
+    `dims` names dimensions by size; other dimensions are named after their port and count from 0.
+    A name that is reserved gets the suffix _.
+    """
+    variables: dict[str, Series] = {}
+    axes: Axes = {}
+    for port, port_columns in ports.items():
+        size = len(port_columns)
+        port_dims: tuple[str, ...] = ()
+        if size > 1:
+            dim = dims.get(size, f"{port}_{INDEX}")
+            port_dims = (f"{dim}_" if dim in ports else dim,)
+        if size > 1 and size not in dims:
+            attributes = {"long_name": f"signal of {port}, counted from 0"}
+            axes[port_dims[0]] = np.arange(size), attributes
+        unit = {"units": units[port]} if units.get(port) else {}
+        name = port
+        while name in reserved or (name != port and name in ports):
+            name += "_"
+        series = columns(port_columns, *port_dims)
+        variables[name] = Series(("time", *port_dims), series, unit)
+    return variables, axes
+
+
+def columns(indices: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:
+    """Return a function that selects columns of the signals in a shape, or a single column."""
+    if not shape:
+        return lambda signals: signals[:, indices[0]]
+    selected = np.array(indices)
+    if len(shape) == 1:
+        return lambda signals: signals[:, selected]
+    return lambda signals: signals[:, selected].reshape(len(signals), *shape)
+
+
+def solver_attributes(solution: Solution) -> dict[str, Any]:
+    """Return attributes of a run: versions, status and the solver's statistics."""
+    return {
+        "software": _software(),
+        "status": solution.status,
+        "message": solution.message,
+        "engine": solution.engine,
+        "method": solution.method,
+        **{f"solver_{name}": value for name, value in solution.statistics.items()},
+    }
+
+
+@cache
+def _software() -> str:
+    versions = [f"Python {platform.python_version()}"]
+    versions += [f"{name} {version(name)}" for name in PACKAGES]
+    return ", ".join(versions)

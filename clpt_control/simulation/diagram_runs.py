@@ -1,0 +1,194 @@
+"""Prepared runs of diagrams of any blocks, also of python-control's systems without change.
+
+The Dataset of a `closed_loop` has the variables of its scenario's run; that of any other diagram
+has a variable for each port.  Both carry a `RunRecord`, from which the run can be repeated.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import Any
+from warnings import catch_warnings, simplefilter
+
+import control
+import numpy as np
+
+from ..base.errors import SimulationError
+from ..engine.diagram.interconnection import with_stop
+from ..engine.diagram.wiring import (
+    Params,
+    Part,
+    Sizes,
+    Wiring,
+    read_anew,
+    units_of,
+    wiring_of,
+)
+from ..engine.model.ports import ports_of, whole_labels
+from ..engine.solver.engine_choice import run_checked
+from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.schedule import read_inputs
+from ..paper.scenario.file import EQUATIONS, OWN_PARTS, REFERENCE
+from .dataset import changed_parameters, diagram_template, scenario_template
+from .dataset_template import DatasetTemplate
+from .initial_states import stacked_state, state_columns
+from .loops import ClosedLoop
+from .serialization.run_record import CONDITIONS, RunRecord
+from .system_runs import SystemRun, state_labels
+
+
+class DiagramRun(SystemRun):
+    """A diagram of any blocks, ready to run."""
+
+    def __init__(
+        self,
+        diagram: control.NonlinearIOSystem,
+        params: Mapping[str, Any] | None,
+        sizes: Sizes = (None, None),
+        engine: str | None = None,
+        stop: Callable | None = None,
+    ):
+        read_anew(diagram)
+        self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
+        recorded = getattr(diagram, "recorded", None) or {}
+        self.experiment = self.loop or recorded.get("experiment")
+        self.scenario = self.experiment and self.experiment.scenario
+        wiring = wiring_of(diagram, params, sizes)
+        if stop is not None:
+            wiring = with_stop(wiring, stop)
+        super().__init__(diagram.name, wiring, params and dict(params), engine)
+        outputs, inputs, self.states = labels_of(diagram, self.wiring)
+        ports = {"inputs": inputs, "outputs": outputs, "states": self.states}
+        self.names = {"name": self.name, **ports}
+        outputs = whole_labels(outputs)
+        self.signal_labels = outputs + _distinct_inputs(whole_labels(inputs), outputs)
+
+    def run(
+        self,
+        times: np.ndarray,
+        inputs: Any = None,
+        initial_state: Any = None,
+        **options: Any,
+    ) -> Any:
+        """Integrate from a state at the first time; return a Dataset with a `RunRecord`."""
+        self.check_memory(len(times))
+        u = read_inputs(inputs, times, self.wiring.ninputs)
+        state = stacked_state("initial_state", initial_state, self.runner.nstates)
+        if self.experiment is not None:
+            self._check_initial_alpha(state)
+        options["inputs"] = u
+        solution, blocks = run_checked(
+            self.runner, self.name, state, times, self.params, **options
+        )
+        signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
+        run = self.dataset(solution, signals.T)
+        conditions = {
+            name: value for name, value in options.items() if name in CONDITIONS
+        }
+        conditions |= {"timepts": times.copy(), "initial_state": state}
+        run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
+        return run
+
+    def _check_initial_alpha(self, state: np.ndarray) -> None:
+        """Raise an error if alpha(0) is not the alpha_0 that the law's readout assumes."""
+        columns = state_columns(node.system for node in self.wiring.nodes)
+        error_columns = columns.get(self.scenario.learning.row.error_left)
+        if not error_columns or not np.all(state[error_columns] == 1):
+            return
+        for p in self.runner.sweep.parameters:
+            if "alpha_0" not in p._fields:
+                continue
+            if np.any(state[columns["alpha"]] != np.ravel(p.alpha_0)):
+                raise SimulationError(
+                    "initial_state: alpha is not adaptation.alpha_0, of which the readout is made; "
+                    "give both, or learning.parameters of the scenario"
+                )
+
+    @cached_property
+    def is_unchanged(self) -> bool:
+        """True for a loop as `closed_loop` returned it, and for a diagram that is no such loop."""
+        loop = self.loop
+        return loop is None or (not loop.external and loop.is_unchanged(self.wiring))
+
+    @property
+    def beyond_scenario(self) -> dict[str, str]:
+        """Attributes of a closed loop's run for changes that are not in its scenario."""
+        if self.loop is None:
+            return {}
+        external = f"{REFERENCE}: from outside" if "zc" in self.loop.external else ""
+        changes = [
+            self.loop.changes.description,
+            external,
+            f"{self.name}: run as a diagram",
+        ]
+        return {OWN_PARTS: ", ".join(filter(None, changes))}
+
+    @cached_property
+    def _signal_map(self) -> Any:
+        """The matrix from all block outputs and inputs to outputs, then inputs."""
+        inputs = tuple({~k: 1.0} for k in range(self.wiring.ninputs))
+        return self.wiring.matrix_of(self.wiring.outputs + inputs)
+
+    @cached_property
+    def template(self) -> DatasetTemplate:
+        """The template of the Dataset."""
+        labels = self.signal_labels
+        units = signal_units(self.wiring)
+        if self.experiment is None:
+            return diagram_template(
+                self.name, tuple(labels), tuple(units), tuple(self.states)
+            )
+        attributes = changed_parameters(self.params, self.experiment.beyond_scenario)
+        ports = {port: units[columns[0]] for port, columns in ports_of(labels).items()}
+        return scenario_template(
+            self.experiment.scenario,
+            self.signals(labels),
+            attributes,
+            ports,
+            self.states,
+        )
+
+
+def _distinct_inputs(inputs: list[str], outputs: list[str]) -> list[str]:
+    """Return labels of inputs; a port with the name of an output port gets the suffix _input."""
+    output_ports = ports_of(outputs)
+    labels = []
+    for label in inputs:
+        port, bracket, index = label.rpartition("[")
+        suffix = "_input" if port in output_ports else ""
+        labels.append(f"{port}{suffix}{bracket}{index}")
+    return labels
+
+
+def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[str]]:
+    """Return the labels of outputs, inputs and states; open sizes are those of its block."""
+    block = wiring.nodes[0].system
+    has_open_ports = None in (diagram.ninputs, diagram.noutputs)
+    labelled = block if has_open_ports else diagram
+    states = (block if diagram.nstates is None else diagram).state_labels
+    if len(states) != wiring.nodes[-1].states.stop:
+        # python-control has a single label of several equal ones
+        states = state_labels(wiring)
+    return labelled.output_labels, labelled.input_labels, states
+
+
+def signal_units(wiring: Wiring) -> list[str]:
+    """Return the units of outputs, then of inputs; "" for a sum of signals."""
+    block_units, input_units = units_of(wiring)
+
+    def unit_of(row: Mapping[int, float]) -> str:
+        if [*row.values()] != [1.0]:
+            return ""
+        (column,) = row
+        return block_units[column] if column >= 0 else input_units[~column]
+
+    return [unit_of(row) for row in wiring.outputs] + input_units
+
+
+def compiled(diagram: Part, params: Params, sizes: Sizes = (None, None)) -> DiagramRun:
+    """Return a diagram that runs as machine code, or raise `Uncompiled`."""
+    with catch_warnings():
+        simplefilter("ignore")  # the warning of a run in Python
+        run = DiagramRun(diagram, params, sizes, engine="native")
+    if run.runner.engine != "native":
+        NativeDiagram(run.wiring, params)
+    return run

@@ -1,0 +1,100 @@
+"""Cache of prepared runs: a repeated call of `simulate` does not wire and compile again.
+
+The key of a run has the numbers of the diagram and a fingerprint of its functions.  A diagram in
+which something could change unnoticed has no key; such a diagram is prepared at each call.
+"""
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import control
+
+from ..engine.codegen.machine import ENGINE
+from ..engine.diagram.wiring import Params
+from ..engine.model.block import Block
+from ..engine.model.sampled import Sampled
+from ..engine.model.system import System
+from ..engine.trace.arrays import Unread
+from ..engine.trace.fingerprint import reachable
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.team import Team
+
+MAX_RUNS = 16  # cached runs
+_CACHE: dict[Any, Any] = {}
+
+Key = tuple[Any, Any]  # the key, and the objects whose identities are in the key
+
+
+@contextmanager
+def cached_run(key: Key | None, make: Callable[[], Any]) -> Iterator[Any]:
+    """Yield the cached run of a key, or a new one; no other caller has the run meanwhile.
+
+    Runs in Python are not cached, so that their warning is repeated.
+    """
+    cache_key = key and (key[0], os.environ.get(ENGINE))
+    objects, run = _CACHE.pop(cache_key, (None, None))
+    if run is None:
+        objects = key
+        run = make()
+    yield run
+    if key and run.runner.engine == "native":
+        # the objects stay alive as long as their identities are in the cache
+        _CACHE[cache_key] = objects, run
+        for oldest in list(_CACHE)[:-MAX_RUNS]:
+            _CACHE.pop(oldest, None)
+
+
+def scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
+    """Return the key of a run of the package's own blocks; None if a file is read."""
+    scenarios = system.members.values() if isinstance(system, Team) else [system]
+    if any(scenario.field_path is not None for scenario in scenarios):
+        return None
+    return (id(system), *options), system
+
+
+def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:
+    """Return the key of a diagram's run; None if the diagram could change unnoticed."""
+    numbers: list[Any] = [tuple((params or {}).items()), options]
+    functions: list[Any] = []
+    try:
+        names = _identity(diagram, numbers, functions)
+        code = reachable(*functions)
+        values = reachable(*numbers)
+    except Unread:
+        return None
+    key = names, code.identity, values.key
+    return key, (diagram, code.referenced, values.referenced)
+
+
+def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:
+    """Return names and identities of a system; append its numbers and functions to the lists."""
+    if not isinstance(system, control.NonlinearIOSystem):
+        raise Unread("cannot be wired")
+    labels = *system.input_index, *system.output_index, *(system.state_index or ())
+    identity: tuple = id(system), system.name, system.dt, labels
+    if isinstance(system, Sampled):
+        inner = system.inner
+        numbers += inner.params.values() if isinstance(inner, System) else ()
+        inner_identity = _identity(inner, numbers, functions)
+        return *identity, id(system.parameters), system.period, *inner_identity
+    if isinstance(system, Block):
+        if not system.of_package:  # functions of the package do not change
+            functions += [function for function, _ in system._roles.values()]
+        numbers.append(system.parameters)
+        return *identity, id(system.parameters)
+    identity = *identity, system.nstates, system.ninputs, system.noutputs
+    numbers.append(tuple(system.params.items()))
+    if isinstance(system, control.InterconnectedSystem):
+        numbers += [system.connect_map, system.input_map, system.output_map]
+        inner_identities = (_identity(s, numbers, functions) for s in system.syslist)
+        return *identity, *inner_identities
+    if isinstance(system, control.StateSpace):
+        numbers += [system.A, system.B, system.C, system.D]
+        return identity
+    base = control.NonlinearIOSystem
+    if type(system)._rhs is not base._rhs or type(system)._out is not base._out:
+        raise Unread("its class has its own equations")
+    functions += [system.updfcn, system.outfcn]
+    return identity

@@ -1,0 +1,189 @@
+"""Records as plain data, and the check of records that are read from a file.
+
+Plain data are dicts, lists, strings, numbers and booleans, as in JSON.  Machine code does not check
+indices: a view beyond the end of its array would read foreign memory.  Therefore every operation
+of a record from a file is checked: its arguments, its shape and its indices.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from ...base.errors import BlockError
+from ...engine.record.graph import Operation, Record, Shape, bound
+from ...engine.record.operations import ELEMENTWISE
+
+MAX_VALUE_SIZE = 10**7  # numbers of one value of a record
+MAX_RECORD_SIZE = 10**8  # numbers of all values of a record
+
+Leaves = Mapping[str, Mapping[str, Shape]]  # group -> name -> shape
+BoundShape = tuple[int, ...]
+
+
+def plain_record(record: Record) -> dict[str, Any]:
+    """Return a record as plain data."""
+    lines = []
+    for kind, arguments, shape, data in record.operations:
+        plain = np.frombuffer(data).tolist() if kind == "constant" else data
+        lines.append([kind, arguments, shape, plain])
+    return {"operations": lines, "outputs": record.outputs, "shapes": record.shapes}
+
+
+def record_of(plain: Mapping[str, Any]) -> Record:
+    """Return the record of plain data."""
+    lines = []
+    for kind, arguments, shape, plain_data in plain["operations"]:
+        data = _as_tuples(plain_data)
+        if kind == "constant":
+            data = np.array(plain_data, dtype=float).tobytes()
+        lines.append(Operation(kind, tuple(arguments), shape_of(shape), data))
+    shapes = tuple(map(shape_of, plain["shapes"]))
+    return Record(tuple(lines), tuple(plain["outputs"]), shapes)
+
+
+def shape_of(plain: Any) -> Shape:
+    """Return the shape of plain data, of names and numbers."""
+    return tuple(n if isinstance(n, str) else size_of(n) for n in plain)
+
+
+def size_of(value: Any) -> int:
+    """Return a size; raise `BlockError` unless it is a whole number of moderate size."""
+    if type(value) is not int or not 0 <= value <= MAX_VALUE_SIZE:
+        raise BlockError(
+            f"a size is {value!r:.40}; must be a whole number up to {MAX_VALUE_SIZE:g}"
+        )
+    return value
+
+
+def _as_tuples(value: Any) -> Any:
+    return tuple(map(_as_tuples, value)) if isinstance(value, list) else value
+
+
+def check_record(
+    record: Record,
+    leaves: Leaves,
+    sizes: Mapping[str, int],
+    ports: Mapping[str, BoundShape],
+) -> None:
+    """Raise `BlockError` unless a record is valid for these leaves and output ports."""
+    shapes: list[BoundShape] = []
+    for line, operation in enumerate(record.operations):
+        shape = bound(operation.shape, sizes)
+        arguments = [_argument_shape(ref, shapes) for ref in operation.arguments]
+        valid = _is_valid(operation, shape, arguments, leaves)
+        if prod(shape) > MAX_VALUE_SIZE or not valid:
+            raise BlockError(
+                f"line {line} of a record, {operation.kind!s:.20}, is none"
+            )
+        shapes.append(shape)
+    count = sum(map(prod, shapes))
+    if count > MAX_RECORD_SIZE:
+        raise BlockError(
+            f"a record has {count:.3g} numbers; at most {MAX_RECORD_SIZE:g} can be held"
+        )
+    for outputs in (record.outputs, record.shapes):
+        if len(outputs) != len(ports):
+            raise BlockError(
+                f"a record has {len(outputs)} outputs; must have {len(ports)}"
+            )
+    rows = zip(record.outputs, record.shapes, ports.values(), strict=True)
+    for ref, shape, port_shape in rows:
+        fits = _broadcasts(_argument_shape(ref, shapes), port_shape)
+        if not fits or bound(shape, sizes) != port_shape:
+            raise BlockError("an output of a record has another shape than its port")
+
+
+def _argument_shape(ref: Any, shapes: Sequence[BoundShape]) -> BoundShape:
+    if type(ref) is float:
+        return ()
+    if type(ref) is not int or not 0 <= ref < len(shapes):
+        raise BlockError(
+            f"a record speaks of its value {ref!r:.20}, which is not there yet"
+        )
+    return shapes[ref]
+
+
+def _broadcasts(shape: BoundShape, target: BoundShape) -> bool:
+    """Return whether NumPy broadcasts a shape to a target."""
+    pairs = zip(shape[::-1], target[::-1], strict=False)
+    return len(shape) <= len(target) and all(n in (1, m) for n, m in pairs)
+
+
+def _is_valid(
+    operation: Operation, shape: BoundShape, arguments: list[BoundShape], leaves: Leaves
+) -> bool:
+    """Return whether an operation has the arguments, data and shape of its kind."""
+    kind = operation.kind
+    data = operation.at
+    if kind == "leaf":
+        group, name = data
+        return not arguments and leaves[group][name] == shape
+    if kind == "constant":
+        return not arguments and len(data) == 8 * prod(shape)
+    if kind in INDEXED:
+        count = 2 if kind == "search" else 1
+        return len(arguments) == count and INDEXED[kind](data, shape, *arguments)
+    if data is not None:
+        return False
+    if kind in STRUCTURAL:
+        return STRUCTURAL[kind](shape, arguments)
+    count = 3 if kind == "where" else getattr(ELEMENTWISE[kind], "nin", 1)
+    return len(arguments) == count and all(_broadcasts(a, shape) for a in arguments)
+
+
+def _is_sum(axis: Any, shape: BoundShape, array: BoundShape) -> bool:
+    if type(axis) is not int or not 0 <= axis < len(array):
+        return False
+    return array[:axis] + array[axis + 1 :] == shape
+
+
+def _is_view(axes: Any, shape: BoundShape, array: BoundShape) -> bool:
+    pairs = zip(axes, array, strict=True)
+    return all(_is_inside(axis, length, shape) for axis, length in pairs)
+
+
+def _is_inside(mapped: Any, length: int, shape: BoundShape) -> bool:
+    """Return whether the indices of a view on one axis are inside that axis."""
+    if type(mapped) is int:
+        return 0 <= mapped < length
+    axis, start, step = mapped
+    if not all(type(n) is int for n in mapped) or not 0 <= axis < len(shape):
+        return False
+    ends = (start, start + step * (shape[axis] - 1))
+    return not shape[axis] or all(0 <= end < length for end in ends)
+
+
+def _is_slice(offset: Any, shape: BoundShape, array: BoundShape) -> bool:
+    if type(offset) is not int or not array:
+        return False
+    return 0 <= offset <= prod(array) - prod(shape)
+
+
+# operations with data: (data, shape, *arguments) -> validity
+INDEXED: dict[str, Callable[..., bool]] = {
+    "sum": _is_sum,
+    "view": _is_view,
+    "part": _is_slice,
+    "search": lambda options, shape, table, values: (
+        len(table) == 1 and values == shape and options[0] in ("left", "right")
+    ),
+}
+# operations without data: (shape, arguments) -> validity
+STRUCTURAL: dict[str, Callable[..., bool]] = {
+    "fill": lambda shape, arguments: arguments == [()],
+    "stack": lambda shape, arguments: (
+        len(arguments) == shape[0] and all(_broadcasts(a, shape[1:]) for a in arguments)
+    ),
+    "join": lambda shape, arguments: (
+        sum(a[0] for a in arguments) == shape[0]
+        and all(a[1:] == shape[1:] for a in arguments)
+    ),
+    "pick": lambda shape, arguments: (
+        len(arguments) == 2 and len(arguments[0]) == 1 and arguments[1] == shape
+    ),
+    "argmin": lambda shape, arguments: (
+        shape == () and [len(a) for a in arguments] == [1] and arguments[0][0] > 0
+    ),
+}
