@@ -1,6 +1,6 @@
-"""A run as a moving picture, a GIF.
+"""Animation of a run as a GIF.
 
-Each frame is a sample of the run, with the flows of `flow_velocity` at its time.
+Each frame is a sample of the run with vehicle, prediction, waypoint, and both flows at its time.
 """
 
 from base64 import b64encode
@@ -37,11 +37,31 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 LIMITS = {"seconds": (0.1, 600.0), "fps": (1.0, 50.0), "width": (200, 2000)}
-MOST_PIXELS = 5e8  # pixels that all frames have together, at most
+MAX_PIXELS = 5e8  # of all frames together
+INCHES = 5.6  # width of the chart
+SIGNALS = (
+    "position",
+    "predicted_position",
+    "clpe",
+    "reference",
+    "flow_parameters_estimate",
+)
+ARROWS = 9  # on a side
+LENGTH = 1.8  # longest true arrow, steps of the grid
+MAX_LEARNED = 2.4  # longest learned arrow, steps of the grid
+FAINT = "#AAAAAA"
+ARROW = {
+    "angles": "xy",
+    "scale_units": "xy",
+    "minlength": 0,
+    "headwidth": 3.2,
+    "headlength": 3.6,
+    "headaxislength": 3.2,
+}
 
 
 class Movie:
-    """A film of a run, which a notebook shows; `gif` are the bytes of the file."""
+    """Animation of a run, which a notebook shows; `gif` has the bytes of the file."""
 
     def __init__(self, gif: bytes, frames: int, seconds: float):
         self.gif, self.frames, self.seconds = gif, frames, seconds
@@ -107,21 +127,23 @@ def animate(
     scenario_with(run, *SIGNALS)
     t = run.time.values
     times = np.linspace(float(t[0]), float(t[-1]), max(2, round(seconds / pause)))
-    at = np.clip(np.searchsorted(t, times * (1 + 1e-12), side="right") - 1, 0, None)
+    samples = np.searchsorted(t, times * (1 + 1e-12), side="right") - 1
+    samples = np.clip(samples, 0, None)
+    count = len(samples)
     from matplotlib import rc_context
 
-    with rc_context(SAME), progress_bar("drawing", len(at), "frames") as report:
+    with rc_context(SAME), progress_bar("drawing", count, "frames") as report:
         figure, ax = new_figure(INCHES, INCHES + 0.6)
         figure.set_dpi(width / INCHES)
-        content = _gif(figure, draw_samples(ax, run, at), pause, report)
+        content = _gif(figure, draw_samples(ax, run, samples), pause, report)
     if path is None:
-        return Movie(content, len(at), len(at) * pause)
+        return Movie(content, count, count * pause)
     write_file(path, content)
     return None
 
 
 def check_options(path: str | Path | None, **options: float) -> None:
-    """Refuse what cannot be filmed, before work begins."""
+    """Raise `ClptError` for options that are not allowed, or an animation that is too large."""
     if path is not None:
         check_writable(path, "a film", (".gif",))
     for name, (low, high) in LIMITS.items():
@@ -130,7 +152,7 @@ def check_options(path: str | Path | None, **options: float) -> None:
                 f"{name} = {options[name]!r:.60}: must be a number from {low:g} to {high:g}"
             )
     count, width = options["seconds"] * options["fps"], options["width"]
-    if (size := count * width**2) > MOST_PIXELS:
+    if (size := count * width**2) > MAX_PIXELS:
         raise ClptError(
             f"a GIF of {count:.0f} frames of {width} pixels would take {size / 1e9:.1f} GB of "
             "memory: make it shorter or narrower"
@@ -142,9 +164,10 @@ def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> 
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    canvas, images, content = FigureCanvasAgg(figure), list[Any](), BytesIO()
+    canvas = FigureCanvasAgg(figure)
+    images: list[Any] = []
     for k in frames:
-        if not k:  # then nothing moves from frame to frame
+        if k == 0:  # the layout is that of the first frame
             figure.draw_without_rendering()
             figure.set_layout_engine("none")
         check()
@@ -152,81 +175,81 @@ def _gif(figure: "Figure", frames: Iterator[int], pause: float, report: Any) -> 
         canvas.draw()
         image = Image.fromarray(np.asarray(canvas.buffer_rgba()))
         images.append(image.convert("P", palette=Image.Palette.ADAPTIVE))
-    first, *rest = images
-    every: dict[str, Any] = {"duration": round(1000 * pause), "loop": 0}
-    first.save(content, format="GIF", save_all=True, append_images=rest, **every)
+    content = BytesIO()
+    images[0].save(
+        content,
+        format="GIF",
+        save_all=True,
+        append_images=images[1:],
+        duration=round(1000 * pause),
+        loop=0,
+    )
     return content.getvalue()
 
 
-# --- what is shown at each time -------------------------------------------------------------------
-
-SIGNALS = (
-    "position",
-    "predicted_position",
-    "clpe",
-    "reference",
-    "flow_parameters_estimate",
-)
-ARROWS = 9  # on a side
-FAINT = "#AAAAAA"
-LENGTH, LONGEST = 1.8, 2.4  # steps of the grid: the longest true arrow, any learned one
-INCHES = 5.6  # inches
-
-
-def draw_samples(ax: Any, run: "xarray.Dataset", at: np.ndarray) -> Iterator[int]:
-    """Draw samples of a run on axes, one after the other: vehicle, prediction and both flows."""
+def draw_samples(ax: Any, run: "xarray.Dataset", samples: np.ndarray) -> Iterator[int]:
+    """Draw samples of a run on axes, one after the other, and yield their numbers."""
     scenario = scenario_with(run, *SIGNALS)
-    units, t, path = scenario.units, run.time.values, run.position.values
-    points = waypoints_of(run, scenario)
-    places = np.concatenate([points, path])
-    grid = square_chart(ax, scenario, places, ARROWS)
-    every, moments = np.tile(grid, (len(at), 1)), np.repeat(t[at], len(grid))
-    theta = np.repeat(run.flow_parameters_estimate.values[at], len(grid), axis=0)
-    true, learned = (
-        flow_to_draw(run, scenario, every, moments, *of).reshape(len(at), -1, 2)
-        for of in ((), (theta,))
-    )
-    kind, flow = ("true", true) if true.any() else ("learned", learned)
-    longest = float(np.hypot(*flow.reshape(-1, 2).T).max())
-    # of a chart, of a speed
-    unit = LENGTH * np.ptp(ax.get_xlim()) / ARROWS / (longest or 1.0)
-    arrows: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1 / unit}
-    arrows |= {
-        "minlength": 0,
-        "headwidth": 3.2,
-        "headlength": 3.6,
-        "headaxislength": 3.2,
-    }
-    note = f"longest {kind} arrow {longest:.2g} {units.length}/{units.time}"
-    ax.set_title(note if longest else "", loc="right", fontsize=8, color=GREY)
-    ax.plot(*points.T, "o", color="black", ms=5, mfc="none")
-    for j, k in enumerate(at):
-        moving: list[Any] = []
-        if true.any():
-            of = {"color": FAINT, "width": 0.008, "label": "true flow", **arrows}
-            moving.append(ax.quiver(*grid.T, *true[j].T, **of))
-        if learned.any():
-            size = np.hypot(*learned[j].T) / (longest * LONGEST / LENGTH)
-            bounded = learned[j] / np.maximum(size, 1.0)[:, None]
-            of = {"color": ORANGE, "width": 0.0042, "label": "learned flow", **arrows}
-            moving.append(ax.quiver(*grid.T, *bounded.T, **of))
-        x, z, zc = path[k], run.predicted_position.values[k], run.reference.values[k]
-        now = "waypoint, now" if len(points) else "desired"
-        prediction = {
-            "color": GREEN,
-            "ms": 8,
-            "mfc": "none",
-            "mew": 1.8,
-            "label": "prediction",
-        }
-        moving += ax.plot(*path[: k + 1].T, color=BLUE, lw=1.0, alpha=0.7)
-        moving += ax.plot(*zc, "o", color="black", ms=5, label=now)
-        moving += ax.plot(*np.transpose([x, z]), color=RED, lw=1.6, label="CLPE")
-        moving += ax.plot(*x, "o", color=BLUE, ms=8, label="vehicle")
-        moving += ax.plot(*z, "D", **prediction)
-        ax.set_title(f"t = {t[k]:g} {units.time}", **TITLE)
+    units = scenario.units
+    time = run.time.values
+    waypoints = waypoints_of(run, scenario)
+    points = np.concatenate([waypoints, run.position.values])
+    grid = square_chart(ax, scenario, points, ARROWS)
+
+    # flows of all samples, of shape (samples, points of the grid, 2)
+    points = np.tile(grid, (len(samples), 1))
+    times = np.repeat(time[samples], len(grid))
+    theta = run.flow_parameters_estimate.values[samples].repeat(len(grid), axis=0)
+    true = flow_to_draw(run, scenario, points, times)
+    learned = flow_to_draw(run, scenario, points, times, theta)
+    kind = "true" if true.any() else "learned"
+    max_speed = np.hypot(*(true if true.any() else learned).T).max() or 1.0
+    arrow_length = LENGTH * np.ptp(ax.get_xlim()) / ARROWS
+    style: dict[str, Any] = {**ARROW, "scale": max_speed / arrow_length}
+    if learned.any() or true.any():
+        note = f"longest {kind} arrow {max_speed:.2g} {units.length}/{units.time}"
+        ax.set_title(note, loc="right", fontsize=8, color=GREY)
+    excess = np.hypot(*learned.T) / (max_speed * MAX_LEARNED / LENGTH)
+    bounded = learned / np.maximum(excess, 1.0)[:, None]
+    flows = []
+    if true.any():
+        flows.append((true, FAINT, 0.008, "true flow"))
+    if learned.any():
+        flows.append((bounded, ORANGE, 0.0042, "learned flow"))
+
+    ax.plot(*waypoints.T, "o", color="black", ms=5, mfc="none")
+    for j, k in enumerate(samples):
+        artists = []
+        for flow, color, width, label in flows:
+            arrows = flow.reshape(len(samples), -1, 2)[j]
+            artists.append(
+                ax.quiver(
+                    *grid.T, *arrows.T, color=color, width=width, label=label, **style
+                )
+            )
+        artists += _draw_vehicle(ax, run, k, len(waypoints) > 0)
+        ax.set_title(f"t = {time[k]:g} {units.time}", **TITLE)
         if j == 0:
             legend_below(ax, 3, 30.0)
         yield j
-        for one in moving if j + 1 < len(at) else ():
-            one.remove()
+        if j + 1 < len(samples):
+            for artist in artists:
+                artist.remove()
+
+
+def _draw_vehicle(
+    ax: Any, run: "xarray.Dataset", k: int, has_waypoints: bool
+) -> list[Any]:
+    """Draw track, waypoint, CLPE, vehicle and prediction at a sample."""
+    track = run.position.values[: k + 1]
+    x = track[k]
+    z = run.predicted_position.values[k]
+    zc = run.reference.values[k]
+    desired = "waypoint, now" if has_waypoints else "desired"
+    return [
+        *ax.plot(*track.T, color=BLUE, lw=1.0, alpha=0.7),
+        *ax.plot(*zc, "o", color="black", ms=5, label=desired),
+        *ax.plot(*np.transpose([x, z]), color=RED, lw=1.6, label="CLPE"),
+        *ax.plot(*x, "o", color=BLUE, ms=8, label="vehicle"),
+        *ax.plot(*z, "D", color=GREEN, ms=8, mfc="none", mew=1.8, label="prediction"),
+    ]

@@ -1,6 +1,10 @@
-"""Pictures of any diagram's run, port by port, and of several runs in one figure."""
+"""Plots of any diagram's run, port by port, and of several runs in one figure.
+
+`compare` draws runs of scenarios or of diagrams on the same Axes, each in a colour and marker.
+"""
 
 from collections.abc import Callable, Mapping
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,13 +14,13 @@ from ..base.errors import ClptError, DataError
 from ..base.figures import COLOURS, axes_for, line_style, literal
 from .dataset_template import INDEX
 from .run_plots import clpe_plot, learning_plot, run_plot
-from .track_chart import told_apart, track_plot
+from .track_chart import run_style, track_plot
 
 if TYPE_CHECKING:
     import xarray
 
-PORTS = 16  # of a picture of any diagram
-MOST_NAMED = 6  # signals of a port in a legend
+MAX_PORTS = 16  # of a figure
+MAX_LABELS = 6  # signals of a port in a legend
 STATES = "states"
 
 
@@ -64,25 +68,31 @@ def response_plot(
         raise DataError(
             "the run is of one time, over which nothing is drawn; cut it by a slice"
         )
-    if not 0 < len(ports) <= PORTS:
+    if not 0 < len(ports) <= MAX_PORTS:
         raise DataError(
-            f"the run has {len(ports)} signals along time; one picture shows 1 to {PORTS}: choose "
-            f"some, as run[{ports[:2]}]"
+            f"the run has {len(ports)} signals along time; one picture shows 1 to {MAX_PORTS}: "
+            f"choose some, as run[{ports[:2]}]"
         )
     axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
-    with told_apart(axes, None if label is None else literal(label), color):
-        for one, port in zip(np.ravel(axes), ports, strict=True):
-            signals = signals_of(run[port])
-            for k, (name, column) in enumerate(signals.items()):
-                said = literal(name) if len(signals) <= MOST_NAMED else None
-                one.plot(
-                    run.time.values, column, label=said, linewidth=1.1, **line_style(k)
-                )
-            one.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
-            if 1 < len(signals) <= MOST_NAMED:
-                one.legend(frameon=False, fontsize=8, loc="upper right", ncols=6)
-    one.set_xlabel(literal(named("time", run.time.attrs.get("units"))))
+    panels = np.ravel(axes)
+    with run_style(axes, None if label is None else literal(label), color):
+        for panel, port in zip(panels, ports, strict=True):
+            _draw_port(panel, run, port)
+    panels[-1].set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
+
+
+def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
+    """Draw the signals of a port over time."""
+    time = run.time.values
+    signals = signals_of(run[port])
+    is_labelled = len(signals) <= MAX_LABELS
+    for k, (name, values) in enumerate(signals.items()):
+        label = literal(name) if is_labelled else None
+        ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
+    ax.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
+    if len(signals) > 1 and is_labelled:
+        ax.legend(frameon=False, fontsize=8, loc="upper right", ncols=MAX_LABELS)
 
 
 @public
@@ -130,42 +140,39 @@ def compare(
     ['0.8: $e_1$', '0.8: $e_2$', '0.2: $e_1$', '0.2: $e_2$']
     """
     check_runs(runs)
-    own_figure = ax is None
+    is_new_figure = ax is None
     if plot is None:
         of_scenarios = all("scenario" in run.attrs for run in runs.values())
         plot = "run" if of_scenarios else "response"
     if plot not in COMPARED:
         raise ClptError(f"plot = {plot!r:.40}: must be one of {', '.join(COMPARED)}")
-    if (
-        plot == "response"
-        and len({tuple(ports_along(run)) for run in runs.values()}) > 1
-    ):
-        some = next(map(ports_along, runs.values()))[:1]
+    signals = [ports_along(run) for run in runs.values()]
+    if plot == "response" and any(ports != signals[0] for ports in signals):
         raise DataError(
-            f"not all runs have the same signals: choose some, as run[{some}]"
+            f"not all runs have the same signals: choose some, as run[{signals[0][:1]}]"
         )
     for colour, (name, run) in zip(COLOURS, runs.items(), strict=False):
         ax = COMPARED[plot](run, ax=ax, label=str(name), color=colour, **options)
-    if own_figure:  # the legends stand beside
+    if is_new_figure:  # room for the legends
         figure = np.ravel(ax)[0].figure
         figure.set_figwidth(1.5 * figure.get_figwidth())
     return ax
 
 
 def check_runs(runs: "Mapping[str, xarray.Dataset]") -> None:
-    """Refuse more runs than colours tell, and runs in several units."""
+    """Raise `DataError` for more runs than colours, and for runs in several units."""
     if not 0 < len(runs) <= len(COLOURS):
         raise DataError(
             f"compare: {len(runs)} runs; must be 1 to {len(COLOURS)} runs by name, "
             "{'0.8': a, '2': b}"
         )
-    units: dict[str, str] = {}  # of each variable, where a run says it
+    units: dict[Any, str] = {}  # of each variable that has a unit
     for run in runs.values():
-        for key, one in run.variables.items():
-            unit = str(one.attrs.get("units", ""))
-            if unit and units.setdefault(str(key), unit) != unit:
+        for name, variable in run.variables.items():
+            unit = str(variable.attrs.get("units", ""))
+            if unit and units.setdefault(name, unit) != unit:
                 raise DataError(
-                    f"not all runs have {key} in one unit: {units[str(key)]}, {unit}"
+                    f"not all runs have {name} in one unit: {units[name]}, {unit}"
                 )
 
 
@@ -179,39 +186,38 @@ COMPARED: dict[str, Callable[..., Any]] = {
 
 
 def ports_along(run: "xarray.Dataset") -> list[str]:
-    """Return the names of the ports along time; states are none."""
+    """Return the names of the ports along time, without the states."""
     return [
-        str(n) for n, one in run.data_vars.items() if "time" in one.dims and n != STATES
+        str(name)
+        for name, variable in run.data_vars.items()
+        if "time" in variable.dims and name != STATES
     ]
 
 
 def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
     """Return the signals of a port along time, by name: ``e``, ``e[0]``, ``position axis 1``."""
     name = str(port.name)
-    index = f"{name.rstrip('_')}_{INDEX}"
-    dims = sorted(
-        (str(d) for d in port.dims if d != "time"), key=lambda d: d.rstrip("_") != index
-    )
-    whole = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1)
+    index_dim = f"{name.rstrip('_')}_{INDEX}"
+    dims = [str(dim) for dim in port.dims if dim != "time"]
+    dims.sort(key=lambda dim: dim.rstrip("_") != index_dim)  # the index first
+    columns = port.transpose("time", *dims).values.reshape(port.sizes["time"], -1).T
+    coordinates = product(*(port[dim].values for dim in dims))
     signals = {}
-    for k, at in enumerate(np.ndindex(*(port.sizes[dim] for dim in dims))):
-        words = []
-        for dim, i in zip(dims, at, strict=True):
-            value = port[dim].values[i]
-            if dim.rstrip("_") == index:
-                words.append(f"[{value}]")
-            elif isinstance(value, tuple):
-                # of a member, of which each varied name has one
+    for column, values in zip(columns, coordinates, strict=True):
+        label = name
+        for dim, value in zip(dims, values, strict=True):
+            if dim.rstrip("_") == index_dim:
+                label += f"[{value}]"
+            elif isinstance(value, tuple):  # a member, with a value of each varied name
                 names = port.indexes[dim].names
-                words += [
-                    f" {name} {one}" for name, one in zip(names, value, strict=True)
-                ]
+                pairs = zip(names, value, strict=True)
+                label += "".join(f" {key} {number}" for key, number in pairs)
             else:
-                words.append(f" {dim} {value}")
-        signals[name + "".join(words)] = whole[:, k]
+                label += f" {dim} {value}"
+        signals[label] = column
     return signals
 
 
 def named(name: str, units: str | None) -> str:
-    """Return a name with its unit, where there is one."""
+    """Return a name with its unit, if it has one."""
     return f"{name} ({units})" if units else name

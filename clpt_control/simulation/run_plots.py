@@ -1,7 +1,4 @@
-"""Pictures of a scenario's run over time: CLPE, flow parameters and gains, all in one figure.
-
-Each returns the Axes that it drew on; nothing here integrates.
-"""
+"""Plots of a scenario's run over time: CLPE, flow parameters and gains, or all in one figure."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -10,14 +7,17 @@ import numpy as np
 from ..base.arguments import public
 from ..base.errors import ClptError
 from ..base.figures import BLUE, GREY, TITLE, axes_for, line_style
+from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
-from .track_chart import positive, scenario_with, told_apart, track_plot
+from .track_chart import positive, run_style, scenario_with, track_plot
 
 if TYPE_CHECKING:
     import xarray
 
 DIRECTIONS = "east", "north"  # of x1 and x2
-MANY = 100  # samples an interval, for its mean square
+GAINS = {"feedback": "K", "feedforward": r"\Gamma"}
+MANY = 100  # samples of an interval, for its mean square
+MAX_FUNCTIONS = 6  # basis functions in a legend
 OVERVIEW = [
     ["track", "clpe"],
     ["track", "size"],
@@ -67,58 +67,60 @@ def clpe_plot(
     scenario = scenario_with(run, "clpe")
     axes = axes_for(ax, 6.4, 5.4, nrows=2)
     top, bottom = axes
-    units, count = scenario.units, len(waypoints_of(run, scenario))
-    dwell, cycle = scenario.reference.dwell, scenario.cycle
-    time, e = run.time.values, run.clpe.values
-    early = time <= (2 * cycle if count else np.inf)
-    with told_apart(axes, label, color):
+    units = scenario.units
+    cycle = scenario.cycle
+    has_waypoints = len(waypoints_of(run, scenario)) > 0
+    time = run.time.values
+    e = run.clpe.values
+    early = time <= (2 * cycle if has_waypoints else np.inf)
+    with run_style(axes, label, color):
+        # components over the first cycles
         for i in range(2):
-            top.plot(
-                time[early], e[early, i], label=f"$e_{i + 1}$", lw=1.1, **line_style(i)
-            )
-        top.set(
-            ylabel=f"CLPE ({units.length})",
-            xlim=(0, max(time[early], default=2 * cycle)),
-        )
+            name = f"$e_{i + 1}$"
+            top.plot(time[early], e[early, i], label=name, lw=1.1, **line_style(i))
+        top.set_ylabel(f"CLPE ({units.length})")
+        top.set_xlim(0, max(time[early], default=2 * cycle))
         top.set_title("CLPE", **TITLE)
+
+        # size over the whole run
         size = np.hypot(*e.T)
-        shade: dict[str, Any] = {
-            "color": BLUE,
-            "linewidth": 0.5,
-            "alpha": 0.5 if count else 1,
-        }
-        bottom.semilogy(time, positive(size), label="|e|", **shade)
-        if count:
-            number = np.floor(time / dwell + 1e-9).astype(int)
-            counts = np.bincount(number)
-            rms = np.sqrt(
-                np.bincount(number, size**2) / np.where(counts > 0, counts, np.nan)
-            )
-            # the pictures of a long run have fewer samples
-            few = len(size) < MANY * len(counts)
-            name = f"rms of each {dwell:g} {units.time}{', of the samples shown' * few}"
-            steps = dwell * np.arange(len(counts))
-            bottom.step(
-                steps,
-                positive(rms),
-                where="post",
-                color="black",
-                linewidth=1.2,
-                label=name,
-            )
+        alpha = 0.5 if has_waypoints else 1
+        bottom.semilogy(
+            time, positive(size), color=BLUE, linewidth=0.5, alpha=alpha, label="|e|"
+        )
+        if has_waypoints:
+            _draw_rms(bottom, time, size, scenario)
         bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
         bottom.set_xlim(0, time[-1])
-        for one in axes:
-            one.legend(frameon=False, fontsize=8)
-    if count and not (top.child_axes or bottom.child_axes):
-        for one in axes:
-            above = one.secondary_xaxis(
-                "top", functions=(lambda t: t / cycle, lambda n: n * cycle)
-            )
-            above.locator_params(axis="x", integer=True)
-            above.tick_params(labelsize=7, colors=GREY)
-        top.child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
+        for panel in axes:
+            panel.legend(frameon=False, fontsize=8)
+    if has_waypoints and not (top.child_axes or bottom.child_axes):
+        _draw_cycles(axes, cycle)
     return axes
+
+
+def _draw_rms(ax: Any, time: np.ndarray, size: np.ndarray, scenario: Scenario) -> None:
+    """Draw the rms of |e| over the time at each waypoint."""
+    dwell = scenario.reference.dwell
+    interval = np.floor(time / dwell + 1e-9).astype(int)
+    counts = np.bincount(interval)
+    sums = np.bincount(interval, size**2)
+    rms = np.sqrt(sums / np.where(counts > 0, counts, np.nan))
+    label = f"rms of each {dwell:g} {scenario.units.time}"
+    if len(size) < MANY * len(counts):  # a figure of a long run has fewer samples
+        label += ", of the samples shown"
+    starts = dwell * np.arange(len(counts))
+    ax.step(starts, positive(rms), "black", where="post", linewidth=1.2, label=label)
+
+
+def _draw_cycles(axes: Any, cycle: float) -> None:
+    """Draw an axis of cycles above each of some Axes."""
+    functions = (lambda t: t / cycle, lambda n: n * cycle)
+    for ax in axes:
+        above = ax.secondary_xaxis("top", functions=functions)
+        above.locator_params(axis="x", integer=True)
+        above.tick_params(labelsize=7, colors=GREY)
+    axes[0].child_axes[0].set_xlabel("cycles", fontsize=7, color=GREY, loc="right")
 
 
 @public
@@ -167,49 +169,77 @@ def learning_plot(
     names = "flow_parameters_estimate", "feedback_gain", "feedforward_gain"
     scenario = scenario_with(run, *names)
     axes = axes_for(ax, 6.4, 5.4, nrows=2, sharex=True)
-    top, bottom = axes
-    time, i, units = run.time.values, axis - 1, scenario.units
-    estimate = run.flow_parameters_estimate.values[:, i]
-    few = estimate.shape[1] <= 6
-    theta = run.flow_parameters.values if "flow_parameters" in run else None
-    row, estimated = scenario.learning.row, "estimate = $-\\alpha$"
-    if row.alpha_is_constant:
-        estimated = "given estimate" if row.given_estimate else "estimate of the filter"
-    gains_known = "vehicle_controller" not in unknown_parts(run)
-    with told_apart(axes, label, color):
-        for k, column in enumerate(estimate.T):
-            line, symbol = line_style(k), rf"$\hat\theta_{axis}^{{{k + 1}}}$"
-            name = symbol if few else "estimates" if k == 0 else None
-            top.plot(time, column, linewidth=1.2 if few else 0.6, label=name, **line)
-            if theta is not None:
-                top.axhline(theta[i][k], color=line["color"], linewidth=0.7, alpha=0.7)
-        truth = ", true values thin" if theta is not None else ""
-        top.set_title(f"Flow to the {DIRECTIONS[i]}, {estimated}{truth}", **TITLE)
-        top.set_ylabel(f"flow parameter ({units.length}/{units.time})")
-        for k, (gain, symbol) in enumerate(
-            (("feedback", "K"), ("feedforward", r"\Gamma"))
-        ):
-            line, known = line_style(k), getattr(scenario.vehicle, gain)
-            values = run[f"{gain}_gain"].values[:, i]
-            bottom.plot(time, values, label=f"${symbol}_{axis}$", linewidth=1.2, **line)
-            if gains_known:
-                bottom.axhline(known[i], color=line["color"], linewidth=0.7, alpha=0.7)
-        bottom.set_title(f"Gains{', true values thin' if gains_known else ''}", **TITLE)
-        bottom.set(xlabel=f"time ({units.time})", ylabel=f"gain (1/{units.time})")
-        cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
-        for one in axes:
-            one.set_xlim(time[0], end := time[-1])
-            one.legend(frameon=False, fontsize=9, ncols=3)
-            if end > 2 * cycle:
-                one.set_xscale("symlog", linthresh=cycle)
-                ticks = [cycle * k / 4 for k in range(4)] + [
-                    cycle * 2**k for k in range(5)
-                ]
-                ticks = [t for t in ticks if t <= end]
-                one.set_xticks(ticks, [f"{t:g}" for t in ticks])
-                one.minorticks_off()
-                bottom.set_xlabel(f"time ({units.time}), logarithmic after one cycle")
+    with run_style(axes, label, color):
+        _draw_estimates(axes[0], run, scenario, axis)
+        _draw_gains(axes[1], run, scenario, axis)
+        for panel in axes:
+            panel.legend(frameon=False, fontsize=9, ncols=3)
+        _set_learning_time(axes, run, scenario)
     return axes
+
+
+def _draw_estimates(
+    ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int
+) -> None:
+    """Draw the estimates of one axis' flow parameters, and the true values."""
+    i = axis - 1
+    estimates = run.flow_parameters_estimate.values[:, i].T
+    is_few = len(estimates) <= MAX_FUNCTIONS
+    for k, estimate in enumerate(estimates):
+        label = rf"$\hat\theta_{axis}^{{{k + 1}}}$"
+        if not is_few:
+            label = "_" if k else "estimates"
+        linewidth = 1.2 if is_few else 0.6
+        style = line_style(k)
+        ax.plot(run.time.values, estimate, linewidth=linewidth, label=label, **style)
+        if "flow_parameters" in run:
+            _draw_truth(ax, run.flow_parameters.values[i][k], style)
+    row = scenario.learning.row
+    source = "estimate = $-\\alpha$"
+    if row.alpha_is_constant:
+        source = "given estimate" if row.given_estimate else "estimate of the filter"
+    truth = ", true values thin" if "flow_parameters" in run else ""
+    ax.set_title(f"Flow to the {DIRECTIONS[i]}, {source}{truth}", **TITLE)
+    units = scenario.units
+    ax.set_ylabel(f"flow parameter ({units.length}/{units.time})")
+
+
+def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -> None:
+    """Draw the gains of one axis, and the true values."""
+    i = axis - 1
+    has_truth = "vehicle_controller" not in unknown_parts(run)
+    for k, (name, symbol) in enumerate(GAINS.items()):
+        style = line_style(k)
+        gain = run[f"{name}_gain"].values[:, i]
+        label = f"${symbol}_{axis}$"
+        ax.plot(run.time.values, gain, label=label, linewidth=1.2, **style)
+        if has_truth:
+            _draw_truth(ax, getattr(scenario.vehicle, name)[i], style)
+    ax.set_title(f"Gains{', true values thin' if has_truth else ''}", **TITLE)
+    ax.set_ylabel(f"gain (1/{scenario.units.time})")
+
+
+def _draw_truth(ax: Any, value: float, style: dict[str, Any]) -> None:
+    ax.axhline(value, color=style["color"], linewidth=0.7, alpha=0.7)
+
+
+def _set_learning_time(axes: Any, run: "xarray.Dataset", scenario: Scenario) -> None:
+    """Set the time axes, logarithmic after one cycle if the run is longer than two."""
+    time = run.time.values
+    label = f"time ({scenario.units.time})"
+    cycle = scenario.cycle if len(waypoints_of(run, scenario)) else np.inf
+    for ax in axes:
+        ax.set_xlim(time[0], time[-1])
+        if time[-1] > 2 * cycle:
+            ax.set_xscale("symlog", linthresh=cycle)
+            linear = [cycle * k / 4 for k in range(4)]
+            ticks = linear + [cycle * 2**k for k in range(5)]
+            ticks = [t for t in ticks if t <= time[-1]]
+            ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
+            ax.minorticks_off()
+    if time[-1] > 2 * cycle:
+        label += ", logarithmic after one cycle"
+    axes[-1].set_xlabel(label)
 
 
 @public

@@ -1,4 +1,4 @@
-"""The picture of a team's run: who swam where, and what they learned together."""
+"""Plot of a team's run, its tracks and errors, and the figure files of any run."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,8 +17,8 @@ from .track_chart import (
     draw_first_flow,
     draw_track,
     positive,
+    run_style,
     square_chart,
-    told_apart,
     track_plot,
 )
 
@@ -53,8 +53,8 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> one = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> team = clpt.Team(members={"a": one, "b": one}, coupling=0.5)
+    >>> paper = clpt.paper_scenario().with_values({"run.duration": 20})
+    >>> team = clpt.Team(members={"a": paper, "b": paper}, coupling=0.5)
     >>> tracks, clpe, errors = team_plot(clpt.simulate(team))
     """
     team = team_of_run(run)
@@ -62,49 +62,44 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
     chart, top, bottom = axes
     units, time = team.first.units, run.time.values
-    points = [one.waypoints for one in team.members.values()]
-    places = np.concatenate([*points, run.position.values.reshape(-1, 2)])
-    draw_first_flow(chart, run, team.first, square_chart(chart, team.first, places, 18))
-    known = "flow_parameters" in run
-    wrong = run.flow_parameters_estimate - (run.flow_parameters if known else 0.0)
-    errors = abs(wrong).max(("axis", "basis"))
-    apart = (
-        (run.alpha.max("vehicle") - run.alpha.min("vehicle"))
-        .max(("axis", "basis"))
-        .values
-    )
-    bottom.semilogy(time, positive(apart), ":", color=GREY, label="disagreement")
+    waypoints = [scenario.waypoints for scenario in team.members.values()]
+    points = np.concatenate([*waypoints, run.position.values.reshape(-1, 2)])
+    draw_first_flow(chart, run, team.first, square_chart(chart, team.first, points, 18))
+    has_truth = "flow_parameters" in run
+    errors = run.flow_parameters_estimate
+    if has_truth:
+        errors = errors - run.flow_parameters
+    errors = abs(errors).max(("axis", "basis"))
+    disagreement = run.alpha.max("vehicle") - run.alpha.min("vehicle")
+    disagreement = disagreement.max(("axis", "basis")).values
+    bottom.semilogy(time, positive(disagreement), ":", color=GREY, label="disagreement")
     for k, name in enumerate(team.members):
-        own = run.sel(vehicle=name)
-        with told_apart(axes, name, COLOURS[k % len(COLOURS)]):
-            draw_track(chart, own, points[k])
-            top.semilogy(
-                time, positive(np.hypot(*own.clpe.values.T)), label="|e|", linewidth=0.7
-            )
-            bottom.semilogy(
-                time,
-                positive(errors.sel(vehicle=name).values),
-                label="error" if known else "parameter",
-            )
+        vehicle_run = run.sel(vehicle=name)
+        e = np.hypot(*vehicle_run.clpe.values.T)
+        error = errors.sel(vehicle=name).values
+        with run_style(axes, name, COLOURS[k % len(COLOURS)]):
+            draw_track(chart, vehicle_run, waypoints[k])
+            top.semilogy(time, positive(e), label="|e|", linewidth=0.7)
+            label = "error" if has_truth else "parameter"
+            bottom.semilogy(time, positive(error), label=label)
     chart.set_title("Waypoints, tracks, flow at t = 0", **TITLE)
-    top.set(ylabel=f"|CLPE| ({units.length})")
+    top.set_ylabel(f"|CLPE| ({units.length})")
     top.set_title("Prediction errors", **TITLE)
-    bottom.set(
-        xlabel=f"time ({units.time})", ylabel=f"size ({units.length}/{units.time})"
-    )
-    learned = "error of a flow parameter" if known else "flow parameter"
-    bottom.set_title(f"Largest {learned} of each vehicle", **TITLE)
-    for ax in (top, bottom):
-        ax.set_xlim(time[0], time[-1])
+    bottom.set_xlabel(f"time ({units.time})")
+    bottom.set_ylabel(f"size ({units.length}/{units.time})")
+    quantity = "error of a flow parameter" if has_truth else "flow parameter"
+    bottom.set_title(f"Largest {quantity} of each vehicle", **TITLE)
+    for panel in (top, bottom):
+        panel.set_xlim(time[0], time[-1])
     return axes
 
 
 def run_figures(
     run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
 ) -> dict[Path, Any]:
-    """Return the figures of a run by file: figure1.png to figure4.png, or team.png, response.png.
+    """Return the figures of a run by file: figure1.png to figure4.png, team.png or response.png.
 
-    They are track, CLPE and learning of both axes; of a diagram each port over time.
+    Figures 1 to 4 are the track, CLPE, and the learning of both axes.
     """
     plots: dict[str, Any] = {
         "figure1": (track_plot,),
@@ -112,14 +107,12 @@ def run_figures(
         "figure3": (learning_plot, 1),
         "figure4": (learning_plot, 2),
     }
-    if "scenario" not in run.attrs:
-        plots = (
-            {"team": (team_plot,)}
-            if TEAM in run.attrs
-            else {"response": (response_plot,)}
-        )
-    results: dict[Path, Any] = {}
+    if TEAM in run.attrs:
+        plots = {"team": (team_plot,)}
+    elif "scenario" not in run.attrs:
+        plots = {"response": (response_plot,)}
+    figures: dict[Path, Any] = {}
     for name, (plot, *axis) in plots.items():
         figure = figure_of(plot, run, *axis)
-        results |= {folder / f"{name}.{kind}": figure for kind in kinds}
-    return results
+        figures |= {folder / f"{name}.{kind}": figure for kind in kinds}
+    return figures

@@ -1,7 +1,4 @@
-"""The chart of a run: waypoints, track and flow on the plane; what all its pictures share.
-
-Nothing here integrates.
-"""
+"""Chart of a run on the plane: waypoints, track and flow; helpers of all plots of runs."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,7 +17,9 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-LEAST = 1e-16  # shown of what falls to zero, on a logarithmic axis
+LEAST = 1e-16  # smallest value on a logarithmic axis
+MAX_NUMBERED = 40  # waypoints with a number
+MARKERS = dict(zip(COLOURS, ("", *"osD^v"), strict=True))
 
 
 def scenario_with(run: "xarray.Dataset", *names: str) -> Scenario:
@@ -69,106 +68,107 @@ def track_plot(
     >>> ax = track_plot(clpt.simulate(scenario))
     """
     scenario = scenario_with(run, "position")
-    points, path = waypoints_of(run, scenario), run.position.values
+    waypoints = waypoints_of(run, scenario)
+    track = run.position.values
     ax = axes_for(ax, 5.6, 5.2)
-    with told_apart(ax, label, color):
-        grid = square_chart(ax, scenario, np.concatenate([points, path]), 13)
-        draw_track(ax, run, points, scenario.cycle if len(points) else np.inf)
-        named = ["Waypoints", "track"] if len(points) else ["Track"]
+    with run_style(ax, label, color):
+        grid = square_chart(ax, scenario, np.concatenate([waypoints, track]), 13)
+        draw_track(ax, run, waypoints, scenario.cycle if len(waypoints) else np.inf)
+        title = ["Waypoints", "track"] if len(waypoints) else ["Track"]
         if label is None:
-            for k, point in enumerate(points if len(points) <= 40 else (), 1):
-                ax.annotate(
-                    str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8
-                )
-            ax.plot(*path[0], "s", color="black", markersize=5, label="start")
-            named += ["flow at t = 0"] * draw_first_flow(ax, run, scenario, grid)
-        ax.set_title(", ".join(named), **TITLE)
+            if len(waypoints) <= MAX_NUMBERED:
+                _number(ax, waypoints)
+            ax.plot(*track[0], "s", color="black", markersize=5, label="start")
+            if draw_first_flow(ax, run, scenario, grid):
+                title.append("flow at t = 0")
+        ax.set_title(", ".join(title), **TITLE)
         legend_below(ax, 4)
     return ax
 
 
+def _number(ax: Any, points: np.ndarray) -> None:
+    for k, point in enumerate(points, 1):
+        ax.annotate(
+            str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8
+        )
+
+
 def draw_track(
-    ax: Any, run: "xarray.Dataset", points: np.ndarray, cycle: float = np.inf
+    ax: Any, run: "xarray.Dataset", waypoints: np.ndarray, cycle: float = np.inf
 ) -> None:
-    """Draw a track, pale after its first cycle, and waypoints or what the vehicle followed."""
-    path, first = run.position.values, run.time.values <= cycle
-    ax.plot(*path[first].T, color=BLUE, linewidth=1.2, label="track")
-    if not first.all():
-        ax.plot(
-            *path[~first].T, color=BLUE, linewidth=0.5, alpha=0.4, label="later cycles"
-        )
+    """Draw a track, pale after its first cycle, and waypoints or the desired positions."""
+    track = run.position.values
+    early = run.time.values <= cycle
+    late = ~early
+    ax.plot(*track[early].T, color=BLUE, linewidth=1.2, label="track")
+    if late.any():
+        ax.plot(*track[late].T, color=BLUE, lw=0.5, alpha=0.4, label="later cycles")
     if "predicted_position" in run:
-        predicted: dict[str, Any] = {"color": BLUE, "linewidth": 0.8, "linestyle": "--"}
-        ax.plot(
-            *run.predicted_position.values[first].T, label="prediction", **predicted
-        )
-    if len(points):
-        rings: dict[str, Any] = {
-            "markersize": 6,
-            "mfc": "none",
-            "mew": 1.5,
-            "zorder": 3,
-        }
-        ax.plot(*points.T, "o", color=RED, label="waypoints", **rings)
+        predicted = run.predicted_position.values[early]
+        ax.plot(*predicted.T, "--", color=BLUE, linewidth=0.8, label="prediction")
+    if len(waypoints):
+        rings = ax.plot(*waypoints.T, "o", color=RED, label="waypoints", zorder=3)
+        rings[0].set(markersize=6, mfc="none", mew=1.5)
     elif "reference" in run:
-        desired: dict[str, Any] = {"color": RED, "linewidth": 0.9, "linestyle": "--"}
-        ax.plot(*run.reference.values.T, label="desired position", **desired)
+        desired = run.reference.values
+        ax.plot(*desired.T, "--", color=RED, linewidth=0.9, label="desired position")
 
 
 def draw_first_flow(
-    ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: Any
+    ax: Any, run: "xarray.Dataset", scenario: Scenario, grid: np.ndarray
 ) -> bool:
-    """Draw the flow at the start; return whether there is any."""
+    """Draw the flow at the start, and return True, unless the flow is zero."""
     from .flows import flow_to_draw
 
     flow = flow_to_draw(run, scenario, grid, 0.0)
-    size = float(f"{np.hypot(*flow.T).max():.1g}")
-    if size > 0:  # where all is at rest there are no arrows
+    speed = float(f"{np.hypot(*flow.T).max():.1g}")
+    if speed > 0:
         arrows = ax.quiver(*grid.T, *flow.T, color=GREY, alpha=0.6, width=0.0035)
-        key = f"{size:g} {scenario.units.length}/{scenario.units.time}"
-        ax.quiverkey(arrows, 0.88, 1.02, size, key, labelpos="E")
-    return size > 0
+        key = f"{speed:g} {scenario.units.length}/{scenario.units.time}"
+        ax.quiverkey(arrows, 0.88, 1.02, speed, key, labelpos="E")
+    return speed > 0
 
 
 def square_chart(
-    ax: Any, scenario: Scenario, places: np.ndarray, count: int
+    ax: Any, scenario: Scenario, points: np.ndarray, count: int
 ) -> np.ndarray:
-    """Make axes a square about places; return where arrows of the flow begin, `count` a side.
+    """Make axes a square around points; return a grid of `count` flow arrows on a side.
 
-    They lie within the field of a measured current.
+    The grid is inside the field of a measured current.
     """
     unit = scenario.units.length
-    low, high = places.min(0), places.max(0)
-    middle, half = (low + high) / 2, 0.62 * (max(high - low) or 1.0)
-    low, high = middle - half, middle + half
-    ax.set(
-        xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})", aspect="equal"
-    )
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    low = points.min(0)
+    high = points.max(0)
+    centre = (low + high) / 2
+    margin = 0.62 * (max(high - low) or 1.0)
+    low = centre - margin
+    high = centre + margin
+    ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})")
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     if scenario.field_path is not None:
         from ..ocean.currents.plane import read_field
 
         field = read_field(scenario.field_path, scenario.units)
-        first, last = ([x[k] for x in (field.x1, field.x2)] for k in (0, -1))
-        within = np.clip([low, high], first, last)
-        if np.all(within[0] < within[1]):  # a clipped run may be beyond it all the time
-            low, high = within
+        field_low = [field.x1[0], field.x2[0]]
+        field_high = [field.x1[-1], field.x2[-1]]
+        inner = np.clip([low, high], field_low, field_high)
+        if np.all(inner[0] < inner[1]):  # the chart may be outside of the field
+            low, high = inner
     step = max(high - low) / count
-    sides = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
-    return np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
+    axes = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
+    return np.stack(np.meshgrid(*axes), -1).reshape(-1, 2)
 
 
 def positive(values: np.ndarray) -> np.ndarray:
-    """Return what a logarithmic axis can show."""
+    """Return values for a logarithmic axis: NaN if not positive."""
     return np.where(values > LEAST, values, np.nan)
 
 
 @contextmanager
-def told_apart(axes: Any, label: str | None, color: str | None) -> Iterator[None]:
-    """Draw a run on axes: in its colour and marks, if it has one, its label before those of lines.
+def run_style(axes: Any, label: str | None, color: str | None) -> Iterator[None]:
+    """Style the lines of one of several runs: its colour and marker, its label in the legend.
 
-    Axes on which there are several runs reach over all of them, and have their legend beside them,
-    where it hides no line.
+    Axes of several runs have limits that contain all runs, and a legend next to them.
     """
     from matplotlib.colors import is_color_like
 
@@ -176,24 +176,40 @@ def told_apart(axes: Any, label: str | None, color: str | None) -> Iterator[None
         raise ClptError(
             f"color = {color!r:.60}: must be a colour of matplotlib, 'C1' or '#0072b2'"
         )
-    # tell runs apart in black and white
-    marks = dict(zip(COLOURS, ("", *"osD^v"), strict=True))
-    several = np.ravel(np.asarray(axes, dtype=object))
-    before = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in several]
+    axes = np.ravel(np.asarray(axes, dtype=object))
+    states = [(len(ax.lines), ax.get_xlim(), ax.get_ylim()) for ax in axes]
     yield
-    for ax, (count, x, y) in zip(several, before, strict=True):
+    for ax, (count, xlim, ylim) in zip(axes, states, strict=True):
         for line in ax.lines[count:]:
-            named = line.get_label()[0] != "_"
-            if color is not None:
-                line.set_color(color)
-            if color in marks and named and line.get_marker() in ("", "None"):
-                line.set(marker=marks[color], markersize=3.5, markevery=0.3)
-            if label is not None and named:
-                line.set_label(f"{label}: {line.get_label()}")
-        if label is not None and count and not ax.get_autoscalex_on():
-            ax.set_xlim(min(x[0], ax.get_xlim()[0]), max(x[1], ax.get_xlim()[1]))
-        if label is not None and count and not ax.get_autoscaley_on():
-            ax.set_ylim(min(y[0], ax.get_ylim()[0]), max(y[1], ax.get_ylim()[1]))
-        if label is not None and (lines := len(ax.get_legend_handles_labels()[0])):
-            place = {"loc": "upper left", "bbox_to_anchor": (1, 1.05), "frameon": False}
-            ax.legend(fontsize=7, ncols=1 + (lines - 1) // 6, **place)
+            _style_line(line, label, color)
+        if label is None:
+            continue
+        if count and not ax.get_autoscalex_on():
+            ax.set_xlim(_hull(xlim, ax.get_xlim()))
+        if count and not ax.get_autoscaley_on():
+            ax.set_ylim(_hull(ylim, ax.get_ylim()))
+        if lines := len(ax.get_legend_handles_labels()[0]):
+            ax.legend(
+                fontsize=7,
+                ncols=1 + (lines - 1) // 6,
+                loc="upper left",
+                bbox_to_anchor=(1, 1.05),
+                frameon=False,
+            )
+
+
+def _style_line(line: Any, label: str | None, color: str | None) -> None:
+    has_label = line.get_label()[0] != "_"
+    if color is not None:
+        line.set_color(color)
+        # markers distinguish runs in black and white
+        marker = MARKERS.get(color)
+        if marker is not None and has_label and line.get_marker() in ("", "None"):
+            line.set(marker=marker, markersize=3.5, markevery=0.3)
+    if label is not None and has_label:
+        line.set_label(f"{label}: {line.get_label()}")
+
+
+def _hull(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
+    """Return the smallest interval that contains two intervals."""
+    return min(a[0], b[0]), max(a[1], b[1])
