@@ -1,8 +1,8 @@
-"""A diagram as one file of C99, for a board or another simulator.
+"""C99 source of a diagram in one file, for a microcontroller or another simulator.
 
-What runs here as machine code is printed as C (`c_text`): outputs, rates or the next state,
-a step of Runge and Kutta's method of order 4 or of the diagram's own time, and what sampled parts
-do between two steps.  Nothing is allocated, and of the C library only math.h is used.
+The record of the diagram is printed as C (`c_text`): outputs, derivatives or the next state, a step
+of the classical Runge-Kutta method of order 4 or of the diagram's own time, and updates of sampled
+blocks between two steps.  The code allocates nothing and needs only math.h of the C library.
 """
 
 import re
@@ -29,17 +29,11 @@ from .diagram_runs import DiagramRun, compiled
 from .initial_states import stacked_state
 from .integrate import as_diagram
 
-FIXED = " fixed"
-LONGEST = 60  # letters of a name in C, of which 63 count
-# of a period, by which a time may be off a sample; in a step, half of it
-ROUNDING = "1e-6"
-PARTS = (
-    (resources.files("clpt_control.data") / "diagram.c")
-    .read_text("utf-8")
-    .split("//\n")
-)
-# and ends of a step of each kind
-FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, PARTS)
+FIXED = " fixed"  # suffix of a parameter that must not change
+MAX_NAME = 60  # characters of a name; C distinguishes 63
+ROUNDING = "1e-6"  # tolerance of sample times, relative to a period
+TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8")
+FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, TEMPLATES.split("//\n"))
 
 
 @public
@@ -89,221 +83,243 @@ def export_c(
 
 
 def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
-    """Return a diagram's C; one that has none is an error."""
-    system, known = as_diagram(system)
-    own = known.get("initial_state", 0.0) if initial_state is None else initial_state
+    """Return the C file of a diagram, or raise `DiagramError`."""
+    system, own_arguments = as_diagram(system)
+    if initial_state is None:
+        initial_state = own_arguments.get("initial_state")
     try:
         run = compiled(system, params)
-        start = stacked_state("initial_state", own, run.runner.nstates)
-        numbers = {f"params: {name}": value for name, value in (params or {}).items()}
-        for node, given in zip(
-            run.wiring.nodes, run.runner.sweep.parameters, strict=True
-        ):
-            for (
-                name,
-                value,
-            ) in given._asdict().items():  # which may have no limit, an infinite one
-                numbers[f"{node.name}.{name}"] = np.where(np.isinf(value), 0.0, value)
-        for name, value in {**numbers, "initial_state": start}.items():
-            if (one := np.asarray(value)).dtype.kind == "f" and not np.isfinite(
-                one
-            ).all():
-                raise DiagramError(
-                    f"{name} = {value}: must be finite, to be written as C"
-                )
+        start = stacked_state("initial_state", initial_state, run.runner.nstates)
+        _check_finite(run, start, params or {})
         return CFile(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: has no C: {error}") from None
 
 
+def _check_finite(
+    run: DiagramRun, start: np.ndarray, params: Mapping[str, Any]
+) -> None:
+    """Raise `DiagramError` for a number that is not finite; a limit may be infinite."""
+    values = {f"params: {name}": value for name, value in params.items()}
+    for block, parameters in run.parameters.items():
+        for name, value in parameters._asdict().items():
+            values[f"{block}.{name}"] = np.where(np.isinf(value), 0.0, value)
+    values["initial_state"] = start
+    for name, value in values.items():
+        array = np.asarray(value)
+        if array.dtype.kind == "f" and not np.isfinite(array).all():
+            raise DiagramError(f"{name} = {value}: must be finite, to be written as C")
+
+
 class CFile:
-    """The parts of a file of C."""
+    """Sections of a C file: enums, functions, and updates of intervals and jumps."""
 
     def __init__(self, run: DiagramRun, start: np.ndarray):
-        self.run, self.wiring, self.start = run, run.wiring, start
-        sweep = run.runner.sweep
-        sweep.enter(0.0)
-        for x in (start, *beside(start)):
-            sweep.derivative(0.0, x)
-            if not (found := misread_function(run.runner, 0.0, x)):
-                break
-        else:
-            raise Uncompiled(found)
-        sweep.derivative(0.0, start)
-        self.given = sweep.parameters
-        fields = (
-            (k, *one) for k, p in enumerate(self.given) for one in p._asdict().items()
-        )
-        # of equal ones too; long arrays are tables
-        apart = {(k, field): k for k, field, value in fields if np.size(value) <= LARGE}
-        self.layout = lay_out(self.wiring, self.given, apart)
+        self.run = run
+        self.wiring = run.wiring
+        self.start = start
+        self._check_functions()
+        self.parameters = run.runner.sweep.parameters
+        # parameters have separate slots even if they are equal; long arrays are tables
+        separate = {
+            (k, field): k
+            for k, parameters in enumerate(self.parameters)
+            for field, value in parameters._asdict().items()
+            if np.size(value) <= LARGE
+        }
+        self.layout = lay_out(self.wiring, self.parameters, separate)
         self.record = CRecord(self.wiring, self.layout)
         self.program = CProgram(self.record, run.runner.nsignals)
-        self.name = _word(run.name)[:LONGEST]
-        self.room = max(1, self.program.components.room)
-        self.kept = max(1, len(self.record.set_by_integrator))
-        outputs, ports = len(self.wiring.outputs), run.signal_labels
-        u, y = _labels(ports[outputs:]), _labels(ports[:outputs])
-        self.labels = {"x": _labels(run.states), "u": u, "y": y}
-        self.periods = [(k, self.period_of(k)) for k in self.layout.intervals]
+        self.name = _c_name(run.name)[:MAX_NAME]
+        self.work_size = max(1, self.program.components.room)
+        self.memory_size = max(1, len(self.record.set_by_integrator))
+        noutputs = len(self.wiring.outputs)
+        self.labels = {
+            "x": _labels(run.states),
+            "u": _labels(run.signal_labels[noutputs:]),
+            "y": _labels(run.signal_labels[:noutputs]),
+        }
+        self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
+
+    def _check_functions(self) -> None:
+        """Raise `Uncompiled` if the record differs from the functions near the initial state."""
+        sweep = self.run.runner.sweep
+        sweep.enter(0.0)
+        reason: str | None = None
+        for state in (self.start, *beside(self.start)):
+            sweep.derivative(0.0, state)
+            reason = misread_function(self.run.runner, 0.0, state)
+            if not reason:
+                break
+        if reason:
+            raise Uncompiled(reason)
+        sweep.derivative(0.0, self.start)
 
     @property
     def text(self) -> str:
-        """The text."""
-        discrete, jumping = bool(self.wiring.dt), bool(self.layout.jumps)
-        (named, values), states = self.parameters(), len(self.start)
-        enums = [
-            self.enum(letter, own, len(own)) for letter, own in self.labels.items()
-        ]
+        """The file."""
+        is_discrete = bool(self.wiring.dt)
+        names, values = self.parameter_values()
+        nstates = len(self.start)
+        enums = [self._enum(key, labels) for key, labels in self.labels.items()]
         functions = [
             f"\n{self.program.function(name)}" for name in self.program.functions
         ]
         fields: dict[str, Any] = {
-            **{
-                "name": self.name,
-                "title": _comment(self.run.name),
-                "within": "t + 0.5 * dt",
-            },
-            **{
-                "kept": self.kept,
-                "room": self.room,
-                "states": states,
-                "n": max(1, states),
-            },
-            "rates": "dx/dt",
+            "name": self.name,
+            "title": _comment(self.run.name),
+            "within": "t" if is_discrete else "t + 0.5 * dt",
+            "kept": self.memory_size,
+            "room": self.work_size,
+            "states": nstates,
+            "n": max(1, nstates),
+            "rates": "the next state" if is_discrete else "dx/dt",
             "step": "one step of Runge and Kutta's method of order 4, inputs held",
-            "enums": "".join([*enums, self.enum("p", named, len(values))]),
-            **{"p0": _numbers(values), "x0": _numbers(self.start)},
+            "enums": "".join([*enums, self._enum("p", names)]),
+            "p0": _numbers(values),
+            "x0": _numbers(self.start),
             "functions": "".join([*self.program.shared(self.layout.T), *functions]),
-            **{
-                "intervals": as_lines(self.intervals()),
-                "outputs": as_lines(self.outputs()),
-            },
-            **{"asked": as_lines(self.asked()), "begin": as_lines(self.sampling())},
-            "some": " + ".join(f"after[{self.place(k)}]" for k in self.layout.jumps),
+            "intervals": as_lines(self._intervals()),
+            "outputs": as_lines(self.outputs()),
+            "asked": as_lines(self.jump_tests()),
+            "begin": as_lines(self._initial_samples()),
+            "some": " + ".join(
+                f"after[{self._jump_index(k)}]" for k in self.layout.jumps
+            ),
+            "begins": "",
         }
-        if discrete:
-            step = "one step of the diagram's own time; dt is not used"
-            fields |= {"rates": "the next state", "step": step, "within": "t"}
-        ending = [DISCRETE if discrete else RUNGE_KUTTA, *([JUMP] if jumping else [])]
-        fields["ending"] = "".join(part.substitute(fields) for part in ending)
-        fields["begins"] = BEGINS.substitute(fields) if jumping else ""
+        endings = [RUNGE_KUTTA]
+        if is_discrete:
+            fields["step"] = "one step of the diagram's own time; dt is not used"
+            endings = [DISCRETE]
+        if self.layout.jumps:
+            endings.append(JUMP)
+            fields["begins"] = BEGINS.substitute(fields)
+        fields["ending"] = "".join(ending.substitute(fields) for ending in endings)
         return FILE.substitute(fields)
 
-    def parameters(self) -> tuple[list[str], np.ndarray]:
-        """Return the names of parameters by place, and their values."""
-        named = {}
-        for (k, field), (array, first) in self.layout.slots.items():
-            if array == "P" and first not in self.record.set_by_integrator:
-                label = f"{self.wiring.nodes[k].name}.{field}"
-                if read_as_number(self.wiring.nodes[k].system, field):
-                    label += FIXED
-                at = self.record.place(first)
-                shape = np.shape(getattr(self.given[k], field))
-                for j, place in enumerate(np.ndindex(shape)):
-                    named[at + j] = (
-                        f"{label}[{','.join(map(str, place))}]" if place else label
-                    )
+    def parameter_values(self) -> tuple[list[str], np.ndarray]:
+        """Return the names of parameters in the order of the array, and their values."""
+        names = {}
+        for (k, field), (array, offset) in self.layout.slots.items():
+            if array != "P" or offset in self.record.set_by_integrator:
+                continue
+            node = self.wiring.nodes[k]
+            label = f"{node.name}.{field}"
+            if read_as_number(node.system, field):
+                label += FIXED
+            start = self.record.place(offset)
+            shape = np.shape(getattr(self.parameters[k], field))
+            for j, index in enumerate(np.ndindex(shape)):
+                suffix = f"[{','.join(map(str, index))}]" if index else ""
+                names[start + j] = label + suffix
         values = np.delete(self.layout.P, self.record.set_by_integrator)
-        return [named[at] for at in sorted(named)], values
+        return [names[location] for location in sorted(names)], values
 
-    def enum(self, letter: str, labels: list[str], count: int) -> str:
-        """Return an enum of names, with their number."""
+    def _enum(self, letter: str, labels: list[str]) -> str:
+        """Return an enum of names, and of their number."""
         words: list[str] = []
         for label in labels:
-            word = own = f"{self.name}_{letter}_{_word(label)}"
+            word = base = f"{self.name}_{letter}_{_c_name(label)}"
             while word in words:
-                word = f"{own}_{len(words)}"
+                word = f"{base}_{len(words)}"
             words.append(word)
-        named = zip(words, map(_comment, labels), strict=True)
-        lines = [f"    {word},  /* {label} */\n" for word, label in named]
-        return f"enum {{\n{''.join(lines)}    {self.name}_n{letter} = {count}\n}};\n"
+        comments = map(_comment, labels)
+        lines = [
+            f"    {word},  /* {comment} */\n"
+            for word, comment in zip(words, comments, strict=True)
+        ]
+        count = f"    {self.name}_n{letter} = {len(labels)}\n"
+        return f"enum {{\n{''.join(lines)}{count}}};\n"
 
     def outputs(self) -> Iterator[str]:
-        """Yield what outputs are of signals and inputs."""
+        """Yield assignments of outputs from signals and inputs."""
         for k, row in enumerate(self.wiring.outputs):
-            terms = [
-                (f"w[{at}]" if at >= 0 else f"u[{~at}]", gain)
-                for at, gain in row.items()
-            ]
-            parts = [
-                one if gain == 1.0 else f"{c_number(gain)} * {one}"
-                for one, gain in terms
-            ]
-            yield f"y[{k}] = {' + '.join(parts) or '0.0'};"
+            terms = []
+            for column, gain in row.items():
+                signal = f"w[{column}]" if column >= 0 else f"u[{~column}]"
+                terms.append(signal if gain == 1.0 else f"{c_number(gain)} * {signal}")
+            yield f"y[{k}] = {' + '.join(terms) or '0.0'};"
         yield "(void)u; (void)y;"
 
-    def intervals(self) -> Iterator[str]:
-        """Yield what says in which interval each block is."""
+    def _intervals(self) -> Iterator[str]:
+        """Yield assignments of the current interval of each block."""
         for j, (k, period) in enumerate(self.periods):
-            fixed = c_number(float(self.given[k].interval))
-            reckoned = f"floor(t / ({period}) + {ROUNDING})" if period else fixed
-            yield f"kept[{j}] = {reckoned};"
+            interval = c_number(float(self.parameters[k].interval))
+            if period:
+                interval = f"floor(t / ({period}) + {ROUNDING})"
+            yield f"kept[{j}] = {interval};"
         for k in self.layout.jumps:
-            yield f"kept[{self.place(k)}] = 0.0;"
+            yield f"kept[{self._jump_index(k)}] = 0.0;"
 
-    def period_of(self, k: int) -> str:
-        """Return the period of a block that has intervals; "" where its interval is fixed."""
-        node, each = (
-            self.wiring.nodes[k],
-            self.wiring.nodes[k].system.breakpoints_function,
-        )
-        if self.given[k].interval >= 0.0:
+    def _period_of(self, k: int) -> str:
+        """Return the period of a block's intervals; "" if its interval is fixed."""
+        node = self.wiring.nodes[k]
+        breakpoints = node.system.breakpoints_function
+        if self.parameters[k].interval >= 0.0:
             return ""
-        if not isinstance(each, Each):
+        if not isinstance(breakpoints, Each):
             raise Uncompiled(
                 f"{node.name} jumps at times that a function of Python says; C knows "
                 "multiples of a period, clpt.equations.Sampled or Each"
             )
-        if isinstance(each.period, str):
-            period = f"p[{self.record.place(self.layout.slots[k, each.period].offset)}]"
+        if isinstance(breakpoints.period, str):
+            slot = self.layout.slots[k, breakpoints.period]
+            period = f"p[{self.record.place(slot.offset)}]"
         else:
-            period = c_number(float(each.period))
-        return period if each.part == 1.0 else f"{c_number(each.part)} * {period}"
+            period = c_number(float(breakpoints.period))
+        if breakpoints.part == 1.0:
+            return period
+        return f"{c_number(breakpoints.part)} * {period}"
 
-    def place(self, k: int) -> int:
-        """Return where it stands whether a block jumps."""
+    def _jump_index(self, k: int) -> int:
+        """Return the index of a block's jump in the memory between steps."""
         return len(self.layout.intervals) + list(self.layout.jumps).index(k)
 
-    def asked(self) -> list[str]:
-        """Return what asks of each block whether it jumps."""
-        at = {k: j for j, k in enumerate(self.layout.intervals)}
-        return [
-            f"after[{self.place(k)}] = after[{at[k]}] != kept[{at[k]}];"
-            for k in self.layout.jumps
-        ]
+    def jump_tests(self) -> list[str]:
+        """Return assignments that test if a block jumps: its interval has changed."""
+        interval_index = {k: j for j, k in enumerate(self.layout.intervals)}
+        lines = []
+        for k in self.layout.jumps:
+            j = interval_index[k]
+            lines.append(f"after[{self._jump_index(k)}] = after[{j}] != kept[{j}];")
+        return lines
 
-    def sampling(self) -> Iterator[str]:
-        """Yield what asks of each block, as a run begins, whether it samples."""
+    def _initial_samples(self) -> Iterator[str]:
+        """Yield tests if a sampled block samples at the start of a run."""
         for k in self.layout.jumps:
             block = self.wiring.nodes[k].system
             if block.first_held is not None:
                 turns = f"t / {c_number(block.period)}"
-                off = f"fabs({turns} - floor({turns} + 0.5))"
-                yield f"kept[{self.place(k)}] = {off} < {ROUNDING} ? -1.0 : 0.0;"
+                error = f"fabs({turns} - floor({turns} + 0.5))"
+                index = self._jump_index(k)
+                yield f"kept[{index}] = {error} < {ROUNDING} ? -1.0 : 0.0;"
 
 
 def as_lines(lines: Iterable[str]) -> str:
-    """Return lines of a function."""
+    """Return the lines of a function."""
     return "".join(f"    {line}\n" for line in lines)
 
 
-def _word(text: str) -> str:
-    """Return a name as C takes it."""
+def _c_name(text: str) -> str:
+    """Return a text as an identifier of C."""
     word = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
     return word if word[:1].isalpha() else f"n{word}"
 
 
 def _comment(text: str) -> str:
-    """Return a name as it may stand in a comment of C."""
+    """Return a text that is safe in a comment of C."""
     return " ".join(text.replace("*/", "* /").replace("/*", "/ *").split())
 
 
-def _labels(given: Sequence[str]) -> list[str]:
-    """Return labels, of a port of one signal its name."""
-    ports = ports_of(given)
-    alone = {f"{port}[0]": port for port, places in ports.items() if len(places) == 1}
-    return [alone.get(label, label) for label in given]
+def _labels(labels: Sequence[str]) -> list[str]:
+    """Return labels without the index of ports with a single signal."""
+    scalars = {
+        f"{port}[0]": port
+        for port, columns in ports_of(labels).items()
+        if len(columns) == 1
+    }
+    return [scalars.get(label, label) for label in labels]
 
 
 def _numbers(values: Iterable[float]) -> str:

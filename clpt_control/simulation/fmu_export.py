@@ -1,8 +1,8 @@
-"""A diagram as a functional mock-up unit (FMU) for Simulink, Modelica and other simulators.
+"""Functional mock-up unit (FMU) of a diagram, for Simulink, Modelica and other simulators.
 
-It is the file of C of `export_c`, with the functions of FMI 3.0 for model exchange (`fmi3.c`): the
-importer integrates, and stops where parts sample or blocks jump.  The FMU holds the source, and
-what this machine's C compiler makes of it.
+The FMU has the C file of `export_c` with the functions of FMI 3.0 for model exchange (`fmi3.c`):
+the importer integrates, and stops at samples and jumps.  If this machine has a C compiler, the FMU
+also has the compiled library.
 
 Source: Modelica Association (2022), Functional Mock-up Interface 3.0.
 """
@@ -40,13 +40,13 @@ DESCRIPTION, BUILD = DOCUMENTS.split("<!-- sources/buildDescription.xml -->\n")
 FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
 PROCESSORS = {"AMD64": "x86_64", "arm64": "aarch64"}
 ENDINGS = {"Linux": ".so", "Darwin": ".dylib", "Windows": ".dll"}
-MOVING = {"variability": "continuous"}
-KINDS = {  # of variables, and what is said of them
-    "time": {"causality": "independent", **MOVING},
-    "state": {"causality": "local", **MOVING, "initial": "exact"},
-    "rate": {"causality": "local", **MOVING, "initial": "calculated"},
-    "input": {"causality": "input", **MOVING},
-    "output": {"causality": "output", **MOVING, "initial": "calculated"},
+CONTINUOUS = {"variability": "continuous"}
+KINDS = {  # attributes of each kind of variable
+    "time": {"causality": "independent", **CONTINUOUS},
+    "state": {"causality": "local", **CONTINUOUS, "initial": "exact"},
+    "rate": {"causality": "local", **CONTINUOUS, "initial": "calculated"},
+    "input": {"causality": "input", **CONTINUOUS},
+    "output": {"causality": "output", **CONTINUOUS, "initial": "calculated"},
     "parameter": {
         "causality": "parameter",
         "variability": "tunable",
@@ -54,13 +54,13 @@ KINDS = {  # of variables, and what is said of them
     },
     "constant": {"causality": "local", "variability": "constant", "initial": "exact"},
 }
-STRUCTURE = {  # of modelDescription.xml: which variables are listed
+STRUCTURE = {  # elements of ModelStructure, and the kinds that they list
     "Output": ("output",),
     "ContinuousStateDerivative": ("rate",),
     "InitialUnknown": ("output", "rate"),
 }
-# the time of each file within: the same diagram, the same bytes
-LONG_AGO = (1980, 1, 1, 0, 0, 0)
+# time stamp of the files: equal diagrams give equal bytes
+TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 
 @public
@@ -104,7 +104,7 @@ def export_fmu(
 
 
 def _packed(file: CFile) -> bytes:
-    """Return the FMU."""
+    """Return the bytes of the FMU, a ZIP archive."""
     if file.wiring.dt:
         raise DiagramError(
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
@@ -112,53 +112,48 @@ def _packed(file: CFile) -> bytes:
         )
     text = file.text
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
-    text += _functions(file, token)
-    fields = {
-        "name": file.name,
-        "token": token,
-        "title": quoteattr(_name(file.run.name)),
-    }
-    held: dict[str, str | bytes] = {
-        "modelDescription.xml": Template(DESCRIPTION).substitute(
-            fields, **_variables(file)
-        ),
+    text += _fmi_functions(file, token)
+    title = quoteattr(_xml_name(file.run.name))
+    fields = {"name": file.name, "token": token, "title": title}
+    description = Template(DESCRIPTION).substitute(fields, **_variables(file))
+    contents: dict[str, str | bytes] = {
+        "modelDescription.xml": description,
         "sources/buildDescription.xml": Template(BUILD).substitute(fields),
         f"sources/{file.name}.c": text,
         **_binary(file.name, text),
     }
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w") as folder:
-        for name, content in held.items():
-            folder.writestr(
-                zipfile.ZipInfo(name, LONG_AGO), content, zipfile.ZIP_DEFLATED
-            )
-    return packed.getvalue()
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as folder:
+        for name, content in contents.items():
+            entry = zipfile.ZipInfo(name, TIME_STAMP)
+            folder.writestr(entry, content, zipfile.ZIP_DEFLATED)
+    return archive.getvalue()
 
 
-def _functions(file: CFile, token: str) -> str:
+def _fmi_functions(file: CFile, token: str) -> str:
     """Return the functions that an importer calls."""
-    lines = {
-        "asked": [
-            f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.asked()
-        ],
-        "next": [
-            f"at = {period} * (kept[{j}] + 1.0); if (at < next) next = at;"
-            for j, (_, period) in enumerate(file.periods)
-            if period
-        ],
-        "outputs": file.outputs(),
-    }
-    body = {name: as_lines(own) for name, own in lines.items()}
-    sizes = {
-        "count": file.kept,
-        "room": file.room,
-        "jumps": int(bool(file.layout.jumps)),
-    }
-    return Template(FUNCTIONS).substitute(name=file.name, token=token, **sizes, **body)
+    jump_tests = [
+        f"{line} some |= {line.split(' =')[0]} > 0.0;" for line in file.jump_tests()
+    ]
+    next_times = [
+        f"at = {period} * (kept[{j}] + 1.0); if (at < next) next = at;"
+        for j, (_, period) in enumerate(file.periods)
+        if period
+    ]
+    return Template(FUNCTIONS).substitute(
+        name=file.name,
+        token=token,
+        count=file.memory_size,
+        room=file.work_size,
+        jumps=int(bool(file.layout.jumps)),
+        asked=as_lines(jump_tests),
+        next=as_lines(next_times),
+        outputs=as_lines(file.outputs()),
+    )
 
 
 def _binary(name: str, text: str) -> dict[str, bytes]:
-    """Return what this machine's C compiler makes, by its place; nothing where there is none."""
+    """Return the compiled library by its path; nothing if there is no C compiler."""
     compiler = shutil.which(os.environ.get("CC", "cc"))
     system = platform.system()
     if compiler is None or system not in ENDINGS:
@@ -167,66 +162,64 @@ def _binary(name: str, text: str) -> dict[str, bytes]:
         )
         return {}
     machine = PROCESSORS.get(platform.machine(), platform.machine())
+    path = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
     try:
         with tempfile.TemporaryDirectory() as folder:
-            source, made = Path(folder) / "model.c", Path(folder) / "made"
+            source = Path(folder) / "model.c"
+            library = Path(folder) / "library"
             source.write_text(text, "utf-8")
-            done = subprocess.run(
-                [compiler, *FLAGS, "-o", made, source, "-lm"],
-                capture_output=True,
-                text=True,
-            )
-            if not done.returncode:
-                place = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
-                return {place: made.read_bytes()}
-            why = f"{compiler} failed: {done.stderr:.200}"
-    except OSError as error:  # of a full disk
-        why = f"{compiler} has no folder to work in: {error.strerror or error}"
-    note(f"the FMU holds its source alone: {why}")
+            command = [compiler, *FLAGS, "-o", str(library), str(source), "-lm"]
+            result = subprocess.run(command, capture_output=True, text=True)
+            if not result.returncode:
+                return {path: library.read_bytes()}
+            reason = f"{compiler} failed: {result.stderr:.200}"
+    except OSError as error:  # such as a full disk
+        reason = f"{compiler} has no folder to work in: {error.strerror or error}"
+    note(f"the FMU holds its source alone: {reason}")
     return {}
 
 
 def _variables(file: CFile) -> dict[str, str]:
-    """Return what modelDescription.xml says of variables, and which of them depend on others."""
-    lines, kinds, taken = list[str](), list[str](), set[str]()
-    for place, (kind, name, own) in enumerate(_rows(file)):
-        name = _name(name)
-        while name in taken:
+    """Return the variables and the structure in modelDescription.xml."""
+    lines: list[str] = []
+    kinds: list[str] = []
+    names: set[str] = set()
+    for reference, (kind, label, extra) in enumerate(_rows(file)):
+        name = _xml_name(label)
+        while name in names:
             name += "_"
-        taken.add(name)
+        names.add(name)
         kinds.append(kind)
-        attributes = {"name": name, "valueReference": f"{place}", **KINDS[kind], **own}
-        pairs = " ".join(
-            f"{key}={quoteattr(value)}" for key, value in attributes.items()
-        )
-        lines.append(f"    <Float64 {pairs}/>")
+        attributes = {"name": name, "valueReference": str(reference), **KINDS[kind]}
+        attributes |= extra
+        pairs = [f"{key}={quoteattr(value)}" for key, value in attributes.items()]
+        lines.append(f"    <Float64 {' '.join(pairs)}/>")
     structure = [
-        f'    <{tag} valueReference="{place}"/>'
-        for tag, listed in STRUCTURE.items()
-        for place, kind in enumerate(kinds)
-        if kind in listed
+        f'    <{tag} valueReference="{reference}"/>'
+        for tag, listed_kinds in STRUCTURE.items()
+        for reference, kind in enumerate(kinds)
+        if kind in listed_kinds
     ]
     return {"variables": "\n".join(lines), "structure": "\n".join(structure)}
 
 
 def _rows(file: CFile) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """Yield kind, name and own attributes of each variable, in the order of value references."""
-    x, u, y = (file.labels[letter] for letter in "xuy")
+    """Yield kind, name and further attributes of each variable, by value reference."""
     yield "time", "time", {}
-    for label, start in zip(x, file.start, strict=True):
+    for label, start in zip(file.labels["x"], file.start, strict=True):
         yield "state", f"state.{label}", {"start": repr(float(start))}
-    for k, label in enumerate(x):
+    for k, label in enumerate(file.labels["x"]):
         yield "rate", f"der(state.{label})", {"derivative": f"{1 + k}"}
-    for label in u:
+    for label in file.labels["u"]:
         yield "input", label, {"start": "0.0"}
-    for label in y:
+    for label in file.labels["y"]:
         yield "output", label, {}
-    for label, value in zip(*file.parameters(), strict=True):
+    for label, value in zip(*file.parameter_values(), strict=True):
         kind = "constant" if FIXED in label else "parameter"
-        start = repr(float(value)).replace("inf", "INF")  # as XML says it
+        start = repr(float(value)).replace("inf", "INF")  # XML's infinity
         yield kind, label.replace(FIXED, ""), {"start": start}
 
 
-def _name(text: str) -> str:
-    """Return a name in one line, of letters that XML may hold."""
+def _xml_name(text: str) -> str:
+    """Return a text in one line of characters that XML allows."""
     return " ".join(plain(text).split())
