@@ -1,24 +1,11 @@
-"""The flow at any place and time, how much of it is learned, and whether it is too fast.
+"""True and learned flow, the variance that the learned flow explains, and speed limits.
 
     true flow      theta phi(x, t), Eq. (3), or the gridded field
     learned flow   theta_hat phi(x, t)
+    share          1 - sum |F - theta_hat phi|^2 / sum |F - mean F|^2   of a gridded current F
 
-How much of a gridded current F the learned flow explains is
-
-    share = 1 - sum |F - theta_hat phi|^2 / sum |F - mean F|^2
-
-over the samples of a set, both components together, each about its mean: 0 for
-a learner that knows the mean alone, 1 for one that knows it all, less than 0
-for one that knows no flow; as of `clpt fit` and `clpt tides`.  A current that
-hardly changes, by less than 1 %, has no share.  Two sets, because a small CLPE does not
-mean a right flow (K and Gamma adapt too, and can stand in for it):
-
-    track   F at x(t), with theta_hat(t) of that time, over a window of the run
-            (its last quarter by default): what the learner follows
-    box     F at all places and times of the field's grid, with theta_hat of
-            the end of the run: what the learner has understood
-
-The disturbance Delta is part of none of them.
+The share is 1 if all is learned, 0 if the mean alone, and negative if the learned flow is worse.
+The disturbance Delta is not part of any of these.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -80,8 +67,8 @@ def flow_velocity(
         calm = scenario.with_values({"flow.disturbance": None})
         block = next(b for b in paper_blocks(calm) if b.name == "true_flow")
         return evaluate(block, timepts, points)
-    either = scenario.flow.parameters if parameters is None else parameters
-    theta = numbers("parameters", either, 2, scenario.basis.N)
+    values = scenario.flow.parameters if parameters is None else parameters
+    theta = numbers("parameters", values, 2, scenario.basis.N)
     phi = evaluate(scenario.basis_block(), timepts, points)
     return np.einsum("...ik,...k->...i", theta, phi)
 
@@ -93,9 +80,9 @@ def flow_to_draw(
     timepts: ArrayLike,
     *learned: Any,
 ) -> np.ndarray:
-    """Return a run's flow at places and times, or 0 where its scenario does not hold it."""
-    makers = {"basis_x"} if learned else {"basis_x", "true_flow"}
-    if makers & unknown_parts(run):
+    """Return a run's flow at points and times, or 0 if its scenario does not determine it."""
+    blocks = {"basis_x"} if learned else {"basis_x", "true_flow"}
+    if blocks & unknown_parts(run):
         return np.zeros(points.shape)
     return flow_velocity(scenario, points, timepts, *learned)
 
@@ -150,58 +137,73 @@ def explained_variance(
         )
     field = read_field(scenario.field_path, scenario.units)
     truth = gridded_flow(field, "clip")
+    theta = run.flow_parameters_estimate.values
     t = run.time.values
-    first, last = window or (float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1]))
-    inside = (t >= first) & (t <= last)
+    if window is None:
+        window = float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1])
+    begin, end = window
+    inside = (t >= begin) & (t <= end)
     if not inside.any():
         raise DataError(
-            f"the window {first:g} to {last:g} holds no sample of the run, which covers "
+            f"the window {begin:g} to {end:g} holds no sample of the run, which covers "
             f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
         )
-    times, places = t[inside], run.position.values[inside]
-    estimate = run.flow_parameters_estimate.values
-    learned = np.einsum("taN,tN->ta", estimate[inside], evaluate(phi, times, places))
-    track = evaluate(truth, times, places), learned
+    # along the track, with the estimate of each time: theta_hat(t) phi(x(t), t)
+    times = t[inside]
+    points = run.position.values[inside]
+    functions = evaluate(phi, times, points)
+    learned = np.einsum("taN,tN->ta", theta[inside], functions)
+    track = explained_share(evaluate(truth, times, points), learned)
 
+    # at all points and times of the grid, with the last estimate
     grid = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
-    at, x2, x1 = (axis.ravel() for axis in grid)
-    model = evaluate(phi, at, np.column_stack([x1, x2])) @ estimate[-1].T
-    box = np.column_stack([field.u.ravel(), field.v.ravel()]), model
-    shares = {"track": explained_share(*track), "box": explained_share(*box)}
-    of = {place: None if np.isnan(share) else share for place, share in shares.items()}
-    return {**of, "window": [float(first), float(last)]}
-
-
-# --- how fast: |v_c| > v_max is at the limit; |F_R| > v_max faster than the vehicle, which cannot
-# hold its place there.  Each sample counts until the next one. -----------------------------------
+    times, x2, x1 = (axis.ravel() for axis in grid)
+    functions = evaluate(phi, times, np.column_stack([x1, x2]))
+    current = np.column_stack([field.u.ravel(), field.v.ravel()])
+    box = explained_share(current, functions @ theta[-1].T)
+    return {
+        "track": None if np.isnan(track) else track,
+        "box": None if np.isnan(box) else box,
+        "window": [float(begin), float(end)],
+    }
 
 
 def speed_figures(
     max_speed: float, times: np.ndarray, commanded: np.ndarray, flow: np.ndarray
 ) -> dict[str, Any]:
-    """Return shares of the time, ready for JSON, of samples (n,), velocity and flow (n, 2)."""
-    at_limit, faster = (np.hypot(*one.T) > max_speed for one in (commanded, flow))
-    spans, whole = np.diff(times, append=times[-1]), float(times[-1] - times[0])
+    """Return shares of the time at the speed limit, |v_c| > v_max, and in faster flow.
 
-    def share(of: np.ndarray) -> float:
-        return float(spans @ of) / whole if whole else float(of[-1])
+    A vehicle in a faster flow, |F_R| > v_max, cannot hold its position.  Each sample counts until
+    the next; velocities have the shape (n, 2).
+    """
+    at_limit = np.hypot(*commanded.T) > max_speed
+    in_faster_flow = np.hypot(*flow.T) > max_speed
+    durations = np.diff(times, append=times[-1])
+    total = float(times[-1] - times[0])
 
-    edges = np.append(times, times[-1])[np.diff(np.pad(faster, 1)).nonzero()[0]]
-    flow_faster = None
-    if len(edges):
-        longest = float(np.diff(edges)[::2].max())
-        flow_faster = {
+    def share(samples: np.ndarray) -> float:
+        return float(durations @ samples) / total if total else float(samples[-1])
+
+    faster_flow = None
+    if in_faster_flow.any():
+        changes = np.diff(np.pad(in_faster_flow, 1)).nonzero()[0]
+        edges = np.append(times, times[-1])[changes]  # begin, end, begin, ...
+        faster_flow = {
             "first": float(edges[0]),
-            "longest": longest,
-            "share": share(faster),
+            "longest": float(np.diff(edges)[::2].max()),
+            "share": share(in_faster_flow),
         }
-    figures = {"max_speed": max_speed, "share_at_limit": share(at_limit)}
-    return {**figures, "faster_flow": flow_faster}
+    return {
+        "max_speed": max_speed,
+        "share_at_limit": share(at_limit),
+        "faster_flow": faster_flow,
+    }
 
 
 def faster_flow(figures: dict[str, Any], units: Units) -> str:
-    """Return a sentence where the flow was faster than the vehicle, or nothing."""
-    faster, time = figures["faster_flow"], units.time
+    """Return a sentence on flow that was faster than the vehicle, or ""."""
+    faster = figures["faster_flow"]
+    time = units.time
     if faster is None:
         return ""
     return (
@@ -212,13 +214,13 @@ def faster_flow(figures: dict[str, Any], units: Units) -> str:
 
 
 def speeds_of(run: "xarray.Dataset", max_speed: float) -> dict[str, Any]:
-    """Return the figures of a run at its own samples."""
-    velocities = run.commanded_velocity.values, run.true_flow.values
-    return speed_figures(max_speed, run.time.values, *velocities)
+    """Return the `speed_figures` of a run at its own samples."""
+    commanded = run.commanded_velocity.values
+    return speed_figures(max_speed, run.time.values, commanded, run.true_flow.values)
 
 
 def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) -> None:
-    """Put the share at the limit and, where there is one, the sentence into a run's attributes."""
+    """Add the share at the speed limit, and a sentence on faster flow, to a run's attributes."""
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
     if sentence := faster_flow(figures, units):
         run.attrs["message"] = f"{run.attrs['message']}; {sentence}"

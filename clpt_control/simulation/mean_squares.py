@@ -1,9 +1,9 @@
-"""Mean squares of a run's prediction error: at which samples, and over which rounds.
+"""Mean squares of a run's prediction error: sample times, rounds of waypoints, and rms values.
 
-They are over 2000 samples a cycle, each 0.1 of the paper's cycle of 200, or a run that is shorter;
-over more where there are many waypoints, or the time at each is long: CLPE peaks there for a time
-of 1/KD.  Of a run that would have more than 200,000 they are over fewer, by a step that divides no
-time at a waypoint: samples lie at all times after a switch, so that the mean stays right.
+Samples are even in time: 2000 in each cycle, or in a run that is shorter, as each 0.1 of the
+paper's cycle of 200.  There are more for many waypoints or long times at them, since CLPE peaks
+there for a time of 1/KD, and at most 200,000 in a run.  The step of such a long run divides no time
+at a waypoint, so that samples are at all phases after a switch and the mean is unbiased.
 """
 
 from itertools import pairwise
@@ -16,60 +16,70 @@ from ..paper.scenario.experiment import Scenario
 if TYPE_CHECKING:
     import xarray
 
-PER_CYCLE = 2000  # samples, at least
-AT_WAYPOINT = 100, 10_000  # samples, at least and at most
-PER_TIME = 10  # samples in a time of 1/KD, as the paper's run has
-MOST = 200_000  # samples of a run
-# its multiples are spread evenly over any time at a waypoint
-APART = np.sqrt(5.0) - 1.0
+SAMPLES_PER_CYCLE = 2000  # at least
+SAMPLES_PER_WAYPOINT = 100, 10_000  # at least, at most
+SAMPLES_PER_DECAY = 10  # in a time of 1/KD, as in the paper's run
+MAX_SAMPLES = 200_000  # of a run
+# of the longest step: irrational, so that its multiples are spread over a time at a waypoint
+STEP_FACTOR = np.sqrt(5.0) - 1.0
 
 
 def samples_for_means(scenario: Scenario) -> int:
-    """Return the number of samples a cycle, or a run that is shorter, for mean squares."""
-    end, dwell = min(scenario.cycle, scenario.run.duration), scenario.reference.dwell
-    wanted = PER_TIME * max(scenario.vehicle.feedback) * min(dwell, end) * (1 - 1e-9)
-    each, visited = np.ceil(np.clip(wanted, *AT_WAYPOINT)), np.ceil(end / dwell - 1e-9)
-    return max(PER_CYCLE, int(each * visited))
+    """Return the number of samples of a cycle, or of a run that is shorter."""
+    end = min(scenario.cycle, scenario.run.duration)
+    dwell = scenario.reference.dwell
+    decays = max(scenario.vehicle.feedback) * min(dwell, end) * (1 - 1e-9)
+    samples = np.ceil(np.clip(SAMPLES_PER_DECAY * decays, *SAMPLES_PER_WAYPOINT))
+    waypoints = np.ceil(end / dwell - 1e-9)
+    return max(SAMPLES_PER_CYCLE, int(samples * waypoints))
 
 
-def step_of_means(scenario: Scenario, most: int = MOST) -> float:
-    """Return the time from one sample to the next for mean squares, in a run of `most` samples."""
+def step_of_means(scenario: Scenario, max_samples: int = MAX_SAMPLES) -> float:
+    """Return the time between samples for mean squares."""
     end = scenario.run.duration
     step = min(scenario.cycle, end) / samples_for_means(scenario)
-    return step if end <= step * most * (1 + 1e-9) else APART * end / most
+    if end <= step * max_samples * (1 + 1e-9):
+        return step
+    return STEP_FACTOR * end / max_samples
 
 
-def union(*several: np.ndarray) -> np.ndarray:
-    """Return the sorted times of all; of those that differ by rounding the first."""
-    every = np.sort(np.concatenate(several))
-    return every[np.append(True, np.diff(every) > 1e-9 * max(1.0, float(every[-1])))]
+def union(*series: np.ndarray) -> np.ndarray:
+    """Return the sorted times of all series; times that differ by rounding are merged."""
+    times = np.sort(np.concatenate(series))
+    tolerance = 1e-9 * max(1.0, float(times[-1]))
+    return times[np.append(True, np.diff(times) > tolerance)]
 
 
-def nearest(times: np.ndarray, wanted: np.ndarray) -> np.ndarray:
-    """Return where increasing times are nearest to those wanted, up to the last."""
-    wanted = wanted[wanted <= times[-1] * (1 + 1e-12)]
-    after = np.clip(np.searchsorted(times, wanted), 1, len(times) - 1)
-    return np.where(wanted - times[after - 1] < times[after] - wanted, after - 1, after)
+def nearest(times: np.ndarray, targets: np.ndarray) -> np.ndarray:
+    """Return the indices of increasing times that are nearest to targets up to the last time."""
+    targets = targets[targets <= times[-1] * (1 + 1e-12)]
+    after = np.clip(np.searchsorted(times, targets), 1, len(times) - 1)
+    before = after - 1
+    return np.where(targets - times[before] < times[after] - targets, before, after)
 
 
 def starts_of_rounds(times: np.ndarray, cycle: float) -> np.ndarray:
-    """Return where rounds of the waypoints start; the last one has just begun."""
-    slack = 1e-9 * max(1.0, float(times[-1]))
-    return np.flatnonzero(np.diff(np.floor((times + slack) / cycle), prepend=-1.0))
+    """Return the indices at which rounds of the waypoints start, also the unfinished round."""
+    tolerance = 1e-9 * max(1.0, float(times[-1]))
+    rounds = np.floor((times + tolerance) / cycle)
+    return np.flatnonzero(np.diff(rounds, prepend=-1.0))
 
 
 def clpe_of_samples(scenario: Scenario, run: "xarray.Dataset") -> dict[str, Any]:
-    """Return rms of CLPE over samples: of each round from t = 0 on, of all, of the last quarter."""
+    """Return the rms of CLPE over each round from t = 0 on, the run, and its last quarter."""
     times = run.time.values
     squares = ((run.position - run.predicted_position).values ** 2).sum(-1)
-    first, end = float(times[0]), float(times[-1])
-    slack = 1e-9 * max(1.0, end)
-    rounds = pairwise(starts_of_rounds(times, scenario.cycle) if first <= slack else [])
-    late = int(np.searchsorted(times, first + 0.75 * (end - first) - slack))
+    start = float(times[0])
+    end = float(times[-1])
+    tolerance = 1e-9 * max(1.0, end)
+    starts: Any = []
+    if start <= tolerance:
+        starts = starts_of_rounds(times, scenario.cycle)
+    last_quarter = start + 0.75 * (end - start) - tolerance
     return {
-        "clpe_rms_per_cycle": [_rms(squares[a:b]) for a, b in rounds],
+        "clpe_rms_per_cycle": [_rms(squares[a:b]) for a, b in pairwise(starts)],
         "clpe_rms": _rms(squares),
-        "clpe_rms_last_quarter": _rms(squares[late:]),
+        "clpe_rms_last_quarter": _rms(squares[np.searchsorted(times, last_quarter) :]),
     }
 
 

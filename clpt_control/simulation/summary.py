@@ -1,13 +1,12 @@
-"""What a run achieved, in numbers and as the claims of section IV.
+"""Summary of a run in numbers, and the claims of section IV.
 
     CLPE rms per cycle     rms of |e| over one round of the waypoints
     parameter error        max |alpha + theta|, and max |gain - true gain|
     disagreement           of a team: max |alpha_i - alpha_j| over all pairs
 
-Mean squares are those of `mean_squares`.  Errors and disagreement are given at some times (`TIMES`)
-and at the end.
-The claims are the paper's sentences about figures 2 to 4, each with its criterion, what was
-measured, and a verdict.
+Mean squares are those of `mean_squares`.  Errors and disagreement are reported at some times
+(`TIMES`) and at the end.  The claims are the paper's sentences about figures 2 to 4, each with a
+criterion, the measured value and a verdict.
 """
 
 import json
@@ -23,18 +22,18 @@ from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team
 from .flows import explained_variance, speeds_of
 from .integrate import sample_times, simulate
-from .mean_squares import MOST, clpe_of_samples, nearest, step_of_means, union
+from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
 SUMMARY = "summary"  # attribute of a run: its summary as JSON
-OF = "solver_"  # begins the attributes that say how much the solver did
-TIMES = (10, 20, 100, 200, 500, 1000, 2000)
+SOLVER = "solver_"  # prefix of the attributes of solver statistics
+TIMES = (10, 20, 100, 200, 500, 1000, 2000)  # of errors
 
 
 class RunReport(NamedTuple):
-    """A run with what it achieved: `run` at its own samples, `fine` evenly for pictures."""
+    """A run with its summary: `run` at its own samples, `fine` at even ones for figures."""
 
     run: "Dataset"
     fine: "Dataset"
@@ -79,106 +78,127 @@ def run_and_report(
     >>> list(run_and_report(scenario).summary["max_gain_error"])
     ['10', '20']
     """
-    end, step = system.run.duration, system.run.output_step
-    members = [*system.members.values()] if isinstance(system, Team) else [system]
-    even = sample_times(
-        end, min(step_of_means(one, MOST // len(members)) for one in members)
-    )
-    own, marks = (
-        sample_times(end, step),
-        np.array([t for t in TIMES if t <= end], dtype=float),
-    )
-    dense = simulate(system, union(own, marks, even), progress=progress)
-    reached, stopped = dense.time.values, dense.attrs["status"] == "stopped"
-    at = nearest(reached, own[own < reached[-1]] if stopped else own)
-    run = dense.isel(time=[*at, -1] if stopped else at)
-    fine = dense.isel(time=nearest(reached, even))
+    end = system.run.duration
+    scenarios = [*system.members.values()] if isinstance(system, Team) else [system]
+    max_samples = MAX_SAMPLES // len(scenarios)
+    step = min(step_of_means(scenario, max_samples) for scenario in scenarios)
+    even_times = sample_times(end, step)
+    run_times = sample_times(end, system.run.output_step)
+    error_times = np.array([t for t in TIMES if t <= end], dtype=float)
+
+    # one run at all of these times
+    times = union(run_times, error_times, even_times)
+    dense = simulate(system, times, progress=progress)
+    reached = dense.time.values
+    if dense.attrs["status"] == "stopped":
+        indices = nearest(reached, run_times[run_times < reached[-1]])
+        indices = np.append(indices, -1)
+    else:
+        indices = nearest(reached, run_times)
+    run = dense.isel(time=indices)
+    fine = dense.isel(time=nearest(reached, even_times))
     summary = {**ending_of(system, run), **figures_of(system, run, fine, dense)}
     run.attrs[SUMMARY] = json.dumps(summary)
     return RunReport(run, fine, summary)
 
 
 def ending_of(system: Scenario | Team, run: "Dataset") -> dict[str, Any]:
-    """Return what a run is, where it ended and how, ready for JSON."""
+    """Return title, units, status and solver statistics of a run, ready for JSON."""
     units = (system.first if isinstance(system, Team) else system).units
+    statistics = {
+        name.removeprefix(SOLVER): int(value)
+        for name, value in run.attrs.items()
+        if name.startswith(SOLVER)
+    }
     return {
         "title": run.attrs.get("title", ""),
         "units": {"length": units.length, "time": units.time},
         "status": run.attrs.get("status", "finished"),
         "message": str(run.attrs.get("message", "no reason is recorded")),
         "end": float(run.time[-1]),
-        "solver": {
-            k.removeprefix(OF): int(v) for k, v in run.attrs.items() if k.startswith(OF)
-        },
+        "solver": statistics,
     }
 
 
 def figures_of(
     system: Scenario | Team, run: "Dataset", fine: Any = None, dense: Any = None
 ) -> dict[str, Any]:
-    """Return the figures of a run, a team's by vehicle, ready for JSON.
+    """Return the figures of a run, for a team by vehicle, ready for JSON.
 
     Mean squares and speeds are those of `fine`, whose samples are even, errors those of `dense`,
     which has samples at the times of errors.
     """
-    fine, dense = run if fine is None else fine, run if dense is None else dense
-    at = _at_times(dense)
+    fine = run if fine is None else fine
+    samples = _error_samples(run if dense is None else dense)
     if isinstance(system, Scenario):
-        return _achieved(system, run, fine, at)
-    apart = {
-        k: one.alpha.max("vehicle") - one.alpha.min("vehicle") for k, one in at.items()
-    }
+        return _vehicle_figures(system, run, fine, samples)
+    disagreement = {}
+    for time, sample in samples.items():
+        alpha = sample.alpha
+        spread = alpha.max("vehicle") - alpha.min("vehicle")
+        disagreement[time] = float(spread.max())
     figures: dict[str, Any] = {
         "vehicles": list(system.members),
         "coupling": system.coupling,
         "connectivity": system.connectivity,
-        "max_disagreement": {key: float(one.max()) for key, one in apart.items()},
+        "max_disagreement": disagreement,
     }
     for name, scenario in system.members.items():
-        own, own_fine = (one.sel(vehicle=name) for one in (run, fine))
-        own_at = {key: one.sel(vehicle=name) for key, one in at.items()}
-        for key, value in _achieved(scenario, own, own_fine, own_at).items():
+        vehicle_figures = _vehicle_figures(
+            scenario,
+            run.sel(vehicle=name),
+            fine.sel(vehicle=name),
+            {time: sample.sel(vehicle=name) for time, sample in samples.items()},
+        )
+        for key, value in vehicle_figures.items():
             figures.setdefault(key, {})[name] = value
-    # rounds of several vehicles are no rounds of the team
+    # vehicles have rounds of their own, the team has none
     del figures["clpe_rms_per_cycle"]
     return figures
 
 
-def _at_times(run: "Dataset") -> "dict[str, Dataset]":
-    """Return those samples of a run at which errors are given, by time, the end the last."""
+def _error_samples(run: "Dataset") -> "dict[str, Dataset]":
+    """Return the samples of a run at the times of errors, and the last, by time."""
     times = run.time.values
-    at = {t: int(np.abs(times - t).argmin()) for t in TIMES if t < times[-1]}
-    there = [(t, k) for t, k in at.items() if abs(times[k] - t) <= 1e-9 * t]
-    return {f"{t:g}": run.isel(time=k) for t, k in [*there, (float(times[-1]), -1)]}
+    samples = {}
+    for t in TIMES:
+        k = int(np.abs(times - t).argmin())
+        if t < times[-1] and abs(times[k] - t) <= 1e-9 * t:
+            samples[f"{t:g}"] = run.isel(time=k)
+    samples[f"{times[-1]:g}"] = run.isel(time=-1)
+    return samples
 
 
-def _achieved(
-    scenario: Scenario, run: "Dataset", fine: "Dataset", at: "dict[str, Dataset]"
+def _vehicle_figures(
+    scenario: Scenario, run: "Dataset", fine: "Dataset", samples: "dict[str, Dataset]"
 ) -> dict[str, Any]:
-    """Return what one vehicle achieved; `at` are samples of its run by time."""
-    figures, unknown = clpe_of_samples(scenario, fine), unknown_parts(run)
+    """Return the figures of one vehicle; `samples` of its run are by time."""
+    figures = clpe_of_samples(scenario, fine)
+    vehicle = scenario.vehicle
+    unknown = unknown_parts(run)
     if "flow_parameters" in run:
-        wrong = {
-            k: one.flow_parameters_estimate - run.flow_parameters
-            for k, one in at.items()
-        }
+        theta = run.flow_parameters
         figures["max_flow_parameter_error"] = {
-            k: float(abs(v).max()) for k, v in wrong.items()
+            time: _max_error(sample.flow_parameters_estimate, theta)
+            for time, sample in samples.items()
         }
     if "vehicle_controller" not in unknown:
-        car = scenario.vehicle
-        true = {"feedback_gain": car.feedback, "feedforward_gain": car.feedforward}
         figures["max_gain_error"] = {
-            key: max(
-                float(np.abs(one[name] - gain).max()) for name, gain in true.items()
+            time: max(
+                _max_error(sample.feedback_gain, vehicle.feedback),
+                _max_error(sample.feedforward_gain, vehicle.feedforward),
             )
-            for key, one in at.items()
+            for time, sample in samples.items()
         }
     if scenario.flow.field is not None and "true_flow" not in unknown:
         figures["explained_variance"] = explained_variance(scenario, run)
-    if scenario.vehicle.max_speed is not None and "commanded_velocity" in run:
-        figures["speed"] = speeds_of(fine, scenario.vehicle.max_speed)
+    if vehicle.max_speed is not None and "commanded_velocity" in run:
+        figures["speed"] = speeds_of(fine, vehicle.max_speed)
     return figures
+
+
+def _max_error(estimate: Any, truth: Any) -> float:
+    return float(np.abs(estimate - truth).max())
 
 
 @public
@@ -210,40 +230,40 @@ def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     """
     cure = "clpt.simulation.run_and_report(scenario) gives a summary"
     check_holds("claims: summary", summary, ["clpe_rms_per_cycle"], cure)
-    rms, keys = (
-        summary["clpe_rms_per_cycle"],
-        ("max_flow_parameter_error", "max_gain_error"),
-    )
-    if len(rms) < 2 or not all(
-        {"200", "2000"} <= summary.get(key, {}).keys() for key in keys
-    ):
+    rms = summary["clpe_rms_per_cycle"]
+    errors = [
+        summary.get(f"max_{name}_error", {}) for name in ("flow_parameter", "gain")
+    ]
+    if len(rms) < 2 or any({"200", "2000"} - error.keys() for error in errors):
         raise DataError(
             "the claims of section IV are about its scenario, which has theta, from t = 0 to 2000"
         )
     share = rms[1] / rms[0]
-    measured = f"{rms[0]:.3g}, then {rms[1]:.3g} ({100 * share:.4g} %); last cycle {rms[-1]:.3g}"
-    claim = "CLPE goes to zero over about one cycle"
-    criterion = "rms |e| in the second cycle at most 10 % of the first"
-    rows = [(claim, criterion, measured, "holds" if share <= 0.1 else "fails")]
-    about = (
-        "the six flow parameters converge to their true values",
-        "the gains converge likewise",
-    )
-    criterion = "largest error at most 0.05 after one cycle, t = 200"
-    for claim, key in zip(about, keys, strict=True):
-        early, late = summary[key]["200"], summary[key]["2000"]
-        verdict = "fails"
-        if late <= 0.05:
-            verdict = (
-                "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
-            )
-        rows.append(
-            (
-                claim,
-                criterion,
-                f"{early:.3g} at t = 200, {late:.3g} at t = 2000",
-                verdict,
-            )
-        )
-    names = ("claim", "criterion", "measured", "verdict")
-    return [dict(zip(names, row, strict=True)) for row in rows]
+    clpe_claim = {
+        "claim": "CLPE goes to zero over about one cycle",
+        "criterion": "rms |e| in the second cycle at most 10 % of the first",
+        "measured": f"{rms[0]:.3g}, then {rms[1]:.3g} ({100 * share:.4g} %); "
+        f"last cycle {rms[-1]:.3g}",
+        "verdict": "holds" if share <= 0.1 else "fails",
+    }
+    flow_claim = "the six flow parameters converge to their true values"
+    return [
+        clpe_claim,
+        _convergence(flow_claim, errors[0]),
+        _convergence("the gains converge likewise", errors[1]),
+    ]
+
+
+def _convergence(claim: str, error: dict[str, float]) -> dict[str, str]:
+    """Return a claim of convergence with its verdict; errors are by time."""
+    early = error["200"]
+    late = error["2000"]
+    verdict = "fails"
+    if late <= 0.05:
+        verdict = "holds" if early <= 0.05 else "holds by t = 2000, not in one cycle"
+    return {
+        "claim": claim,
+        "criterion": "largest error at most 0.05 after one cycle, t = 200",
+        "measured": f"{early:.3g} at t = 200, {late:.3g} at t = 2000",
+        "verdict": verdict,
+    }
