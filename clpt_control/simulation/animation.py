@@ -151,7 +151,8 @@ def check_options(path: str | Path | None, **options: float) -> None:
             raise ClptError(
                 f"{name} = {options[name]!r:.60}: must be a number from {low:g} to {high:g}"
             )
-    count, width = options["seconds"] * options["fps"], options["width"]
+    count = options["seconds"] * options["fps"]
+    width = options["width"]
     if (size := count * width**2) > MAX_PIXELS:
         raise ClptError(
             f"a GIF of {count:.0f} frames of {width} pixels would take {size / 1e9:.1f} GB of "

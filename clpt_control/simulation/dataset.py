@@ -53,7 +53,6 @@ REFERENCES = (
     "Cho, Zhang, Edwards (2016), Adaptive learning for controlled "
     "Lagrangian particle tracking, OCEANS 2016 MTS/IEEE Monterey"
 )
-BY_AXIS = ("time", "axis")
 BY_FUNCTION = ("time", "axis", "basis")
 NO_ATTRIBUTES: Mapping[str, str] = MappingProxyType({})
 
@@ -95,7 +94,12 @@ def scenario_template(
         replaced |= {LAW}
 
     table = _table(signals)
-    variables = _table_variables(table, scenario, signals)
+    variables = {}
+    for name, (port, long_name, lengths, rates) in table.items():
+        shape = (2, N) if port == "alpha" else (2,)
+        dims = BY_FUNCTION[: 1 + len(shape)]
+        unit = unit_of(units, lengths, rates)
+        variables[name] = _series(dims, signals.of(port, *shape), long_name, unit)
     variables |= _estimates(scenario, signals, LAW in replaced)
     truths, note = _truths(scenario, signals, replaced)
     variables |= truths
@@ -110,8 +114,10 @@ def scenario_template(
     port_units = {
         port: unit or (speed if port in SPEEDS else "") for port, unit in ports.items()
     }
-    dims = {N: "basis", 2: "axis"}
-    extra_variables, axes = port_variables(extra_ports, dims, variables, port_units)
+    dim_names = {N: "basis", 2: "axis"}
+    extra_variables, axes = port_variables(
+        extra_ports, dim_names, variables, port_units
+    )
     axes["axis"] = [1, 2], {"long_name": "axis of the plane, x1 and x2"}
     axes["basis"] = np.arange(1, N + 1), {"long_name": "flow basis function"}
     return DatasetTemplate(
@@ -135,19 +141,6 @@ def _table(signals: Signals) -> dict[str, tuple[str, str, int, int]]:
     return {
         name: row for name, row in table.items() if f"{row[0]}[0]" in signals.column
     }
-
-
-def _table_variables(
-    table: Mapping[str, tuple[str, str, int, int]], scenario: Scenario, signals: Signals
-) -> dict[str, Series]:
-    variables = {}
-    for name, (port, long_name, lengths, rates) in table.items():
-        dims = BY_FUNCTION if port == "alpha" else BY_AXIS
-        shape = (2, scenario.basis.N) if port == "alpha" else (2,)
-        unit = unit_of(scenario.units, lengths, rates)
-        series = signals.of(port, *shape)
-        variables[name] = _series(dims, series, long_name, unit)
-    return variables
 
 
 def _series(dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> Series:

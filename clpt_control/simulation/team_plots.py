@@ -61,7 +61,8 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     check_run(run, team, "time", "position", "clpe")
     axes = axes_for(ax, 6.4, 8.4, nrows=3, height_ratios=[1.3, 1, 1.2])
     chart, top, bottom = axes
-    units, time = team.first.units, run.time.values
+    units = team.first.units
+    time = run.time.values
     waypoints = [scenario.waypoints for scenario in team.members.values()]
     points = np.concatenate([*waypoints, run.position.values.reshape(-1, 2)])
     draw_first_flow(chart, run, team.first, square_chart(chart, team.first, points, 18))

@@ -214,8 +214,10 @@ def _in_place(
     component: Part, old: Part, sizes: Mapping[str, int], argument: str
 ) -> Part:
     """Return a component with the ports of an old one, if both have one input and one output."""
-    old_inputs, old_outputs = [*input_ports(old)], [*output_ports(old)]
-    inputs, outputs = [*input_ports(component)], [*output_ports(component)]
+    old_inputs = [*input_ports(old)]
+    old_outputs = [*output_ports(old)]
+    inputs = [*input_ports(component)]
+    outputs = output_ports(component)
     if any(len(ports) != 1 for ports in (old_inputs, old_outputs, inputs, outputs)):
         return component
     # an input that is a signal of the loop keeps its name
