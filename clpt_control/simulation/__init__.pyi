@@ -1,7 +1,8 @@
 from .animation import animate
 from .c_export import export_c
 from .comparison import compare, response_plot
-from .fitting import Fit, fit_parameters
+from .fit_problem import Fit
+from .fitting import fit_parameters
 from .flows import explained_variance, flow_velocity
 from .fmu_export import export_fmu
 from .initial_states import initial_state, state_at
