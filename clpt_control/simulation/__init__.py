@@ -1,4 +1,8 @@
-"""The paper's closed loop and its runs: `simulate`, data, report, pictures."""
+"""Simulation of the paper's closed loop, of teams, and of any diagram of blocks.
+
+`closed_loop` wires the loop, and `simulate` returns a run as an `xarray.Dataset`.  Further modules
+summarise, plot and save runs, compute sensitivities, fit parameters, and export C and FMUs.
+"""
 
 import lazy_loader
 

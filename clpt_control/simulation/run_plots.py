@@ -1,4 +1,8 @@
-"""Plots of a scenario's run over time: CLPE, flow parameters and gains, or all in one figure."""
+"""Plots of a scenario's run over time: CLPE, flow parameters and gains.
+
+`run_plot` has the track and all of these in one figure.  Every plot returns the Axes on which it
+drew.
+"""
 
 from typing import TYPE_CHECKING, Any
 

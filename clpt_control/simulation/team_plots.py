@@ -1,4 +1,7 @@
-"""Plot of a team's run, its tracks and errors, and the figure files of any run."""
+"""Plot of a team's run: tracks, prediction errors and errors of the flow parameters.
+
+`run_figures` returns the figures of any run with the names of their files.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,4 +1,8 @@
-"""Chart of a run on the plane: waypoints, track and flow; helpers of all plots of runs."""
+"""Chart of a run on the plane: waypoints, track and the flow at the start.
+
+The other plots of runs share `run_style`, the colours, markers and labels of several runs on the
+same Axes, and `positive`, the values of a logarithmic axis.
+"""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
