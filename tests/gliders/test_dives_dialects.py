@@ -295,6 +295,24 @@ SORTED = "the measurements were not in order of time, sorted"
 TWICE = "400 samples have the time of the one before, left out"
 
 
+def test_an_end_fix_that_repeats_the_start_fix_is_none(tmp_path):
+    columns = og1_rows()
+    for name in ("LATITUDE_GPS", "LONGITUDE_GPS"):
+        columns[name][FIX[5]] = columns[name][FIX[4]]
+    first, long, last = mission(tmp_path, columns)
+    assert swam(first)
+    assert swam(last)
+    assert way(long) == pytest.approx(made.SWUM, rel=1e-9)
+    assert long.gps_east == pytest.approx(made.GPS_EAST, abs=1e-5)
+    assert long.duration == made.DURATION + 700.0  # to GPS1 of the next dive
+    times, lats, lons = made.fixes(7, 8.0)
+    repeated = {"log_gps_lon": (made.INFO, [lons[0], lons[1], lons[1]], {})}
+    seaglider = dives_in(basestation(tmp_path / "a.nc", **repeated))
+    used, skipped = usable(seaglider)
+    assert used == []
+    assert skipped[0].why.startswith("no fix after the dive: its place is exactly")
+
+
 def test_rows_in_any_order_and_twice(tmp_path):
     for change, note in (np.flip, SORTED), (lambda column: np.repeat(column, 2), TWICE):
         for dive in mission(

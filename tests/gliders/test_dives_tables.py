@@ -215,6 +215,7 @@ NOT_USED = [
     ),
     ({"lon_gps2": 408.0}, "no fix before"),
     ({"t_gpse": BASE.t_gps2}, "swapped"),
+    ({"lon_gpse": BASE.lon_gps2}, "no fix after the dive: its place is exactly that"),
     ({"dr_north": -inf}, "not finite"),
     ({"t_gpse": BASE.t_gps2 + 1000}, "lasts 1000 s; must last longer than 1000 s"),
     ({"lat_gps2": 5141.048, "lon_gps2": -12818.018}, DEGREES),
@@ -235,6 +236,13 @@ NOT_USED = [
     ({"gps_north": 1e6}, "m/s"),
     ({"dr_east": 1e6}, "m/s"),
 ]
+
+
+def test_a_fix_that_is_repeated_over_two_dives_starts_neither():
+    stale = replace(BASE, lon_gpse=BASE.lon_gps2)
+    used, skipped = usable([later(9), stale, later(11), later(12, lon_gps2=8.02)])
+    assert [dive.number for dive in used] == [9, 12]
+    assert [one.why[:15] for one in skipped] == ["no fix after th", "no fix before t"]
 
 
 @pytest.mark.parametrize(("changes", "why"), NOT_USED)
@@ -271,20 +279,24 @@ def numbers(dives):
     return [dive.number for dive in used], [one.dive for one in skipped]
 
 
-def test_vehicles_years_apart_are_noted():
-    names = ("SG1", "sg1", None, "rosie", "rosie")
+def test_two_vehicles_are_refused_with_both_names():
+    names = ("SG1", "sg-1", None, "rosie", "rosie")
     dives = [later(10 + k, vehicle=name) for k, name in enumerate(names)]
-    found = [
-        [note for note in dive.notes if "on its own" in note]
-        for dive in usable(dives)[0]
-    ]
-    assert found == [
-        [],
-        [],
-        [],
-        ["is of rosie, those before of sg1: replay each on its own"],
-        [],
-    ]
+    assert len(usable(dives[:3])[0]) == 3
+    for given in (dives, dives[::-1]):
+        refuses("are 2 vehicles in one replay; give .*--fleet FOLDER", usable, given)
+    refuses("^rosie, sg-1: ", usable, dives)
+
+
+def test_a_folder_of_two_vehicles_is_refused_and_a_fleet_is_not(tmp_path, refused):
+    for name in ("unit_1", "unit_2"):
+        rows = [HEAD.strip() + ",vehicle"]
+        rows += [
+            ROW.format(k, 1e4 * k, 1e4 * k + 9e3)[:-1] + f",{name}" for k in (1, 2)
+        ]
+        (tmp_path / f"{name}.csv").write_text("\n".join(rows) + "\n")
+    error = refused("replay", str(tmp_path))
+    assert "unit_1, unit_2: are 2 vehicles in one replay" in error
 
 
 def test_two_vehicles_in_one_input_are_not_mixed():

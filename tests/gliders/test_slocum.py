@@ -106,6 +106,18 @@ def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_pat
     refuses("no dives", navigated, tmp_path, rows[:-1], cut)
 
 
+def test_the_fix_of_the_start_is_none_at_the_end_though_places_moved_between(tmp_path):
+    rows = [(0, 116, 0, "4500.000"), (1, 116, 0, "4500.100")]
+    rows += [(k, 110 if k < 40 else 117, 9, f"4500.{100 + k}") for k in range(2, 80)]
+    rows += [(80, 116, 0, "4500.100"), (81, 116, 0, ""), (85, 116, 0, "4500.900")]
+    rows = [
+        (60 * k, s, 0, 0, -20 if k < 40 else 20, d, n, "-3000.000")
+        for k, s, d, n in rows
+    ]
+    dive = navigated(tmp_path, rows)
+    assert (dive.duration, dive.lat_gpse) == (84 * 60.0, pytest.approx(45 + 0.9 / 60))
+
+
 @pytest.mark.parametrize(
     ("steered", "course"), [(("301", "312.5"), 312.5), (("", ""), None)]
 )
@@ -311,6 +323,35 @@ def test_each_dive_of_a_mission_has_the_current_of_its_sea(tmp_path, how):
         own = (None, None) if "late" in how else tuple(sea)
         assert (dive.dac_east, dive.dac_north) == pytest.approx(own)
         assert dive.magvar == pytest.approx(VARIATION)
+
+
+class Stale(Mission):
+    """A mission whose receiver repeats its first fix after the first dive."""
+
+    fixes = 0
+
+    def fixed(self):
+        cycle = super().fixed()
+        self.fixes += 1
+        if self.fixes == 3:  # before the mission, before the dive, after it
+            cycle |= dict(zip(FIX[:2], ddmm(self.started), strict=True))
+        else:
+            self.started = self.at
+        return cycle
+
+
+def test_a_dive_whose_end_fix_is_its_start_fix_ends_at_the_next_one(tmp_path):
+    dives = []
+    for kind in (Mission, Stale):
+        mission = kind(tmp_path / kind.__name__, added=0.0)
+        mission.dive(0)
+        mission.dive(1)
+        found = read_dives(tmp_path / kind.__name__)[0]
+        dives.append(sorted(found, key=lambda dive: dive.t_gpse))
+    (right, _), (repeated, last) = dives
+    assert (repeated.lat_gpse, repeated.lon_gpse) == (last.lat_gps2, last.lon_gps2)
+    assert repeated.gps_north == pytest.approx(right.gps_north, abs=1.0)
+    assert repeated.dr_north == pytest.approx(right.dr_north, abs=1.0)
 
 
 def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):

@@ -21,6 +21,8 @@ from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import make_dive, write_dive_table
 from clpt_control.ocean.forecast import fleet
 from clpt_control.ocean.forecast.fleet import events, standing
+from clpt_control.ocean.forecast.places import utc
+from clpt_control.ocean.gliders.vehicle_names import name_of
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
@@ -141,7 +143,7 @@ def told_in(path):
         (one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)
     ]
     assert all(said == data["sentence"] for said, data in told)
-    names = ("vehicle", "event", "dive")
+    names = ("vehicle", "event", "fix")
     assert all(
         data["id"] == "{} {} {}".format(*map(data.get, names)) for _, data in told
     )
@@ -173,7 +175,7 @@ def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(
     seen = alerts(tmp_path, sys.executable, "-c", LEFT, str(number), str(said), "{}")
     seen.tell(out)
     os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
-    assert seen.told == ["glider OUT 5"]
+    assert seen.told == [f"glider OUT {out['each_dive'][4]['end']}"]
     assert said.read_text().startswith("glider: OUT: 2 dives running, since dive 5")
 
 
@@ -266,6 +268,36 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     assert lost["said"][0].startswith(
         "cannot be read: no dive can be used; dive 1: no fix after"
     )
+
+
+def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path):
+    heard = tmp_path / "told"
+    second = told(recent(6, 24.0))
+    for mission in (told(recent(6, 20 * 24.0)), second, second):
+        alerts(tmp_path, *shlex.split(teller(heard))).tell(mission)
+    assert told_in(heard) == [("glider", "overdue", 6)] * 2
+
+
+@pytest.mark.parametrize("name", ["-oProxyCommand=touch x", "--help", "@file", ">x"])
+def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, out, name):
+    assert name_of(name) is None
+    said = tmp_path / "said"
+    save = "import sys; open(sys.argv[1], 'w').write(sys.argv[2])"
+    alerts(tmp_path, sys.executable, "-c", save, str(said), "{}").tell(
+        dict(out, vehicle=name)
+    )
+    assert said.read_text().startswith(f"vehicle {name}: OUT")
+
+
+def test_two_spells_of_dives_with_one_number_are_two_events(out):
+    rows = [dict(row, dive=42) for row in out["each_dive"]]
+    far = [row["end"] for row in rows]
+    again = [dict(row, end=utc(seconds_since_1970(row["end"]) + 1e6)) for row in rows]
+    first, second = (
+        events(dict(out, each_dive=each), 0.0) for each in (rows, rows + again)
+    )
+    assert [event.dive for event in (*first, *second)] == [42, 42]
+    assert (first[0].fix, second[0].fix) == (far[4], again[4]["end"])
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])

@@ -108,7 +108,10 @@ class Job:
                     "magnetic heading; leave it out"
                 )
             dives = [with_variation(dive, self.variation) for dive in dives]
-        used, unused = clpt.gliders.usable(dives, self.least)
+        used: list[Any] = []
+        unused: list[Any] = []
+        with self.so_far():
+            used, unused = clpt.gliders.usable(dives, self.least)
         skipped = [*unread, *unused]
         if not (self.follows or used):
             raise DataError(

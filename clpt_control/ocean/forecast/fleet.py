@@ -13,8 +13,10 @@ long ago (`surfacing.RECENT`) is not overdue, and comes last.
 
 A command of the user's own is run when something asks for a pilot.  It is run without a shell.
 `{}` in its words is the sentence; its standard input has the sentence on the first line, and on the
-second one JSON object: id, vehicle, event, dive, sentence, next_dive.  It is run for each event
-until it ends well; then the event's id goes into a file in the state of the folder that is
+second one JSON object: id, vehicle, event, dive, fix, sentence, next_dive.  The id of an event is
+vehicle, kind and the time of the fix after its dive, because dive numbers begin again when a
+vehicle is redeployed and some files give all their dives one number.  The command is run for each
+event until it ends well; then the event's id goes into a file in the state of the folder that is
 followed.  So none is lost: who is killed between the two tells it again, with the same id.  A
 command that fails or lasts too long is one sentence.
 """
@@ -50,10 +52,14 @@ SOON = 48.0  # hours; a longer age is in days
 
 
 class Event(NamedTuple):
-    """What asks for a pilot: its name, the dive from which on it does, and a sentence."""
+    """A reason to call a pilot: its kind, the dive that began it, the fix after, a sentence.
+
+    The fix is its time, ISO 8601.
+    """
 
     name: str
     dive: int
+    fix: str
     sentence: str
 
 
@@ -61,22 +67,31 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
     each, ahead = found["each_dive"], found["next_dive"]
     happened = []
-    last, late = each[-1]["dive"], now - seconds_since_1970(ahead["time"])
-    if late > ahead["time_90"] and now - seconds_since_1970(each[-1]["end"]) <= RECENT:
-        due = f"after dive {last}: should have come up at {clock(ahead['time'])} {within(ahead)}"
-        happened.append(Event(OVERDUE, last, f"{OVERDUE} {due}"))
+    last, late = each[-1], now - seconds_since_1970(ahead["time"])
+    if late > ahead["time_90"] and now - seconds_since_1970(last["end"]) <= RECENT:
+        due = f"should have come up at {clock(ahead['time'])} {within(ahead)}"
+        why = f"{OVERDUE} after dive {last['dive']}: {due}"
+        happened.append(_event(OVERDUE, last, why))
     if (running := _running(each)) > 1:
-        since = each[-running]["dive"]
-        why = f"{OUT}: {running} dives running, since dive {since}, outside their 90 % ellipses"
-        happened.append(Event(OUT, since, why))
-    if anomaly := _anomaly(each):
-        happened.append(Event(SPEED, anomaly["dive"], f"{SPEED}: {Anomaly(**anomaly)}"))
+        first = each[-running]
+        since = f"{running} dives running, since dive {first['dive']}"
+        why = f"{OUT}: {since}, outside their 90 % ellipses"
+        happened.append(_event(OUT, first, why))
+    if changed := _changed_speed(each):
+        why = f"{SPEED}: {Anomaly(**changed['anomaly'])}"
+        happened.append(_event(SPEED, changed, why))
     return happened
+
+
+def _event(name: str, row: dict[str, Any], sentence: str) -> Event:
+    """Return the event that began with the dive of a row."""
+    return Event(name, row["dive"], row["end"], sentence)
 
 
 def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
     """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
     asks, last = events(found, now), found["each_dive"][-1]
+    changed = _changed_speed(found["each_dive"])
     return {
         "vehicle": found["vehicle"],
         "kind": found["kind"],
@@ -91,7 +106,7 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "next_dive": found["next_dive"],
         "headlines": found["headlines"],
         "out_running": _running(found["each_dive"]),
-        "anomaly": _anomaly(found["each_dive"]),
+        "anomaly": changed and changed["anomaly"],
     }
 
 
@@ -187,11 +202,9 @@ def _running(each: list[dict[str, Any]]) -> int:
     return len(list(takewhile(lambda row: not row["inside_90"], reversed(each))))
 
 
-def _anomaly(each: list[dict[str, Any]]) -> dict[str, Any] | None:
-    """Return the last anomaly of the speed among the last dives."""
-    return next(
-        (row["anomaly"] for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None
-    )
+def _changed_speed(each: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """Return the last of the last dives whose row has an anomaly of the speed."""
+    return next((row for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None)
 
 
 LONGEST = 60.0  # s that a command may take
@@ -208,6 +221,18 @@ def checked_command(text: str) -> list[str]:
             f"--alert {text}: no such command; give one that can be run"
         )
     return words
+
+
+def plain_argument(sentence: str) -> str:
+    """Return a sentence that a command cannot take for an option.
+
+    A vehicle without a name in its files has that of its folder.
+
+    >>> plain_argument("-rf: overdue after dive 8"), plain_argument("SG171: OUT")
+    ('vehicle -rf: overdue after dive 8', 'SG171: OUT')
+    """
+    begins_well = sentence[:1].isalnum() or sentence[:1] == "_"
+    return sentence if begins_well else f"vehicle {sentence}"
 
 
 class Alerts:
@@ -228,15 +253,16 @@ class Alerts:
             return
         vehicle = found["vehicle"]
         for event in events(found, time.time()):
-            key = f"{vehicle} {event.name} {event.dive}"
+            key = f"{vehicle} {event.name} {event.fix}"
             if key in self.told:
                 continue
-            sentence = f"{vehicle}: {event.sentence}"
+            sentence = plain_argument(f"{vehicle}: {event.sentence}")
             data = {
                 "id": key,
                 "vehicle": vehicle,
                 "event": event.name,
                 "dive": event.dive,
+                "fix": event.fix,
             }
             data |= {"sentence": sentence, "next_dive": found["next_dive"]}
             why = self._run(sentence, json.dumps(data))

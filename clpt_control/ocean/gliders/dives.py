@@ -104,19 +104,32 @@ def cut_dives(
     """Return the fixes of each dive: more than a gap (s) apart, with a time under water between.
 
     Fixes and times under water, `wet`, are in order; with None for these any gap is a dive.
+    After a dive, a fix with exactly the place of the one before it is that one repeated: it is
+    left out, and the dive goes on to the first new place.
 
     >>> up = [(0.0, 43.0, 8.0), (60.0, 43.0, 8.0), (7200.0, 43.0, 8.1), (9000.0, 43.0, 8.1)]
     >>> cut_dives(up, np.array([600.0]), 300.0) == [tuple(up[:3])]
     True
     """
+
+    def is_dive(start: Fix, end: Fix) -> bool:
+        under = (
+            1
+            if wet is None
+            else np.ptp(np.searchsorted(wet, (start[0], end[0]), "right"))
+        )
+        return end[0] - start[0] > least_gap and bool(under > 0)
+
+    new = [*fixes[:1]]
+    for fix in fixes[1:]:
+        repeats = fix[1:] == new[-1][1:] and is_dive(new[-1], fix)
+        if not repeats:
+            new.append(fix)
     found: list[Three] = []
     surfaced = 0  # first fix since the dive before
-    for k, (start, end) in enumerate(pairwise(fixes)):
-        dived = (
-            wet is None or np.ptp(np.searchsorted(wet, (start[0], end[0]), "right")) > 0
-        )
-        if end[0] - start[0] > least_gap and dived:
-            found.append((fixes[surfaced] if k > surfaced else None, start, end))
+    for k, (start, end) in enumerate(pairwise(new)):
+        if is_dive(start, end):
+            found.append((new[surfaced] if k > surfaced else None, start, end))
             surfaced = k + 1
     return found
 

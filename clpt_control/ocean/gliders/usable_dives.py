@@ -2,6 +2,7 @@
 
 A dive needs both fixes, a time and a place each, in their order, and a finite
 displacement through the water; no speed that follows from them may be above 5 m/s.
+An end fix with exactly the place of the start fix is the start fix repeated, so it is no fix.
 Times are those of the years 1970 to 2200 (`constituents.YEARS`, where tides end too).
 
 Between two dives a vehicle drifts at the surface, or makes dives that are not known.  A dive that
@@ -13,13 +14,16 @@ from both fixes of the one before is of another vehicle.  What is less far, and 
 can be, tells of a wrong fix, which costs no dive: a replay judges it (`replay.doubts`).
 """
 
+import re
 from collections.abc import Iterable
 from datetime import UTC, datetime
+from itertools import pairwise
 from math import hypot, isfinite
 
 import numpy as np
 
 from ...base.arguments import public
+from ...base.errors import DataError
 from ...base.geodesy import distance, is_place
 from ..currents.constituents import YEARS
 from .dives import NUMBERS, Dive, Skipped, is_fix, noted
@@ -64,6 +68,11 @@ def usable(
     skipped : list of Skipped
         The others, each with its reason.
 
+    Raises
+    ------
+    DataError
+        If the dives are of several vehicles.
+
     Examples
     --------
     >>> from clpt_control.ocean.gliders.dives import make_dive
@@ -74,8 +83,15 @@ def usable(
     ([7], 8, 'the displacement through the water is not finite')
     """
     fit, skipped, latest = [], [], -np.inf
+    dives = list(dives)
+    check_one_vehicle(dives)
+    repeated = _with_a_repeated_start(dives)
     for dive in dives:
         why = _fault(dive, least_duration)
+        if not why and id(dive) in repeated:
+            why = (
+                "no fix before the dive: its place is exactly that before the last dive"
+            )
         if why:
             skipped.append(Skipped(dive.number, "; ".join((why, *dive.notes))))
             continue
@@ -84,7 +100,7 @@ def usable(
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
-    used, name = ordered[:1], ordered[0].vehicle if ordered else None
+    used = ordered[:1]
     for dive in ordered[1:]:
         before = used[-1]
         why = _overlap(dive, before) or _too_far(dive, before)
@@ -94,11 +110,23 @@ def usable(
         missing = dive.number - before.number - 1
         if 0 < missing < MISSION and not follows(dive, before):
             dive = noted(dive, f"{missing} dive(s) missing after dive {before.number}")
-        if dive.vehicle and name and dive.vehicle.casefold() != name.casefold():
-            dive = noted(dive, f"is of {dive.vehicle}, those before of {name}: {OWN}")
-        name = dive.vehicle or name
         used.append(dive)
     return used, skipped
+
+
+def check_one_vehicle(dives: Iterable[Dive]) -> None:
+    """Refuse dives of several vehicles; case and punctuation of a name do not count."""
+    names = {
+        re.sub(r"[\W_]", "", dive.vehicle).casefold(): dive.vehicle
+        for dive in dives
+        if dive.vehicle
+    }
+    if len(names) > 1:
+        each = ", ".join(sorted(names.values()))
+        raise DataError(
+            f"{each}: are {len(names)} vehicles in one replay; give the files of one, or "
+            "clpt replay --fleet FOLDER, which replays each vehicle of a folder on its own"
+        )
 
 
 def follows(dive: Dive, before: Dive) -> bool:
@@ -121,6 +149,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
         return why
     if dive.duration <= 0:
         return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
+    if (dive.lat_gpse, dive.lon_gpse) == (dive.lat_gps2, dive.lon_gps2):
+        return "no fix after the dive: its place is exactly that of the fix before the dive"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
         return "the displacement through the water is not finite"
     if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
@@ -138,6 +168,26 @@ def _fault(dive: Dive, least_duration: float) -> str:
                 f"{length / dive.duration:.3g} m/s; at most {FASTEST:g} m/s can be"
             )
     return ""
+
+
+def _with_a_repeated_start(dives: list[Dive]) -> set[int]:
+    """Return the ids of dives with the start fix of the dive before, which also ends there.
+
+    The receiver then had no fix between the two dives.
+    """
+    timed = sorted((dive for dive in dives if isfinite(dive.t_gps2)), key=_start_time)
+    return {
+        id(dive)
+        for before, dive in pairwise(timed)
+        if dive.t_gps2 >= before.t_gpse
+        and (before.lat_gps2, before.lon_gps2)
+        == (before.lat_gpse, before.lon_gpse)
+        == (dive.lat_gps2, dive.lon_gps2)
+    }
+
+
+def _start_time(dive: Dive) -> float:
+    return dive.t_gps2
 
 
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:

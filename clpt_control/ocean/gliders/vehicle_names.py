@@ -1,4 +1,8 @@
-"""The name of a vehicle, as its files or their names have it."""
+"""The name of a vehicle, as its files or their names have it.
+
+A name begins with a letter, a digit or an underscore, so that no file can pass an option, a path or
+a redirection to the command of `clpt replay --alert`.
+"""
 
 import re
 from typing import Any
@@ -35,9 +39,14 @@ def name_of_file(file: str) -> str | None:
 
 
 def name_of(*values: Any) -> str | None:
-    """Return the first value that is a name, None where none is."""
+    """Return the first value that is a name, None where none is.
+
+    >>> name_of("-oProxyCommand=x", "SG171")
+    'SG171'
+    """
     for value in values:
         name = value.strip() if isinstance(value, str) else ""
-        if 0 < len(name) <= LONGEST and name.isprintable():
+        begins_well = name[:1].isalnum() or name[:1] == "_"
+        if begins_well and len(name) <= LONGEST and name.isprintable():
             return name
     return None
