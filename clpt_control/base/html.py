@@ -93,14 +93,14 @@ def listing(text: str) -> str:
 
 
 def document(
-    title: str, body: str, style: str, script: str = "", head: str = ""
+    title: str, body: str, style: str, scripts: Sequence[str] = (), head: str = ""
 ) -> str:
-    """Return a page; `style` and `script` name files of the package, beside `page.css`."""
+    """Return a page; `style` and `scripts` name files of the package, next to `page.css`."""
     styles = _asset("page.css") + _asset(style)
     policy = f"default-src 'none'; style-src {_hash(styles)}"
     ending = ""
-    if script:
-        code = _asset(script)
+    if scripts:
+        code = "".join(map(_asset, scripts))
         policy += f"; script-src {_hash(code)}"
         ending = f"<script>{code}</script>"
     return "\n".join(

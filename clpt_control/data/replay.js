@@ -1,5 +1,4 @@
-"use strict";
-// The map's zoom, the dive under the pointer, hours from now. The page reads well without.
+// The map's zoom and the dive under the pointer. The page reads well without.
 const map = document.getElementById("map"), said = document.getElementById("said");
 const full = { x: 0, y: 0, w: map.viewBox.baseVal.width, h: map.viewBox.baseVal.height };
 const [left, top_, wide, high] = map.dataset.box.split(" ").map(Number);
@@ -159,14 +158,6 @@ for (const [name, hint, act] of [
 for (const row of document.querySelectorAll("tr[id]"))
   for (const name of ["pointerenter", "click"])
     row.addEventListener(name, () => choose(row));
-function hours() {
-  for (const mark of document.querySelectorAll("[data-time]")) {
-    const left = (Date.parse(mark.dataset.time) - Date.now()) / 3600000;
-    mark.textContent = left < -0.05 ? `${(-left).toFixed(1)} h ago` : `in ${Math.abs(left).toFixed(1)} h`;
-  }
-}
-hours();
-setInterval(hours, 60000);
 const again = document.querySelector("[data-again]");
 // A zoomed map is being read, and stays.
 if (again) setInterval(() => { if (!zoomed()) location.reload(); }, 1000 * again.dataset.again);

@@ -9,6 +9,8 @@ import json
 import re
 import shutil
 import threading
+import time
+from dataclasses import replace
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -20,7 +22,7 @@ from synthetic_vehicle import fixes_of
 import clpt_control as clpt
 from clpt_control.gliders import write_dive_table
 
-NAMES = ("chromium", "chromium-browser", "google-chrome")
+NAMES = ("chromium", "chromium-browser", "google-chrome", "chromium-headless-shell")
 CHROMIUM = next(filter(None, map(shutil.which, NAMES)), "")
 QUIET = [
     "--headless",
@@ -136,6 +138,89 @@ def test_the_words_of_a_fleet_are_whole_on_a_telephone(tmp_path):
     found = asked(tmp_path / "out" / "fleet.html", WORDS, tmp_path, 390)
     assert found["words"] > 10
     assert (found["broken"], found["beyond"]) == ([], 0)
+
+
+LATER = """
+const now = Date.now, later = HOURS * 3600000;
+Date.now = () => now() + later;
+function found() {
+  const text = (name) => document.querySelector(name)?.textContent ?? "";
+  const card = document.querySelector("section[data-overdue]");
+  const row = document.querySelector("tr[data-end]");
+  return { since: text("[data-since]"), alarm: card?.classList.contains("alarm"),
+    title: text("section[data-overdue] h2"), below: text("section[data-overdue] small"),
+    last: text("section[data-end] b"), age: row?.cells[1].textContent,
+    pilot: row?.cells[4].textContent, loud: row?.cells[4].className };
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def watched(tmp_path_factory):
+    """The pages of a vehicle that surfaced an hour ago, and of its fleet."""
+    folder = tmp_path_factory.mktemp("watched")
+    dives = fixes_of(15)
+    late = time.time() - 3600 - dives[-1].t_gpse
+    dives = [
+        replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late)
+        for dive in dives
+    ]
+    (folder / "fleet" / "north").mkdir(parents=True)
+    write_dive_table(dives, folder / "fleet" / "north" / "dives.csv")
+    ran(*CLPT, "replay", "--fleet", "fleet", "--out", "out", cwd=folder)
+    return folder / "out"
+
+
+@pytest.mark.parametrize(
+    ("hours", "title", "last"),
+    [
+        (0, "Next surfacing", "1.0 h ago"),
+        (10, "Overdue: next surfacing", "11.0 h ago"),
+        (31 * 24, "Next surfacing", "31 d ago"),
+    ],
+)
+def test_a_page_that_is_read_later_counts_on(watched, tmp_path, hours, title, last):
+    probe = LATER.replace("HOURS", str(hours))
+    page = watched / "north" / "replay.html"
+    found = asked(page, probe, tmp_path, 390)
+    overdue = hours == 10
+    assert (found["title"], found["alarm"]) == (title, overdue)
+    assert found["last"] == last
+    assert found["since"] == ("31 d ago" if hours > 48 else f"{hours:.1f} h ago")
+    assert found["below"].startswith(
+        "expected" if overdue else "in" if hours == 0 else "3"
+    )
+    fleet = asked(watched / "fleet.html", probe, tmp_path, 390)
+    assert fleet["age"] == last.removesuffix(" ago")
+    said = "overdue after dive 15: should have surfaced at"
+    assert fleet["pilot"].startswith(said) == overdue
+    assert fleet["loud"] == ("alarm" if overdue else "")
+
+
+CUT = """
+function found() {
+  const map = document.getElementById("map"), edge = map.getBoundingClientRect();
+  const names = [...map.querySelectorAll("text")].filter((one) => /[NSEW]$/.test(one.textContent));
+  const cut = names.filter((one) => {
+    const box = one.getBoundingClientRect();
+    return box.left < edge.left || box.right > edge.right || box.bottom > edge.bottom;
+  });
+  const broken = [...document.querySelectorAll(".whole")].filter(
+    (one) => one.getClientRects().length > 1 || one.getBoundingClientRect().right > innerWidth);
+  return { names: names.length, cut: cut.map((one) => one.textContent),
+    broken: broken.map((one) => one.textContent) };
+}
+"""
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize(("lat", "lon"), [(40.0, 8.0), (-42.1, -128.3)])
+def test_no_degree_is_cut(tmp_path, lat, lon, width):
+    write_dive_table(fixes_of(3, lat, lon), tmp_path / "dives.csv")
+    ran(*CLPT, "replay", "dives.csv", "--out", "out", cwd=tmp_path)
+    found = asked(tmp_path / "out" / "replay.html", CUT, tmp_path, width)
+    assert found["names"] > 4
+    assert (found["cut"], found["broken"]) == ([], [])
 
 
 @pytest.mark.parametrize("width", [390, 1280])

@@ -305,7 +305,7 @@ def test_an_end_fix_that_repeats_the_start_fix_is_none(tmp_path):
     assert way(long) == pytest.approx(made.SWUM, rel=1e-9)
     assert long.gps_east == pytest.approx(made.GPS_EAST, abs=1e-5)
     assert long.duration == made.DURATION + 700.0  # to GPS1 of the next dive
-    times, lats, lons = made.fixes(7, 8.0)
+    _, _, lons = made.fixes(7, 8.0)
     repeated = {"log_gps_lon": (made.INFO, [lons[0], lons[1], lons[1]], {})}
     seaglider = dives_in(basestation(tmp_path / "a.nc", **repeated))
     used, skipped = usable(seaglider)

@@ -215,7 +215,6 @@ NOT_USED = [
     ),
     ({"lon_gps2": 408.0}, "no fix before"),
     ({"t_gpse": BASE.t_gps2}, "swapped"),
-    ({"lon_gpse": BASE.lon_gps2}, "no fix after the dive: its place is exactly that"),
     ({"dr_north": -inf}, "not finite"),
     ({"t_gpse": BASE.t_gps2 + 1000}, "lasts 1000 s; must last longer than 1000 s"),
     ({"lat_gps2": 5141.048, "lon_gps2": -12818.018}, DEGREES),
@@ -240,7 +239,9 @@ NOT_USED = [
 
 def test_a_fix_that_is_repeated_over_two_dives_starts_neither():
     stale = replace(BASE, lon_gpse=BASE.lon_gps2)
-    used, skipped = usable([later(9), stale, later(11), later(12, lon_gps2=8.02)])
+    used, skipped = usable(
+        [later(9), stale, later(11), later(12, lon_gps2=8.02, lon_gpse=8.04)]
+    )
     assert [dive.number for dive in used] == [9, 12]
     assert [one.why[:15] for one in skipped] == ["no fix after th", "no fix before t"]
 

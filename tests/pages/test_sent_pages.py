@@ -254,7 +254,7 @@ def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
     checked(page.read_text("utf-8"))
     made = clpt.report(clpt.replay.replay_dives(fixes_of(4)), page)
     assert made["sentences"][0].startswith("next surfacing ")
-    assert "where it comes up next" in page.read_text("utf-8")
+    assert "glider: next surfacing" in page.read_text("utf-8")
 
 
 @pytest.mark.usefixtures("undrawn")

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from dataclasses import replace
 from datetime import datetime
 
@@ -349,6 +350,6 @@ def test_the_command_draws_the_way(command, tmp_path):
     assert found["aim"][0]["latitude"] == -42.93
     assert found["route"]["waypoints"][0]["made"] > 0.5
     page = (tmp_path / "out" / "replay.html").read_text("utf-8")
-    assert "route to 42 55.80 S" in page
+    assert "route to 42 55.80 S" in re.sub("<[^>]*>", "", page)
     (area,) = map_plot(found).patches
     assert (len(area.get_xy()), found["paste"]["file"]) == (4, "targets")

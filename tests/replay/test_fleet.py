@@ -112,7 +112,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
     assert names[5:] == ["SG542", "SG171"]  # old records
     assert max(map(len, table)) <= 80
     assert "OUT x2" in table[1]
-    for said in ("7 vehicles, 3 asking for a pilot", "hurt: cannot be read: "):
+    for said in ("7 vehicles, 3 need a pilot", "hurt: cannot be read: "):
         assert said in done.stdout
     again = command("--fleet", tree, "--alert", teller(heard), "--json")
     assert sorted(told_in(heard)) == [

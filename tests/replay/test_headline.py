@@ -115,7 +115,7 @@ def test_terminal_page_and_files_say_the_same(sample):
     ahead = sample.found["next_dive"]
     within = f"+- {ahead['time_90'] / 60:.0f} min"
     half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
-    record = "headlines so far: 11 of 13 held the place, 13 the time"
+    record = "11 of 13 inside their 90 % ellipse, 13 within their 90 % time"
     page, kml = (
         (sample.folder / name).read_text() for name in ("replay.html", "track.kml")
     )

@@ -52,7 +52,7 @@ def test_the_command(sample, command):
         15,
         ["next", ahead["time"][5:16].replace("T", " ")],
     )
-    assert " x " in rows[-1][titles.index("90 % ellipse (m, deg)")]
+    assert " x " in rows[-1][titles.index("90 % half axes (m), deg")]
     assert rows[-1][titles.index("adaptive")] == ""
     table = command(
         "--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient"
@@ -173,7 +173,7 @@ def test_the_command_with_a_flow_model(command, forecast, tmp_path):
     for said in (
         "covered, after the first dive",
         f"covers {given['covered']} of 14 dives",
-        f"; the flow model does not cover it: {why}",
+        f"; the flow model does not cover the next dive: {why}",
     ):
         assert said in table
 
@@ -242,8 +242,8 @@ def test_the_command_follows(follow, sample, tmp_path):
     for part in (sample_dives()[:5], sample_dives()[5:]):
         one_file_each(tmp_path / "in", part)
         followed = json.loads(follow(*words).stdout)
-    # the table of dives names none
-    assert followed == sample.found | {"vehicle": "glider", "kind": None}
+    # the table of dives names no vehicle: the folder does
+    assert followed == sample.found | {"vehicle": "in", "kind": None}
     assert (tmp_path / "out" / "replay.nc").exists()
 
 
@@ -288,7 +288,7 @@ def test_the_line_of_following(follow, tmp_path):
     way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-42.5 8.0\n")
     done = follow(tmp_path, "--route", way, "--json")
     line = next(line for line in done.stderr.splitlines() if "dives used" in line)
-    said = r"3 new files, 3 dives used; dive 306: miss \d+ m; next surfacing 2016-02-01"
+    said = r"3 new files, 3 dives used; dive 306: position error \d+ m; next surfacing 2016-02-01"
     assert re.search(said, line)
     assert "h from the end of the last dive, near 43 " in line
     assert "; aim at 42 30.00 S 8 00.00 E" in line
@@ -425,6 +425,6 @@ def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
     assert words == asked  # and nothing of standard output
     outcome = clpt(*words.split())
     assert outcome.status == 0
-    assert "7 new files, 6 dives used; dive 309: miss " in outcome.err
+    assert "7 new files, 6 dives used; dive 309: position error " in outcome.err
     assert outcome.err.count("\n") == 1  # a line of the log
     assert "dive 309" in (mission / "clpt" / "replay.html").read_text("utf-8")

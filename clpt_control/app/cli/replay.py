@@ -159,6 +159,7 @@ def replay(
         least,
     )
     job.check()
+    job.name = name_by_files(files or ([] if follow is None else [follow]))
     if fleet is not None:
         rows, page = look_at(job, fleet, out or fleet / "replay", command)
         finish(fleet_results(rows), rows, as_json, page)
@@ -179,6 +180,18 @@ def replay(
         if out is not None:
             written = replay_report.write(summary, make_folder(out), kinds)
     finish(replay_report.results(summary), summary, as_json, *written)
+
+
+def name_by_files(files: Sequence[Path]) -> str:
+    """Return the name of a vehicle that no file names: its file, or the folder of several.
+
+    >>> name_by_files([Path("data/north.csv")]), name_by_files([Path("m/1.csv"), Path("m/2.csv")])
+    ('north', 'm')
+    """
+    paths = [file.resolve() for file in files]
+    if len(paths) > 1:
+        return Path(os.path.commonpath([path.parent for path in paths])).name
+    return "".join(path.name if path.is_dir() else path.stem for path in paths)
 
 
 def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:

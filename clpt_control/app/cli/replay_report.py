@@ -38,7 +38,7 @@ class Job:
     `targets` are waypoints to aim at, in their order. Speed (m/s), duration (s) and variation
     (degrees east) are for aiming. The way is drawn (`route`) where there is a list of areas to stay
     out of, if an empty one. `follows`: what the dives so far do not allow is told once, and work
-    goes on.
+    goes on. A vehicle that no file names is called `name`.
     """
 
     replay: Any
@@ -52,6 +52,7 @@ class Job:
     kinds: Sequence[str] = ()
     least: float = 0.0
     told: set[str] = field(default_factory=set)
+    name: str = ""
 
     def check(self) -> None:
         """Refuse what cannot be, before work begins."""
@@ -136,6 +137,8 @@ class Job:
         }
         if not replay.steps:
             return found
+        if self.name and not replay.steps[-1].dive.vehicle:
+            found["vehicle"] = self.name
         legs = self.aims()
         aimed = legs and not self.plan
         goal = legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan)
@@ -164,7 +167,7 @@ class Job:
         step, to_come = self.replay.steps[-1], found["next_dive"]
         near = place(to_come["latitude"], to_come["longitude"])
         return found, (
-            f"{line}; dive {step.dive.number}: miss {step.clpe['adaptive']:.0f} m"
+            f"{line}; dive {step.dive.number}: position error {step.clpe['adaptive']:.0f} m"
             + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
             + f"; next surfacing {when(to_come)}, near {near}"
             + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
@@ -217,8 +220,8 @@ def results(summary: Report) -> list[Result]:
     models = cells.MODELS[: len(each[0]["clpe"])]
     rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
     return [
-        fitted("Miss (CLPE, m) one dive ahead; currents in m/s", dives, cells.COLUMNS),
-        Result("Miss, rms (m)", ["over", *models], rows, sentences),
+        fitted(cells.TITLE, dives, cells.COLUMNS),
+        Result("Position error, rms (m)", ["over", *models], rows, sentences),
     ]
 
 

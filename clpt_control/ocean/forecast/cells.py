@@ -59,6 +59,15 @@ def half_axes(row: Row) -> str:
     return f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
 
 
+def ellipse_words(row: Row) -> str:
+    """Return the size of a 90 % ellipse.
+
+    >>> ellipse_words({"ellipse_90_long": 3163.2, "ellipse_90_short": 2955.0})
+    '90 % ellipse with half axes 3163 x 2955 m'
+    """
+    return f"90 % ellipse with half axes {half_axes(row)} m"
+
+
 def _ellipse(row: Row) -> str:
     return f"{half_axes(row)}, {row['ellipse_90_bearing']:.0f}"
 
@@ -68,8 +77,9 @@ def speed_mark(anomaly: Row | None) -> str:
     return "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?"
 
 
+TITLE = "Position error (CLPE, m) one dive ahead; currents in m/s"
 MODELS = ("no flow", "previous", "adaptive", "model")  # columns of the flow models
-ELLIPSE = "90 % ellipse (m, deg)"
+ELLIPSE = "90 % half axes (m), deg"
 COLUMNS: Columns = {
     "dive": (0, lambda row: str(row["dive"])),
     "ended (UTC)": (1, lambda row: date(row["end"])),

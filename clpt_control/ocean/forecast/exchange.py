@@ -45,7 +45,7 @@ NAMES = {  # kind of a layer: its name and its colour
     "next": ("next surfacing", PURPLE),
     "ring next": ("90 % ellipse", PURPLE),
     "target": ("waypoint", ORANGE),
-    "made": ("way made good", ORANGE),
+    "made": ("distance made good", ORANGE),
     "ring aimed": ("90 % ellipse, aimed", ORANGE),
 }
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")

@@ -3,8 +3,8 @@
 Each row is made of what `clpt replay --json` prints of a vehicle, at a time, now.  It asks for a
 pilot where
 
-    overdue         now is past the headline's time by more than the 90 % of that time
-    OUT             two dives running, at least, came up outside their 90 % ellipses
+    overdue         now is past the time of the next surfacing by more than its 90 %
+    OUT             two dives running, at least, surfaced outside their 90 % ellipses
     SPEED           the speed changed within the last `SETTLED` dives
     cannot be read  there is no replay, for a reason that the row says
 
@@ -36,19 +36,19 @@ from urllib.parse import quote
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import read_text
-from ...base.html import document, paragraphs
+from ...base.html import document, safe
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
+from .cards import attributes, overdue_marks, unbroken
 from .cells import Columns, cells, half_axes, speed_mark
 from .doubts import SETTLED, Anomaly
 from .places import clock, date, in_minutes
 from .replay_page import cell_table
-from .surfacing import RECENT
-from .wording import within
+from .surfacing import RECENT, overdue_times
+from .wording import age, within
 
 OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
 ORDER = (OVERDUE, OUT, SPEED, UNREAD)
-SOON = 48.0  # hours; a longer age is in days
 
 
 class Event(NamedTuple):
@@ -67,11 +67,10 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
     each, ahead = found["each_dive"], found["next_dive"]
     happened = []
-    last, late = each[-1], now - seconds_since_1970(ahead["time"])
-    if late > ahead["time_90"] and now - seconds_since_1970(last["end"]) <= RECENT:
-        due = f"should have come up at {clock(ahead['time'])} {within(ahead)}"
-        why = f"{OVERDUE} after dive {last['dive']}: {due}"
-        happened.append(_event(OVERDUE, last, why))
+    last = each[-1]
+    late, until = overdue_times(ahead, last["end"])
+    if late < now <= until:
+        happened.append(_event(OVERDUE, last, _overdue(last["dive"], ahead)))
     if (running := _running(each)) > 1:
         first = each[-running]
         since = f"{running} dives running, since dive {first['dive']}"
@@ -86,6 +85,12 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
 def _event(name: str, row: dict[str, Any], sentence: str) -> Event:
     """Return the event that began with the dive of a row."""
     return Event(name, row["dive"], row["end"], sentence)
+
+
+def _overdue(last: int, ahead: dict[str, Any]) -> str:
+    """Return the sentence on a vehicle that is overdue after its last dive."""
+    expected = f"{clock(ahead['time'])} {within(ahead)}"
+    return f"{OVERDUE} after dive {last}: should have surfaced at {expected}"
 
 
 def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
@@ -132,10 +137,6 @@ def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return sorted(rows, key=place)
 
 
-def _age(hours: float) -> str:
-    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
-
-
 def _out(running: int) -> str:
     return f"{OUT} x{running}" if running > 1 else OUT if running else "in"
 
@@ -148,14 +149,14 @@ def _record(headlines: dict[str, Any]) -> str:
 FLEET: Columns = {
     "vehicle": (0, lambda row: row["vehicle"]),
     "last fix (UTC)": (3, lambda row: f"{row['time'][:4]}-{date(row['time'])}"),
-    "age": (0, lambda row: _age(row["age_hours"])),
-    "at": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
+    "age": (0, lambda row: age(row["age_hours"])),
+    "position": (5, lambda row: in_minutes(row["latitude"], row["longitude"])),
     "next (UTC)": (
         1,
         lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}",
     ),
-    "90 % within (m)": (4, lambda row: half_axes(row["next_dive"])),
-    "held": (2, lambda row: _record(row["headlines"])),
+    "half axes (m)": (4, lambda row: half_axes(row["next_dive"])),
+    "90 % so far": (2, lambda row: _record(row["headlines"])),
     "90 %": (0, lambda row: _out(row["out_running"])),
     "mark": (0, lambda row: speed_mark(row["anomaly"])),
     "pilot": (0, lambda row: ", ".join(row["asks"])),
@@ -178,23 +179,45 @@ def fleet_page(found: dict[str, Any]) -> str:
     rows = found["vehicles"]
     each = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
     pages = [row["page"] and quote(row["page"]) for row in rows]
+    since = f'<span data-since="{safe(found["now"])}">ages are of then</span>'
     body = "\n".join(
         [
             "<h1>Fleet</h1>",
-            paragraphs([f"{fleet_sentence(rows)}. Written {clock(found['now'])}."]),
+            f"<p>{unbroken(clock(found['now']))}, {since}: {fleet_sentence(rows)}.</p>",
             '<div class="fleet">',
-            *cell_table("What asks for a pilot first", each, FLEET, (), pages),
+            *cell_table(
+                "Vehicles, those that need a pilot first",
+                each,
+                FLEET,
+                _marks(rows),
+                pages,
+            ),
             "</div>",
         ]
     )
     again = '<meta http-equiv="refresh" content="60">\n'
-    return document(f"Fleet, {clock(found['now'])}", body, "replay.css", head=again)
+    title = f"Fleet, {clock(found['now'])}"
+    return document(title, body, "replay.css", ("clock.js",), again)
+
+
+def _marks(rows: list[dict[str, Any]]) -> list[str]:
+    """Return for each row the times and the sentence by which the script counts on."""
+    marks = []
+    for row in rows:
+        if "dive" not in row:
+            marks.append("")
+            continue
+        ahead = row["next_dive"]
+        words = {"end": row["time"], "words": _overdue(row["dive"], ahead)}
+        marks.append(attributes(overdue_marks(ahead, row["time"]) | words))
+    return marks
 
 
 def fleet_sentence(rows: list[dict[str, Any]]) -> str:
-    """Return how many vehicles there are, and how many ask for a pilot."""
+    """Return how many vehicles there are, and how many need a pilot."""
     asks = sum(bool(row["asks"]) for row in rows)
-    return f"{len(rows)} vehicle{'s'[: len(rows) != 1]}, {asks} asking for a pilot"
+    verb = "needs" if asks == 1 else "need"
+    return f"{len(rows)} vehicle{'s'[: len(rows) != 1]}, {asks} {verb} a pilot"
 
 
 def _running(each: list[dict[str, Any]]) -> int:

@@ -90,6 +90,11 @@ def drift(dive: Dive, before: Dive | None) -> Way | None:
     return Way(*way, seconds) if known else None
 
 
+def has_course(dive: Dive) -> bool:
+    """Whether the file of a dive has a course for the next one."""
+    return dive.next_course is not None and isfinite(dive.next_course)
+
+
 class Guess(NamedTuple):
     """A dive to come: way through the water (2,), m, duration, s, and what both scatter by.
 
@@ -144,7 +149,7 @@ class Habits:
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
         found = {REPEATED: (_frame(last.dr_east, last.dr_north), log(last.duration))}
-        if last.next_course is not None and isfinite(last.next_course):
+        if last.next_course is not None and has_course(last):
             usual, usually = self.means[1:] / self.means[0]  # length, log duration
             course, length = radians(last.next_course), max(usual, LEAST)
             found[PLANNED] = _frame(length * sin(course), length * cos(course)), usually

@@ -15,7 +15,7 @@ from math import cos, pi, radians, sin
 from typing import Any, NamedTuple
 
 from ...base.geodesy import displacement, place_from
-from .cells import half_axes
+from .cells import ellipse_words
 from .places import Place, compass, velocity
 from .wording import within
 
@@ -64,7 +64,8 @@ def words_of_next(ahead: dict[str, Any]) -> str:
     """Return the popup's words on the next surfacing."""
     bearing = compass(ahead["ellipse_90_bearing"])
     when = f"{ahead['time']} {within(ahead)}"
-    return f"{when}, {ahead['place']}; 90 % within {half_axes(ahead)} m, the long axis to {bearing}"
+    size = ellipse_words(ahead)
+    return f"{when}, {ahead['place']}; {size}, the long axis to {bearing}"
 
 
 def words_of_dive(row: dict[str, Any]) -> str:

@@ -75,7 +75,7 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
     for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
         ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
-    ax.set(ylabel="miss (CLPE) at the surfacing (km)", ylim=(0, None))
+    ax.set(ylabel="position error (CLPE) (km)", ylim=(0, None))
     _mark(ax, x)
     ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
     legend_below(ax, 3)

@@ -39,7 +39,7 @@ from ..gliders.usable_dives import follows
 from .carried_dives import FlowModel, carried
 from .cells import cells
 from .doubts import SpeedFactorWatch, doubt_one_fix
-from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift
+from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift, has_course
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
 
@@ -223,6 +223,7 @@ class Replay:
             (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
             float(NORMAL * late * np.sqrt(guess.tails) * long),
             guess.basis,
+            has_course(last.dive),
         )
 
     def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:

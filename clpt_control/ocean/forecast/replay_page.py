@@ -2,36 +2,39 @@
 
 Nothing is fetched: style, script, map and charts are in the file, and its Content-Security-Policy
 allows that style and script alone.  It is whole without the script, which zooms the map, shows the
-dive under the pointer and counts the hours.  Every text is escaped: files may say what they like.
+dive under the pointer, counts the hours and marks a vehicle that becomes overdue.  Every text is
+escaped.
 """
 
 from collections.abc import Sequence
 from typing import Any
 
-from ...base.figures import figure_of, inline_svg
-from ...base.html import document, listing, paragraphs, safe
-from . import cells, places, wording
-from .layers import words_of_dive
+from ...base.figures import figure_of, inline_svg, legend_below
+from ...base.html import document, listing, safe
+from . import cells, wording
+from .cards import cards, time_of_computing, unbroken
+from .layers import layers_of, words_of_dive
 from .plots import current_plot, dive_clpe_plot
 from .track_map import map_svg
 
 ALARM = ' class="alarm"'
-KEYS = "".join(  # of the map
-    f'<span class="key {style}">{name}</span>'
-    for style, name in (
-        ("track", "fix to fix"),
-        ("miss", "miss, from x, the dead-reckoned end"),
-        ("ring", "+ forecast, 90 %"),
-        ("next", "next surfacing, 90 %"),
-        ("made", "aimed: way made good, 90 %"),
-    )
-)
+KEYS = {  # kind of a layer: its text in the legend of the map
+    "track": "fix to fix",
+    "drift": "drift at the surface",
+    "miss": "position error, from x, the dead-reckoned end",
+    "ring": "+ forecast, 90 % ellipse",
+    "next": "next surfacing, 90 % ellipse",
+    "target": "waypoint",
+    "made": "aimed: distance made good, 90 % ellipse",
+}
 # beginnings of cells that are alarms
 LOUD = ("OUT", "SPEED", "overdue", "cannot be read")
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
-NARROW = 5.8  # inches of a chart, whose letters a telephone shows
+NARROW = 4.8  # inches of a chart, whose letters a telephone shows
+LEGEND_COLUMNS = 2
 # greatest rank of a column that a telephone shows, and a printed page
 PHONE, PAPER = (2, 6)
+SCRIPTS = ("clock.js", "replay.js")
 
 
 def replay_page(
@@ -48,11 +51,13 @@ def replay_page(
         mark = f' data-again="{AGAIN}"'
     body = "\n".join(
         [
-            f"<h1>{safe(title or f'{vehicle}: where it comes up next')}</h1>",
-            f'<div class="cards"{mark}>{"".join(_cards(found))}</div>',
-            paragraphs(wording.coming(found)),
+            f"<h1>{safe(title or f'{vehicle}: next surfacing')}</h1>",
+            time_of_computing(found),
+            f'<div class="cards"{mark}>{"".join(cards(found))}</div>',
+            *(f"<p>{unbroken(one)}</p>" for one in wording.beyond_cards(found)),
             f'<div class="body"><div><div class="map">{map_svg(found)}',
-            f'<div class="buttons"></div></div>{KEYS}<p id="said" class="soft"></p></div>',
+            f'<div class="buttons"></div></div>{_legend(found)}'
+            '<p id="said" class="soft"></p></div>',
             f"<div>{_charts(found)}</div></div>",
             *_paste(found),
             *_table(found),
@@ -60,53 +65,18 @@ def replay_page(
         ]
     )
     name = title or f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
-    return document(name, body, "replay.css", "replay.js", head)
+    return document(name, body, "replay.css", SCRIPTS, head)
 
 
-def _card(title: str, value: str, below: str, style: str = "", time: str = "") -> str:
-    """Return a card; hours to a time are counted on by the script."""
-    mark = f' data-time="{safe(time)}"' if time else ""
-    return (
-        f'<section class="card {style}"><h2>{safe(title)}</h2><b>{safe(value)}</b>'
-        f"<small{mark}>{safe(below)}</small></section>"
-    )
-
-
-def _cards(found: dict[str, Any]) -> list[str]:
-    """Return the headline: when, where, aim, current, speed, how good, marks."""
-    ahead, last = found["next_dive"], found["each_dive"][-1]
-    time = f"{places.clock(ahead['time'])} {wording.within(ahead)}"
-    since, first = wording.from_now(ahead["hours_from_now"]), "first"
-    if ahead["now_is"] == "clock":
-        title = f"Next surfacing (written {ahead['now'][11:16]} UTC)"
-        cards = [_card(title, time, since, first, ahead["time"])]
-    else:
-        cards = [
-            _card("Next surfacing", time, f"{since} from the {ahead['now_is']}", first)
-        ]
-    where = places.in_degrees(ahead["latitude"], ahead["longitude"])
-    near = f"90 % within {cells.half_axes(ahead)} m"
-    record = wording.record_sentence(found["headlines"])
-    cards.append(_card("Where", ahead["place"], f"{where}; {near}; {record}", first))
-    for leg in found["aim"][:1]:
-        way = f"to {leg['place']}; {leg['made_good']:.0f} m made good, {leg['state']}"
-        cards.append(_card("Aim", wording.heading_words(leg), way, first))
-    error = max(last["current_east_error"], last["current_north_error"])
-    current = places.velocity(last["current_east"], last["current_north"])
-    cards.append(_card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s"))
-    if last["speed_factor"] is not None:
-        value = f"{last['speed_factor']:.2f} +- {last['speed_factor_error']:.2f}"
-        cards.append(_card("Factor on speed", value, "1: as fast as its files say"))
-    before = f"previous dive's current: {last['clpe']['previous_dive']:.0f} m"
-    before += "" if last["inside_90"] else "; outside the 90 % ellipse"
-    cards.append(
-        _card(f"Miss, dive {last['dive']}", f"{last['clpe']['adaptive']:.0f} m", before)
-    )
-    for anomaly in found["anomalies"][-1:]:
-        change = f"changed by {anomaly['change']:+z.2f} since dive {anomaly['since']}"
-        title = f"Mark of dive {anomaly['dive']}"
-        cards.append(_card(title, cells.speed_mark(anomaly), change, "alarm"))
-    return cards
+def _legend(found: dict[str, Any]) -> str:
+    """Return the legend of what the map shows."""
+    drawn = layers_of(found)
+    shown = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
+    if not all(row["inside_90"] for row in found["each_dive"]):
+        shown.append(("outside", "fix outside its 90 % ellipse"))
+    if "route" in found and found["route"]["areas"]:
+        shown.append(("area", "area to stay out of"))
+    return "".join(f'<span class="key {kind}">{name}</span>' for kind, name in shown)
 
 
 def _paste(found: dict[str, Any]) -> list[str]:
@@ -118,14 +88,21 @@ def _paste(found: dict[str, Any]) -> list[str]:
 
 
 def _charts(found: dict[str, Any]) -> str:
-    """Return the misses and what was learned, over time."""
+    """Return the position errors and what was learned, over time."""
     charts = []
     for name, plot, high, caption in (
-        ("clpe", dive_clpe_plot, 0.6, "Miss (CLPE) of each dive, one dive ahead"),
+        (
+            "clpe",
+            dive_clpe_plot,
+            0.6,
+            "Position error (CLPE) of each dive, one dive ahead",
+        ),
         ("learned", current_plot, 1.0, "Learned, with two standard errors"),
     ):
         figure = figure_of(plot, found)
         figure.set_size_inches(NARROW, NARROW * high)
+        if plot is dive_clpe_plot:
+            legend_below(figure.axes[0], LEGEND_COLUMNS)
         svg = inline_svg(figure, name, caption)
         charts.append(f"<figure>{svg}<figcaption>{caption}</figcaption></figure>")
     return "\n".join(charts)
@@ -133,7 +110,7 @@ def _charts(found: dict[str, Any]) -> str:
 
 def _table(found: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
-    title = "Dives, the last one first: miss (CLPE, m) one dive ahead, currents in m/s"
+    title = f"Dives, the last one first. {cells.TITLE}"
     rows = found["each_dive"]
     words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
     marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
@@ -162,7 +139,7 @@ def cell_table(
     ]
     none = [""] * len(rows)
     for row, mark, link in zip(rows, marks or none, links or none, strict=True):
-        texts = [safe(row[title]) for title in titles]
+        texts = [unbroken(row[title]) for title in titles]
         if link:
             texts[0] = f'<a href="{safe(link)}">{texts[0]}</a>'
         loud = [
@@ -183,7 +160,12 @@ def _style(rank: int) -> str:
 def _remarks(found: dict[str, Any]) -> list[str]:
     lines = [f"<li>{safe(remark)}</li>" for remark in wording.remarks(found)]
     return (
-        ["<h2>Learned, noted and skipped</h2>", "<ul>", *lines, "</ul>"]
+        [
+            "<h2>Learned parameters, notes and skipped dives</h2>",
+            "<ul>",
+            *lines,
+            "</ul>",
+        ]
         if lines
         else []
     )

@@ -21,6 +21,7 @@ import numpy as np
 
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
+from ...base.units import seconds_since_1970
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .habits import CHI_SQUARED, REPEATED, Guess
@@ -52,7 +53,8 @@ class NextDive:
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
     less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
     the record asks; the time holds 90 % within `time_90`, s; `fix` is where and when the vehicle
-    surfaced last; `basis` is what the dive is guessed by.
+    surfaced last; `basis` is what the dive is guessed by; `plan_in_files` says that the last file
+    has a course for the dive.
     """
 
     plan: Dive
@@ -63,6 +65,7 @@ class NextDive:
     fix: Fix = (nan, nan, nan)
     time_90: float = nan
     basis: str = REPEATED
+    plan_in_files: bool = False
 
     def __repr__(self) -> str:
         when = f"{clock(utc(self.plan.t_gpse))} +- {self.time_90 / 60:.0f} min"
@@ -94,6 +97,7 @@ class NextDive:
             **placed("from_", *self.fix[1:]),
             **placed("start_", self.plan.lat_gps2, self.plan.lon_gps2),
             "basis": self.basis,
+            "plan_in_files": self.plan_in_files,
             "duration": self.plan.duration,
             **vector("dr_", self.plan.dr_east, self.plan.dr_north),
             **placed("", self.latitude, self.longitude),
@@ -110,6 +114,15 @@ def unflown(last: Dive, start: Fix, guess: Guess) -> Dive:
     return Dive(
         last.number + 1, *start, end, *no, east, north, depth_max=last.depth_max
     )
+
+
+def overdue_times(ahead: dict[str, Any], end: str) -> tuple[float, float]:
+    """Return from when until when a vehicle is overdue, s since 1970.
+
+    `ahead` is `NextDive.as_dict`, `end` the end of the last dive.
+    """
+    late = seconds_since_1970(ahead["time"]) + ahead["time_90"]
+    return late, seconds_since_1970(end) + RECENT
 
 
 def check_flown(speed: float, duration: float) -> None:

@@ -36,7 +36,7 @@ from .places import Place, clock, degrees_minutes, east_of
 
 FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
-ROOM = (0.3, 0.14)  # inches of a number
+ROOM = (0.4, 0.2)  # inches of a number on a telephone
 LARGER = 1.6  # times, that a waypoint may make the chart
 SHORTEST = 500.0  # m, of the longer side
 NARROWEST, MARGIN = 0.6, 0.06  # of the longer side: the other one, and on each side
@@ -45,6 +45,10 @@ MOST = 89.5  # degrees of the middle; at a pole there is no east
 STEPS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800)
 LENGTHS = tuple(m * 10**n for n in range(1, 7) for m in (1, 2, 5))  # m, of scale bars
 POINTS = 72  # units of SVG in an inch
+LABEL, PHONE_LABEL = (
+    8,
+    11,
+)  # points of the degrees; on a telephone, as `replay.css` has them
 FAR = ("track", "miss", "ring", "ring next")  # layers that lie within the chart
 AIM = {"color": "black", "label": "to the waypoint"}
 DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
@@ -58,7 +62,7 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
         0,
         {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"},
     ),
-    ("miss", "--", 0.6, 0, {"color": RED, "label": "miss"}),
+    ("miss", "--", 0.6, 0, {"color": RED, "label": "position error"}),
     ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
     ("forecast", "+", 8, 3.5, {"color": GREEN, "label": "forecast", "mew": 1.2}),
     ("aim", "-.", 0.6, 0, AIM),
@@ -66,7 +70,7 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
     ("way", ":", 1.2, 0, {"color": PURPLE}),
     ("ring next", "--", 1.2, 0, {"color": PURPLE}),
     ("ring aimed", "-.", 1.2, 0, {"color": ORANGE}),
-    ("made", "-", 1.8, 0, {"color": ORANGE, "label": "aimed: way made good"}),
+    ("made", "-", 1.8, 0, {"color": ORANGE, "label": "aimed: distance made good"}),
     ("next", "*", 11, 11, {"color": PURPLE, "label": "next surfacing", "zorder": 5}),
 )
 
@@ -212,7 +216,7 @@ def _mark(ax: Axes, degree: np.ndarray) -> None:
         axis.set_major_formatter(
             FuncFormatter(partial(grid_label, names=names, step=step))
         )
-        axis.set_tick_params(labelsize=8)
+        axis.set_tick_params(labelsize=LABEL)
     length = next((one for one in reversed(LENGTHS) if one <= wide / 4), LENGTHS[0])
     end = east - 0.04 * (east - west)
     x, y = (end - length / degree[0], end), south + 0.03 * wide / degree[1]
@@ -227,8 +231,13 @@ def map_svg(found: dict[str, Any]) -> str:
     That is where the chart lies in it, its edges in degrees, and how long a unit is, m.
     """
     figure = figure_of(_drawn, found, None, (0.5, 0.4))
-    text = inline_svg(figure, "map", "map of the track and of the next surfacing")
     (ax,), units = figure.axes, POINTS * figure.get_size_inches()
+    # room for the labels of a telephone, which are larger
+    ax.tick_params(labelsize=PHONE_LABEL)
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    ax.tick_params(labelsize=LABEL)
+    text = inline_svg(figure, "map", "map of the track and of the next surfacing")
     (x0, y0), (x1, y1) = ax.get_position().get_points() * units
     (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
     wide = (east - west) * degree_at((south + north) / 2, east_of(west))[0]

@@ -1,21 +1,66 @@
 """A replay in sentences, made of what `clpt replay --json` prints."""
 
+from math import hypot
 from typing import Any
 
-from .cells import half_axes
+from .cells import ellipse_words
 from .doubts import Anomaly
+from .habits import GIVEN
 from .places import clock, compass, place, velocity
 
 REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
+SOON = 48.0  # hours; a longer age is in days
+
+
+def age(hours: float) -> str:
+    """Return an age in hours, or in days if it is two days or more.
+
+    >>> age(8.94), age(100.0)
+    ('8.9 h', '4 d')
+    """
+    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
 
 
 def from_now(hours: float) -> str:
     """Return when something is, in hours from now.
 
-    >>> from_now(4.26), from_now(-0.52)
-    ('in 4.3 h', '0.5 h ago')
+    >>> from_now(4.26), from_now(-0.52), from_now(-100.0)
+    ('in 4.3 h', '0.5 h ago', '4 d ago')
     """
-    return f"{-hours:.1f} h ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
+    return f"{age(-hours)} ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
+
+
+def is_overdue(ahead: dict[str, Any]) -> bool:
+    """Whether a vehicle is later than the 90 % of its time, of `NextDive.as_dict`."""
+    late = -3600 * ahead["hours_from_now"]
+    return ahead["now_is"] == "clock" and late > ahead["time_90"]
+
+
+def due(ahead: dict[str, Any]) -> str:
+    """Return when the next surfacing is, from now, and that it is overdue.
+
+    >>> due({"time_90": 1800.0, "hours_from_now": -0.6, "now_is": "clock"})
+    'overdue, expected 0.6 h ago'
+    """
+    words = from_now(ahead["hours_from_now"])
+    return f"overdue, expected {words}" if is_overdue(ahead) else words
+
+
+def wide(ahead: dict[str, Any]) -> str:
+    """Return that an ellipse is longer than its dive and what helps, empty if it is not.
+
+    >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_90_long": 900.0,
+    ...       "basis": "repeated"})
+    'wide: no plan in the files; give --next or --aim'
+    """
+    if ahead["ellipse_90_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
+        return ""
+    if ahead["basis"] == GIVEN:
+        return "wide: longer than the way through the water; more dives narrow it"
+    why = "no plan in the files"
+    if ahead.get("plan_in_files"):
+        why = "few dives went along the plan in the files"
+    return f"wide: {why}; give --next or --aim"
 
 
 BASES = {  # what the next dive is guessed by
@@ -27,15 +72,19 @@ BASES = {  # what the next dive is guessed by
 
 def next_surfacing(ahead: dict[str, Any]) -> str:
     """Return the sentence on `NextDive.as_dict`."""
-    uncovered = ahead["why_uncovered"]
+    remarks = "".join(f"; {one}" for one in (wide(ahead), uncovered(ahead)) if one)
     return (
         f"next surfacing {when(ahead)}, "
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+z.0f} m "
         f"east, {ahead['dr_north']:+z.0f} m north through the water ({BASES[ahead['basis']]}): "
-        f"{place(ahead['latitude'], ahead['longitude'])}, 90 % within "
-        f"{half_axes(ahead)} m"
-        + (f"; the flow model does not cover it: {uncovered}" if uncovered else "")
+        f"{place(ahead['latitude'], ahead['longitude'])}, {ellipse_words(ahead)}{remarks}"
     )
+
+
+def uncovered(ahead: dict[str, Any]) -> str:
+    """Return why the flow model does not cover the next dive, empty if it does."""
+    why = ahead["why_uncovered"]
+    return f"the flow model does not cover the next dive: {why}" if why else ""
 
 
 def within(ahead: dict[str, Any]) -> str:
@@ -44,16 +93,18 @@ def within(ahead: dict[str, Any]) -> str:
 
 
 def record_sentence(headlines: dict[str, Any]) -> str:
-    """Return how many of the headlines so far held.
+    """Return how many surfacings were as forecast.
 
     >>> record_sentence({"judged": 13, "place_held": 12, "time_held": 13})
-    'headlines so far: 12 of 13 held the place, 13 the time'
+    'surfacings so far: 12 of 13 inside their 90 % ellipse, 13 within their 90 % time'
     """
     count = headlines["judged"]
     if not count:
-        return "no headline before this one: its widths are those of vehicles at large"
-    held = f"{headlines['place_held']} of {count} held the place"
-    return f"headlines so far: {held}, {headlines['time_held']} the time"
+        return "no forecast has been checked yet: ellipse and time are those of any vehicle"
+    inside = f"{headlines['place_held']} of {count} inside their 90 % ellipse"
+    return (
+        f"surfacings so far: {inside}, {headlines['time_held']} within their 90 % time"
+    )
 
 
 def when(ahead: dict[str, Any]) -> str:
@@ -63,9 +114,7 @@ def when(ahead: dict[str, Any]) -> str:
     ...       "now_is": "clock"})
     '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
     """
-    words = (
-        f"{clock(ahead['time'])} {within(ahead)}, {from_now(ahead['hours_from_now'])}"
-    )
+    words = f"{clock(ahead['time'])} {within(ahead)}, {due(ahead)}"
     return (
         words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
     )
@@ -108,13 +157,21 @@ def aim_sentence(leg: dict[str, Any]) -> str:
         text += f", then {leg['left'] / 1000:.1f} km"
     if leg["state"] == UNDER_WAY:
         text += f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
-    return f"{text}; expected miss {leg['expected_miss']:.0f} m, 90 % within {half_axes(leg)} m"
+    error = f"expected position error {leg['expected_miss']:.0f} m"
+    return f"{text}; {error}, {ellipse_words(leg)}"
 
 
 def coming(found: dict[str, Any]) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
     lines = [next_surfacing(found["next_dive"])] if found["next_dive"] else []
     lines += map(aim_sentence, found["aim"])
+    return lines + (route_sentences(found["route"]) if "route" in found else [])
+
+
+def beyond_cards(found: dict[str, Any]) -> list[str]:
+    """Return what a page says of the future next to its cards: later legs, the route."""
+    lines = [uncovered(found["next_dive"])] if uncovered(found["next_dive"]) else []
+    lines += map(aim_sentence, found["aim"][1:])
     return lines + (route_sentences(found["route"]) if "route" in found else [])
 
 
@@ -147,13 +204,14 @@ def remarks(summary: dict[str, Any]) -> list[str]:
     lines += [f"speed anomaly: {Anomaly(**found)}" for found in summary["anomalies"]]
     if summary["dac_identity_median"] is not None:
         lines.append(
-            "miss / duration differs from the file's depth-averaged current by "
+            "position error / duration differs from the file's depth-averaged current by "
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
         )
     if summary["each_dive"]:
         lines.append(record_sentence(summary["headlines"]))
         lines.append(
-            f"surfaced in the 90 % ellipse: {100 * summary['inside_90']:.0f} %"
+            "with the dive's own dead reckoning: "
+            f"{100 * summary['inside_90']:.0f} % inside the 90 % ellipse"
         )
         if summary["parts"]:
             chances = ", ".join(

@@ -171,7 +171,7 @@ def dive_between(
     >>> dive_between(1, fixes, through, dac_east=0.0, dac_north=-0.05).notes
     ()
     >>> dive_between(1, fixes, through, dac_east=0.03, dac_north=-0.05).notes
-    ("miss over duration differs by 30 mm/s from the file's depth-averaged current",)
+    ("position error over duration differs by 30 mm/s from the file's depth-averaged current",)
     """
     first: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
@@ -184,7 +184,7 @@ def dive_between(
     if not MENTIONED < difference < inf:
         return dive
     note = (
-        f"miss over duration differs by {1e3 * difference:.0f} mm/s from the file's "
+        f"position error over duration differs by {1e3 * difference:.0f} mm/s from the file's "
         "depth-averaged current"
     )
     return noted(dive, note)
