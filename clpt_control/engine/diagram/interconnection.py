@@ -274,7 +274,7 @@ def connect(
     Examples
     --------
     >>> import control
-    >>> from clpt_control.blocks import clpe, vehicle
+    >>> from clpt_control.paper.blocks import clpe, vehicle
     >>> diagram = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
     >>> diagram.output_labels
     ['x[0]', 'x[1]', 'e[0]', 'e[1]']

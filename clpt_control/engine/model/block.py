@@ -99,7 +99,7 @@ class Block(ReadBlock):
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> from clpt_control.blocks import vehicle
+    >>> from clpt_control.paper.blocks import vehicle
     >>> block = clpt.Block("vehicle", update=vehicle.kinematics,
     ...                    inputs={"flow_x": 2, "v_x": 2}, states={"x": 2})
     >>> block.dynamics(0, [0, 0], [1, 2, 0.5, 0.5])

@@ -167,7 +167,7 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
     Examples
     --------
     >>> from clpt_control import connect
-    >>> from clpt_control.blocks import clpe, vehicle
+    >>> from clpt_control.paper.blocks import clpe, vehicle
     >>> loop = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])
     >>> print(mermaid(loop), end="")
     flowchart LR
