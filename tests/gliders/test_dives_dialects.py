@@ -187,6 +187,42 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert swam(with_variation(dive, made.VARIATION))
 
 
+@pytest.mark.parametrize("fill", [-999.0, 9.96921e36, -np.inf])
+def test_headings_that_are_no_angles_are_gaps(fill, tmp_path):
+    columns = og1_rows()
+    columns["HEADING"][::5] = fill
+    for dive in mission(tmp_path, columns, drop=NO_STEPS, **TURNED):
+        assert way(dive) == pytest.approx(made.SWUM, rel=0.01)
+        assert "HEADING are not within -180 to 540 degrees" in dive.notes[-1]
+    columns["HEADING"][:] = fill
+    used, skipped = usable(mission(tmp_path, columns, drop=NO_STEPS, **TURNED))
+    assert used == []
+    assert "no speed and heading" in skipped[0].why
+    plan = {"log_HEADING": ((), 9.97e36, {}), "magnetic_variation": ((), -999.0, {})}
+    (dive,) = dives_in(basestation(tmp_path / "a.nc", **plan))
+    assert (dive.next_course, dive.magvar) == (None, None)
+
+
+def test_headings_in_radians_are_read_or_asked_about(tmp_path):
+    def in_radians(units):
+        columns = og1_rows()
+        columns["HEADING"] = np.radians(columns["HEADING"])
+        return columns, {"units": {"HEADING": units}}
+
+    magnetic = {"comment": "magnetic"}
+    for units in ("rad", "radian", "radians"):
+        columns, how = in_radians(magnetic | {"units": units})
+        for dive in mission(tmp_path, columns, drop=NO_STEPS, **TURNED, **how):
+            assert swam(dive)
+    for units in (magnetic, magnetic | {"units": "1"}):
+        columns, how = in_radians(units)
+        said = "HEADING has the units '1?' and only numbers within 2 pi.*'radian', or"
+        refuses(said, mission, tmp_path, columns, drop=NO_STEPS, **TURNED, **how)
+    columns, how = in_radians(magnetic | {"units": "degrees"})
+    for dive in mission(tmp_path, columns, drop=NO_STEPS, **TURNED, **how):
+        assert "if they are radians, set its units" in dive.notes[-1]
+
+
 def test_places_that_are_no_dead_reckoning_are_the_fixes(tmp_path):
     """OG1's DEAD_RECKONING is 0 where the receiver gave the place, 1 where it was computed."""
     expected, columns = mission(tmp_path), og1_rows()
@@ -311,6 +347,72 @@ def test_an_end_fix_that_repeats_the_start_fix_is_none(tmp_path):
     used, skipped = usable(seaglider)
     assert used == []
     assert skipped[0].why.startswith("no fix after the dive: its place is exactly")
+
+
+NAMES = ("DAVG_CURR_EAST", "DAVG_CURR_NORTH")
+START, MIDDLE, END, SURFACE = 0.0, 0.5, 1.0, 1.05  # of a dive's duration
+
+
+def of_surfacings(count, when=None):
+    """Return currents, one per surfacing, dated at a part of their dive or not at all."""
+    own = ("N_SURFACING",)
+    found = {
+        name: (own, np.full(count, one) + 0.01 * np.arange(count), made.MS)
+        for name, one in zip(NAMES, made.current(), strict=True)
+    }
+    if when is not None:
+        times = made.T0 + 10000.0 * np.arange(count) + when * made.DURATION
+        found["TIME_DAVG"] = own, times, made.EPOCH
+    return found
+
+
+@pytest.mark.parametrize("when", [None, START, MIDDLE, END, SURFACE])
+def test_a_current_of_each_surfacing_is_that_of_its_dive(when, tmp_path):
+    columns = {k: a for k, a in og1_rows().items() if k not in NAMES}
+    how = {"drop": (*STEPS, "HEADING")} | of_surfacings(3, when)
+    for k, dive in enumerate(mission(tmp_path, columns, **how)):
+        current = made.current() + 0.01 * k
+        assert (dive.dac_east, dive.dac_north) == pytest.approx(tuple(current))
+        assert "the file's depth-averaged current" in dive.notes[0]
+        mean = np.array([dive.miss_east, dive.miss_north]) / dive.duration
+        assert mean == pytest.approx(current, abs=1e-9)
+    fewer = {"drop": (*STEPS, "HEADING")} | of_surfacings(2)
+    used, skipped = usable(mission(tmp_path, columns, **fewer))
+    assert used == []
+    assert "no depth-averaged current of the file has a time of this" in skipped[0].why
+
+
+def set_back(columns, first, last=None):
+    """Set the clock of the samples back by an hour from a row to another; fixes keep theirs."""
+    columns["TIME_GPS"] = np.where(
+        np.isfinite(columns["LATITUDE_GPS"]), columns["TIME"], np.nan
+    )
+    columns["TIME"][first:last] -= 3600.0
+    return columns, {"units": {"TIME_GPS": made.EPOCH}}
+
+
+@pytest.mark.parametrize("last", [None, FIX[8], FIX[5] + 1])
+@pytest.mark.parametrize("drop", [(), NO_STEPS])
+def test_a_clock_that_is_set_back_under_water_costs_the_track_alone(
+    tmp_path, last, drop
+):
+    columns, how = set_back(og1_rows(), FIX[4] + 150, last)
+    dives = mission(tmp_path, columns, drop=drop, **TURNED, **how)
+    assert [dive.number for dive in dives] == [1, 2, 3]
+    for dive in dives:
+        assert way(dive) == pytest.approx(made.SWUM, rel=1e-3)
+        assert dive.duration == made.DURATION
+        said = any("set back by 3600 s under water" in note for note in dive.notes)
+        assert said == (dive.track is None)
+    assert [dive.track is None for dive in dives[:2]] == [False, True]
+    assert (dives[2].track is None) == (last != FIX[5] + 1)
+    assert len(usable(dives)[0]) == 3
+
+
+def test_a_clock_that_is_set_back_with_its_fixes_is_refused(tmp_path):
+    columns = og1_rows()
+    columns["TIME"][FIX[4] + 150 :] -= 3600.0
+    refuses("TIME falls by 36.. s in row .*; correct it", mission, tmp_path, columns)
 
 
 def test_rows_in_any_order_and_twice(tmp_path):

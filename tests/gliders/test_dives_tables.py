@@ -21,6 +21,7 @@ from clpt_control.gliders import (
     usable,
     write_dive_table,
 )
+from clpt_control.ocean.estimation.dive import miss
 from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
@@ -134,6 +135,43 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     refuses(said, read_dives, tmp_path / "none.csv")
 
 
+CURRENTS = [
+    ("swapped", lambda current: current[::-1]),
+    ("cm/s", lambda current: 100 * current),
+    ("mm/s", lambda current: 1000 * current),
+    ("reversed in sign", lambda current: -current),
+    ("", lambda current: current + np.array([0.1, -0.3])),
+]
+
+
+@pytest.mark.parametrize(("cause", "change"), CURRENTS)
+def test_a_current_that_contradicts_dead_reckoning_is_refused(tmp_path, cause, change):
+    path = tmp_path / "dives.csv"
+
+    def with_current(dive, change):
+        east, north = change(miss(dive) / dive.duration)
+        return replace(dive, dac_east=float(east), dac_north=float(north))
+
+    dives = [with_current(dive, lambda current: current) for dive in sample_dives()]
+    write_dive_table([with_current(dives[0], change), *dives[1:]], path)
+    found, skipped = read_dives(path)  # one may have a wild fix
+    noted = [any("depth-averaged" in note for note in dive.notes) for dive in found]
+    assert (noted, skipped) == ([True] + [False] * 13, [])
+    write_dive_table([with_current(dive, change) for dive in dives], path)
+    said = refuses("contradict dac_east, dac_north by .* mm/s in", read_dives, path)
+    assert f"{cause}; correct one pair, or leave the wrong columns out" in said
+
+
+def test_angles_that_are_none_are_left_out_and_said(tmp_path):
+    path = tmp_path / "dives.csv"
+    row = ROW.format(1, 0, 9000)[:-1]
+    path.write_text(f"{HEAD[:-1]},magvar,next_course\n{row},-999,9.97e36\n")
+    (dive,) = dives_in(path)
+    assert (dive.magvar, dive.next_course) == (None, None)
+    assert "magvar is -999; must be -180 to 180 degrees" in dive.notes[0]
+    assert "next_course is 9.97e+36; must be -180 to 540" in dive.notes[1]
+
+
 def test_quotes_join_cells_and_never_lines(tmp_path):
     head = HEAD.replace("\n", ",note\n")
     cells = (
@@ -202,6 +240,9 @@ def later(number, **changes):
     return replace(BASE, number=number, **ends | changes)
 
 
+WEEKS = 1024 * 7 * 86400.0  # s
+
+
 DEGREES = "degrees and minutes; give decimal degrees, 51.684133 -128.300300"
 
 
@@ -225,7 +266,10 @@ NOT_USED = [
     ),
     ({"t_gps2": -1e300, "t_gpse": 1e300}, "from 1970 to 2200"),
     ({"t_gpse": 1e18}, "after the dive is at 1e+18 s since 1970; must"),
-    ({"t_gps2": 18518.5, "t_gpse": 18518.65}, "lasts 0.15 s; must last longer"),  # days
+    ({"t_gps2": 18518.5, "t_gpse": 18518.65}, "look like days since 1970; must be"),
+    ({"t_gps2": 444444.5, "t_gpse": 444448.0}, "look like hours since 1970; must be"),
+    ({"t_gps2": 9.5e8, "t_gpse": 9.5e8 + 9.0}, "lasts 9 s; must last longer"),
+    ({"t_gps2": BASE.t_gps2 + WEEKS}, "is 1024 weeks before its start: add 1024 weeks"),
     ({"dr_east": -9999.0, "dr_north": -9999.0}, "is -9999 m twice, a fill value"),
     (
         {"number": 2**31},
@@ -235,6 +279,23 @@ NOT_USED = [
     ({"gps_north": 1e6}, "m/s"),
     ({"dr_east": 1e6}, "m/s"),
 ]
+
+
+@pytest.mark.parametrize("early", [range(10, 14), range(14, 20), range(12, 14)])
+def test_dates_1024_weeks_early_are_refused_with_the_remedy(early):
+    dives = []
+    for number in range(10, 20):
+        dive = later(number)
+        late = 0.0 if number in early else WEEKS
+        dives.append(
+            replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late)
+        )
+    refuses("about 1024 weeks apart.* add 1024 weeks, 619315200 s", usable, dives)
+    far = [
+        replace(dive, lat_gps2=40.0, lat_gpse=40.0) if dive.number in early else dive
+        for dive in dives
+    ]
+    assert len(usable(far)[0]) > 0  # another sea, another mission
 
 
 def test_a_fix_that_is_repeated_over_two_dives_starts_neither():

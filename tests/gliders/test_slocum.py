@@ -12,9 +12,11 @@ from refusals import refuses
 from slocum_bytes import (
     FIX,
     FLAG,
+    LASTS,
     OWN,
     PLACES,
     SENSORS,
+    STEP,
     VARIATION,
     Mission,
     ddmm,
@@ -99,6 +101,26 @@ def test_a_v_of_constant_slope_is_depth_over_tangent(tmp_path, heading, declinat
     there = length * np.sin(true), length * np.cos(true)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(there, abs=0.02 * length)
     assert dive.duration == 2020.0
+
+
+@pytest.mark.parametrize("column", [2, 3, 4])
+def test_angles_that_are_none_are_gaps(tmp_path, column):
+    rows = [(-60, 116, 0, 0, 0, 0, "4500.000", "-3000.100")]
+    rows += [(0, 116, 90, 0, -20, 0, "4500.000", "-3000.000")]
+    rows += [
+        (10 * k, 100, 90, 0, -20 if k < 101 else 20, min(k, 201 - k) - 1, "", "")
+        for k in range(1, 201)
+    ]
+    rows += [(2020, 116, 90, 0, 20, 0, "4500.200", "-3000.000")]
+    right = navigated(tmp_path, rows)
+    bad = [
+        (*row[:column], -999, *row[column + 1 :]) if k % 7 == 3 else row
+        for k, row in enumerate(rows)
+    ]
+    dive = navigated(tmp_path, bad)
+    assert dive.dr_east == pytest.approx(right.dr_east, rel=0.02)
+    assert dive.dr_north == pytest.approx(right.dr_north, abs=20.0)
+    assert "numbers of Heading, Declination, Pitch, DesiredH are no" in dive.notes[0]
 
 
 def test_a_place_that_is_repeated_behind_a_row_without_one_is_no_new_fix(tmp_path):
@@ -363,6 +385,58 @@ def test_a_dive_whose_end_fix_is_its_start_fix_is_not_used(tmp_path):
     assert (used.gps_north, used.dr_north) == pytest.approx(
         (right.gps_north, right.dr_north), abs=1.0
     )
+
+
+class Descending(Mission):
+    """A mission that logs m_depth in the first half of a dive, and up at the surface."""
+
+    deep = 0
+
+    def says(self, **new):
+        if new.get("m_depth"):
+            self.deep += 1
+            if self.deep > LASTS / STEP / 2:
+                del new["m_depth"]
+        return super().says(**new)
+
+
+def test_a_dive_with_depths_on_the_descent_alone_is_read(tmp_path):
+    found = []
+    for kind in (Mission, Descending):
+        kind(tmp_path / kind.__name__, added=0.0).dive(0)
+        found += usable(read_dives(tmp_path / kind.__name__)[0])[0]
+    right, half = found
+    assert (half.dr_east, half.dr_north) == pytest.approx(
+        (right.dr_east, right.dr_north), abs=1.0
+    )
+    assert "no m_depth after 60 m, but places: taken as under water" in half.notes
+
+
+def test_a_file_without_depths_says_what_to_give(tmp_path):
+    sensors = tuple(name for name in SENSORS if name != "m_depth")
+    Mission(tmp_path / "sbd", sensors).dive(0)
+    said = "has fixes and no m_depth, by which dives are found; give files with m_depth"
+    refuses(said, read_dives, tmp_path / "sbd")
+
+
+@pytest.mark.parametrize(("share", "used"), [(0.2, 5), (1.0, 0)])
+def test_a_heading_of_999_is_a_gap(tmp_path, monkeypatch, share, used):
+    chance = np.random.default_rng(3)
+    says = Mission.says
+
+    def broken(self, **new):
+        if "m_heading" in new and chance.random() < share:
+            new["m_heading"] = -999.0
+        return says(self, **new)
+
+    monkeypatch.setattr(Mission, "says", broken)
+    truth, dives = flown(tmp_path / "sbd", OWN, added=0.0, every=25)
+    found, skipped = usable(dives)
+    assert len(found) == used
+    if found:
+        assert largest_error(truth, dives) < 5
+    else:
+        assert "m_heading is not in radians" in skipped[0].why
 
 
 def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):

@@ -252,7 +252,8 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     command, follow, tmp_path
 ):
     """Two tides on one dive, and aiming by a vehicle that does not swim."""
-    one_file_each(tmp_path, [replace(sample_dives()[0], dr_east=0.0, dr_north=0.0)])
+    still = {"dr_east": 0.0, "dr_north": 0.0, "dac_east": None, "dac_north": None}
+    one_file_each(tmp_path, [replace(sample_dives()[0], **still)])
     words = (
         "--flow",
         "steady,M2,S2",

@@ -7,6 +7,10 @@ dead reckoning is computed,
 
     dr = (displacement between the fixes) - c (t_gpse - t_gps2).
 
+A table with both is refused if most of its dives contradict this equation by more than 30 mm/s, as
+a Slocum file's dead reckoning is; one dive off by more than 10 mm/s has a note, as in a Seaglider
+file.
+
 Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
 `magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
 `vehicle` (its name).  Lines that begin with `#` are
@@ -20,13 +24,16 @@ from math import isfinite, nan
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...base.units import seconds_since_1970
 from ..currents.text_table import other_marks, table_of
-from ..estimation.dive import Dive, make_dive, without_current
-from .dives import NUMBERS, Skipped, whole_number
+from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
+from .dives import NUMBERS, Skipped, whole_number, with_dac_note
+from .samples import HEADINGS, VARIATIONS
 from .vehicle_names import name_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
@@ -37,6 +44,8 @@ REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
 AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
 OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
 GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
+ANGLES = {"magvar": VARIATIONS, "next_course": HEADINGS}
+CONTRADICTS = 0.03  # m/s, as `slocum.CLEAR`
 TIMES = (GPS1[0], START[0], END[0])
 OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
 
@@ -52,10 +61,40 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
-    return [
+    found = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         for line, row in zip(cells.index, cells.to_numpy(), strict=True)
     ]
+    _check_current([one for one in found if isinstance(one, Dive)], path)
+    return found
+
+
+def _check_current(dives: list[Dive], path: str | Path) -> None:
+    """Refuse dives whose own current contradicts their dead reckoning in most of them."""
+    known = [dive for dive in dives if isfinite(dac_difference(dive))]
+    if not known:
+        return
+    given = np.array([(dive.dac_east, dive.dac_north) for dive in known])
+    expected = np.array([miss(dive) / dive.duration for dive in known])
+
+    def median_off(currents: np.ndarray) -> float:
+        return float(np.median(np.hypot(*(currents - expected).T)))
+
+    off = median_off(given)
+    if off <= CONTRADICTS:
+        return
+    causes = {
+        "dac_east and dac_north look swapped": given[:, ::-1],
+        "dac_east and dac_north look like cm/s": given / 100.0,
+        "dac_east and dac_north look like mm/s": given / 1000.0,
+        "dac_east and dac_north look reversed in sign": -given,
+    }
+    likely = [cause for cause, fixed in causes.items() if median_off(fixed) < 0.5 * off]
+    best = min(likely, key=lambda cause: median_off(causes[cause]), default="")
+    raise DataError(
+        f"{path}: dr_east_m, dr_north_m contradict dac_east, dac_north by {1e3 * off:.0f} mm/s in "
+        f"most dives{best and f': {best}'}; correct one pair, or leave the wrong columns out"
+    )
 
 
 def _check_header(header: list[str], name: str | Path) -> None:
@@ -97,6 +136,13 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
             if column in REQUIRED:
                 return Skipped(number, f"{where}: {column} is {text[:30]!r}; {what}")
             notes.append(f"{where}: {column} is {text[:30]!r}; {what}")
+        limits = ANGLES.get(column)
+        if limits and value is not None and not limits[0] <= value <= limits[1]:
+            low, high = limits
+            notes.append(
+                f"{where}: {column} is {value:g}; must be {low:g} to {high:g} degrees"
+            )
+            value = None
         finite = value is not None and isfinite(value)
         found[column] = value if finite else nan if column in REQUIRED else None
     start, end, through_water = (
@@ -113,7 +159,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         else:
             through_water = without_current(start, end, current)
             notes.append("dead reckoning computed from dac_east, dac_north")
-    return make_dive(
+    dive = make_dive(
         number,
         start,
         end,
@@ -122,6 +168,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         vehicle=name_of(row.get("vehicle")),
         notes=tuple(notes),
     )
+    return with_dac_note(dive)
 
 
 def _number(text: str, is_time: bool) -> float | None:

@@ -179,7 +179,11 @@ def dive_between(
     more = {"track": through.track, "turned": through.turned, **first}
     for key, one in optional.items():
         more[key] = known(float(one)) if isinstance(one, float) else one
-    dive = make_dive(number, fixes[1], fixes[2], through.total, **more)
+    return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **more))
+
+
+def with_dac_note(dive: Dive) -> Dive:
+    """Return a dive with a note if miss / duration is 10 mm/s off the file's own current."""
     difference = dac_difference(dive)
     if not MENTIONED < difference < inf:
         return dive

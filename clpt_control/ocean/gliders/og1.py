@@ -34,8 +34,15 @@ import xarray
 from ...base.errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater, without_current
 from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
-from .og1_columns import columns_of, fixes_and_others, has_ends, segments_of
+from .og1_columns import (
+    columns_of,
+    currents_of,
+    fixes_and_others,
+    has_ends,
+    segments_of,
+)
 from .og1_columns import is_known as is_known
+from .sample_clock import with_steady_clock
 from .samples import deepest, summed, variation
 
 LEAST_GAP = 600.0  # s between two fixes with a dive between them
@@ -133,12 +140,16 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     of = columns_of(data)
     of["wet"] = _under_water(of)
+    of["behind"] = 0.0
     if has_ends(data):
         return _of_segments(of, segments_of(of))
+    of = with_steady_clock(of, of.attrs["fix_clock"])
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
     found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
     dives: list[Dive | Skipped] = []
+    elsewhere = of.attrs["own_currents"]
+    own = currents_of([(start, end) for _, start, end in found], elsewhere)
     for count, three in enumerate(found, 1):
         notes, (_, start, end) = [], three
         if (_between(of, start, end).time.diff() < 0).any():
@@ -148,7 +159,11 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
             notes.append(
                 f"{bad} fix(es) that are no place, 0 N 0 E or under water left out"
             )
-        dives.append(_dive(of, three, count, notes))
+        if elsewhere and isnan(own[count - 1][0]):
+            notes.append(
+                "no depth-averaged current of the file has a time of this dive alone"
+            )
+        dives.append(_dive(of, three, count, notes, own[count - 1]))
     if not dives:
         raise DataError(
             f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
@@ -185,12 +200,21 @@ def _under_water(of: pandas.DataFrame) -> pandas.Series:
     return wet.where(of.depth.isna(), of.depth > LEAST_DEPTH)
 
 
-def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) -> Dive:
-    """Make the dive between fixes; `otherwise` is its number where none is known."""
+def _dive(
+    of: pandas.DataFrame,
+    fixes: Three,
+    otherwise: int,
+    notes: list[str],
+    own: tuple[float, float] = (nan, nan),
+) -> Dive:
+    """Make the dive between fixes.
+
+    `otherwise` is its number where none is known, and `own` its current where no row has one.
+    """
     _, start, end = fixes
     rows = _between(of, start, end).sort_values("time", kind="stable")
     wet, middle = rows[rows.wet], rows.median()
-    current = middle.u, middle.v
+    current = own if isnan(middle.u) else (middle.u, middle.v)
     numbers = np.unique(wet.number.dropna())
     number = wet.number.median() if numbers.size else middle.number
     if numbers.size > 1:
@@ -199,6 +223,12 @@ def _dive(of: pandas.DataFrame, fixes: Three, otherwise: int, notes: list[str]) 
         )
         current = nan, nan
     found = through_water(rows, start, end, current)
+    if (behind := float(rows.behind.max())) > 0:
+        notes.append(
+            f"the clock of its samples was set back by {behind:.0f} s under water: "
+            "used without its track"
+        )
+        found = found._replace(track=None)
     greatest = middle.depth_max
     return dive_between(
         otherwise if isnan(number) else int(number),

@@ -24,6 +24,7 @@ between both fixes (Scripps Institution of Oceanography, comments of sp028_20230
 good to twice the last digit of the file, some 10 m.
 """
 
+from collections.abc import Sequence
 from math import nan
 
 import numpy as np
@@ -33,7 +34,16 @@ import xarray
 from ...base.errors import DataError
 from ..currents.cf import said
 from .dives import Fix, fixes_in, is_fix
-from .samples import SURFACE, metres, metres_per_second, seconds, values
+from .samples import (
+    HEADINGS,
+    SURFACE,
+    VARIATIONS,
+    metres,
+    metres_per_second,
+    seconds,
+    values,
+    within,
+)
 from .usable_dives import DAY, SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
@@ -41,6 +51,7 @@ PLACES = ("TIME", "LATITUDE", "LONGITUDE")
 PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
+SURFACING = 1800.0  # s after a dive in which its current may be dated
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
 # of a dive: how names end
 ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
@@ -49,6 +60,41 @@ ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
     radians = said(data[name]).lower().startswith("rad")
     return np.degrees(values(data, name)) if radians else values(data, name)
+
+
+ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
+
+
+def _checked_angles(
+    angles: np.ndarray, key: str, units: str, name: str
+) -> tuple[np.ndarray, list[str]]:
+    """Return angles (degrees), NaN outside their limits, and notes."""
+    low, high = ANGLES[key]
+    angles, outside = within(angles, (low, high))
+    notes = []
+    if outside.any():
+        notes.append(
+            f"{outside.sum()} numbers of {name} are not within {low:g} to {high:g} degrees: "
+            "taken as gaps"
+        )
+    if key == "heading":
+        notes += _doubtful_units(angles[np.isfinite(angles)], units, name)
+    return angles, notes
+
+
+def _doubtful_units(known: np.ndarray, units: str, name: str) -> list[str]:
+    """Refuse headings that look like radians and do not say so; return notes on the units."""
+    small = known.any() and np.abs(known).max() <= 2 * np.pi
+    if units.lower().startswith("rad") or not small:
+        return []
+    said_degrees = units.lower().startswith("deg") or "\N{DEGREE SIGN}" in units
+    if said_degrees and np.ptp(known) <= np.pi:
+        doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
+        return [f"{doubt}; if they are radians, set its units to 'radian'"]
+    raise DataError(
+        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians; "
+        "set its units to 'radian', or to 'degrees' if they are degrees"
+    )
 
 
 QUANTITIES = {  # of a measurement: what files call it, and how it is read
@@ -75,7 +121,7 @@ QUANTITIES = {  # of a measurement: what files call it, and how it is read
         ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"),
         values,
     ),
-    "magvar": (("MAGNETIC_VARIATION",), values),
+    "magvar": (("MAGNETIC_VARIATION",), _degrees),
     "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
     "depth_max": (("DEPTH_MAX",), metres),
     "phase": (("PHASE",), values),
@@ -102,8 +148,9 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     `heading` (degrees), `u`, `v`, `number`, `qc`, `magvar`, `depth`, `depth_max` and
     `phase` of the measurements, and with `_before`, `_after` and `_middle` time and place of the
     fixes around their dive and of its middle, where the file has them.  `attrs` has the `north` of
-    the heading, "magnetic", "true" or "" where the file does not say, the name of the `steps`, and
-    `notes` on all dives.
+    the heading, "magnetic", "true" or "" where the file does not say, the names of the `steps` and
+    of the times of the fixes (`fix_clock`), `own_currents` that stand on a dimension of their own
+    (`_currents_elsewhere`), and `notes` on all dives.
     """
     known = known_names(data)
     fixes, t_name = _fix_columns(data, known)
@@ -121,6 +168,9 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
         of[key] = np.full(time.size, nan)
         for name in (known[one] for one in candidates if one in known):
             found = read(data, name).ravel()
+            if key in ANGLES:
+                found, doubts = _checked_angles(found, key, said(data[name]), name)
+                notes += doubts
             if data[name].ndim == 0:  # one number for the mission
                 found = np.full(time.size, found[0])
             if found.shape == time.shape and np.isfinite(found).any():
@@ -132,8 +182,61 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
     # sums of larger are infinite
     whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)
-    whole.attrs = {"north": _frame(data, known), "steps": steps, "notes": tuple(notes)}
+    whole.attrs = {
+        "north": _frame(data, known),
+        "steps": steps,
+        "fix_clock": t_name,
+        "own_currents": _currents_elsewhere(data, known, time.size),
+        "notes": tuple(notes),
+    }
     return whole
+
+
+def _currents_elsewhere(
+    data: xarray.Dataset, known: dict[str, str], rows: int
+) -> list[tuple[float, float, float]]:
+    """Return time (s, NaN if not known), u and v of currents on a dimension of their own."""
+    for east, north in zip(QUANTITIES["u"][0], QUANTITIES["v"][0], strict=True):
+        if not {east, north} <= set(known):
+            continue
+        u, v = (data[known[name]] for name in (east, north))
+        if u.ndim != 1 or u.dims != v.dims or u.size == rows:
+            continue
+        there = (name for name in map(str, data.variables) if data[name].dims == u.dims)
+        timed = (name for name in there if " since " in said(data[name]).lower())
+        time_name = next(timed, None)
+        time = np.full(u.size, nan) if time_name is None else seconds(data, time_name)
+        columns = (time, *(metres_per_second(data, str(one.name)) for one in (u, v)))
+        return list(zip(*(column.tolist() for column in columns), strict=True))
+    return []
+
+
+def currents_of(
+    dives: Sequence[tuple[Fix, Fix]], currents: Sequence[tuple[float, float, float]]
+) -> list[tuple[float, float]]:
+    """Return the current of each dive, NaN if not known, of currents with times.
+
+    A time is within its dive or in the surfacing after it, whichever of both the file means.
+    Without times the currents are of the dives in their order, if they are as many.
+
+    >>> fixes = [(time, 40.0, 8.0) for time in (0.0, 9000.0, 9900.0, 18000.0)]
+    >>> dives = [(fixes[0], fixes[1]), (fixes[2], fixes[3])]
+    >>> currents_of(dives, [(9100.0, 0.1, 0.2), (18000.0, 0.3, 0.4)])
+    [(0.1, 0.2), (0.3, 0.4)]
+    >>> currents_of(dives, [(nan, 0.1, 0.2)])
+    [(nan, nan), (nan, nan)]
+    """
+    times = np.array([time for time, _, _ in currents])
+    if np.isnan(times).all() and len(currents) == len(dives):
+        return [(u, v) for _, u, v in currents]
+    found = []
+    for start, end in dives:
+        last = end[0] + SURFACING
+        later = [other[0] for other, _ in dives if other[0] >= end[0]]
+        until = min([last, *later])
+        its = np.flatnonzero((times >= start[0]) & (times < max(until, end[0] + 1.0)))
+        found.append(currents[its[0]][1:] if its.size == 1 else (nan, nan))
+    return found
 
 
 def _fix_columns(

@@ -38,6 +38,8 @@ LONGEST_GAP = 900.0  # s between samples that is mentioned
 LONGEST_STEP = 100.0  # m, beyond what is possible at 5 m/s
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 DEEPEST = 12000.0  # m: no sea is deeper
+# degrees; a heading of a whole turn may have a variation added, without starting again from 0
+HEADINGS, VARIATIONS, PITCHES = (-180.0, 540.0), (-180.0, 180.0), (-90.0, 90.0)
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
@@ -52,6 +54,19 @@ def degrees(ddmm: np.ndarray) -> np.ndarray:
     return np.where(
         (minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan
     )
+
+
+def within(
+    angles: np.ndarray, limits: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return angles, NaN outside limits such as `HEADINGS`, and which were outside.
+
+    >>> within(np.array([350.0, -999.0, np.nan, 9.97e36]), HEADINGS)
+    (array([350.,  nan,  nan,  nan]), array([False,  True, False,  True]))
+    """
+    low, high = limits
+    outside = (angles < low) | (angles > high)
+    return np.where(outside, nan, angles), outside
 
 
 def values(data: xarray.Dataset, name: str) -> np.ndarray:

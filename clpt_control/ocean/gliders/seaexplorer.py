@@ -34,7 +34,7 @@ from .dives import (
     fixes_in,
     logged,
 )
-from .samples import deepest, degrees, summed
+from .samples import HEADINGS, PITCHES, VARIATIONS, deepest, degrees, summed, within
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"
@@ -43,6 +43,13 @@ OPTIONAL = (
     "DeadReckoning",  # 1 where Lat, Lon are no fix
     "DesiredH",  # heading that is steered, degrees
 )
+ANGLES = {
+    "Heading": HEADINGS,
+    "Declination": VARIATIONS,
+    "Pitch": PITCHES,
+    "DesiredH": HEADINGS,
+}
+OUTSIDE = "outside"  # angles of a row that are not within their limits
 AT_SURFACE = 116
 LEAST_PITCH = 10.0  # degrees
 FASTEST = 1.5  # m/s
@@ -102,6 +109,10 @@ def _log(text: str, path: Path) -> pandas.DataFrame:
     log = cells.reindex(columns=[*NEEDED, *OPTIONAL]).apply(
         pandas.to_numeric, errors="coerce"
     )
+    log[OUTSIDE] = 0.0
+    for name, limits in ANGLES.items():
+        log[name], outside = within(log[name].to_numpy(float), limits)
+        log[OUTSIDE] += outside
     log = log.set_axis(when.dt.total_seconds())[when.notna().to_numpy()]
     if log.empty:
         raise DataError(
@@ -136,7 +147,12 @@ def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
         flies = (np.abs(pitch) > LEAST_PITCH) & (speed > 0) & (speed < FASTEST)
         step = np.where(flies, speed, 0.0) * np.diff(time, prepend=time[0])
         steps = step * np.array([np.sin(true), np.cos(true)])
-        found = summed(time - start[0], steps, depth, end[0] - start[0], [])
+        notes = []
+        if bad := int(log[OUTSIDE].sum()):
+            notes.append(
+                f"{bad} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
+            )
+        found = summed(time - start[0], steps, depth, end[0] - start[0], notes)
     return dive_between(
         which,
         fixes,

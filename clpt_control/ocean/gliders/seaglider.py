@@ -149,15 +149,16 @@ def _number(data: xarray.Dataset, path: Path) -> int:
 def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
     found = samples.scalar(data, "magnetic_variation")
-    return (
-        known(_of_fixes(data, "log_gps_magvar").tolist()[1]) if found is None else found
-    )
+    if found is None:
+        found = _of_fixes(data, "log_gps_magvar").tolist()[1]
+    degrees, _ = samples.within(np.array(found), samples.VARIATIONS)
+    return known(float(degrees))
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
     heading = samples.scalar(data, "log_HEADING")
-    if heading is not None and heading >= 0:
+    if heading is not None and 0.0 <= heading <= 360.0:
         return heading % 360.0
     text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
     words = text.astype(str).item().split(",") if text.size == 1 else []

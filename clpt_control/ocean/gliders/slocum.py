@@ -34,18 +34,31 @@ from pathlib import Path
 import numpy as np
 import pandas
 
+from ...base.errors import DataError
 from ...base.geodesy import displacement
 from ..estimation.dive import Dive, Fix, ThroughWater
 from .dives import (
     LEAST_DEPTH,
+    LEAST_GAP,
     Three,
+    cut_dives,
     dive_between,
     dives_across_files,
     fixes_in,
     logged,
     planned_course,
 )
-from .samples import deepest, degrees, hole_under_water, turned, variation
+from .samples import (
+    HEADINGS,
+    LONGEST_GAP,
+    SURFACE,
+    deepest,
+    degrees,
+    hole_under_water,
+    turned,
+    variation,
+    within,
+)
 from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
 
@@ -91,8 +104,11 @@ def dead_reckoning(
     rest = wet[-1] - time[-1]
     if rest > SHORT:
         log, heading = logged(between(of, start[0], wet[-1] + SHORT), "m_heading")
-        if not log.size:
-            return None, f"no heading for the last {rest:.0f} s under water"
+        _, outside = within(np.degrees(heading), HEADINGS)
+        if not log.size or 2 * outside.sum() > log.size:
+            why = f"no heading for the last {rest:.0f} s under water"
+            return None, why + ": m_heading is not in radians" * bool(log.size)
+        log, heading = log[~outside], heading[~outside]
         later = np.append(log[(log > time[-1]) & (log < wet[-1])], wet[-1])
         h = np.radians(east_of_north) + np.interp(later, log, np.unwrap(heading))
         step = speed * np.diff(later, prepend=time[-1])
@@ -170,6 +186,12 @@ def dives_of(path: Path) -> list[Dive]:
     of, found = dives_across_files(
         path, log, lambda file: read_segment(file).of, _fixes_and_wet
     )
+    fixes, _ = _fixes_and_wet(of)
+    if of.m_depth.isna().all() and cut_dives(fixes, None, LEAST_GAP):
+        raise DataError(
+            f"{path}: the Slocum file has fixes and no m_depth, by which dives are found; give "
+            "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
+        )
     ends = set(log.index[log.m_gps_lat.notna()])
     dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
     if len(dives) > 1:
@@ -194,8 +216,9 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     _, start, end = fixes
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
-    time, depth = logged(between(of, start[0], end[0]), "m_depth")
-    wet = time[depth > LEAST_DEPTH]
+    time, depth, note = _depths(between(of, start[0], end[0]))
+    notes += [note] if note else []
+    wet = time[(depth > LEAST_DEPTH) | np.isnan(depth)]
     duration = end[0] - start[0]
     path, why = dead_reckoning(of, start, wet, east_of_north)
     hole, large = hole_under_water(time - start[0], depth, duration)
@@ -226,6 +249,27 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
         next_course=_next_course(of, end, east_of_north),
         notes=tuple(notes),
     )
+
+
+def _depths(log: pandas.DataFrame) -> tuple[np.ndarray, np.ndarray, str]:
+    """Return times and depths of a dive, NaN where only its place is known, and a note.
+
+    Some gliders log m_depth on the descent only.  Where it is missing for more than `LONGEST_GAP`
+    after a deep sample, the places in between are under water too.
+    """
+    time, depth = logged(log, "m_depth")
+    places = log[[*PLACE, *LOCAL]].dropna(how="all").index.to_numpy()
+    k = np.searchsorted(time, places, "right") - 1
+    gaps = np.diff(time, append=log.index[-1])
+    more = places[(k >= 0) & (depth[k] > SURFACE) & (gaps[k] > LONGEST_GAP)]
+    more = more[~np.isin(more, time)]
+    if not more.size:
+        return time, depth, ""
+    last = depth[np.searchsorted(time, more[0]) - 1]
+    whole = np.append(time, more), np.append(depth, np.full(more.size, nan))
+    order = np.argsort(whole[0], kind="stable")
+    note = f"no m_depth after {last:.0f} m, but places: taken as under water"
+    return whole[0][order], whole[1][order], note
 
 
 def _next_course(of: pandas.DataFrame, end: Fix, east_of_north: float) -> float | None:

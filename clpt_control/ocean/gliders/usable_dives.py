@@ -35,11 +35,18 @@ DAY = 86400.0  # s
 FILLS = (999.0, 9999.0, 99999.0)
 # in one second
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}
+LONGER = {"days": DAY, "hours": 3600.0, "minutes": 60.0}  # s
+FIRST_GLIDERS = datetime(1990, 1, 1, tzinfo=UTC).timestamp()
+LONGEST = 30 * DAY  # s of a dive
 OVERLAP = 60.0  # s that neighbours may share by rounding
 MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
 OWN = "replay each on its own"
 ASTRAY = 50e3  # m that a fix may be off, however short the time
+ROLLOVER = 1024 * 7 * DAY  # s: a GPS receiver counts weeks to 1024, then begins again
+MISSION_LENGTH = 400 * DAY  # s: longest mission across a rollover that is looked for
+REGION = 1000e3  # m: places of one mission about a rollover
+ADD_WEEKS = f"add 1024 weeks, {ROLLOVER:.0f} s, to each early time"
 
 
 @public
@@ -71,7 +78,7 @@ def usable(
     Raises
     ------
     DataError
-        If the dives are of several vehicles.
+        If the dives are of several vehicles, or the dates of some are 1024 weeks early.
 
     Examples
     --------
@@ -100,6 +107,7 @@ def usable(
         latest = max(latest, dive.t_gpse)
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
+    check_weeks(ordered)
     used = ordered[:1]
     for dive in ordered[1:]:
         before = used[-1]
@@ -129,6 +137,26 @@ def check_one_vehicle(dives: Iterable[Dive]) -> None:
         )
 
 
+def check_weeks(dives: Iterable[Dive]) -> None:
+    """Refuse dives, by time, of which some are dated about 1024 weeks before the others.
+
+    Dates go back so far when a receiver's count of GPS weeks begins again.
+    """
+    for early, dive in pairwise(dives):
+        off = abs(dive.t_gps2 - early.t_gpse - ROLLOVER)
+        place = dive.lat_gps2, dive.lon_gps2
+        near = distance(early.lat_gpse, early.lon_gpse, *place) < REGION
+        if off < MISSION_LENGTH and near:
+            first, second = (
+                f"dive {one.number} of {datetime.fromtimestamp(one.t_gpse, UTC):%Y-%m-%d}"
+                for one in (early, dive)
+            )
+            raise DataError(
+                f"{first} and {second}: are in one region about 1024 weeks apart, as if the "
+                f"GPS week had begun again; {ADD_WEEKS}, or {OWN} if these are two missions"
+            )
+
+
 def follows(dive: Dive, before: Dive) -> bool:
     """Whether a dive is the next one, as far as numbers and times tell."""
     since = dive.t_gps2 - before.t_gpse
@@ -147,6 +175,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
     why = why or _fix_fault("after", dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
     if why:
         return why
+    if abs(dive.duration + ROLLOVER) < MISSION_LENGTH:
+        return f"the fix after the dive is 1024 weeks before its start: {ADD_WEEKS}"
     if dive.duration <= 0:
         return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
     if (dive.lat_gpse, dive.lon_gpse) == (dive.lat_gps2, dive.lon_gps2):
@@ -156,6 +186,11 @@ def _fault(dive: Dive, least_duration: float) -> str:
     if dive.dr_east == dive.dr_north and abs(dive.dr_east) in FILLS:
         return f"the displacement through the water is {dive.dr_east:g} m twice, a fill value"
     if not dive.duration > least_duration:
+        if unit := _longer_unit(dive, least_duration):
+            return (
+                f"its times {dive.t_gps2:.10g} and {dive.t_gpse:.10g} look like {unit} since "
+                "1970; must be seconds since 1970 UTC, or dates such as 2016-01-31T22:04:50Z"
+            )
         least = f"{least_duration:g} s (--least-duration)"
         return f"lasts {dive.duration:.6g} s; must last longer than {least}"
     for name, length in (
@@ -167,6 +202,21 @@ def _fault(dive: Dive, least_duration: float) -> str:
                 f"the displacement {name} is {length / 1000:.4g} km, "
                 f"{length / dive.duration:.3g} m/s; at most {FASTEST:g} m/s can be"
             )
+    return ""
+
+
+def _longer_unit(dive: Dive, least_duration: float) -> str:
+    """Return the unit longer than s in which the times of a short dive are, empty if none is.
+
+    >>> from clpt_control.ocean.gliders.dives import make_dive
+    >>> fixes = (18518.5, 40.0, 8.0), (18518.65, 40.0, 8.1)
+    >>> _longer_unit(make_dive(1, *fixes, (0.0, 0.0)), 1000.0)
+    'days'
+    """
+    for unit, size in LONGER.items():
+        is_recent = FIRST_GLIDERS < size * dive.t_gps2 < LATEST
+        if is_recent and least_duration < size * dive.duration < LONGEST:
+            return unit
     return ""
 
 
