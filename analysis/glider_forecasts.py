@@ -97,7 +97,7 @@ SEAS = {
     ),
 }
 SETTLED = 10  # dives before the watch speaks
-MARKS = {"kalman": (BLUE, "o"), "gradient": (GREEN, "s")}
+MARKS = {"gaussian-process": (BLUE, "o"), "gradient": (GREEN, "s")}
 
 
 def ratio(replay: Replay) -> float:
@@ -111,10 +111,10 @@ def judged(name: str, seed: int) -> dict[str, Any]:
     sea = SEAS[name]
     dives = made_dives(sea, seed)
     found: dict[str, Any] = {"sea": name}
-    for estimator in ("kalman", "gradient"):
+    for estimator in MARKS:
         replay = replay_dives(dives, estimator)
         found[estimator] = ratio(replay)
-        if estimator == "kalman":
+        if estimator == "gaussian-process":
             found["inside"] = summary(replay)["inside_90"]
             found["flags"] = sum(step.anomaly is not None for step in replay.steps)
             found["watched"] = max(len(dives) - SETTLED, 0)
@@ -141,8 +141,8 @@ def main(
             records[found["sea"]].append(found)
             report(k + 1)
     lines = [
-        f"| sea | {' | '.join(MARKS)} | kalman, worst | in the 90 % ellipse | flags in 100 healthy "
-        "dives | lost speed caught in 3 dives | in 25 |",
+        f"| sea | {' | '.join(MARKS)} | gaussian-process, worst | in the 90 % ellipse "
+        "| flags in 100 healthy dives | lost speed caught in 3 dives | in 25 |",
         "|---" * (len(MARKS) + 6) + "|",
     ]
     for name, rows in records.items():
@@ -153,13 +153,13 @@ def main(
         lines.append(
             f"| {name} | "
             + " | ".join(f"{geometric([row[e] for row in rows]):.2f}" for e in MARKS)
-            + f" | {max(row['kalman'] for row in rows):.2f}"
+            + f" | {max(row['gaussian-process'] for row in rows):.2f}"
             + f" | {100 * np.mean([row['inside'] for row in rows]):.0f} %"
             + f" | {100 * sum(row['flags'] for row in rows) / max(watched, 1):.1f}"
             + f" | {soon:.0f} % | {caught:.0f} % |"
         )
     real = {e: replay_dives(usable(sample_dives())[0], e) for e in MARKS}
-    inside = summary(real["kalman"])["inside_90"]
+    inside = summary(real["gaussian-process"])["inside_90"]
     lines.append(
         f"| Seaglider SG542 | {' | '.join(f'{ratio(real[e]):.2f}' for e in MARKS)} | - | "
         f"{100 * inside:.0f} % | - | - | - |"
@@ -184,13 +184,13 @@ def picture(records: dict[str, list[dict[str, Any]]], real: dict[str, Replay]) -
     names = [*records, "Seaglider SG542"]
     for k, rows in enumerate(records.values()):
         ax.plot(
-            [row["kalman"] for row in rows],
+            [row["gaussian-process"] for row in rows],
             [k] * len(rows),
             ".",
             color=BLUE,
             ms=4,
             alpha=0.35,
-            label=None if k else "kalman, each vehicle",
+            label=None if k else "gaussian-process, each vehicle",
         )
     for j, (estimator, (colour, mark)) in enumerate(MARKS.items()):
         means = [

@@ -22,7 +22,7 @@ from .study import BLUE, GREY, leave, new_figure, progress_bar
 
 RESTLESS = ("size", "memory", "scatter")  # of a kind of sea
 PRIORS = (
-    *("fix", "current", "tide", "inertial", "speed", "compass", "shelf"),
+    *("fix", "current", "tide", "inertial", "shear", "speed", "compass", "shelf"),
     *("inertial_fading", "tide_fading", "speed_fading", "compass_fading"),
     *("degrees_of_freedom", "weight_memory"),
     *RESTLESS,  # of all kinds of sea at once

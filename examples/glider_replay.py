@@ -23,7 +23,7 @@ def main(folder="out", *files):
     used, unused = clpt.gliders.usable(dives)
     for skipped in [*unread, *unused]:
         print(f"dive {skipped.dive} skipped: {skipped.why}")
-    for name in ("gradient", "kalman"):
+    for name in ("gradient", "gaussian-process"):
         replay = clpt.replay.replay_dives(used, name)
         rms = clpt.replay.clpe_rms(replay, 3)
         if rms["adaptive"] is not None:

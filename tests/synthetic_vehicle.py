@@ -52,6 +52,10 @@ def vehicle(
         T = 3600 * hours * rng.uniform(0.8, 1.2)
         t = np.linspace(time + 600, time + 600 + T, 101)
         u = np.tile(current, (101, 1))
+        if walk:
+            steps = walk * math.sqrt(T / 100 / 21600) * rng.normal(size=(101, 2))
+            u += np.cumsum(steps, axis=0)
+        current = u[-1]
         if flow != "steady":
             turned = [
                 np.cos(w * t + phase),
@@ -67,7 +71,7 @@ def vehicle(
         f = factor * (1 - lost if fault is not None and k >= fault else 1)
         gps = f * dr + trapezoid(u, t, axis=0) + fix * rng.normal(size=2)
         gps += noise * T * rng.normal(size=2)
-        current = current + walk * math.sqrt((T + 600) / 21600) * rng.normal(size=2)
+        current = current + walk * math.sqrt(600 / 21600) * rng.normal(size=2)
         dives.append(Dive(k, t[0], latitude, 8.0, t[-1], latitude, 8.0, *gps, *dr))
         time = t[-1]
     return dives

@@ -101,7 +101,7 @@ fit_parameters prove refute report run_ensemble sensitivity tune_law"""
 LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = {  # called at each step, and checked by no one
     "Block": ("values", "parameters_at", "interval_at", "with_params"),
-    "FixModel": ("regressor", "noise", "transition", "reached"),
+    "FixModel": ("regressor", "noise", "rotation"),
     "NativeDiagram": ("callee", "lanes", "parameters", "with_parameters", "in_form"),
     "Sampled": ("samples_at", "values"),
     "Diagram": ("linearize",),  # it is python-control's
@@ -185,7 +185,7 @@ def right(tmp_path_factory):
             "flow_estimate": {"data": run, "every": 5.0},
         },
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
-        "make_estimator": {"name": "kalman", "model": clpt.estimation.FixModel()},
+        "make_estimator": {"name": "gradient", "model": clpt.estimation.FixModel()},
         "make_dive": {"number": 1, "start": (0.0, 40.0, -70.0), **TO},
         **{
             "aims": {"targets": [(40.0, -70.0)], "start": None},

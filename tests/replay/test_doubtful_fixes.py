@@ -9,7 +9,8 @@ from synthetic_vehicle import along, chained, turned, vehicle
 from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.estimation import FixModel
 from clpt_control.gliders import read_dives, usable
-from clpt_control.ocean.estimation.estimators import ESTIMATORS, KalmanBank
+from clpt_control.ocean.estimation.estimators import ESTIMATORS
+from clpt_control.ocean.estimation.process_mixture import ProcessMixture
 from clpt_control.ocean.forecast.doubts import SpeedFactorWatch
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 
@@ -184,16 +185,16 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
 
 
 def flags(dives):
-    """The anomalies of dives that a bank learns."""
-    bank = KalmanBank(FixModel())
-    watch = SpeedFactorWatch(bank)
+    """The anomalies of dives that a mixture learns."""
+    mixture = ProcessMixture(FixModel())
+    watch = SpeedFactorWatch(mixture)
     found = []
     for dive in dives:
-        bank.update(dive)
-        if anomaly := watch.step(dive):
+        mixture.update(dive)
+        if anomaly := watch.step(mixture, dive):
             found.append(anomaly)
             if anomaly.certain:
-                bank.forget_speed()
+                mixture.forget_speed()
     return found
 
 

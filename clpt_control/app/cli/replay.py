@@ -37,7 +37,9 @@ def replay(
         "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
     sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
-    estimator: str = opt("NAME", "kalman or gradient.", default="kalman"),
+    estimator: str = opt(
+        "NAME", "gaussian-process or gradient.", default="gaussian-process"
+    ),
     flow: str | None = opt(
         "PARTS",
         "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",

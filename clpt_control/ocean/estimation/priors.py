@@ -1,4 +1,4 @@
-"""What is believed before any dive: every number of the estimators, with its source.
+"""Priors of the estimators: each number with its source.
 
 "Judgement" is engineering judgement: plausible for any glider, in no paper.
 `python -m analysis.prior_sensitivity` halves and doubles the numbers one at a time.
@@ -12,12 +12,13 @@ DAY = 86400.0  # s
 
 
 class Sea(NamedTuple):
-    """How a sea changes, as a bank has it: numbers, or arrays (m,) for m filters."""
+    """Slow current and noise of a kind of sea: numbers, or arrays (m,) of m processes."""
 
     size: Any  # S, m/s, of the slow current
     memory: Any  # tau, s
-    smooth: Any = 1.0  # 1: it changes slowly, 0: it may change at once
-    scatter: Any = 0.005  # s, m/s, what no parameter explains and no dive remembers
+    smooth: Any = 1.0  # 1: a smooth current, 0: a rough one (`dive_means`)
+    scatter: Any = 0.005  # s, m/s, white noise from dive to dive
+    mapped: Any = 0.0  # m/s, of a steady current that depends on position
 
 
 @public
@@ -46,7 +47,9 @@ class Priors(NamedTuple):
     # judgement: eddies of 0.3 m/s have half of it at 200 m, or at 1000
     shear: float = 0.1  # m/s, of a dive e times as deep
     # judgement: half a current
-    gaussian: float = 0.15  # m/s, of a place's coefficient
+    gaussian: float = (
+        0.15  # m/s, of a steady current that depends on position, and of a gaussian
+    )
     # judgement: a forecast may be nothing, right, or half as strong again
     model: float = 0.7  # of the factor on a flow model
     # judgement, settled with the sample's vehicle in view: flight models that are not trimmed yet
@@ -68,8 +71,8 @@ class Priors(NamedTuple):
     compass_fading: float = 450 * DAY
 
     # from currents that hardly change to a jet's edge: chosen on the made seas of `analysis` and
-    # the real vehicles of `docs/gliders_method.md`, the fewest that forecast as well, and see a
-    # lost speed as often, as forty filters with other covariances did
+    # the real vehicles of `docs/gliders_method.md`, the fewest that forecast as well, and find a
+    # lost speed as often, as forty covariances
     kinds: tuple[Sea, ...] = (
         Sea(0.05, 8 * DAY),
         Sea(0.05, 8 * DAY, scatter=0.01),
@@ -83,7 +86,7 @@ class Priors(NamedTuple):
     )
 
     # judgement: a missed front counts little (Lange, Little, Taylor, J. Am. Stat. Assoc. 84, 1989)
-    degrees_of_freedom: float = 8.0  # of the density that weighs filters
+    degrees_of_freedom: float = 8.0  # of the density that weights processes
     # judgement: a voyage comes to another sea in weeks
     weight_memory: float = 20 * DAY
 

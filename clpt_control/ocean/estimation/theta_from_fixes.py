@@ -25,7 +25,7 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.tidal_periods import period
 from .dive import Dive
 from .fix_to_fix import METHODS, whitened
-from .gaussian_places import SPACING, WIDTH, near
+from .gaussian_lattice import gaussian_centers
 from .priors import Priors
 from .segments import dive_segments, run_scenario, run_segments
 
@@ -254,7 +254,7 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
 @public
 def dive_basis(
     dives: Sequence[Dive],
-    width: float | None = WIDTH,
+    width: float | None = 20e3,
     constituents: Sequence[str] = ("steady",),
 ) -> tuple[Block, np.ndarray]:
     """Make a flow basis for dives, and what is believed of it before.
@@ -305,11 +305,7 @@ def dive_basis(
             raise ScenarioError(
                 f"width = {width:g} m: must be positive, or None for no gaussians"
             )
-        places = None
-        for dive in dives:
-            places = near(places, dive, width)
-        for i, j in places.cells if places else ():
-            center = (SPACING * width * i, SPACING * width * j)
+        for center in gaussian_centers(dives, width):
             rows.append((center, width, 0.0, 0.0, priors.gaussian))
     if not rows:
         raise ScenarioError("no function: give a constituent or a width")

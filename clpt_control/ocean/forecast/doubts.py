@@ -19,16 +19,14 @@ the next dive counts by how far off it is.  The variance of a miss is then
 
 The start of a dive is known before it is forecast, so nothing later is read.
 
-Of speed: had the factor jumped by d before dive j, the misses y_i - H_i p_i of a Kalman
-filter that does not know of it would be d g_i on average,
+Of speed: let L L^T be the covariance of the misses y of the last dives, given the dives before
+them, and nu = L^-1 (y - forecast). A jump of the factor by d before the first of these dives
+shifts nu by d g on average, with g = L^-1 h and h their dead reckoning. The likelihood ratio of a
+jump against none is (A. S. Willsky, H. L. Jones, "A generalized likelihood ratio approach to the
+detection and estimation of jumps in linear systems", IEEE Trans. Automatic Control 21, 108-112,
+1976)
 
-    e_j = (0, .., 1, .., 0),  g_i = H_i e_i,  e_{i+1} = F (I - K_i H_i) e_i,
-
-and the likelihood ratio of a jump against none is (A. S. Willsky, H. L. Jones,
-"A generalized likelihood ratio approach to the detection and estimation of
-jumps in linear systems", IEEE Trans. Automatic Control 21, 108-112, 1976)
-
-    l = (sum g_i^T S_i^-1 nu_i)^2 / sum g_i^T S_i^-1 g_i.
+    l = (g^T nu)^2 / (g^T g).
 
 One strange dive proves nothing: the two dives before the last are tried as j.
 A dive is flagged where l is beyond `SURE`, the jump is large enough to matter
@@ -38,6 +36,7 @@ On one heading a lost speed and a current from ahead look the same: then a loss 
 a plausible size is flagged as one or the other.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import hypot
 from typing import NamedTuple
@@ -46,8 +45,8 @@ import numpy as np
 
 from ...base.geodesy import displacement, distance
 from ..estimation.dive import Dive, miss
-from ..estimation.estimators import HIDDEN, KalmanBank, LastUpdate
 from ..estimation.fix_model import FixModel
+from ..estimation.process_mixture import ProcessMixture
 from ..gliders.usable_dives import FASTEST
 
 MARGIN = 300.0  # m: two fixes, a poor one among them, and how long a stay is rounded
@@ -134,67 +133,78 @@ class Anomaly(NamedTuple):
         )
 
 
+class DiveBefore(NamedTuple):
+    """A dive's number; weights (m,) and mean speed factor of the mixture before the dive."""
+
+    number: int
+    weights: np.ndarray
+    expected: float
+
+
 class SpeedFactorWatch:
-    """Watches the speed factor dive by dive, by a bank of a model that learns the speed.
+    """Watch on the speed factor of a mixture that learns the speed, dive by dive."""
 
-    The bank must see each dive before `step` does.
-    """
+    def __init__(self, mixture: ProcessMixture) -> None:
+        self.count = 0
+        self.recent: tuple[DiveBefore, ...] = ()
+        self._remember(mixture)
 
-    def __init__(self, bank: KalmanBank) -> None:
-        self.bank, self.count = bank, 0
-        self.updates: list[tuple[int, LastUpdate]] = []  # of the last dives, by number
+    def _remember(self, mixture: ProcessMixture) -> None:
+        """Store weights and speed factor for the next dive."""
+        speed = mixture.model.names.index("speed")
+        self.weights = mixture.weights
+        self.expected = 1 + float(self.weights @ mixture.mean[:, speed])
 
-    def step(self, dive: Dive) -> Anomaly | None:
-        """Return the anomaly of the speed at a dive that has ended, None where there is none."""
-        update = self.bank.last_update
-        assert update is not None
-        self.updates = [*self.updates[1 - DIVES :], (dive.number, update)]
+    def step(self, mixture: ProcessMixture, dive: Dive) -> Anomaly | None:
+        """Return the anomaly of the speed at the dive that the mixture has just learned."""
+        before = DiveBefore(dive.number, self.weights, self.expected)
+        self.recent = (*self.recent[1 - DIVES :], before)
+        self._remember(mixture)
         self.count += 1
         if self.count <= SETTLED:
             return None
-        tried = (
-            self._anomaly(dive, self.updates[j:]) for j in range(len(self.updates) - 1)
-        )
-        each = [anomaly for anomaly in tried if anomaly is not None]
-        if not each:
+        starts = range(len(self.recent) - 1)
+        jumps = (speed_jump(mixture, self.recent[start:]) for start in starts)
+        anomalies = [jump for jump in jumps if jump is not None]
+        if not anomalies:
             return None
-        self.updates = []
-        return max(each, key=lambda a: a.likelihood_ratio)
+        self.recent = ()
+        return max(anomalies, key=lambda anomaly: anomaly.likelihood_ratio)
 
-    def _anomaly(
-        self, dive: Dive, updates: list[tuple[int, LastUpdate]]
-    ) -> Anomaly | None:
-        """Return the anomaly that began with the first of some dives, None where none did."""
-        since, first = updates[0]
-        w, (m, n) = first.weights, first.F.shape[:2]
-        column = HIDDEN + self.bank.model.names.index("speed")
-        e = np.zeros((m, n, 3))
-        e[:, column, 0] = e[:, HIDDEN, 1] = e[:, HIDDEN + 1, 2] = 1.0
-        A, b, chi = np.zeros((m, 3, 3)), np.zeros((m, 3)), np.zeros(m)
-        for _, update in updates:
-            if update is not first:  # places reached since then have no part in it
-                new = len(update.F[0]) - e.shape[1]
-                e = update.F @ np.pad(e, ((0, 0), (0, new), (0, 0)))
-            nu, inverse, g = update.innovation, update.inverse, update.H @ e
-            gS = g.transpose(0, 2, 1) @ inverse
-            A, b = A + gS @ g, b + np.einsum("mij,mj->mi", gS, nu)
-            chi = chi + np.einsum("mi,mij,mj->m", nu, inverse, nu)
-            e = update.rest @ e
-        if not (A[:, 0, 0] > 0).all():  # no way through the water, no speed
-            return None
-        speed = b[:, 0] ** 2 / A[:, 0, 0]
-        jump = np.linalg.solve(A[:, 1:, 1:], b[:, 1:, None])[..., 0]
-        flow = np.einsum("mi,mi->m", b[:, 1:], jump)
-        ratio, current = float(w @ speed), float(w @ flow)
-        rest = float(w @ (chi - speed)) / (2 * len(updates) - 1)
-        change = float(w @ (b[:, 0] / A[:, 0, 0]))
-        error = float(np.sqrt(1.0 / (w @ A[:, 0, 0])))
-        certain = ratio - current > NESTED
-        doubtful = current - ratio <= NESTED and -PLAUSIBLE < change < 0
-        clear = ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS
-        if not (clear and (certain or doubtful)):
-            return None
-        expected = float(1 + w @ first.mean[:, column])
-        return Anomaly(
-            dive.number, since, change, error, expected, ratio, current, rest, certain
-        )
+
+def speed_jump(mixture: ProcessMixture, dives: Sequence[DiveBefore]) -> Anomaly | None:
+    """Return the anomaly that began with the first of the last dives, if one did."""
+    since, weights, expected = dives[0]
+    rows, regression = 2 * len(dives), mixture.regression
+    speed = mixture.model.names.index("speed")
+    columns = regression.columns[-len(dives) :, :, [speed, 0, 1]]
+    g = regression.inverse_factor[:, -rows:, -rows:] @ columns.reshape(rows, 3)
+    nu = regression.whitened[:, -rows:]
+    information = g.transpose(0, 2, 1) @ g
+    b = (g.transpose(0, 2, 1) @ nu[..., None])[..., 0]
+    of_speed = information[:, 0, 0]
+    if not (of_speed > 0).all():  # the vehicle does not move through the water
+        return None
+    speed_ratio = b[:, 0] ** 2 / of_speed
+    current = np.linalg.solve(information[:, 1:, 1:], b[:, 1:, None])[..., 0]
+    current_ratio = float(weights @ (b[:, 1:] * current).sum(axis=1))
+    ratio = float(weights @ speed_ratio)
+    rest = float(weights @ ((nu**2).sum(axis=1) - speed_ratio)) / (rows - 1)
+    change = float(weights @ (b[:, 0] / of_speed))
+    error = float(np.sqrt(1.0 / (weights @ of_speed)))
+    certain = ratio - current_ratio > NESTED
+    doubtful = current_ratio - ratio <= NESTED and -PLAUSIBLE < change < 0
+    clear = ratio >= SURE and rest <= SCATTER and abs(change) >= MATTERS
+    if not (clear and (certain or doubtful)):
+        return None
+    return Anomaly(
+        dives[-1].number,
+        since,
+        change,
+        error,
+        expected,
+        ratio,
+        current_ratio,
+        rest,
+        certain,
+    )

@@ -33,12 +33,13 @@ from ...base.progress.interrupt import check
 from ...base.units import known
 from ..currents.telling_apart import check_separable
 from ..estimation.dive import Dive, Fix, miss
-from ..estimation.estimators import KalmanBank, make_estimator
+from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
+from ..estimation.process_mixture import ProcessMixture
 from ..gliders.usable_dives import follows
 from .carried_dives import FlowModel, carried
 from .cells import cells
-from .doubts import SpeedFactorWatch, doubt_one_fix
+from .doubts import Anomaly, SpeedFactorWatch, doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift, has_course
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
@@ -62,7 +63,7 @@ class Replay:
     Attributes
     ----------
     estimator : str
-        ``"kalman"`` or ``"gradient"``.
+        ``"gaussian-process"`` or ``"gradient"``.
     model : FixModel
         The parameters.
     flow_model : FlowModel or None
@@ -81,7 +82,7 @@ class Replay:
     1208
     """
 
-    estimator: str = "kalman"
+    estimator: str = "gaussian-process"
     model: FixModel = field(default_factory=FixModel)
     flow_model: FlowModel | None = None
     steps: list[Step] = field(default_factory=list)
@@ -89,8 +90,8 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        self._watch = None  # of a bank that learns the speed
-        if isinstance(self._learner, KalmanBank) and self.model.learn_speed:
+        self._watch = None  # of a mixture that learns the speed
+        if isinstance(self._learner, ProcessMixture) and self.model.learn_speed:
             self._watch = SpeedFactorWatch(self._learner)
         self.habits = Habits()
         self._fed: list[Dive] = []
@@ -184,7 +185,7 @@ class Replay:
     def imagined(self) -> "Replay":
         """Return one that knows the same, for dives that are drawn."""
         other = copy.copy(self)
-        other.steps, other._learner = self.steps[-1:], copy.deepcopy(self._learner)
+        other.steps, other._learner = self.steps[-1:], copy.copy(self._learner)
         return other
 
     def imagine(self, dive: Dive) -> None:
@@ -255,7 +256,8 @@ class Replay:
         headline: NextDive | None,
     ) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
-        self._before = copy.deepcopy((self._learner, self._watch, self.habits))
+        learner, watch = copy.copy(self._learner), copy.copy(self._watch)
+        self._before = learner, watch, copy.deepcopy(self.habits)
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
         way = drift(dive, last)
@@ -276,12 +278,19 @@ class Replay:
             modelled = np.array([dive.model_east, dive.model_north], float)
             clpe[FLOW_MODEL] = known(_size(y - modelled))
         self._learner.update(dive)
-        anomaly = None if self._watch is None else self._watch.step(dive)
-        if anomaly is not None and anomaly.certain:
-            self._learner.forget_speed()
+        anomaly = self._watch_speed(dive)
         inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
         step = Step(dive, clpe, mean, covariance, inside, anomaly, way, headline, held)
         self.steps.append(step.learned(self._learner))
+
+    def _watch_speed(self, dive: Dive) -> Anomaly | None:
+        """Return the anomaly of the speed at a dive just learned, None if it is normal."""
+        if self._watch is None or not isinstance(self._learner, ProcessMixture):
+            return None
+        anomaly = self._watch.step(self._learner, dive)
+        if anomaly is not None and anomaly.certain:
+            self._learner.forget_speed()
+        return anomaly
 
 
 @public
@@ -352,7 +361,7 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
 @public
 def replay_dives(
     dives: Iterable[Dive],
-    estimator: str = "kalman",
+    estimator: str = "gaussian-process",
     model: FixModel | None = None,
     flow_model: FlowModel | None = None,
 ) -> Replay:
@@ -363,7 +372,7 @@ def replay_dives(
     dives : iterable of Dive
         In the order of their ends, as `usable` returns them.
     estimator : str, optional
-        ``"kalman"`` or ``"gradient"``.
+        ``"gaussian-process"`` or ``"gradient"``.
     model : FixModel, optional
         The parameters; by default steady, M2, inertial and speed.
     flow_model : FlowModel, optional

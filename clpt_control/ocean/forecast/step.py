@@ -18,7 +18,7 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import place_from
 from ...base.units import known
-from ..estimation.estimators import Estimator
+from ..estimation.estimator import Estimator
 from ..gliders.dives import Dive
 from .doubts import Anomaly
 from .habits import Way
@@ -40,8 +40,8 @@ class Step:
     (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
     vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
     `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
-    `parts` has the probability that each part of the flow is present; the parameters `not_learned`,
-    beside gaussians, are hardly better known than before any dive. `headline` is the surfacing as
+    `parts` has the probability that each part of the flow is present; the parameters `not_learned`
+    are hardly better known than before any dive. `headline` is the surfacing as
     forecast before the dive, `headline_held` whether its place and its time held: None for the
     first dive, and where dives between may be missing. `drift` is that before the dive.
     """
@@ -63,14 +63,14 @@ class Step:
         flow = [
             k for k, part in enumerate(model.parts) if part not in ("speed", "compass")
         ]
-        H = model.regressor(self.dive, ended=True)[:, flow] / self.dive.duration
+        H = model.regressor(self.dive)[:, flow] / self.dive.duration
         self.current = H @ p[flow]
         self.current_error = np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T))
         self.parts = learner.parts()
         self.not_learned = tuple(
             name
-            for name, part, share in zip(model.names, model.parts, left, strict=True)
-            if share >= LEARNED and part != "gaussians"
+            for name, share in zip(model.names, left, strict=True)
+            if share >= LEARNED
         )
         self.speed, self.speed_error, self.compass, self.compass_error = (
             1.0,
