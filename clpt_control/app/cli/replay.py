@@ -185,10 +185,12 @@ def replay(
 
 
 def name_by_files(files: Sequence[Path]) -> str:
-    """Return the name of a vehicle that no file names: its file, or the folder of several.
+    """Return the name of an unnamed vehicle: its file, or the folder of several.
 
-    >>> name_by_files([Path("data/north.csv")]), name_by_files([Path("m/1.csv"), Path("m/2.csv")])
-    ('north', 'm')
+    >>> name_by_files([Path("data/north.csv")])
+    'north'
+    >>> name_by_files([Path("m/1.csv"), Path("m/2.csv")])
+    'm'
     """
     paths = [file.resolve() for file in files]
     if len(paths) > 1:

@@ -1,8 +1,8 @@
 """Cards of a replay's page: the numbers that a pilot reads first.
 
-The distance made good is that from the fix at the start of the last day's dives to the last
-fix, at the surface included.  Ages and hours are those of the time of computing;
-the script `clock.js` counts them on.
+The distance made good is from the first fix of the last day's dives to the last fix, the
+time at the surface included.  Ages and hours are those at the time of computing; the
+script `clock.js` counts them on.
 """
 
 import re
@@ -28,7 +28,7 @@ UNBROKEN = re.compile(  # angles, times and sizes that stay on one line
 
 
 def unbroken(text: str) -> str:
-    """Return a text as HTML whose angles, times and sizes are not divided between lines.
+    """Return a text as HTML that keeps angles, times and sizes on one line.
 
     >>> unbroken("42 55.80 S")
     '<span class="whole">42 55.80 S</span>'
@@ -179,7 +179,7 @@ def _age_hours(found: Found) -> float:
 
 
 def _last_day(rows: list[Found]) -> list[Found]:
-    """Return the last dives that began a day before the last fix, or the first one that did."""
+    """Return the last dives, of a day at least where the record is that long."""
     first = len(rows) - 1
     while first > 0 and rows[-1]["end_time"] - rows[first]["start_time"] < DAY:
         first -= 1
@@ -187,7 +187,7 @@ def _last_day(rows: list[Found]) -> list[Found]:
 
 
 def _seconds(rows: list[Found]) -> float:
-    """Return the time from the start of the first dive to the end of the last one, s."""
+    """Return the time from the first start to the last end, s."""
     return float(rows[-1]["end_time"] - rows[0]["start_time"])
 
 

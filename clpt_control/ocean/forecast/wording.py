@@ -47,7 +47,7 @@ def due(ahead: dict[str, Any]) -> str:
 
 
 def wide(ahead: dict[str, Any]) -> str:
-    """Return that an ellipse is longer than its dive and what helps, empty if it is not.
+    """Return a warning if an ellipse is longer than its dive, and what helps.
 
     >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_90_long": 900.0,
     ...       "basis": "repeated"})
@@ -169,7 +169,7 @@ def coming(found: dict[str, Any]) -> list[str]:
 
 
 def beyond_cards(found: dict[str, Any]) -> list[str]:
-    """Return what a page says of the future next to its cards: later legs, the route."""
+    """Return sentences on what no card has: later legs and the route."""
     lines = [uncovered(found["next_dive"])] if uncovered(found["next_dive"]) else []
     lines += map(aim_sentence, found["aim"][1:])
     return lines + (route_sentences(found["route"]) if "route" in found else [])
