@@ -31,6 +31,7 @@ Seed = Annotated[int, "0 or more"]
 Count = Annotated[int, "1 or more"]
 Positive = Annotated[float, "positive and finite"]
 LISTS = (Sequence, Iterable, list)
+MOST_MEMBERS = 100  # of a list that is searched for masked arrays
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
 EMPTY = np.dtype("V")
@@ -97,6 +98,7 @@ def _checking(function: Any, name: str) -> Any:
     kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
+        value = without_mask(value)
         if not kinds_by:  # at the first call, when all names are known
             for one, kind in function.__annotations__.items():
                 kinds_by[one] = kinds_of(kind, function.__globals__)
@@ -123,6 +125,25 @@ def _checking(function: Any, name: str) -> Any:
         )
 
     return update_wrapper(call, function)
+
+
+def without_mask(value: Any) -> Any:
+    """Return a masked array, or a list or dict of them, with gaps as NaN, or as no time.
+
+    >>> without_mask(np.ma.masked_less([3, -999], 0))
+    array([ 3., nan])
+    """
+    kind = type(value)
+    if kind.__name__ == "MaskedArray":
+        number = value.dtype.kind
+        if number == "M":
+            return value.filled(np.datetime64("NaT"))
+        return value.astype(float).filled(np.nan) if number in "iuf" else value
+    if kind in (list, tuple) and len(value) < MOST_MEMBERS:
+        return kind(map(without_mask, value))
+    if kind is dict and len(value) < MOST_MEMBERS:
+        return {name: without_mask(member) for name, member in value.items()}
+    return value
 
 
 def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
@@ -298,6 +319,7 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     """Return an array of numbers; its last dimensions have the sizes given, None is any."""
     if type(value) is np.ndarray and value.dtype == float and not last:
         return value
+    value = without_mask(value)
     with suppress(TypeError, ValueError):
         if getattr(getattr(value, "dtype", None), "kind", "-") in "cmM":
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time

@@ -89,7 +89,7 @@ def test_files_of_one_current_are_joined(tmp_path):
         part = whole.isel(time=steps)
         if k == 1:  # the step that the third file has too, and an epoch of its own
             part = part.copy(deep=True)
-            part["u"][11:] = 9.0
+            part["u"][11:] = 0.45
             part["time"] = (
                 "time",
                 part.time.values - 1,

@@ -3,10 +3,12 @@
 Names follow the CF standard name table (cfconventions.org); a file without
 standard names is read by the names that are common in practice.
 
-`valid_min` and `valid_max` are not used: files disagree on whether they are in
-packed or unpacked values (MARACOOS writes -300 cm/s beside a scale factor of
-0.01, which read by the letter of CF would throw most of the data away).  A
-speed that no sea has is refused instead.
+Values outside `valid_range`, or `valid_min` to `valid_max`, are gaps.  In a packed variable
+these attributes are packed integers if they are integers, and otherwise in the variable's units
+(NetCDF User's Guide, appendix A).  A speed that no sea has is refused.
+
+Times of means are the middles of their intervals, which the bounds of the time give (CF 7.1).
+The interval counts unless `cell_methods` says that values are of a point in time (CF 7.3).
 """
 
 import re
@@ -55,6 +57,21 @@ CURE = (
 )
 PROJECTED = ("projection_x_coordinate", "projection_y_coordinate")
 FASTEST = 9.9  # m/s; the sea is slower, a fill value taken as data, 999 cm/s, is not
+ARTIFICIAL = ("noleap", "365_day", "all_leap", "366_day", "360_day", "none")
+NO_CURRENT = (
+    "maximum",
+    "minimum",
+    "range",
+    "standard_deviation",
+    "sum",
+    "sum_of_squares",
+    "variance",
+)
+GREGORIAN = (
+    1582  # calendar reform: earlier, 'standard' and 'proleptic_gregorian' differ
+)
+FAR = 0.3  # of the range of all other values: distance of a fill value from them
+DISTINCT = 8  # other values, by which a fill value is recognized
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
 
 
@@ -86,8 +103,15 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str
 
 
 def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArray:
-    """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`."""
+    """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`.
+
+    Of several times, such as `time` and `time1`, the one on a dimension of the velocity counts.
+    """
     name = find_variable(data, AXES, what)
+    if what == "time" and not set(data[name].dims) & set(data[velocity].dims):
+        dims = data[velocity].dims
+        times = [dim for dim in dims if dim in data and " since " in said(data[dim])]
+        name = str(times[0]) if times else name
     axis = data[name]
     if what != "time" and axis.ndim == 2:
         raise DataError(
@@ -177,22 +201,100 @@ def decoded(
     return dates if dates.dtype.kind == "M" else None
 
 
-def dates_of(when: xarray.DataArray, least: int = 2) -> np.ndarray:
-    """Return the times of a file, to the nearest ms."""
+def dates_of(
+    data: xarray.Dataset, when: xarray.DataArray, velocity: str, least: int = 2
+) -> np.ndarray:
+    """Return the times of a velocity, to the nearest ms: of means the middles of intervals."""
     if len(when) < least:
         raise DataError(
             f"{when.name} has {len(when)} of the {least} steps that are needed"
         )
-    if not np.all(np.isfinite(numbers_of(when))):
-        raise DataError(f"{when.name} has values that are not finite")
-    unit, calendar = said(when), str(when.attrs.get("calendar", "standard"))
-    dates = decoded(when.values, unit, calendar)
+    wrong = np.flatnonzero(~np.isfinite(numbers_of(when)))
+    if wrong.size:
+        raise DataError(
+            f"{when.name} is not finite at {wrong.size} of {len(when)} steps, first at step "
+            f"{wrong[0]} (from 0). Drop these steps, such as by xarray's "
+            f"data.isel({when.dims[0]}=data.{when.name}.notnull())"
+        )
+    numbers = when.values
+    intervals = _intervals(data, when, velocity)
+    if intervals is not None:
+        numbers = intervals.mean(axis=1)
+    dates = decoded(numbers, said(when), _calendar(when))
     if dates is None:
         raise DataError(
-            f"{when.name} has units '{unit}' and the calendar '{calendar}'; must be such as "
-            "'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
+            f"{when.name} has units '{said(when)}' and the calendar '{_calendar(when)}'; must be "
+            "such as 'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
         )
     return (dates + np.timedelta64(500, "us")).astype("datetime64[ms]")
+
+
+def _calendar(when: xarray.DataArray) -> str:
+    """Return the calendar of a time; one without real dates, or in doubt, is refused."""
+    stated = when.attrs.get("calendar")
+    calendar = "standard" if stated is None else str(stated).lower()
+    if calendar in ARTIFICIAL:
+        raise DataError(
+            f"{when.name} has the calendar '{calendar}', whose dates are not real. Convert the "
+            "file, such as by xarray's data.convert_calendar('standard', align_on='date')"
+        )
+    since = SINCE_A_DATE.fullmatch(said(when))
+    if since and stated is None and int(since[2].split("-")[0]) < GREGORIAN:
+        raise DataError(
+            f"{when.name} has units '{said(when)}' and no calendar. Write the attribute calendar: "
+            "'standard' or 'proleptic_gregorian', which differ by days before 1582"
+        )
+    return calendar
+
+
+def _intervals(
+    data: xarray.Dataset, when: xarray.DataArray, velocity: str
+) -> np.ndarray | None:
+    """Return the intervals of means over time, shape (n, 2), None for values at points in time."""
+    method = _time_method(data[velocity], when)
+    if method in NO_CURRENT:
+        raise DataError(
+            f"{velocity} has the cell_methods '{said(data[velocity], 'cell_methods')}'; must be "
+            "currents, or their means over time"
+        )
+    if "climatology" in when.attrs:
+        raise DataError(
+            f"{when.name} has a climatology; must be the times of a current"
+        )
+    name = said(when, "bounds")
+    if not name or name not in data or method == "point":
+        return None
+    units = said(data[name]) or said(when)
+    intervals = np.sort(numbers_of(data[name]), axis=-1)
+    if intervals.shape != (len(when), 2) or units != said(when):
+        raise DataError(
+            f"{name}, the bounds of {when.name}, must have the shape ({len(when)}, 2) and its units"
+        )
+    start, end = intervals.T
+    slack = 1e-3 * np.max(end - start)
+    inside = (start - slack <= when.values) & (when.values <= end + slack)
+    if not inside.all():  # also where not finite
+        step = int(np.argmin(inside))
+        raise DataError(
+            f"{name} does not contain {when.name} at step {step} (from 0). Correct one of both"
+        )
+    return intervals
+
+
+def _time_method(velocity: xarray.DataArray, when: xarray.DataArray) -> str:
+    """Return the method by which a velocity represents its interval of time, '' if not stated.
+
+    >>> time = xarray.DataArray([0.0], dims="time", name="time")
+    >>> u = time.assign_attrs(cell_methods="area: mean time: point")
+    >>> _time_method(u, time)
+    'point'
+    """
+    methods = said(velocity, "cell_methods").lower()
+    names = {"time", str(when.name).lower(), str(when.dims[0]).lower()}
+    for axes, method in re.findall(r"((?:\w+:\s*)+)(\w+)", methods):
+        if names & set(re.findall(r"\w+", axes)):
+            return str(method)
+    return ""
 
 
 def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) -> None:
@@ -209,6 +311,32 @@ def mark_gaps(u: np.ndarray, v: np.ndarray, names: Sequence[str], nothing: str) 
         if most > FASTEST:
             raise DataError(
                 f"{name} reaches {most:.4g} m/s: check its units and fill value"
+            )
+        check_fill_value(values, name)
+
+
+def check_fill_value(values: np.ndarray, name: str) -> None:
+    """Refuse a number that returns exactly, at the end of all values and far from them.
+
+    It is taken for a fill value that the file does not declare.  Zeros are exempt: they are land.
+
+    >>> check_fill_value(np.append(np.linspace(-0.3, 0.4, 20), [9.0] * 3), "u (m/s)")
+    Traceback (most recent call last):
+    clpt_control.base.errors.DataError: u (m/s) is exactly 9 at 3 of 23 places, ...
+    """
+    known = values[np.isfinite(values)]
+    if not known.size:
+        return
+    for end, side in ((known.max(), 1.0), (known.min(), -1.0)):
+        rest = known[known != end]
+        count = known.size - rest.size
+        if end == 0.0 or count < 2 or np.unique(rest[:10000]).size < DISTINCT:
+            continue
+        distance = side * (end - (side * rest).max() * side)
+        if distance > (FAR if count > 2 else 1.0) * np.ptp(rest):
+            raise DataError(
+                f"{name} is exactly {end:.6g} at {count} of {known.size} places, far from all "
+                "other values: a fill value. Leave these values empty, or declare it as _FillValue"
             )
 
 
@@ -254,7 +382,43 @@ def velocity_values(
         raise DataError(f"{name} holds what is no number; must hold numbers") from None
     numbers = numbers_of(chosen)
     _check_packing(chosen, numbers, name)
-    return numbers * size
+    return _in_valid_range(chosen, numbers, name) * size
+
+
+def _in_valid_range(
+    values: xarray.DataArray, numbers: np.ndarray, name: str
+) -> np.ndarray:
+    """Return numbers, NaN outside the valid range of their variable."""
+    attributes, packing = values.attrs, values.encoding
+    low, high = -np.inf, np.inf
+    for key, limits in (
+        ("valid_range", ("low", "high")),
+        ("valid_min", ("low",)),
+        ("valid_max", ("high",)),
+    ):
+        if key not in attributes:
+            continue
+        stated = np.atleast_1d(attributes[key])
+        if stated.dtype.kind not in "iuf" or stated.size != len(limits):
+            raise DataError(
+                f"{name}: {key} is {attributes[key]!r}; must be a number each"
+            )
+        packed = np.dtype(packing.get("dtype", float)).kind in "iu"
+        if packed and stated.dtype.kind in "iu":
+            stated = stated * float(packing.get("scale_factor", 1.0))
+            stated = stated + float(packing.get("add_offset", 0.0))
+        if "low" in limits:
+            low = float(stated[0])
+        if "high" in limits:
+            high = float(stated[-1])
+    with np.errstate(invalid="ignore"):
+        outside = (numbers < low) | (numbers > high)
+    if 2 * outside.sum() > np.isfinite(numbers).sum():
+        raise DataError(
+            f"{name} has {outside.sum()} values outside its valid range, {low:g} to {high:g}: "
+            "correct valid_range (valid_min, valid_max) or the values"
+        )
+    return np.where(outside, np.nan, numbers)
 
 
 def _in_one_block(

@@ -122,7 +122,7 @@ def _from_netcdf(
         cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")
     )
     when = cf.find_axis(data, east, "time")
-    times = cf.dates_of(when)
+    times = cf.dates_of(data, when, east)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     latitude = _own_latitude(data)
     of_cell = (

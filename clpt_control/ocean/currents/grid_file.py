@@ -234,6 +234,12 @@ def _concatenated(path: Path, parts: list[Currents]) -> Currents:
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 of the 2 steps that are needed")
     rows = len(u) - 1 - last
+    file_index = np.repeat(np.arange(len(parts)), [len(part.dates) for part in parts])
+    for k in set(range(len(parts))) - set(file_index[rows].tolist()):
+        raise DataError(
+            f"{path}: each step of {parts[k].source} is in a later file, too. Correct its times "
+            f"(it begins at {parts[k].start}), or remove the file"
+        )
     return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
 
 
@@ -258,7 +264,7 @@ def _read(
             raise DataError(
                 f"{lat.name} and {lon.name} are of each {lat.dims[0]}, no grid; {cf.CURE}"
             )
-        dates = cf.dates_of(when, least)
+        dates = cf.dates_of(data, when, names[0], least)
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
             longitudes = longitudes[:-1]

@@ -26,13 +26,14 @@ import re
 from collections.abc import Hashable
 from csv import Error, reader
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas
 
 from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
-from .cf import VELOCITY, number, speed_unit
+from .cf import VELOCITY, check_fill_value, number, speed_unit
 from .constituents import checked_times
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
@@ -57,18 +58,19 @@ HEADER = re.compile(r"([^([]*)(?:[(\[]([^)\]]*)[)\]])?")
 def table_of(
     text: str, name: str | Path, must_be: str, mark: str = ","
 ) -> pandas.DataFrame:
-    r"""Return the cells of a table, without spaces about them, '' where a line is too short.
+    r"""Return the cells of a table, separated by `mark`, without spaces around them.
 
-    The index is the line in the file, from 1; the columns are the header; `attrs` has the texts of
-    comments, by name in small letters.
+    The index is the line in the file, from 1; the columns are the header.  `attrs` has the texts of
+    comments, by name in small letters, and in "wrong_lines" the cells of the lines that are left
+    out because they have fewer cells than the header, or more, with a sentence.
 
-    A `mark` stands between cells.
-
-    >>> cells = table_of("# latitude: 41.2\n\ntime,u\n0, 1,2\n3", "mine.csv", "a table")
-    >>> cells.attrs, list(cells.columns), list(cells.index), cells.values.tolist()
-    ({'latitude': '41.2'}, ['time', 'u'], [4, 5], [['0', '1'], ['3', '']])
+    >>> cells = table_of("# latitude: 41.2\n\ntime,u\n0, 1,\n3\n4,5", "mine.csv", "a table")
+    >>> cells.attrs["latitude"], list(cells.columns), list(cells.index), cells.values.tolist()
+    ('41.2', ['time', 'u'], [4, 6], [['0', '1'], ['4', '5']])
+    >>> cells.attrs["wrong_lines"]
+    {5: (['3'], 'has 1 cell, the header 2')}
     """
-    comments: dict[Hashable, str] = {}
+    comments: dict[Hashable, Any] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
         found = COMMENT.fullmatch(line)
@@ -90,9 +92,21 @@ def table_of(
         raise DataError(
             f"{name}: has {len(rest)} lines of {len(header)} cells; split it"
         )
-    wide = [(row + [""] * len(header))[: len(header)] for row in rest]
-    cells = pandas.DataFrame(wide, lines, header, dtype=str)
-    cells.attrs = comments
+    while len(header) > 1 and not header[-1]:  # each line may end with a mark
+        header.pop()
+    right_lines, wrong_lines = {}, {}
+    for line_number, row in zip(lines, rest, strict=True):
+        while len(row) > len(header) and not row[-1]:
+            row.pop()
+        if len(row) == len(header):
+            right_lines[line_number] = row
+        else:
+            count = f"{len(row)} cell{'s' if len(row) > 1 else ''}"
+            wrong_lines[line_number] = row, f"has {count}, the header {len(header)}"
+    cells = pandas.DataFrame(
+        list(right_lines.values()), list(right_lines), header, dtype=str
+    )
+    cells.attrs = comments | {"wrong_lines": wrong_lines}
     return cells
 
 
@@ -135,6 +149,9 @@ def read_table(
         path, "is no text; must be a table of time, u and v, or NetCDF (.nc)"
     )
     cells = table_of(text, path, "a table of time, u and v")
+    for line, (_, why) in cells.attrs["wrong_lines"].items():
+        raise DataError(f"{path}, line {line}: {why}. Leave gaps as empty cells")
+    cells = _with_units_of_second_row(cells)
     header, comments = list(cells.columns), cells.attrs
     stated = {_name_and_unit(cell)[0] for cell in header}
     polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
@@ -150,10 +167,45 @@ def read_table(
         size * _numbers(cells.iloc[:, k], name, path)
         for name, (k, size) in columns.items()
     )
+    with naming(path):
+        if polar:
+            _check_polar(u, v)
+        for name, values in zip(columns, (u, v), strict=True):
+            unit = "degrees" if name == "direction" else "m/s"
+            check_fill_value(values, f"{name} ({unit})")
     if polar:
         u, v = u * np.sin(np.radians(v)), u * np.cos(np.radians(v))
     latitude = number(comments["latitude"]) if "latitude" in comments else None
     return times, u, v, latitude
+
+
+def _with_units_of_second_row(cells: pandas.DataFrame) -> pandas.DataFrame:
+    """Return a table with the units of ERDDAP's second row in its header."""
+    header = list(cells.columns)
+    times = [k for k, name in enumerate(header) if name.lower() in NAMES["time"]]
+    if not (len(cells) and times):
+        return cells
+    units = cells.iloc[0].tolist()
+    if not (units[times[0]] and UTC.fullmatch(units[times[0]])):
+        return cells
+    named = [
+        f"{name} ({unit})" if unit else name
+        for name, unit in zip(header, units, strict=True)
+    ]
+    return cells.iloc[1:].set_axis(named, axis=1)
+
+
+def _check_polar(speed: np.ndarray, direction: np.ndarray) -> None:
+    """Refuse negative speeds, and directions that are no angles."""
+    if (speed < 0).any():
+        raise DataError(
+            f"speed reaches {np.nanmin(speed):.4g} m/s; must be 0 or more. Leave gaps empty"
+        )
+    wrong = direction[(direction < -180) | (direction > 360)]
+    if wrong.size:
+        raise DataError(
+            f"direction reaches {wrong[0]:.4g}; must be -180 to 360 degrees. Leave gaps empty"
+        )
 
 
 def _name_and_unit(cell: str) -> tuple[str, str | None]:

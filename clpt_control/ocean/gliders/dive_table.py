@@ -61,10 +61,15 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
-    found = [
+    found: list[Dive | Skipped] = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         for line, row in zip(cells.index, cells.to_numpy(), strict=True)
     ]
+    for line, (row, why) in cells.attrs["wrong_lines"].items():
+        number = whole_number(row[0]) if header[0] == "dive" else None
+        found.append(
+            Skipped(number, f"{path}, line {line}: {why}. Leave gaps as empty cells")
+        )
     _check_current([one for one in found if isinstance(one, Dive)], path)
     return found
 
