@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 from pictures import inked
 from processes import ran
+from synthetic_vehicle import vehicle
 
 import clpt_control as clpt
-from analysis import laws
+from analysis import laws, simple_forecasts
 
 ROOT = Path(__file__).parents[2]
 DATA = ROOT / "clpt_control/data"
@@ -127,3 +128,12 @@ def test_bounds_of_the_disturbance(study, tmp_path):
     assert "The worst disturbance on axis 1 makes |e| = 5.23 Dmax" in study.said
     text = (tmp_path / "disturbance_bounds.md").read_text()
     assert "\n| 0.05 | 3.5 | 0.050 | 0.0720 | 1.440 |" in text
+
+
+def test_simple_forecasts_of_a_steady_current(tmp_path):
+    """In a current that never changes each rule is exact but for the first dives' priors."""
+    dives = vehicle(1, 12, walk=0.0, noise=0.0, fix=0.0)
+    found = simple_forecasts.errors(dives)
+    for name in ("previous dive", "running mean", "exponential smoothing"):
+        assert found[name] < 5.0
+    assert found["small Gaussian process"] < 100.0
