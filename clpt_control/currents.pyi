@@ -1,7 +1,7 @@
 from .ocean.currents.current_record import read_record
 from .ocean.currents.fit import fit_scenario, save_fit
 from .ocean.currents.grid_file import read_currents, sample_currents
-from .ocean.currents.telling_apart import check_separable
+from .ocean.currents.identifiability import check_separable
 from .ocean.currents.tidal_constants import tidal_basis
 from .ocean.currents.tidal_fit import fit_tides, predict
 

@@ -30,7 +30,7 @@ from clpt_control.currents import (
 )
 from clpt_control.errors import ScenarioError
 from clpt_control.ocean.currents.constituents import OTHER_NAMES, nodal_corrections
-from clpt_control.ocean.currents.telling_apart import nyquist
+from clpt_control.ocean.currents.identifiability import nyquist
 from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed
 
 

@@ -80,40 +80,51 @@ def said(variable: xarray.DataArray | xarray.Variable, attribute: str = "units")
     return str(variable.attrs.get(attribute, "")).strip()
 
 
-def find_variable(data: xarray.Dataset, table: dict[str, Any], what: str) -> str:
+def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) -> str:
     """Return the name of a variable of `VELOCITY` or `AXES`, by standard name and by name.
 
     One with both comes first, then one with the standard name, then one with the name; a wind is
     no current, whatever its name.
     """
-    standard, names = table[what]
-    named = {name: said(one, "standard_name") for name, one in data.variables.items()}
-    by_standard = [name for name, one in named.items() if one in standard]
+    standard, names = table[quantity]
+    named = {
+        name: said(variable, "standard_name")
+        for name, variable in data.variables.items()
+    }
+    by_standard = [name for name, variable in named.items() if variable in standard]
     by_name = [
-        n for n, one in named.items() if str(n).lower() in names and "wind" not in one
+        n
+        for n, variable in named.items()
+        if str(n).lower() in names and "wind" not in variable
     ]
     by_name.sort(key=lambda name: names.index(str(name).lower()))
-    if found := [*(n for n in by_name if n in by_standard), *by_standard, *by_name]:
-        return str(found[0])
-    if table is AXES and any(one in PROJECTED for one in named.values()):
-        raise DataError(f"has a projected grid, of x and y, and no {what}; {CURE}")
-    kind = f"{what} velocity" if table is VELOCITY else what
-    wanted = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
-    raise DataError(f"no {kind}: {wanted} among {', '.join(map(str, data.variables))}")
+    if candidates := [
+        *(n for n in by_name if n in by_standard),
+        *by_standard,
+        *by_name,
+    ]:
+        return str(candidates[0])
+    if table is AXES and any(variable in PROJECTED for variable in named.values()):
+        raise DataError(f"has a projected grid, of x and y, and no {quantity}; {CURE}")
+    kind = f"{quantity} velocity" if table is VELOCITY else quantity
+    criteria = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
+    raise DataError(
+        f"no {kind}: {criteria} among {', '.join(map(str, data.variables))}"
+    )
 
 
-def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArray:
+def find_axis(data: xarray.Dataset, velocity: str, quantity: str) -> xarray.DataArray:
     """Return the coordinate, of one dimension that a velocity has, for a key of `AXES`.
 
     Of several times, such as `time` and `time1`, the one on a dimension of the velocity counts.
     """
-    name = find_variable(data, AXES, what)
-    if what == "time" and not set(data[name].dims) & set(data[velocity].dims):
+    name = find_variable(data, AXES, quantity)
+    if quantity == "time" and not set(data[name].dims) & set(data[velocity].dims):
         dims = data[velocity].dims
         times = [dim for dim in dims if dim in data and " since " in said(data[dim])]
         name = str(times[0]) if times else name
     axis = data[name]
-    if what != "time" and axis.ndim == 2:
+    if quantity != "time" and axis.ndim == 2:
         raise DataError(
             f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}"
         )
@@ -121,15 +132,17 @@ def find_axis(data: xarray.Dataset, velocity: str, what: str) -> xarray.DataArra
         raise DataError(
             f"{name} is on {_dims(axis)}; must be on one of {_dims(data[velocity])}"
         )
-    if what == "time":
+    if quantity == "time":
         return axis
     if not axis.size:
-        raise DataError(f"{name} has the length zero; must hold at least one {what}")
-    most = 90.0 if what == "latitude" else 720.0
+        raise DataError(
+            f"{name} has the length zero; must hold at least one {quantity}"
+        )
+    most = 90.0 if quantity == "latitude" else 720.0
     degrees = numbers_of(axis)
     if not np.all(np.abs(degrees) <= most + 1e-6):  # also where not finite
         raise DataError(
-            f"{name} reaches {np.abs(degrees).max():.6g}; must be a {what}, degrees"
+            f"{name} reaches {np.abs(degrees).max():.6g}; must be a {quantity}, degrees"
         )
     return axis
 
@@ -187,10 +200,12 @@ def decoded(
     >>> decoded(np.array([36.0]), "hours since 2019-1-1")
     array(['2019-01-02T12:00:00.000000000'], dtype='datetime64[ns]')
     """
-    found = SINCE_A_DATE.fullmatch(unit)
-    if found is None:  # xarray would take 01/02/2019 too
+    matched = SINCE_A_DATE.fullmatch(unit)
+    if matched is None:  # xarray would take 01/02/2019 too
         return None
-    unit = " since ".join(found.groups())  # xarray knows the word in small letters only
+    unit = " since ".join(
+        matched.groups()
+    )  # xarray knows the word in small letters only
     variable = xarray.Variable("time", numbers, {"units": unit, "calendar": calendar})
     try:
         with warnings.catch_warnings():
@@ -324,27 +339,27 @@ def check_fill_value(values: np.ndarray, name: str) -> None:
     Traceback (most recent call last):
     clpt_control.base.errors.DataError: u (m/s) is exactly 9 at 3 of 23 places, ...
     """
-    known = values[np.isfinite(values)]
-    if not known.size:
+    finite = values[np.isfinite(values)]
+    if not finite.size:
         return
-    for end, side in ((known.max(), 1.0), (known.min(), -1.0)):
-        rest = known[known != end]
-        count = known.size - rest.size
-        if end == 0.0 or count < 2 or np.unique(rest[:10000]).size < DISTINCT:
+    for end, sign in ((finite.max(), 1.0), (finite.min(), -1.0)):
+        others = finite[finite != end]
+        count = finite.size - others.size
+        if end == 0.0 or count < 2 or np.unique(others[:10000]).size < DISTINCT:
             continue
-        distance = side * (end - (side * rest).max() * side)
-        if distance > (FAR if count > 2 else 1.0) * np.ptp(rest):
+        distance = sign * (end - (sign * others).max() * sign)
+        if distance > (FAR if count > 2 else 1.0) * np.ptp(others):
             raise DataError(
-                f"{name} is exactly {end:.6g} at {count} of {known.size} places, far from all "
+                f"{name} is exactly {end:.6g} at {count} of {finite.size} places, far from all "
                 "other values: a fill value. Leave these values empty, or declare it as _FillValue"
             )
 
 
 def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> float:
     """Return in m/s the unit that a file states of a speed, or `units` where it states none."""
-    if not (wanted := stated or units):
+    if not (stated_or_given := stated or units):
         raise DataError(f"{name} has no units; {cure}")
-    size = speed_in_metres_per_second(wanted, name)
+    size = speed_in_metres_per_second(stated_or_given, name)
     if stated and units and speed_in_metres_per_second(units, "--units") != size:
         raise DataError(
             f"{name} is in '{stated}'; units = '{units}' is for a file without"
@@ -429,9 +444,14 @@ def _in_one_block(
     A library reads places one by one, and unpacks the whole part of a file for each of them.
     """
     block = values.isel(
-        {dim: slice(at.min(), at.max() + 1) for dim, at in index.items()}
+        {
+            dim: slice(positions.min(), positions.max() + 1)
+            for dim, positions in index.items()
+        }
     )
-    return block.load().isel({dim: at - at.min() for dim, at in index.items()})
+    return block.load().isel(
+        {dim: positions - positions.min() for dim, positions in index.items()}
+    )
 
 
 def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) -> None:
@@ -450,8 +470,12 @@ def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) ->
     limits = np.iinfo(kind)
     for end in (limits.min, limits.min + 1, limits.max):
         at_end = np.abs(raw - end) <= 0.5
-        rest = raw[~at_end]
-        if at_end.sum() > 1 and rest.size and np.abs(rest - end).min() > np.ptp(rest):
+        others = raw[~at_end]
+        if (
+            at_end.sum() > 1
+            and others.size
+            and np.abs(others - end).min() > np.ptp(others)
+        ):
             raise DataError(
                 f"{where} holds {end} {at_end.sum()} times, a gap: correct _FillValue"
             )

@@ -28,10 +28,10 @@ YEARS = (1700, 2200)
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
     """Return UTide's names of constituents, which may be those of `tidal_periods.SPEEDS`."""
-    known = needed("utide").constit_index_dict
+    names_of_utide = needed("utide").constit_index_dict
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
-        if name not in known or name == "Z0":
+        if name not in names_of_utide or name == "Z0":
             raise ScenarioError(
                 f"unknown constituent '{name}': must be one of UTide's, such as M2"
             )
@@ -51,11 +51,11 @@ def nodal_corrections(
     """
     names = utide_names(constituents)
     utide = needed("utide")
-    which = np.array([utide.constit_index_dict[name] for name in names])
+    indices = np.array([utide.constit_index_dict[name] for name in names])
     days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
     exact = [False] * 4  # nodal corrections and arguments at each time, none linearized
     f, u, V = utide.harmonics.FUV(
-        days, days[0], which, checked_latitude(latitude), exact
+        days, days[0], indices, checked_latitude(latitude), exact
     )
     return f, (360.0 * u + 180.0) % 360.0 - 180.0, 360.0 * V % 360.0
 
@@ -71,9 +71,9 @@ def checked_times(time: Any) -> np.ndarray:
     low, high = (np.datetime64(f"{year}-01-01") for year in YEARS)
     wrong = ~((times >= low) & (times < high))
     if times.size == 0 or wrong.any():
-        first = times[wrong][0] if times.size else "none"
+        example = times[wrong][0] if times.size else "none"
         raise DataError(
-            f"time = {first}: must be from the year {YEARS[0]} to {YEARS[1]}"
+            f"time = {example}: must be from the year {YEARS[0]} to {YEARS[1]}"
         )
     return times
 

@@ -93,25 +93,25 @@ def read_record(
             raise DataError(
                 f"{path}: is a table of one place; --at is for gridded NetCDF files"
             )
-        times, u, v, own = read_table(path, units)
+        times, u, v, file_latitude = read_table(path, units)
         lines = int(np.argmax(times != times[0]))  # of one ping
         if lines > 1 and len(times) % lines == 0:
-            each = times.reshape(-1, lines)
-            if (each == each[:, :1]).all():
-                times = each[:, 0]
-                u, v = (_over_ranges(w.reshape(each.shape)) for w in (u, v))
+            pings = times.reshape(-1, lines)
+            if (pings == pings[:, :1]).all():
+                times = pings[:, 0]
+                u, v = (_over_ranges(w.reshape(pings.shape)) for w in (u, v))
     else:
         with open_netcdf(path) as data, naming(path):
-            times, u, v, own = _from_netcdf(of_profiler(data), at, units)
+            times, u, v, file_latitude = _from_netcdf(of_profiler(data), at, units)
     check_increasing(times, str(path))
     with naming(path):
         nothing = "no time has a finite value of both components of the current"
         cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
-        found = own if latitude is None else latitude
-        if found is None:
+        chosen = file_latitude if latitude is None else latitude
+        if chosen is None:
             raise DataError("does not say its latitude; give --latitude DEG")
-        checked_latitude(found)
-    return CurrentRecord(times, u, v, float(found), shown_name(path))
+        checked_latitude(chosen)
+    return CurrentRecord(times, u, v, float(chosen), shown_name(path))
 
 
 def _from_netcdf(
@@ -119,7 +119,8 @@ def _from_netcdf(
 ) -> tuple:
     """Return times, u, v and latitude."""
     east, north = (
-        cf.find_variable(data, cf.VELOCITY, what) for what in ("eastward", "northward")
+        cf.find_variable(data, cf.VELOCITY, quantity)
+        for quantity in ("eastward", "northward")
     )
     when = cf.find_axis(data, east, "time")
     times = cf.dates_of(data, when, east)
@@ -128,9 +129,9 @@ def _from_netcdf(
     of_cell = (
         () if at is None else zip(("longitude", "latitude"), at[::-1], strict=True)
     )
-    for what, wanted in of_cell:
-        axis = cf.find_axis(data, east, what)
-        k = _nearest(axis.values.astype(float), wanted, what)
+    for quantity, degrees in of_cell:
+        axis = cf.find_axis(data, east, quantity)
+        k = _nearest(axis.values.astype(float), degrees, quantity)
         index[axis.dims[0]] = np.array([k])
         latitude = float(axis.values[k])
     u, v = (
@@ -139,28 +140,30 @@ def _from_netcdf(
     return times, u, v, latitude
 
 
-def _nearest(axis: np.ndarray, wanted: float, what: str) -> int:
+def _nearest(axis: np.ndarray, degrees: float, quantity: str) -> int:
     """Return the cell nearest to a place that lies in the grid."""
-    apart = near(axis - wanted, 0.0) if what == "longitude" else axis - wanted
-    k = int(np.argmin(np.abs(apart)))
+    distance = near(axis - degrees, 0.0) if quantity == "longitude" else axis - degrees
+    k = int(np.argmin(np.abs(distance)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
-    if not abs(apart[k]) <= cell:  # also where not finite
+    if not abs(distance[k]) <= cell:  # also where not finite
         raise DataError(
-            f"{what} {wanted:g} lies outside: {axis.min():.6g} to {axis.max():.6g}"
+            f"{quantity} {degrees:g} lies outside: {axis.min():.6g} to {axis.max():.6g}"
         )
     return k
 
 
 def _own_latitude(data: xarray.Dataset) -> float | None:
     """Return the latitude of a file of one place, None where it is silent."""
-    named = cf.AXES["latitude"][1]
-    single = {
-        str(name).lower(): one for name, one in data.variables.items() if one.size == 1
+    axis_names = cf.AXES["latitude"][1]
+    scalars = {
+        str(name).lower(): variable
+        for name, variable in data.variables.items()
+        if variable.size == 1
     }
     of_axes = [
-        one.values.ravel()[0]
-        for name, one in single.items()
-        if name in named or cf.said(one, "standard_name") == "latitude"
+        variable.values.ravel()[0]
+        for name, variable in scalars.items()
+        if name in axis_names or cf.said(variable, "standard_name") == "latitude"
     ]
     low, high = (
         cf.number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max")
@@ -176,9 +179,9 @@ def _own_latitude(data: xarray.Dataset) -> float | None:
 def _over_ranges(values: np.ndarray) -> np.ndarray:
     """Return the mean over those ranges, (times, ranges), that hold a number often enough."""
     often = values[:, np.isfinite(values).mean(axis=0) >= SHARE]
-    known = np.isfinite(often)
+    finite = np.isfinite(often)
     with np.errstate(invalid="ignore"):
-        return np.where(known, often, 0.0).sum(axis=1) / known.sum(axis=1)
+        return np.where(finite, often, 0.0).sum(axis=1) / finite.sum(axis=1)
 
 
 def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
@@ -199,17 +202,17 @@ def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
         raise DataError(
             "its north is that of the compass; dolfyn.set_declination turns it"
         )
-    parts = {}
+    components = {}
     for name, direction in (("u", "E"), ("v", "N")):
-        part = data["vel"].isel(dir=names.index(direction), drop=True)
-        if "time" not in part.dims or part.ndim > 2:
+        component = data["vel"].isel(dir=names.index(direction), drop=True)
+        if "time" not in component.dims or component.ndim > 2:
             raise DataError(f"vel is on {', '.join(map(str, data['vel'].dims))}")
         mean = _over_ranges(
-            part.transpose("time", ...).values.reshape(part.sizes["time"], -1)
+            component.transpose("time", ...).values.reshape(component.sizes["time"], -1)
         )
         units = {
             key: value for key, value in data["vel"].attrs.items() if key == "units"
         }
-        parts[name] = ("time", mean, units)
-    rest = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
-    return rest.assign(parts)
+        components[name] = ("time", mean, units)
+    others = data.drop_vars([n for n in data.variables if n != "time" and data[n].ndim])
+    return others.assign(components)

@@ -37,8 +37,8 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import load_scenario, scenario_to_text
 from ..estimation.least_squares import least_squares
 from .grid_file import Box, Currents, read_currents, with_all_steps
+from .identifiability import check_nyquist, check_separable
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
-from .telling_apart import check_nyquist, check_separable
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
@@ -127,9 +127,9 @@ def fit_scenario(
         raise DataError(
             f"constituents = {','.join(constituents)}: must be names, each once"
         )
-    for what, value in (("width (--width-km)", width_km), ("radius", radius_km)):
+    for option, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
-            raise DataError(f"{what} = {value} km: must be positive and finite")
+            raise DataError(f"{option} = {value} km: must be positive and finite")
     currents = read_currents(path, box, units=units)
     with naming(path):
         currents = with_all_steps(currents)
@@ -163,18 +163,20 @@ def fit_scenario(
         raise DataError(
             f"{path}: a circle of {radius_km:g} km leaves the field, of {room:.3g} km"
         )
-    places, apart = _middles(plane, currents.box, rows, columns)
-    width_km = float(f"{WIDTH * apart:.2g}") if width_km is None else width_km
+    centers, spacing = _middles(plane, currents.box, rows, columns)
+    width_km = float(f"{WIDTH * spacing:.2g}") if width_km is None else width_km
     # of places from the track
-    away = np.abs(np.hypot(*np.transpose(places)) - radius_km)
+    away = np.abs(np.hypot(*np.transpose(centers)) - radius_km)
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
-    scenario = _scenario(currents, places, width_km, constituents, radius_km)
+    scenario = _scenario(currents, centers, width_km, constituents, radius_km)
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured]
         for a in (currents.time[:, None, None], x1, x2)
     )
-    each = zip(scenario.basis.constituents or (), scenario.basis.centers, strict=True)
-    names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in each]
+    functions = zip(
+        scenario.basis.constituents or (), scenario.basis.centers, strict=True
+    )
+    names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in functions]
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     with naming(path):
         fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
@@ -221,15 +223,15 @@ def _middles(
         start + (end - start) * (np.arange(n) + 0.5) / n
         for (start, end), n in ((x2, rows), (x1, columns))
     )
-    apart = np.sqrt((x1[1] - x1[0]) / columns * (x2[1] - x2[0]) / rows)
+    spacing = np.sqrt((x1[1] - x1[0]) / columns * (x2[1] - x2[0]) / rows)
     middles = [
         (round(float(x), 3) + 0.0, round(float(y), 3) + 0.0) for y in ys for x in xs
     ]
-    return middles, float(apart)
+    return middles, float(spacing)
 
 
 def _scenario(
-    currents: Currents, places: list, width: float, constituents: tuple, radius: float
+    currents: Currents, centers: list, width: float, constituents: tuple, radius: float
 ) -> Scenario:
     """Return the scenario; `save_fit` writes its field and names it."""
     phased = [
@@ -246,10 +248,10 @@ def _scenario(
             "units": {"length": "km", "time": "h"},
             "basis": {
                 "kernel": "gaussian",
-                "centers": [place for _ in phased for place in places],
-                "widths": [float(width)] * len(phased) * len(places),
-                "constituents": [name for name, _ in phased for _ in places],
-                "phases": [phase for _, phase in phased for _ in places],
+                "centers": [center for _ in phased for center in centers],
+                "widths": [float(width)] * len(phased) * len(centers),
+                "constituents": [name for name, _ in phased for _ in centers],
+                "phases": [phase for _, phase in phased for _ in centers],
             },
             "flow": {"field": "field.nc", "outside": "raise"},
             "vehicle": car,
@@ -322,6 +324,6 @@ def _header(report: dict) -> str:
         "The true flow is the measured current, gaps filled harmonically in space and time.",
         "The learner does not know theta of the fit, which the field's fit_report has.",
     ]
-    told = [key for key in report if key != "theta"]
-    lines += [f"{key.replace('_', ' ')}: {report[key]}" for key in told]
+    keys = [key for key in report if key != "theta"]
+    lines += [f"{key.replace('_', ' ')}: {report[key]}" for key in keys]
     return "".join(f"# {line}\n" for line in lines) + "\n"

@@ -78,7 +78,7 @@ class Currents:
 
     @property
     def measured(self) -> np.ndarray:
-        """Where the current was measured, boolean, of the shape of u."""
+        """Mask of measured values, boolean, with the shape of u."""
         return np.isfinite(self.u)
 
     @property
@@ -145,21 +145,21 @@ def read_currents(
     """
     path, span = Path(path), None if box is None else _checked_box(box)
     if not path.is_dir() or any((path / name).exists() for name in ZARR):
-        found = _read(path, span, column, units, 2)
+        currents = _read(path, span, column, units, 2)
     else:
         files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
         if not files:
             raise DataError(
                 f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
             )
-        found = _concatenated(
+        currents = _concatenated(
             path, [_read(file, span, column, units, 1) for file in files]
         )
-    still = ~((found.u != 0.0) | (found.v != 0.0)).any(axis=0)
+    still = ~((currents.u != 0.0) | (currents.v != 0.0)).any(axis=0)
     if still.all() or not still.any():
-        return found
-    found.u[:, still] = found.v[:, still] = np.nan
-    return replace(found, land=int(still.sum()))
+        return currents
+    currents.u[:, still] = currents.v[:, still] = np.nan
+    return replace(currents, land=int(still.sum()))
 
 
 def missing_steps(time: np.ndarray) -> np.ndarray:
@@ -173,9 +173,9 @@ def missing_steps(time: np.ndarray) -> np.ndarray:
     steps = np.diff(time)
     missing = np.zeros(len(steps), int)
     for k, step in enumerate(steps):
-        around = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
-        if around.size > 0 and step > GAP * np.median(around):
-            missing[k] = round(step / np.median(around)) - 1
+        neighbours = np.concatenate([steps[max(k - 2, 0) : k], steps[k + 1 : k + 3]])
+        if neighbours.size > 0 and step > GAP * np.median(neighbours):
+            missing[k] = round(step / np.median(neighbours)) - 1
     return missing
 
 
@@ -187,12 +187,12 @@ def with_all_steps(currents: Currents) -> Currents:
         raise DataError(
             f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there"
         )
-    there = np.concatenate([[0], np.cumsum(1 + missing)])
-    dates = np.interp(np.arange(there[-1] + 1), there, currents.dates.astype(float))
+    rows = np.concatenate([[0], np.cumsum(1 + missing)])
+    dates = np.interp(np.arange(rows[-1] + 1), rows, currents.dates.astype(float))
     u, v = (
         np.full((len(dates), *w.shape[1:]), np.nan) for w in (currents.u, currents.v)
     )
-    u[there], v[there] = currents.u, currents.v
+    u[rows], v[rows] = currents.u, currents.v
     return replace(currents, dates=dates.astype(currents.dates.dtype), u=u, v=v)
 
 
@@ -216,31 +216,31 @@ def _opened(path: Path) -> Iterator[xarray.Dataset]:
         raise DataError(f"{path}: cannot be read as Zarr: {reason}") from None
 
 
-def _concatenated(path: Path, parts: list[Currents]) -> Currents:
+def _concatenated(path: Path, files: list[Currents]) -> Currents:
     """Return one current of several on one grid, each with steps of its own."""
-    first = parts[0]
-    for part in parts:
+    template = files[0]
+    for file in files:
         for name in ("lat", "lon", "depth"):
             if not np.array_equal(
-                getattr(part, name), getattr(first, name), equal_nan=True
+                getattr(file, name), getattr(template, name), equal_nan=True
             ):
                 raise DataError(
-                    f"{path}: {part.source} has another {name} than {first.source}"
+                    f"{path}: {file.source} has another {name} than {template.source}"
                 )
     dates, u, v = map(
-        np.concatenate, zip(*((p.dates, p.u, p.v) for p in parts), strict=True)
+        np.concatenate, zip(*((p.dates, p.u, p.v) for p in files), strict=True)
     )
     steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 of the 2 steps that are needed")
     rows = len(u) - 1 - last
-    file_index = np.repeat(np.arange(len(parts)), [len(part.dates) for part in parts])
-    for k in set(range(len(parts))) - set(file_index[rows].tolist()):
+    file_index = np.repeat(np.arange(len(files)), [len(file.dates) for file in files])
+    for k in set(range(len(files))) - set(file_index[rows].tolist()):
         raise DataError(
-            f"{path}: each step of {parts[k].source} is in a later file, too. Correct its times "
-            f"(it begins at {parts[k].start}), or remove the file"
+            f"{path}: each step of {files[k].source} is in a later file, too. Correct its times "
+            f"(it begins at {files[k].start}), or remove the file"
         )
-    return replace(first, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
+    return replace(template, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
 
 
 def _read(
@@ -253,12 +253,12 @@ def _read(
                 "is the field of a fit; give the .toml file beside it as a flow model"
             )
         names = [
-            cf.find_variable(data, cf.VELOCITY, what)
-            for what in ("eastward", "northward")
+            cf.find_variable(data, cf.VELOCITY, quantity)
+            for quantity in ("eastward", "northward")
         ]
         lat, lon, when = (
-            cf.find_axis(data, names[0], what)
-            for what in ("latitude", "longitude", "time")
+            cf.find_axis(data, names[0], quantity)
+            for quantity in ("latitude", "longitude", "time")
         )
         if lat.dims == lon.dims:  # places, and no grid of them
             raise DataError(
@@ -269,14 +269,14 @@ def _read(
         if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
             longitudes = longitudes[:-1]
         longitudes = _unwrapped(longitudes, span)
-        wanted = span or (
+        limits = span or (
             latitudes.min(),
             latitudes.max(),
             longitudes.min(),
             longitudes.max(),
         )
-        rows = _inside(latitudes, wanted[:2], str(lat.name))
-        columns = _inside(longitudes, wanted[2:], str(lon.name))
+        rows = _inside(latitudes, limits[:2], str(lat.name))
+        columns = _inside(longitudes, limits[2:], str(lon.name))
         steps = np.argsort(dates)
         if len(np.unique(dates)) < len(dates):
             raise DataError(f"{when.name} has a step twice; keep each time once")
@@ -289,17 +289,17 @@ def _read(
             depth = depth[order]
             index |= {} if level is None else {level: order}
         index |= across
-        size = np.prod([len(places) for places in index.values()], dtype=float)
+        size = np.prod([len(indices) for indices in index.values()], dtype=float)
         if size > MOST:
             raise DataError(
                 f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file"
             )
         u, v = (cf.velocity_values(data, name, index, units) for name in names)
-        nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(wanted)}"
+        nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(limits)}"
         cf.mark_gaps(u, v, names, nothing)
         if column and u.ndim == 3:
             u, v = u[:, None], v[:, None]
-        lat0, lat1, lon0, lon1 = map(float, wanted)
+        lat0, lat1, lon0, lon1 = map(float, limits)
         of_grid = latitudes[rows], longitudes[columns], depth, dates[steps], u, v
         return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(path))
 
@@ -321,13 +321,13 @@ def _unwrapped(lon: np.ndarray, box: Box | None) -> np.ndarray:
     A grid around the Earth has none and is cut where the file begins.
     """
     if box is not None:
-        first = box[2] + 0.5 * (box[3] - box[2]) - 180.0
+        west = box[2] + 0.5 * (box[3] - box[2]) - 180.0
     else:
         order = np.argsort(lon % 360.0)
         gaps = np.diff(lon[order] % 360.0, append=lon[order[0]] % 360.0 + 360.0)
-        after = order[(int(np.argmax(gaps)) + 1) % len(lon)]
-        first = lon[after] if np.max(gaps) > AROUND * np.median(gaps) else lon[0]
-    return lon - 360.0 * np.floor((lon - first) / 360.0)
+        east_of_gap = order[(int(np.argmax(gaps)) + 1) % len(lon)]
+        west = lon[east_of_gap] if np.max(gaps) > AROUND * np.median(gaps) else lon[0]
+    return lon - 360.0 * np.floor((lon - west) / 360.0)
 
 
 def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
@@ -336,9 +336,9 @@ def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
     order = np.argsort(axis)
     inside = order[(axis[order] >= span[0] - slack) & (axis[order] <= span[1] + slack)]
     if len(inside) < 2:
-        there = f"{len(inside)} of the 2 cells that are needed"
+        shortage = f"{len(inside)} of the 2 cells that are needed"
         raise DataError(
-            f"{where} has {there}; it goes from {axis.min():.6g} to {axis.max():.6g}"
+            f"{where} has {shortage}; it goes from {axis.min():.6g} to {axis.max():.6g}"
         )
     if not np.all(np.diff(axis[inside]) > SAME):
         raise DataError(
@@ -352,25 +352,25 @@ def _levels(
 ) -> tuple[Any | None, np.ndarray]:
     """Return the dimension of several levels, if any, and their depths, m; NaN if not known."""
     across = set(data[name].dims) - axes
-    found = [n for n in data.variables if cf.is_depth(data, n)]
-    found = [n for n in found if n in across or data[n].size == 1]
-    if not found:  # what else there is, `velocity_values` refuses
+    depth_names = [n for n in data.variables if cf.is_depth(data, n)]
+    depth_names = [n for n in depth_names if n in across or data[n].size == 1]
+    if not depth_names:  # what else there is, `velocity_values` refuses
         return None, np.zeros(1)
-    where = str(max(found, key=lambda n: data[n].size))
-    unit, one = cf.said(data[where]), data[where].size == 1
+    where = str(max(depth_names, key=lambda n: data[n].size))
+    unit, is_single = cf.said(data[where]), data[where].size == 1
     try:
         depth = cf.distances_of(data[where])
         if unit or not where.lower().startswith(("depth", "z")):  # else taken as m
             depth *= length_in_metres(unit, where)
     except DataError:
-        if not one:
+        if not is_single:
             raise
         depth = np.array([np.nan])
     if not np.all(np.diff(np.sort(depth)) > 0):
         raise DataError(
             f"{where} has {len(depth)} levels; must be finite depths, each once"
         )
-    return None if one else where, depth
+    return None if is_single else where, depth
 
 
 def _edges(box: Any) -> str:

@@ -81,9 +81,9 @@ class LocalPlane:
         x1, x2 = self._projection(lon, lat)
         distance = np.hypot(x1, x2)
         if not np.all(distance <= WIDEST):  # also where not finite
-            far = f"{np.max(distance):.4g} km from the origin"
+            distance_text = f"{np.max(distance):.4g} km from the origin"
             raise DataError(
-                f"a place is {far}, at most {WIDEST:g}; choose a smaller box"
+                f"a place is {distance_text}, at most {WIDEST:g}; choose a smaller box"
             )
         return x1, x2
 
@@ -149,16 +149,18 @@ def fill_gaps(
         )
         volume = np.outer(volume, size).ravel()
     links = kronsum(kronsum(alone[2], alone[1]), alone[0]).tocsr()
-    missing, known = np.flatnonzero(gap), np.flatnonzero(~gap)
+    missing, measured = np.flatnonzero(gap), np.flatnonzero(~gap)
     values = np.column_stack([u.ravel(), v.ravel()])
     if len(missing):
-        among = diags_array(volume[missing]) @ links[missing]  # symmetric
-        own = among.sum(axis=1)
-        laplace = diags_array(own) - among[:, missing]
-        for one, flux in zip(
-            values.T, (among[:, known] @ values[known]).T, strict=True
+        neighbours = diags_array(volume[missing]) @ links[missing]  # symmetric
+        diagonal = neighbours.sum(axis=1)
+        laplace = diags_array(diagonal) - neighbours[:, missing]
+        for field_values, flux in zip(
+            values.T, (neighbours[:, measured] @ values[measured]).T, strict=True
         ):
-            one[missing] = cg(laplace, flux, rtol=ROUNDING, M=diags_array(1 / own))[0]
+            field_values[missing] = cg(
+                laplace, flux, rtol=ROUNDING, M=diags_array(1 / diagonal)
+            )[0]
     return values[:, 0].reshape(gap.shape), values[:, 1].reshape(gap.shape), gap
 
 
@@ -187,7 +189,10 @@ def regular_grid(
             "the cells hold no rectangle of the local plane; choose a larger box"
         )
     here_lat, here_lon = plane.to_earth(x1[None, :], x2[:, None])
-    here = np.clip(here_lat, lat[0], lat[-1]), np.clip(here_lon, lon[0], lon[-1])
+    nearest_inside = (
+        np.clip(here_lat, lat[0], lat[-1]),
+        np.clip(here_lon, lon[0], lon[-1]),
+    )
     even = np.linspace(time[0], time[-1], len(time))
     orders = {"kx": min(3, len(lat) - 1), "ky": min(3, len(lon) - 1)}
 
@@ -195,7 +200,10 @@ def regular_grid(
         if not np.allclose(even, time, rtol=0, atol=1e-9 * (time[-1] - time[0])):
             values = make_interp_spline(time, values, k=min(3, len(time) - 1))(even)
         return np.stack(
-            [RectBivariateSpline(lat, lon, now, **orders).ev(*here) for now in values]
+            [
+                RectBivariateSpline(lat, lon, now, **orders).ev(*nearest_inside)
+                for now in values
+            ]
         )
 
     return GriddedField(even, x2, x1, resampled(u), resampled(v))
@@ -212,8 +220,8 @@ def read_field(path: Path, units) -> GriddedField:
                     f"no variable '{name}'; a field has time, y, x, u and v"
                 )
         stated = {
-            name: str(one.attrs.get("units", ""))
-            for name, one in data.variables.items()
+            name: str(variable.attrs.get("units", ""))
+            for name, variable in data.variables.items()
         }
         length, time = METRES[units.length], SECONDS[units.time]
         sizes = {

@@ -73,9 +73,9 @@ def table_of(
     comments: dict[Hashable, Any] = {}
     rows: dict[int, list[str]] = {}
     for k, line in enumerate(map(str.strip, text.splitlines()), 1):
-        found = COMMENT.fullmatch(line)
-        if found and found[2].strip():
-            comments[found[1].lower()] = found[2].strip()
+        comment = COMMENT.fullmatch(line)
+        if comment and comment[2].strip():
+            comments[comment[1].lower()] = comment[2].strip()
         elif line and not line.startswith("#"):
             try:
                 row = next(
@@ -87,15 +87,15 @@ def table_of(
             rows[k] = [cell.strip() for cell in row]
     if not rows:
         raise DataError(f"{name}: is empty; must be {must_be}")
-    (_, *lines), (header, *rest) = rows, rows.values()
-    if len(header) * len(rest) > MOST:
+    (_, *lines), (header, *rows_below) = rows, rows.values()
+    if len(header) * len(rows_below) > MOST:
         raise DataError(
-            f"{name}: has {len(rest)} lines of {len(header)} cells; split it"
+            f"{name}: has {len(rows_below)} lines of {len(header)} cells; split it"
         )
     while len(header) > 1 and not header[-1]:  # each line may end with a mark
         header.pop()
     right_lines, wrong_lines = {}, {}
-    for line_number, row in zip(lines, rest, strict=True):
+    for line_number, row in zip(lines, rows_below, strict=True):
         while len(row) > len(header) and not row[-1]:
             row.pop()
         if len(row) == len(header):
@@ -155,9 +155,9 @@ def read_table(
     header, comments = list(cells.columns), cells.attrs
     stated = {_name_and_unit(cell)[0] for cell in header}
     polar = bool(stated & set(POLAR["speed"])) and not stated & set(NAMES["u"])
-    wanted = POLAR if polar else NAMES
+    allowed_names = POLAR if polar else NAMES
     with naming(path):
-        columns = _header(header, comments.get("units"), units, wanted)
+        columns = _header(header, comments.get("units"), units, allowed_names)
         if cells.empty:
             raise DataError(
                 "has a header and no rows; must be a table of time, u and v"
@@ -210,42 +210,45 @@ def _check_polar(speed: np.ndarray, direction: np.ndarray) -> None:
 
 def _name_and_unit(cell: str) -> tuple[str, str | None]:
     """Return the name in small letters and the unit of a cell of the header."""
-    found = HEADER.fullmatch(cell)
-    if found is None:
+    matched = HEADER.fullmatch(cell)
+    if matched is None:
         return "", None
-    return found[1].strip().lower(), found[2] and found[2].strip()
+    return matched[1].strip().lower(), matched[2] and matched[2].strip()
 
 
 def _header(
     header: list[str],
     comment: str | None,
     units: str | None,
-    wanted: dict[str, tuple[str, ...]],
+    allowed_names: dict[str, tuple[str, ...]],
 ) -> dict[str, tuple[int, float]]:
     """Return the columns of time and flow, and what one unit of each is in s, m/s or degrees."""
     names, stated = zip(*map(_name_and_unit, header), strict=True)
     columns = {}
-    for what, allowed in wanted.items():
-        found = [k for k, name in enumerate(names) if name in allowed]
-        if not found and (marks := other_marks(",".join(header), NAMES["time"][0])):
+    for column, allowed in allowed_names.items():
+        matches = [k for k, name in enumerate(names) if name in allowed]
+        if not matches and (marks := other_marks(",".join(header), NAMES["time"][0])):
             raise DataError(marks)
-        if len(found) != 1:
-            count, first = "more than one" if found else "no", ",".join(header)[:60]
-            raise DataError(
-                f"{count} column {what}; must begin as 'time,u,v', not {first!r}"
+        if len(matches) != 1:
+            count, beginning = (
+                "more than one" if matches else "no",
+                ",".join(header)[:60],
             )
-        unit = stated[found[0]]
-        if what == "direction" and unit and not unit.lower().startswith(("deg", "°")):
+            raise DataError(
+                f"{count} column {column}; must begin as 'time,u,v', not {beginning!r}"
+            )
+        unit = stated[matches[0]]
+        if column == "direction" and unit and not unit.lower().startswith(("deg", "°")):
             raise DataError(
                 f"direction is in '{unit}'; must be in degrees from true north"
             )
-        if what == "time" and unit and not UTC.fullmatch(unit):
+        if column == "time" and unit and not UTC.fullmatch(unit):
             raise DataError(f"time is in '{unit}'; must be in UTC")
-        if what in ("time", "direction"):
-            columns[what] = found[0], 1.0
+        if column in ("time", "direction"):
+            columns[column] = matches[0], 1.0
             continue
         cure = "write them behind the name, as in 'u (m/s)'"
-        columns[what] = found[0], speed_unit(unit or comment, units, what, cure)
+        columns[column] = matches[0], speed_unit(unit or comment, units, column, cure)
     return columns
 
 
@@ -257,20 +260,20 @@ def _times(cells: pandas.Series, path: Path) -> np.ndarray:
         return checked_times(dates.dt.tz_localize(None).dt.round("ms"))
 
 
-def _numbers(cells: pandas.Series, what: str, path: Path) -> np.ndarray:
+def _numbers(cells: pandas.Series, column: str, path: Path) -> np.ndarray:
     """Return a column's numbers, NaN in gaps."""
     numbers = pandas.to_numeric(cells, errors="coerce")
     wrong = numbers.isna() & ~cells.str.lower().isin(("", "nan"))
-    _refuse(wrong, cells, what, "a number; a gap is an empty cell or nan", path)
+    _refuse(wrong, cells, column, "a number; a gap is an empty cell or nan", path)
     return numbers.to_numpy(float)
 
 
 def _refuse(
-    wrong: pandas.Series, cells: pandas.Series, what: str, must_be: str, path: Path
+    wrong: pandas.Series, cells: pandas.Series, column: str, must_be: str, path: Path
 ) -> None:
     """Raise an error that names the first line with a wrong cell."""
     if wrong.any():
         line = wrong.idxmax()
         raise DataError(
-            f"{path}, line {line}: {what} is {cells[line][:30]!r}; must be {must_be}"
+            f"{path}, line {line}: {column} is {cells[line][:30]!r}; must be {must_be}"
         )

@@ -28,7 +28,7 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
     Amplitudes are in m/s, phases in degrees of Greenwich lag, times in UTC; f, u and V at the
     record's middle stand under "nodal".
     """
-    names = [each.name for each in fit.constituents]
+    names = [constituent.name for constituent in fit.constituents]
     corrections = nodal_corrections(names, [fit.middle], fit.latitude)
     return {
         "start": str(fit.start),
@@ -37,11 +37,13 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "samples": fit.samples,
         "latitude": fit.latitude,
         "constituents": {
-            each.name: {
-                **{key: known(getattr(each, key)) for key in NUMBERS},
-                "standard_errors": {key: known(each.errors[key]) for key in NUMBERS},
+            constituent.name: {
+                **{key: known(getattr(constituent, key)) for key in NUMBERS},
+                "standard_errors": {
+                    key: known(constituent.errors[key]) for key in NUMBERS
+                },
             }
-            for each in fit.constituents
+            for constituent in fit.constituents
         },
         "mean": list(fit.mean),
         "explained_variance": fit.explained_variance,
@@ -51,8 +53,8 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "nodal_time": str(fit.middle),
         "nodal": {
             name: {
-                key: float(own[0, k])
-                for key, own in zip("fuV", corrections, strict=True)
+                key: float(correction[0, k])
+                for key, correction in zip("fuV", corrections, strict=True)
             }
             for k, name in enumerate(names)
         },
@@ -101,7 +103,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     >>> bool(abs(basis.theta - [[0, 1, 0], [0, 0.5, 0]]).max() < 1e-3)
     True
     """
-    names = [each.name for each in fit.constituents]
+    names = [constituent.name for constituent in fit.constituents]
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
         raise DataError(
@@ -110,11 +112,13 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     size = 1.0 / speed_in_metres_per_second(unit, "theta")
     f, u, V = nodal_corrections(names, checked_times(epoch)[:1], fit.latitude)
     columns = [np.array(fit.mean)]
-    for k, each in enumerate(fit.constituents):
+    for k, constituent in enumerate(fit.constituents):
         p = np.radians(
-            V[0, k] + u[0, k] - np.array([each.east_phase, each.north_phase])
+            V[0, k]
+            + u[0, k]
+            - np.array([constituent.east_phase, constituent.north_phase])
         )
-        A = f[0, k] * np.array([each.east, each.north])
+        A = f[0, k] * np.array([constituent.east, constituent.north])
         columns += [A * np.cos(p), -A * np.sin(p)]
     return TidalBasis(
         ("steady", *(name for name in names for _ in range(2))),

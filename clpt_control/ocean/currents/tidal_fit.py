@@ -25,7 +25,7 @@ from ...base.errors import DataError, ScenarioError, needed
 from ...base.units import percent
 from ..estimation.least_squares import explained_share
 from . import constituents as tidal
-from . import telling_apart
+from . import identifiability
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
@@ -79,7 +79,7 @@ class TidalFit:
         residual = flow - model
         self.constituents = tuple(  # in the order that was asked for
             _constituent(
-                name, k, fits, telling_apart.noise_ratio(residual, hours, cycles, k)
+                name, k, fits, identifiability.noise_ratio(residual, hours, cycles, k)
             )
             for k, name in enumerate(names)
         )
@@ -162,9 +162,9 @@ def fit_tides(
     theirs = tidal.utide_names(names)
     cycles = np.array([utide.cycles_per_hour[name] for name in theirs])
     speeds = {"steady": 0.0} | dict(zip(names, 360.0 * cycles, strict=True))
-    telling_apart.check_speeds(speeds, hours[-1], where)
-    telling_apart.check_sampling(hours, cycles, names, where)
-    telling_apart.check_nyquist(hours, cycles, names, where)
+    identifiability.check_speeds(speeds, hours[-1], where)
+    identifiability.check_sampling(hours, cycles, names, where)
+    identifiability.check_nyquist(hours, cycles, names, where)
     options = {
         "lat": tidal.checked_latitude(latitude),
         "constit": theirs,
@@ -174,11 +174,12 @@ def fit_tides(
         "verbose": False,
     }
     with np.errstate(all="ignore"):  # 0/0 where a tide or the residual is nought
-        both = utide.solve(times, flow.real, flow.imag, **options)
+        complex_fit = utide.solve(times, flow.real, flow.imag, **options)
         east, north = (
-            utide.solve(times, part, **options) for part in (flow.real, flow.imag)
+            utide.solve(times, component, **options)
+            for component in (flow.real, flow.imag)
         )
-    return TidalFit(times, flow, names, cycles, (both, east, north), latitude)
+    return TidalFit(times, flow, names, cycles, (complex_fit, east, north), latitude)
 
 
 @public
@@ -231,15 +232,15 @@ def _measured(time: Any, u: Any, v: Any, where: str) -> tuple[np.ndarray, np.nda
             f"{where}: time {times.shape}, u {u.shape}, v {v.shape} must be one row"
         )
     tidal.check_increasing(times, where)
-    whole = np.isfinite(u) & np.isfinite(v)
-    if whole.sum() < 2:
+    is_measured = np.isfinite(u) & np.isfinite(v)
+    if is_measured.sum() < 2:
         raise DataError(
-            f"{where}: {whole.sum()} of {len(u)} times have both components"
+            f"{where}: {is_measured.sum()} of {len(u)} times have both components"
         )
-    change = max(np.ptp(u[whole]), np.ptp(v[whole]))
+    change = max(np.ptp(u[is_measured]), np.ptp(v[is_measured]))
     if change < LEAST_CHANGE:
         raise DataError(f"{where}: changes by {change:.2g} m/s only: check its units")
-    return times[whole], u[whole] + 1j * v[whole]
+    return times[is_measured], u[is_measured] + 1j * v[is_measured]
 
 
 def _names(
@@ -249,7 +250,7 @@ def _names(
         const = needed(
             "utide"
         ).ut_constants.const  # df: cycles per hour to the next greater tide
-        fastest = telling_apart.nyquist(hours)
+        fastest = identifiability.nyquist(hours)
         names = tuple(
             str(name)
             for name, df, cycles in zip(const.name, const.df, const.freq, strict=True)
@@ -274,7 +275,7 @@ def _constituent(
 ) -> Constituent:
     """Return the tide of index k of the fits of both components, of the east and of the north."""
     values, errors = dict[str, float](), dict[str, float]()
-    for key, (which, symbol) in NUMBERS.items():
-        values[key] = float(fits[which][symbol][k])
-        errors[key] = float(fits[which][f"{symbol}_ci"][k] / CI * ratio[which])
+    for key, (fit_index, symbol) in NUMBERS.items():
+        values[key] = float(fits[fit_index][symbol][k])
+        errors[key] = float(fits[fit_index][f"{symbol}_ci"][k] / CI * ratio[fit_index])
     return Constituent(name=name, errors=errors, **values)

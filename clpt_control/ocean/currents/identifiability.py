@@ -1,4 +1,4 @@
-"""Which tides a record can tell apart, and how far its noise lets it.
+"""Identifiability of tides: constituents that a record can separate, and its noise.
 
 A record must be long enough, by the Rayleigh criterion
 
@@ -69,17 +69,18 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
 
 def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
     """Refuse tides, degrees per hour by name, that a record is too short to tell apart."""
-    apart = sorted(
+    differences = sorted(
         (abs(speeds[a] - speeds[b]), a, b) for a, b in combinations(speeds, 2)
     )
-    alike = [
-        (360.0 / each if each else inf, a, b)
-        for each, a, b in apart
-        if each * hours < TURN
+    too_close = [
+        (360.0 / difference if difference else inf, a, b)
+        for difference, a, b in differences
+        if difference * hours < TURN
     ]
-    if alike:
+    if too_close:
         pairs = ", ".join(
-            f"{a} and {b} ({at_most(each)} h are needed)" for each, a, b in alike
+            f"{a} and {b} ({at_most(difference)} h are needed)"
+            for difference, a, b in too_close
         )
         raise DataError(
             f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}"
@@ -111,12 +112,14 @@ def check_nyquist(
     clpt_control.errors.DataError: record: steps of 6 h see no tide of 12 h or faster: leave out S2
     """
     fast = [
-        name for name, each in zip(names, cycles, strict=True) if each >= nyquist(hours)
+        name
+        for name, frequency in zip(names, cycles, strict=True)
+        if frequency >= nyquist(hours)
     ]
     if fast:
         step = float(np.median(np.diff(hours)))
-        seen = f"steps of {step:.4g} h see no tide of {2 * step:.4g} h or faster"
-        raise DataError(f"{where}: {seen}: leave out {', '.join(fast)}")
+        limit = f"steps of {step:.4g} h see no tide of {2 * step:.4g} h or faster"
+        raise DataError(f"{where}: {limit}: leave out {', '.join(fast)}")
 
 
 def check_sampling(
@@ -135,16 +138,16 @@ def check_sampling(
     """
     count = 2 * len(cycles) + 1
     if len(hours) < 2 * count:
-        needed = f"at least {2 * count} are needed"
+        requirement = f"at least {2 * count} are needed"
         raise DataError(
-            f"{where}: {len(hours)} measurements for {count} numbers to fit; {needed}"
+            f"{where}: {len(hours)} measurements for {count} numbers to fit; {requirement}"
         )
     wave = np.exp(2j * np.pi * np.outer(hours - hours.mean(), cycles))
     functions = np.hstack([np.full((len(hours), 1), 0.5**0.5), wave.real, wave.imag])
     if np.linalg.cond(functions) > WORST:
-        alike = f"the mean and {', '.join(names)} look alike"
+        functions_text = f"the mean and {', '.join(names)} look alike"
         raise DataError(
-            f"{where}: at its times {alike}; take other intervals or leave one out"
+            f"{where}: at its times {functions_text}; take other intervals or leave one out"
         )
 
 
@@ -163,12 +166,12 @@ def noise_ratio(
     True
     """
     step = 1.0 / hours[-1]
-    near = cycles[k] + step * NEAR
-    away = np.abs(near[:, None] - np.array([0.0, *cycles])).min(axis=1) >= 0.99 * step
-    near = near[(near > 0) & away]
-    if not len(near):
+    band = cycles[k] + step * NEAR
+    away = np.abs(band[:, None] - np.array([0.0, *cycles])).min(axis=1) >= 0.99 * step
+    band = band[(band > 0) & away]
+    if not len(band):
         return np.ones(3)
-    wave = np.exp(-2j * np.pi * np.outer(near, hours))
+    wave = np.exp(-2j * np.pi * np.outer(band, hours))
     power = [
         np.mean(np.abs(wave @ r) ** 2) / len(hours)
         for r in (residual.real, residual.imag)
