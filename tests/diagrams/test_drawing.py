@@ -247,3 +247,21 @@ def test_mistakes_are_one_sentence(tmp_path, name, said):
     with pytest.raises(clpt.ClptError, match=said):
         draw(nested(), tmp_path / name)
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize(
+    "name", ["\u2028", " ", "\u00a0", "\u200b", "\ud800", "$x", "<b>"]
+)
+@pytest.mark.parametrize("suffix", [".svg", ".mmd", ".png"])
+def test_a_name_of_any_characters_is_drawn(tmp_path, name, suffix):
+    lag = control.ss(
+        [[-1.0]],
+        [[1.0]],
+        [[1.0]],
+        0,
+        name=name,
+        inputs=[name + "u"],
+        outputs=[name + "y"],
+    )
+    draw(clpt.connect([lag], [name + "u"]), tmp_path / f"d{suffix}")
+    assert (tmp_path / f"d{suffix}").stat().st_size > 50

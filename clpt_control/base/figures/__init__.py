@@ -168,12 +168,21 @@ def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Fi
 
 
 def literal(text: str) -> str:
-    r"""Return a text that is no formula, whatever is in it.
+    r"""Return a text that is no formula; characters that cannot be printed are replaced.
 
-    >>> print(literal("$x$"))
-    \$x\$
+    >>> print(literal("$x$\u2028"))
+    \$x\$�
     """
-    return text.replace("$", r"\$")
+    return printable(text).replace("$", r"\$")
+
+
+def printable(text: str) -> str:
+    r"""Return a text in which characters that cannot be printed are replaced.
+
+    >>> print(printable("a\u2028b"))
+    a�b
+    """
+    return "".join(c if c.isprintable() or c == "\n" else "\ufffd" for c in text)
 
 
 def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:

@@ -16,7 +16,7 @@ import control
 
 from ...base.arguments import public
 from ...base.errors import ClptError, DiagramError
-from ...base.figures import inline_svg, literal
+from ...base.figures import inline_svg, literal, printable
 from ...base.files import check_name, write_file
 from ...base.html import fragment, paragraphs
 from ...engine.diagram.wiring import Node, Part, wiring_of
@@ -200,7 +200,9 @@ def mermaid(diagram: control.NonlinearIOSystem) -> str:
 
 
 def _quoted(text: str) -> str:
-    return text.replace("#", "#35;").replace('"', "#quot;").replace("<", "#lt;")
+    return (
+        printable(text).replace("#", "#35;").replace('"', "#quot;").replace("<", "#lt;")
+    )
 
 
 # --- the figure ----------------------------------------------------------------------------------
@@ -223,7 +225,8 @@ def block_figure(diagram: Part) -> Any:
         for name, box in routed.boxes.items():
             if name.startswith("in:"):
                 style: Any = {"ha": "right", "va": "center_baseline", "style": "italic"}
-                axes.text(box.x + box.width - 4, box.y, name[3:], size=PORT, **style)
+                text = printable(name[3:])
+                axes.text(box.x + box.width - 4, box.y, text, size=PORT, **style)
             elif name in nodes:
                 _draw_block(axes, box, name, nodes[name].system)
         axes.text(
@@ -242,11 +245,12 @@ def _draw_arrows(axes: Any, routed: Routed, nets: list[Net]) -> None:
         line = Line2D(xs, ys, lw=0.8, color="black", zorder=1, solid_joinstyle="miter")
         if target in net.back:
             line.set_dashes((5, 2.2))
-        line.set_gid(f"arrow:{net.source}:{net.text}:{target}".replace(" ", ""))
+        arrow_name = f"arrow:{net.source}:{net.text}:{target}".replace(" ", "")
+        line.set_gid(printable(arrow_name))
         axes.add_line(line)
         head = [(x1, y1), (x1 - 6, y1 - 2.2), (x1 - 6, y1 + 2.2)]
         axes.add_patch(Polygon(head, closed=True, fc="black", ec="none", zorder=3))
-        text = net.targets.get(target, net.text)
+        text = printable(net.targets.get(target, net.text))
         axes.text(
             x1 - 8, y1 - 3.5, text, size=PORT, ha="right", va="baseline", style="italic"
         )
@@ -266,9 +270,9 @@ def _draw_block(axes: Any, box: Any, name: str, system: Part) -> None:
         lw=1.8 if system.nstates else 0.8,
         zorder=4,
     )
-    frame.set_gid(f"block:{name}")
+    frame.set_gid(printable(f"block:{name}"))
     axes.add_patch(frame)
-    rows = [(line, NAME, "bold") for line in lines_of(name)]
+    rows = [(printable(line), NAME, "bold") for line in lines_of(name)]
     if text := caption(system):
         rows.append((text, NOTE, "normal"))
     for k, (line, size, weight) in enumerate(rows):
@@ -329,6 +333,6 @@ def width(text: str, size: float, weight: str = "normal") -> float:
     plain = literal(text)
     return (
         float(TextPath((0, 0), plain, size=size, prop=font).get_extents().width)
-        if text
-        else 0.0
+        if text.strip()
+        else 0.3 * size * len(text)
     )
