@@ -27,7 +27,7 @@ from ...base.errors import DataError, needed
 from ...base.files import check_name, make_folder, write_file
 from ...base.files.reading import at_once, read_bytes
 from ...base.progress.interrupt import check
-from ..gliders.dive_files import alike, may_hold_dives, read_dive_file
+from ..gliders.dive_files import grouped_faults, may_hold_dives, read_dive_file
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
 
 LOCK = ".clpt-lock"
@@ -184,7 +184,7 @@ class Follower:
                     continue  # nothing is lost with it
             dives += its
             skipped += [(self.folder / name, one) for one in record.skipped]
-        return dives, alike(skipped)
+        return dives, grouped_faults(skipped)
 
 
 def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:

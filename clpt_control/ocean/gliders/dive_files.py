@@ -51,11 +51,13 @@ def sample_dives() -> list[Dive]:
     (14, 304, 1371)
     """
     text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return _told_apart(table_dives(text, "sg542_dives.csv"), "SG542", "Seaglider")[0]
+    return _dives_and_skipped(
+        table_dives(text, "sg542_dives.csv"), "SG542", "Seaglider"
+    )[0]
 
 
 def may_hold_dives(path: Path) -> bool:
-    """Whether a name in a folder is that of a file of dives; hidden ones and results are not."""
+    """Return whether a name in a folder is that of a file of dives, not hidden and no result."""
     named = path.suffix.lower() in (".nc", ".csv") or is_segment(path)
     return named and not path.name.startswith(".") and path.name != RESULTS
 
@@ -96,25 +98,25 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     if not raw:
         raise DataError(f"{path}: is empty; must be one of {KINDS}")
     if raw in NETCDF:
-        return _told_apart(*_of_netcdf(path))
+        return _dives_and_skipped(*_of_netcdf(path))
     name = name_of_file(path.name)
     if raw == slocum.MAGIC or slocum.MAGIC in raw[3:9]:
         # the first letters of a compressed block
-        return _told_apart(slocum.dives_of(path), name, "Slocum")
+        return _dives_and_skipped(slocum.dives_of(path), name, "Slocum")
     no_text = f"is neither NetCDF nor text; must be one of {KINDS}"
     text = seaexplorer.text_in(raw, path, no_text)
     if raw.startswith(seaexplorer.GZIP) or seaexplorer.is_known(text):
-        return _told_apart(seaexplorer.dives_of(text, path), name, "SeaExplorer")
-    return _told_apart(table_dives(text, path), name, None)
+        return _dives_and_skipped(seaexplorer.dives_of(text, path), name, "SeaExplorer")
+    return _dives_and_skipped(table_dives(text, path), name, None)
 
 
-def _told_apart(
-    found: Sequence[Dive | Skipped], name: str | None, kind: str | None
+def _dives_and_skipped(
+    rows: Sequence[Dive | Skipped], name: str | None, kind: str | None
 ) -> tuple[list[Dive], list[Skipped]]:
     """Return dives with the name of their vehicle, unless they have one, and its kind; the rest."""
-    dives = [one for one in found if isinstance(one, Dive)]
+    dives = [row for row in rows if isinstance(row, Dive)]
     named = [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
-    return named, [one for one in found if isinstance(one, Skipped)]
+    return named, [row for row in rows if isinstance(row, Skipped)]
 
 
 def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | None]:
@@ -132,21 +134,23 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
     )
 
 
-def alike(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
+def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
     """Return what was skipped of files; reasons that are the same but for the file once.
 
     >>> faults = [(Path(name), Skipped(None, f"{name}: is empty")) for name in "ab"]
-    >>> alike(faults)
+    >>> grouped_faults(faults)
     [Skipped(dive=None, why='a: is empty (one of 2 files)')]
     """
-    same: dict[tuple[int | None, str], list[str]] = {}
-    for file, one in faults:
-        same.setdefault((one.dive, one.why.removeprefix(str(file))), []).append(one.why)
+    reasons: dict[tuple[int | None, str], list[str]] = {}
+    for file, skip in faults:
+        reasons.setdefault((skip.dive, skip.why.removeprefix(str(file))), []).append(
+            skip.why
+        )
     return [
         Skipped(
             dive, whys[0] + (f" (one of {len(whys)} files)" if len(whys) > 1 else "")
         )
-        for (dive, _), whys in same.items()
+        for (dive, _), whys in reasons.items()
     ]
 
 
@@ -190,17 +194,17 @@ def read_dives(
     for file in files:
         check()
         try:
-            found, bad = read_dive_file(file)
+            file_dives, file_skipped = read_dive_file(file)
         except DataError as error:
             faults.append((file, Skipped(seaglider.number_in_name(file), str(error))))
             continue
-        dives += found
-        skipped += bad
-    skipped += alike(faults)
+        dives += file_dives
+        skipped += file_skipped
+    skipped += grouped_faults(faults)
     if dives:
         return dives, skipped
     if len(skipped) == len(files) == 1:
         raise DataError(skipped[0].why)
-    first = skipped[0].why if skipped else "no dives"
+    reason = skipped[0].why if skipped else "no dives"
     where = files[0] if len(files) == 1 else f"{len(files)} files"
-    raise DataError(f"{where}: no dive; the first reason: {first}")
+    raise DataError(f"{where}: no dive; the first reason: {reason}")

@@ -61,38 +61,40 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
     _check_header(header, path)
-    found: list[Dive | Skipped] = [
+    rows: list[Dive | Skipped] = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
         for line, row in zip(cells.index, cells.to_numpy(), strict=True)
     ]
     for line, (row, why) in cells.attrs["wrong_lines"].items():
         number = whole_number(row[0]) if header[0] == "dive" else None
-        found.append(
+        rows.append(
             Skipped(number, f"{path}, line {line}: {why}. Leave gaps as empty cells")
         )
-    _check_current([one for one in found if isinstance(one, Dive)], path)
-    return found
+    _check_current([row for row in rows if isinstance(row, Dive)], path)
+    return rows
 
 
 def _check_current(dives: list[Dive], path: str | Path) -> None:
     """Refuse dives whose own current contradicts their dead reckoning in most of them."""
-    known = [dive for dive in dives if isfinite(dac_difference(dive))]
-    if not known:
+    dives_with_current = [dive for dive in dives if isfinite(dac_difference(dive))]
+    if not dives_with_current:
         return
-    given = np.array([(dive.dac_east, dive.dac_north) for dive in known])
-    expected = np.array([miss(dive) / dive.duration for dive in known])
+    currents = np.array(
+        [(dive.dac_east, dive.dac_north) for dive in dives_with_current]
+    )
+    expected = np.array([miss(dive) / dive.duration for dive in dives_with_current])
 
     def median_off(currents: np.ndarray) -> float:
         return float(np.median(np.hypot(*(currents - expected).T)))
 
-    off = median_off(given)
+    off = median_off(currents)
     if off <= CONTRADICTS:
         return
     causes = {
-        "dac_east and dac_north look swapped": given[:, ::-1],
-        "dac_east and dac_north look like cm/s": given / 100.0,
-        "dac_east and dac_north look like mm/s": given / 1000.0,
-        "dac_east and dac_north look reversed in sign": -given,
+        "dac_east and dac_north look swapped": currents[:, ::-1],
+        "dac_east and dac_north look like cm/s": currents / 100.0,
+        "dac_east and dac_north look like mm/s": currents / 1000.0,
+        "dac_east and dac_north look reversed in sign": -currents,
     }
     likely = [cause for cause, fixed in causes.items() if median_off(fixed) < 0.5 * off]
     best = min(likely, key=lambda cause: median_off(causes[cause]), default="")
@@ -127,20 +129,20 @@ def _check_header(header: list[str], name: str | Path) -> None:
 def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     number = whole_number(row.get("dive"))
     if number is None:
-        given = repr(row.get("dive", "")[:30])
+        text = repr(row.get("dive", "")[:30])
         return Skipped(
-            None, f"{where}: dive is {given}; must be a whole number below {NUMBERS}"
+            None, f"{where}: dive is {text}; must be a whole number below {NUMBERS}"
         )
     notes: list[str] = []
-    found: dict[str, Any] = {}
+    cells: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
         value = _number(text, column in TIMES)
         if text and value is None:
-            what = AS_TIME if column in TIMES else "must be a number"
+            must_be = AS_TIME if column in TIMES else "must be a number"
             if column in REQUIRED:
-                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {what}")
-            notes.append(f"{where}: {column} is {text[:30]!r}; {what}")
+                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {must_be}")
+            notes.append(f"{where}: {column} is {text[:30]!r}; {must_be}")
         limits = ANGLES.get(column)
         if limits and value is not None and not limits[0] <= value <= limits[1]:
             low, high = limits
@@ -149,13 +151,13 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
             )
             value = None
         finite = value is not None and isfinite(value)
-        found[column] = value if finite else nan if column in REQUIRED else None
+        cells[column] = value if finite else nan if column in REQUIRED else None
     start, end, through_water = (
-        tuple(found[column] for column in columns)
+        tuple(cells[column] for column in columns)
         for columns in (START, END, THROUGH_WATER)
     )
     if not set(THROUGH_WATER) & set(row):
-        current = found["dac_east"], found["dac_north"]
+        current = cells["dac_east"], cells["dac_north"]
         if None in current:
             through_water = nan, nan
             notes.append(
@@ -169,7 +171,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         start,
         end,
         through_water,
-        **{column: found[column] for column in OPTIONAL},
+        **{column: cells[column] for column in OPTIONAL},
         vehicle=name_of(row.get("vehicle")),
         notes=tuple(notes),
     )

@@ -89,12 +89,16 @@ def whole_number(value: float | str | None) -> int | None:
     >>> whole_number("7"), whole_number(7.5), whole_number("1e10"), whole_number("x")
     (7, None, None, None)
     """
-    found = number(value)
-    return int(found) if found.is_integer() and abs(found) < NUMBERS else None
+    value_of_text = number(value)
+    return (
+        int(value_of_text)
+        if value_of_text.is_integer() and abs(value_of_text) < NUMBERS
+        else None
+    )
 
 
 def is_fix(lat: Any, lon: Any) -> Any:
-    """Whether numbers, degrees, can be a fix; 0 N 0 E is what a receiver without one gives."""
+    """Return whether degrees can be a fix; receivers without one give 0 N 0 E."""
     return is_place(lat, lon) & ((lat != 0.0) | (lon != 0.0))
 
 
@@ -125,13 +129,13 @@ def cut_dives(
         repeats = fix[1:] == new[-1][1:] and is_dive(new[-1], fix)
         if not repeats:
             new.append(fix)
-    found: list[Three] = []
+    dives: list[Three] = []
     surfaced = 0  # first fix since the dive before
     for k, (start, end) in enumerate(pairwise(new)):
         if is_dive(start, end):
-            found.append((new[surfaced] if k > surfaced else None, start, end))
+            dives.append((new[surfaced] if k > surfaced else None, start, end))
             surfaced = k + 1
-    return found
+    return dives
 
 
 def planned_course(
@@ -173,13 +177,13 @@ def dive_between(
     >>> dive_between(1, fixes, through, dac_east=0.03, dac_north=-0.05).notes
     ("position error over duration differs by 30 mm/s from the file's depth-averaged current",)
     """
-    first: dict[str, Any] = dict(
+    gps1: dict[str, Any] = dict(
         zip(("t_gps1", "lat_gps1", "lon_gps1"), fixes[0] or (None,) * 3, strict=True)
     )
-    more = {"track": through.track, "turned": through.turned, **first}
-    for key, one in optional.items():
-        more[key] = known(float(one)) if isinstance(one, float) else one
-    return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **more))
+    fields = {"track": through.track, "turned": through.turned, **gps1}
+    for key, value in optional.items():
+        fields[key] = known(float(value)) if isinstance(value, float) else value
+    return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **fields))
 
 
 def with_dac_note(dive: Dive) -> Dive:
@@ -200,7 +204,7 @@ def noted(dive: Dive, note: str) -> Dive:
 
 
 def is_segment(path: Path) -> bool:
-    """Whether a name is that of a segment.
+    """Return whether a name is that of a segment.
 
     >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
     [True, True, False]
@@ -214,8 +218,8 @@ def in_order(path: Path) -> tuple[list[str | int], str]:
     >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
     'sea035.1.gli.sub.9'
     """
-    parts = re.split(r"(\d+)", path.name)
-    return [int(part) if k % 2 else part for k, part in enumerate(parts)], path.name
+    pieces = re.split(r"(\d+)", path.name)
+    return [int(piece) if k % 2 else piece for k, piece in enumerate(pieces)], path.name
 
 
 def files_before(path: Path) -> list[Path]:
@@ -229,14 +233,16 @@ def files_before(path: Path) -> list[Path]:
 
 def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
     """Return for each file of a folder those before it of the same vehicle, the nearest last."""
-    found = {}
+    earlier = {}
     ordered = sorted((*_order(file), file) for file in files)
-    for _, same in groupby(ordered, itemgetter(0)):
-        known = list(same)
-        for _, place, file in known:
-            k = bisect_left(known, place, key=itemgetter(1))
-            found[file] = [other for *_, other in known[max(k - BACK, 0) : k]]
-    return found
+    for _, group in groupby(ordered, itemgetter(0)):
+        numbered = list(group)
+        for _, order, file in numbered:
+            k = bisect_left(numbered, order, key=itemgetter(1))
+            earlier[file] = [
+                earlier_file for *_, earlier_file in numbered[max(k - BACK, 0) : k]
+            ]
+    return earlier
 
 
 def dives_across_files(
@@ -250,21 +256,21 @@ def dives_across_files(
     A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
     under water; `fixes_and_wet` returns the fixes and the times under water.
     """
-    parts = [last]
+    logs = [last]
     for before in reversed(files_before(path)):
-        fixes, wet = fixes_and_wet(_merged(parts))
+        fixes, wet = fixes_and_wet(_merged(logs))
         if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
             break
         with suppress(DataError):  # named where it is read for itself
-            parts.insert(0, read(before))
-    whole = _merged(parts)
-    return whole, cut_dives(*fixes_and_wet(whole), LEAST_GAP)
+            logs.insert(0, read(before))
+    merged = _merged(logs)
+    return merged, cut_dives(*fixes_and_wet(merged), LEAST_GAP)
 
 
-def _merged(parts: list[pandas.DataFrame]) -> pandas.DataFrame:
+def _merged(logs: list[pandas.DataFrame]) -> pandas.DataFrame:
     """Return logs as one, by time; at each time the first number of each column, NaN if none."""
-    whole = pandas.concat(parts)
-    return whole.where(np.isfinite(whole)).groupby(level=0).first()
+    merged = pandas.concat(logs)
+    return merged.where(np.isfinite(merged)).groupby(level=0).first()
 
 
 def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
@@ -274,8 +280,8 @@ def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
 
 def _order(path: Path) -> tuple[str, list[int]]:
     """Return the vehicle and kind of a file, and its place among theirs."""
-    found = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
-    if not found:
+    matched = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
+    if not matched:
         return path.name, []
-    whose = f"{found['who']}{found['kind']}".lower()
-    return whose, [int(number) for number in re.findall(r"\d+", found["order"])]
+    vehicle = f"{matched['who']}{matched['kind']}".lower()
+    return vehicle, [int(number) for number in re.findall(r"\d+", matched["order"])]

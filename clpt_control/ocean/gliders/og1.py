@@ -53,15 +53,15 @@ def through_water(
     rows: pandas.DataFrame, start: Fix, end: Fix, current: tuple[float, float]
 ) -> ThroughWater:
     """Return the displacement through the water of one dive from its rows, by time."""
-    found, steps = _summed(rows, start, end), rows.attrs["steps"]
-    if found is not None and steps.upper().endswith("_GSM"):
+    reckoned, steps = _summed(rows, start, end), rows.attrs["steps"]
+    if reckoned is not None and steps.upper().endswith("_GSM"):
         note = f"dead reckoning of the glide-slope model ({steps})"
-        return found._replace(notes=(*found.notes, note))
+        return reckoned._replace(notes=(*reckoned.notes, note))
     sure = rows.attrs["north"] == "true" or rows.magvar.notna().any()
-    own = all(map(isfinite, current))
-    if found is None and (sure or not own):
-        found = _along_heading(rows, start, end)
-    if found is None and own:
+    has_current = all(map(isfinite, current))
+    if reckoned is None and (sure or not has_current):
+        reckoned = _along_heading(rows, start, end)
+    if reckoned is None and has_current:
         total = without_current(start, end, current)
         note = "dead reckoning computed from the file's depth-averaged current"
         return ThroughWater(total, notes=[note])
@@ -69,7 +69,7 @@ def through_water(
         "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed and heading, "
         "no depth-averaged current"
     )
-    return found or ThroughWater(notes=[lacking])
+    return reckoned or ThroughWater(notes=[lacking])
 
 
 def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
@@ -82,11 +82,11 @@ def _along_heading(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater
     step = steered.speed * steered.time.diff().fillna(0.0)
     heading = np.radians(steered.heading + (turned or 0.0))
     flown = steered.assign(east=step * np.sin(heading), north=step * np.cos(heading))
-    found = _summed(flown.dropna(subset="east"), start, end)
-    if found is None or not isfinite(found.total[0]):
-        return found
+    reckoned = _summed(flown.dropna(subset="east"), start, end)
+    if reckoned is None or not isfinite(reckoned.total[0]):
+        return reckoned
     note = f"dead reckoning of the flight model's speed and the heading, {north}"
-    return found._replace(turned=turned, notes=(*found.notes, note))
+    return reckoned._replace(turned=turned, notes=(*reckoned.notes, note))
 
 
 def _variation_of(
@@ -96,27 +96,27 @@ def _variation_of(
     north, measured = rows.attrs["north"], rows.magvar.dropna()
     if north == "true":
         return None, north
-    found, whose = 0.0, "not known"
+    degrees, source = 0.0, "not known"
     if len(measured):
-        found, whose = float(measured.median()), "of the file"
+        degrees, source = float(measured.median()), "of the file"
     elif north and isfinite(igrf := variation(0.5 * (start[0] + end[0]), *start[1:])):
-        found, whose = igrf, "by IGRF"
-    which = north or "of a north that the file does not name"
+        degrees, source = igrf, "by IGRF"
+    north_text = north or "of a north that the file does not name"
     return (
-        found,
-        f"{which}, variation {found:.0f} degrees ({whose}; --variation gives another)",
+        degrees,
+        f"{north_text}, variation {degrees:.0f} degrees ({source}; --variation gives another)",
     )
 
 
 def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None:
     """Sum the steps east and north of a dive; None where it has none."""
-    known = rows.dropna(subset=["east", "north"])
-    if known.empty:
+    with_step = rows.dropna(subset=["east", "north"])
+    if with_step.empty:
         return None
     rows = (
-        known
-        if _spanning(rows, known)
-        else rows[rows.wet | rows.index.isin(known.index)]
+        with_step
+        if _spanning(rows, with_step)
+        else rows[rows.wet | rows.index.isin(with_step.index)]
     )
     notes, duration = [], end[0] - start[0]
     again = rows.time.diff() == 0
@@ -128,12 +128,12 @@ def _summed(rows: pandas.DataFrame, start: Fix, end: Fix) -> ThroughWater | None
     return summed(since, steps, rows.depth.to_numpy(), duration, notes)
 
 
-def _spanning(rows: pandas.DataFrame, known: pandas.DataFrame) -> bool:
+def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     """Return whether a step after samples without one covers their time too, by its length."""
-    whole, own = known.time.diff(), rows.time.diff()[known.index]
-    length, after = np.hypot(known.east, known.north), whole > own
-    speed = (length / own)[~after & (own > 0)].median()
-    return not (length - 0.5 * speed * (whole + own))[after].median() < 0
+    step_time, row_time = with_step.time.diff(), rows.time.diff()[with_step.index]
+    length, after = np.hypot(with_step.east, with_step.north), step_time > row_time
+    speed = (length / row_time)[~after & (row_time > 0)].median()
+    return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
 
 def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
@@ -146,24 +146,26 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     of = with_steady_clock(of, of.attrs["fix_clock"])
     fixes, failed = fixes_and_others(of)
     under = np.sort(of.time[of.wet].dropna())
-    found = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
+    dive_fixes = cut_dives(fixes, under, LEAST_GAP) or cut_dives(fixes, None, LEAST_GAP)
     dives: list[Dive | Skipped] = []
-    elsewhere = of.attrs["own_currents"]
-    own = currents_of([(start, end) for _, start, end in found], elsewhere)
-    for count, three in enumerate(found, 1):
-        notes, (_, start, end) = [], three
-        if (_between(of, start, end).time.diff() < 0).any():
+    dated_currents = of.attrs["own_currents"]
+    currents = currents_of(
+        [(start, end) for _, start, end in dive_fixes], dated_currents
+    )
+    for count, fixes_of_dive in enumerate(dive_fixes, 1):
+        notes, (_, start, end) = [], fixes_of_dive
+        if (_rows_between(of, start, end).time.diff() < 0).any():
             notes.append("the measurements were not in order of time, sorted")
-        bad = int(np.sum((failed >= start[0]) & (failed <= end[0])))
-        if bad:
+        wrong_fixes = int(np.sum((failed >= start[0]) & (failed <= end[0])))
+        if wrong_fixes:
             notes.append(
-                f"{bad} fix(es) that are no place, 0 N 0 E or under water left out"
+                f"{wrong_fixes} fix(es) that are no place, 0 N 0 E or under water left out"
             )
-        if elsewhere and isnan(own[count - 1][0]):
+        if dated_currents and isnan(currents[count - 1][0]):
             notes.append(
                 "no depth-averaged current of the file has a time of this dive alone"
             )
-        dives.append(_dive(of, three, count, notes, own[count - 1]))
+        dives.append(_dive(of, fixes_of_dive, count, notes, currents[count - 1]))
     if not dives:
         raise DataError(
             f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
@@ -176,21 +178,21 @@ def _of_segments(
     of: pandas.DataFrame, segments: list[tuple[Fix, Fix, list[str]]]
 ) -> list[Dive | Skipped]:
     """Return the dives of segments with a measurement under water, and the others."""
-    found: list[Dive | Skipped] = []
+    dives: list[Dive | Skipped] = []
     for count, (start, end, notes) in enumerate(segments, 1):
-        inside = _between(of, start, end)
+        inside = _rows_between(of, start, end)
         if isfinite(start[0]) and not inside.wet.any():
-            known = inside.number.dropna().tolist()
-            number = int(known[0]) if known else None
-            found.append(
+            numbers = inside.number.dropna().tolist()
+            number = int(numbers[0]) if numbers else None
+            dives.append(
                 Skipped(number, "no measurement under water between its fixes")
             )
         else:
-            found.append(_dive(of, (None, start, end), count, notes))
-    return found
+            dives.append(_dive(of, (None, start, end), count, notes))
+    return dives
 
 
-def _between(of: pandas.DataFrame, start: Fix, end: Fix) -> pandas.DataFrame:
+def _rows_between(of: pandas.DataFrame, start: Fix, end: Fix) -> pandas.DataFrame:
     return of[(of.time > start[0]) & (of.time <= end[0])]
 
 
@@ -203,18 +205,18 @@ def _under_water(of: pandas.DataFrame) -> pandas.Series:
 def _dive(
     of: pandas.DataFrame,
     fixes: Three,
-    otherwise: int,
+    count: int,
     notes: list[str],
-    own: tuple[float, float] = (nan, nan),
+    dated_current: tuple[float, float] = (nan, nan),
 ) -> Dive:
     """Make the dive between fixes.
 
-    `otherwise` is its number where none is known, and `own` its current where no row has one.
+    `count` is its number if no row has one, and `dated_current` its current.
     """
     _, start, end = fixes
-    rows = _between(of, start, end).sort_values("time", kind="stable")
+    rows = _rows_between(of, start, end).sort_values("time", kind="stable")
     wet, middle = rows[rows.wet], rows.median()
-    current = own if isnan(middle.u) else (middle.u, middle.v)
+    current = dated_current if isnan(middle.u) else (middle.u, middle.v)
     numbers = np.unique(wet.number.dropna())
     number = wet.number.median() if numbers.size else middle.number
     if numbers.size > 1:
@@ -222,22 +224,22 @@ def _dive(
             f"no fix between dives {numbers[0]:.0f} and {numbers[-1]:.0f}: taken as one"
         )
         current = nan, nan
-    found = through_water(rows, start, end, current)
+    reckoned = through_water(rows, start, end, current)
     if (behind := float(rows.behind.max())) > 0:
         notes.append(
             f"the clock of its samples was set back by {behind:.0f} s under water: "
             "used without its track"
         )
-        found = found._replace(track=None)
+        reckoned = reckoned._replace(track=None)
     greatest = middle.depth_max
     return dive_between(
-        otherwise if isnan(number) else int(number),
+        count if isnan(number) else int(number),
         fixes,
-        found,
+        reckoned,
         dac_east=current[0],
         dac_north=current[1],
         dac_qc=middle.qc,
-        magvar=middle.magvar if found.turned is None else found.turned,
+        magvar=middle.magvar if reckoned.turned is None else reckoned.turned,
         depth_max=deepest(rows.depth.to_numpy()) if isnan(greatest) else greatest,
-        notes=(*notes, *found.notes, *of.attrs["notes"]),
+        notes=(*notes, *reckoned.notes, *of.attrs["notes"]),
     )

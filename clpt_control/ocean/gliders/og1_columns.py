@@ -1,4 +1,4 @@
-"""Columns of an OG1 file: whatever it calls them, under one name, in SI units.
+"""Columns of an OG1 file under common names, in SI units.
 
 Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its
 vocabulary `WCUR_X`, `WCUR_Y` and `DEAD_RECKONING`;
@@ -82,13 +82,13 @@ def _checked_angles(
     return angles, notes
 
 
-def _doubtful_units(known: np.ndarray, units: str, name: str) -> list[str]:
+def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
     """Refuse headings that look like radians and do not say so; return notes on the units."""
-    small = known.any() and np.abs(known).max() <= 2 * np.pi
+    small = angles.any() and np.abs(angles).max() <= 2 * np.pi
     if units.lower().startswith("rad") or not small:
         return []
     said_degrees = units.lower().startswith("deg") or "\N{DEGREE SIGN}" in units
-    if said_degrees and np.ptp(known) <= np.pi:
+    if said_degrees and np.ptp(angles) <= np.pi:
         doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
         return [f"{doubt}; if they are radians, set its units to 'radian'"]
     raise DataError(
@@ -136,9 +136,9 @@ QUANTITIES = {  # of a measurement: what files call it, and how it is read
 
 
 def is_known(data: xarray.Dataset) -> bool:
-    """Whether a NetCDF file is an OG1 trajectory."""
-    known = known_names(data)
-    return "N_MEASUREMENTS" in data.dims or any(name in known for name in FIXES)
+    """Return whether a NetCDF file is an OG1 trajectory."""
+    names = known_names(data)
+    return "N_MEASUREMENTS" in data.dims or any(name in names for name in FIXES)
 
 
 def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
@@ -152,61 +152,72 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
     of the times of the fixes (`fix_clock`), `own_currents` that stand on a dimension of their own
     (`_currents_elsewhere`), and `notes` on all dives.
     """
-    known = known_names(data)
-    fixes, t_name = _fix_columns(data, known)
-    time = seconds(data, known["TIME"]).ravel() if "TIME" in known else fixes[0]
+    names = known_names(data)
+    fixes, t_name = _fix_columns(data, names)
+    time = seconds(data, names["TIME"]).ravel() if "TIME" in names else fixes[0]
     notes: list[str] = []
-    if t_name in known and not said(data[known[t_name]]):
+    if t_name in names and not said(data[names[t_name]]):
         unit = unit_of_times(fixes[0], time)
         if unit:
             fixes[0] = fixes[0] / SMALLER[unit]
             notes.append(
                 f"{t_name} has no units and is read as {unit}, as its numbers are"
             )
-    of, steps = {"time": time}, ""
+    columns, steps = {"time": time}, ""
     for key, (candidates, read) in QUANTITIES.items():
-        of[key] = np.full(time.size, nan)
-        for name in (known[one] for one in candidates if one in known):
-            found = read(data, name).ravel()
+        columns[key] = np.full(time.size, nan)
+        for name in (
+            names[candidate] for candidate in candidates if candidate in names
+        ):
+            column = read(data, name).ravel()
             if key in ANGLES:
-                found, doubts = _checked_angles(found, key, said(data[name]), name)
+                column, doubts = _checked_angles(column, key, said(data[name]), name)
                 notes += doubts
             if data[name].ndim == 0:  # one number for the mission
-                found = np.full(time.size, found[0])
-            if found.shape == time.shape and np.isfinite(found).any():
-                of[key] = found
+                column = np.full(time.size, column[0])
+            if column.shape == time.shape and np.isfinite(column).any():
+                columns[key] = column
                 steps = name if key == "east" else steps
                 break
-    of_fixes = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
-    beside = time.shape == fixes[0].shape  # else fixes on a dimension of their own
-    whole = pandas.concat([pandas.DataFrame(of), of_fixes], axis=1 if beside else 0)
+    fix_table = pandas.DataFrame(dict(zip(("t_fix", *PLACE), fixes, strict=True)))
+    on_same_rows = (
+        time.shape == fixes[0].shape
+    )  # else fixes on a dimension of their own
+    table = pandas.concat(
+        [pandas.DataFrame(columns), fix_table], axis=1 if on_same_rows else 0
+    )
     # sums of larger are infinite
-    whole = whole.where(abs(whole) < 1e300).reset_index(drop=True)
-    whole.attrs = {
-        "north": _frame(data, known),
+    table = table.where(abs(table) < 1e300).reset_index(drop=True)
+    table.attrs = {
+        "north": _frame(data, names),
         "steps": steps,
         "fix_clock": t_name,
-        "own_currents": _currents_elsewhere(data, known, time.size),
+        "own_currents": _currents_elsewhere(data, names, time.size),
         "notes": tuple(notes),
     }
-    return whole
+    return table
 
 
 def _currents_elsewhere(
-    data: xarray.Dataset, known: dict[str, str], rows: int
+    data: xarray.Dataset, names: dict[str, str], rows: int
 ) -> list[tuple[float, float, float]]:
     """Return time (s, NaN if not known), u and v of currents on a dimension of their own."""
     for east, north in zip(QUANTITIES["u"][0], QUANTITIES["v"][0], strict=True):
-        if not {east, north} <= set(known):
+        if not {east, north} <= set(names):
             continue
-        u, v = (data[known[name]] for name in (east, north))
+        u, v = (data[names[name]] for name in (east, north))
         if u.ndim != 1 or u.dims != v.dims or u.size == rows:
             continue
-        there = (name for name in map(str, data.variables) if data[name].dims == u.dims)
-        timed = (name for name in there if " since " in said(data[name]).lower())
+        same_dims = (
+            name for name in map(str, data.variables) if data[name].dims == u.dims
+        )
+        timed = (name for name in same_dims if " since " in said(data[name]).lower())
         time_name = next(timed, None)
         time = np.full(u.size, nan) if time_name is None else seconds(data, time_name)
-        columns = (time, *(metres_per_second(data, str(one.name)) for one in (u, v)))
+        columns = (
+            time,
+            *(metres_per_second(data, str(component.name)) for component in (u, v)),
+        )
         return list(zip(*(column.tolist() for column in columns), strict=True))
     return []
 
@@ -229,37 +240,46 @@ def currents_of(
     times = np.array([time for time, _, _ in currents])
     if np.isnan(times).all() and len(currents) == len(dives):
         return [(u, v) for _, u, v in currents]
-    found = []
+    dive_currents = []
     for start, end in dives:
         last = end[0] + SURFACING
-        later = [other[0] for other, _ in dives if other[0] >= end[0]]
+        later = [later_start[0] for later_start, _ in dives if later_start[0] >= end[0]]
         until = min([last, *later])
-        its = np.flatnonzero((times >= start[0]) & (times < max(until, end[0] + 1.0)))
-        found.append(currents[its[0]][1:] if its.size == 1 else (nan, nan))
-    return found
+        indices = np.flatnonzero(
+            (times >= start[0]) & (times < max(until, end[0] + 1.0))
+        )
+        dive_currents.append(
+            currents[indices[0]][1:] if indices.size == 1 else (nan, nan)
+        )
+    return dive_currents
 
 
 def _fix_columns(
-    data: xarray.Dataset, known: dict[str, str]
+    data: xarray.Dataset, file_names: dict[str, str]
 ) -> tuple[list[np.ndarray], str]:
     """Return time (s), latitude and longitude of the fixes, and the name of that time."""
-    latitude, names, fixed = known.get("LATITUDE_GPS"), FIXES, np.array(True)
+    latitude, names, fixed = file_names.get("LATITUDE_GPS"), FIXES, np.array(True)
     bare = latitude is None or not np.isfinite(values(data, latitude)).any()
-    if bare and {*PLACES, FLAG} <= set(known):
-        names, fixed = PLACES, values(data, known[FLAG]) == 0
-    elif "TIME_GPS" not in known and "TIME" in known:
+    if bare and {*PLACES, FLAG} <= set(file_names):
+        names, fixed = PLACES, values(data, file_names[FLAG]) == 0
+    elif "TIME_GPS" not in file_names and "TIME" in file_names:
         names = ("TIME", *FIXES[1:])
-    missing = [name for name in names if name not in known]
+    missing = [name for name in names if name not in file_names]
     if missing:
         raise DataError(
             f"no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
             "needed, as is the displacement through the water; a CSV table of dives can give both"
         )
-    time = seconds(data, known[names[0]])
-    places = [np.where(fixed, values(data, known[name]), nan) for name in names[1:]]
-    if any(place.shape != time.shape or place.ndim != 1 for place in places):
+    time = seconds(data, file_names[names[0]])
+    coordinates = [
+        np.where(fixed, values(data, file_names[name]), nan) for name in names[1:]
+    ]
+    if any(
+        coordinate.shape != time.shape or coordinate.ndim != 1
+        for coordinate in coordinates
+    ):
         raise DataError(f"{', '.join(names)} differ in length; must be one per fix")
-    return [time, *places], names[0]
+    return [time, *coordinates], names[0]
 
 
 def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
@@ -269,13 +289,14 @@ def unit_of_times(fixes: np.ndarray, time: np.ndarray) -> str:
     >>> unit_of_times(np.array([1.01e18, np.nan]), measured), unit_of_times(measured, measured)
     ('nanoseconds', '')
     """
-    known, fixes = time[np.isfinite(time)], fixes[np.isfinite(fixes)]
-    if not (known.size and fixes.size):
+    measured, fixes = time[np.isfinite(time)], fixes[np.isfinite(fixes)]
+    if not (measured.size and fixes.size):
         return ""
     middle = float(np.median(fixes))
-    first, last = known.min() - DAY, known.max() + DAY
+    earliest, latest = measured.min() - DAY, measured.max() + DAY
     return next(
-        (unit for unit, size in SMALLER.items() if first <= middle / size <= last), ""
+        (unit for unit, size in SMALLER.items() if earliest <= middle / size <= latest),
+        "",
     )
 
 
@@ -288,22 +309,22 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     next; the first of each is taken.
     """
     lat, lon, when, time, depth = of[[*PLACE, "t_fix", "time", "depth"]].to_numpy().T
-    some = np.isfinite(lat) | np.isfinite(lon)
+    has_number = np.isfinite(lat) | np.isfinite(lon)
     good = is_fix(lat, lon) & (when > 0)
-    rows, failed = np.flatnonzero(good), when[some & ~good]
+    rows, failed = np.flatnonzero(good), when[has_number & ~good]
     deep = depth[rows] > SURFACE
     if deep.any():
         moved = [np.diff(axis[rows], prepend=np.inf) != 0 for axis in (lat, lon)]
-        first = moved[0] | moved[1]
+        is_new = moved[0] | moved[1]
         afloat = ~deep | (when[rows] - time[rows] >= depth[rows] / FASTEST_CLIMB)
-        wrong = rows[first & ~afloat]
-        if wrong.size > first.sum() / 2:
+        wrong = rows[is_new & ~afloat]
+        if wrong.size > is_new.sum() / 2:
             raise DataError(
                 f"LATITUDE_GPS, LONGITUDE_GPS have {wrong.size} new fixes under water, the first "
                 f"in row {wrong[0]} (from 0); fixes are made at the surface: set both to NaN there"
             )
         failed = np.concatenate([failed, when[wrong]])
-        rows = rows[first & afloat]
+        rows = rows[is_new & afloat]
     rows = rows[np.argsort(when[rows], kind="stable")]
     return fixes_in(when[rows], lat[rows], lon[rows]), failed
 
@@ -316,9 +337,9 @@ def known_names(data: xarray.Dataset) -> dict[str, str]:
     }
 
 
-def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
+def _frame(data: xarray.Dataset, names: dict[str, str]) -> str:
     """Return which north the heading has, by the words of its attributes."""
-    name = next((known[name] for name in HEADING if name in known), None)
+    name = next((names[name] for name in HEADING if name in names), None)
     if name is None:
         return ""
     words = " ".join(str(value) for value in data[name].attrs.values()).lower()
@@ -326,24 +347,24 @@ def _frame(data: xarray.Dataset, known: dict[str, str]) -> str:
 
 
 def has_ends(data: xarray.Dataset) -> bool:
-    """Whether the file has a fix after the dive for each measurement."""
+    """Return whether the file has a fix after the dive for each measurement."""
     return {f"{name}{ENDS['after']}" for name in PLACES} <= set(known_names(data))
 
 
 def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
     """Return the fixes before and after each dive by time, NaN where there is none, and notes."""
-    parts = []
+    columns_of_ends = []
     for end in ENDS:
         time, lat, lon = (of[f"{key}_{end}"] for key in ("time", *PLACE))
         good = is_fix(lat, lon) & time.notna()
-        parts += [part.where(good) for part in (time, lat, lon)]
-    if parts[0].isna().all():
+        columns_of_ends += [column.where(good) for column in (time, lat, lon)]
+    if columns_of_ends[0].isna().all():
         raise DataError(
             "TIME_GPS_END, LATITUDE_GPS_END, LONGITUDE_GPS_END have no fix; a dive needs "
             "one before and one after it"
         )
-    columns = pandas.concat(parts, axis=1)
-    found = []
+    columns = pandas.concat(columns_of_ends, axis=1)
+    segments = []
     for row in columns.groupby("time_after", as_index=False).first().to_numpy():
         # what is there, of each end
         end, start, middle = row[:3], row[3:6], row[6:9]
@@ -353,5 +374,5 @@ def segments_of(of: pandas.DataFrame) -> list[tuple[Fix, Fix, list[str]]]:
             notes.append(
                 "the fix before the dive computed from the segment's middle and its end"
             )
-        found.append((tuple(start.tolist()), tuple(end.tolist()), notes))
-    return found
+        segments.append((tuple(start.tolist()), tuple(end.tolist()), notes))
+    return segments

@@ -40,7 +40,7 @@ def set_back(time: np.ndarray, depth: np.ndarray, fix: np.ndarray) -> list[int]:
     is_usual = (step > 0) & (step <= usual)
     fixes_before = np.cumsum(np.isfinite(fix))[rows]
     falls = np.flatnonzero(step < -max(LEAST, usual))
-    found = [
+    set_back_rows = [
         int(rows[k + 1])
         for k in falls
         if 0 < k < step.size - 1
@@ -49,7 +49,7 @@ def set_back(time: np.ndarray, depth: np.ndarray, fix: np.ndarray) -> list[int]:
         and sink[k] <= DEEPER + 2 * np.median(sink)
         and fixes_before[k] == fixes_before[k + 1]
     ]
-    return found if len(falls) <= MOST else []
+    return set_back_rows if len(falls) <= MOST else []
 
 
 def with_steady_clock(of: pandas.DataFrame, fix_clock: str) -> pandas.DataFrame:

@@ -50,9 +50,11 @@ def degrees(ddmm: np.ndarray) -> np.ndarray:
     array([  51.63395, -128.30433,          nan])
     """
     with np.errstate(invalid="ignore"):  # of what is endless
-        whole, minutes = np.divmod(np.abs(ddmm), 100.0)
+        whole_degrees, minutes = np.divmod(np.abs(ddmm), 100.0)
     return np.where(
-        (minutes < 60.0) & (whole < 400.0), np.sign(ddmm) * (whole + minutes / 60), nan
+        (minutes < 60.0) & (whole_degrees < 400.0),
+        np.sign(ddmm) * (whole_degrees + minutes / 60),
+        nan,
     )
 
 
@@ -81,8 +83,12 @@ def scalar(data: xarray.Dataset, name: str) -> float | None:
     """Return a single finite number, or None."""
     if name not in data.variables:
         return None
-    found = values(data, name)
-    return float(found.flat[0]) if found.size and np.isfinite(found.flat[0]) else None
+    numbers = values(data, name)
+    return (
+        float(numbers.flat[0])
+        if numbers.size and np.isfinite(numbers.flat[0])
+        else None
+    )
 
 
 def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -105,10 +111,10 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
         raise DataError(
             f"{name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
         )
-    first, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
+    epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
         1, "s"
     )
-    return first + step * numbers
+    return epoch + step * numbers
 
 
 def metres(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -208,7 +214,7 @@ def summed(
         )
         if bad.mean() > REPAIRABLE:
             return ThroughWater(notes=[*notes, note])
-        steps = np.array([fill(since, one, bad) for one in steps])
+        steps = np.array([fill(since, component, bad) for component in steps])
         notes.append(f"{note}, filled from their neighbours' speed")
     hole, large = hole_under_water(since, depth, duration)
     notes += [hole] if hole else []
@@ -225,8 +231,8 @@ def deepest(depth: np.ndarray) -> float | None:
     >>> deepest(np.array([1.0, 985.5, 9.97e36, np.nan]))
     985.5
     """
-    known = depth[np.isfinite(depth) & (depth > 0) & (depth < DEEPEST)]
-    return float(known.max()) if known.size else None
+    depths = depth[np.isfinite(depth) & (depth > 0) & (depth < DEEPEST)]
+    return float(depths.max()) if depths.size else None
 
 
 FIRST, LAST = 1900, 2030  # years of IGRF-14
@@ -243,10 +249,10 @@ def variation(time: float, lat: float, lon: float) -> float:
     >>> variation(4.0e9, 66.9, -57.1)  # the year 2096
     nan
     """
-    first, last = (
+    earliest, latest = (
         datetime(year, 1, 1, tzinfo=UTC).timestamp() for year in (FIRST, LAST)
     )
-    if not (first <= time <= last and isfinite(lat) and isfinite(lon)):
+    if not (earliest <= time <= latest and isfinite(lat) and isfinite(lon)):
         return nan
     when = datetime.fromtimestamp(time, UTC).replace(tzinfo=None)
     igrf = needed("ppigrf").igrf  # it reads pandas

@@ -56,7 +56,7 @@ FASTEST = 1.5  # m/s
 
 
 def is_known(text: str) -> bool:
-    """Whether a text is a navigation file."""
+    """Return whether a text is a navigation file."""
     line = text.partition("\n")[0]
     return line.startswith(FIRST) and "NavState" in line
 
@@ -81,15 +81,15 @@ def dives_of(text: str, path: Path) -> list[Dive]:
         return _log(text_in(read_bytes(before), before), before)
 
     last = _log(text, path)
-    log, found = dives_across_files(path, last, read, _fixes_and_wet)
+    log, dive_fixes = dives_across_files(path, last, read, _fixes_and_wet)
     if not _fixes_and_wet(log)[0]:
         raise DataError(f"{path}: no row with a fix (NavState {AT_SURFACE})")
-    digits = [part for part in path.name.split(".") if part.isdecimal()]
-    which = int(digits[-1]) if digits else 0
+    digits = [piece for piece in path.name.split(".") if piece.isdecimal()]
+    number = int(digits[-1]) if digits else 0
     return [
-        _dive(log.loc[three[1][0] : three[2][0]], three, which)
-        for three in found
-        if three[2][0] >= last.index.min()
+        _dive(log.loc[fixes[1][0] : fixes[2][0]], fixes, number)
+        for fixes in dive_fixes
+        if fixes[2][0] >= last.index.min()
     ]
 
 
@@ -127,19 +127,19 @@ def _fixes_and_wet(log: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     new = (log[["Lat", "Lon"]].ffill().diff() != 0).any(axis=1) & (
         log.index > log.index[0]
     )
-    time, *place = logged(log[afloat & new], "Lat", "Lon")
-    return fixes_in(time, *map(degrees, place)), log.index[
+    time, *coordinates = logged(log[afloat & new], "Lat", "Lon")
+    return fixes_in(time, *map(degrees, coordinates)), log.index[
         log.Depth > LEAST_DEPTH
     ].to_numpy()
 
 
-def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
+def _dive(log: pandas.DataFrame, fixes: Three, number: int) -> Dive:
     _, start, end = fixes
     steered = log.DesiredH.dropna()
     time, heading, declination, pitch, depth = logged(
         log, "Heading", "Declination", "Pitch", "Depth"
     )
-    found = ThroughWater(notes=["no samples"])
+    reckoned = ThroughWater(notes=["no samples"])
     if time.size > 2:
         nose, true = np.radians(pitch), np.radians(heading + declination)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -148,17 +148,17 @@ def _dive(log: pandas.DataFrame, fixes: Three, which: int) -> Dive:
         step = np.where(flies, speed, 0.0) * np.diff(time, prepend=time[0])
         steps = step * np.array([np.sin(true), np.cos(true)])
         notes = []
-        if bad := int(log[OUTSIDE].sum()):
+        if wrong_angles := int(log[OUTSIDE].sum()):
             notes.append(
-                f"{bad} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
+                f"{wrong_angles} numbers of {', '.join(ANGLES)} are no angles: taken as gaps"
             )
-        found = summed(time - start[0], steps, depth, end[0] - start[0], notes)
+        reckoned = summed(time - start[0], steps, depth, end[0] - start[0], notes)
     return dive_between(
-        which,
+        number,
         fixes,
-        found,
+        reckoned,
         magvar=float(np.median(declination)) if declination.size else None,
         depth_max=deepest(depth),
         next_course=steered.iloc[-1].item() % 360.0 if steered.size else None,
-        notes=tuple(found.notes),
+        notes=tuple(reckoned.notes),
     )

@@ -70,27 +70,27 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
             notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
         elif k and isfinite(flag) and flag not in GOOD:
             notes.append(f"the file flags {name} {flag:g}")
-    first, start, end = ((time, lat, lon) for time, lat, lon in of.T.tolist())
-    if not (isfinite(first[0]) and is_fix(*first[1:])):
+    gps1, start, end = ((time, lat, lon) for time, lat, lon in of.T.tolist())
+    if not (isfinite(gps1[0]) and is_fix(*gps1[1:])):
         return (None, start, end), notes
-    if start[0] < first[0]:
-        taken = first[0] <= first_sample
-        which = "taken as the fix before the dive" if taken else "left out"
+    if start[0] < gps1[0]:
+        is_used = gps1[0] <= first_sample
+        outcome = "taken as the fix before the dive" if is_used else "left out"
         notes.append(
-            f"GPS2 is {first[0] - start[0]:.0f} s older than GPS1, which is {which}"
+            f"GPS2 is {gps1[0] - start[0]:.0f} s older than GPS1, which is {outcome}"
         )
-        return (None, first if taken else start, end), notes
-    return (first, start, end), notes
+        return (None, gps1 if is_used else start, end), notes
+    return (gps1, start, end), notes
 
 
 def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return a number of each of three fixes, NaN where there are none."""
-    found = samples.values(data, name) if name in data.variables else np.empty(0)
-    return found if found.shape == (3,) else np.full(3, nan)
+    numbers = samples.values(data, name) if name in data.variables else np.empty(0)
+    return numbers if numbers.shape == (3,) else np.full(3, nan)
 
 
 def is_known(data: xarray.Dataset) -> bool:
-    """Whether a NetCDF file is of the Seaglider basestation."""
+    """Return whether a NetCDF file is of the Seaglider basestation."""
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
@@ -103,7 +103,7 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
-    found = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
+    reckoned = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
     depths = (
         samples.deepest(samples.metres(data, name))
         for name in DEPTHS
@@ -112,14 +112,14 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
     return dive_between(
         _number(data, path),
         fixes,
-        found,
+        reckoned,
         dac_east=samples.scalar(data, "depth_avg_curr_east"),
         dac_north=samples.scalar(data, "depth_avg_curr_north"),
         dac_qc=samples.scalar(data, "depth_avg_curr_qc"),
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         next_course=_next_course(data, fixes[2]),
-        notes=(*found.notes, *([why_not] if why_not else []), *doubts),
+        notes=(*reckoned.notes, *([why_not] if why_not else []), *doubts),
     )
 
 
@@ -137,9 +137,9 @@ def _number(data: xarray.Dataset, path: Path) -> int:
         number_in_name(path),
     )
     for value in named:
-        whole = whole_number(value)
-        if whole is not None:
-            return whole
+        number = whole_number(value)
+        if number is not None:
+            return number
     raise DataError(
         f"neither dive_number nor log_DIVE is a whole number below {NUMBERS}, and the name is not "
         "such as p5420304.nc"
@@ -148,10 +148,10 @@ def _number(data: xarray.Dataset, path: Path) -> int:
 
 def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
-    found = samples.scalar(data, "magnetic_variation")
-    if found is None:
-        found = _of_fixes(data, "log_gps_magvar").tolist()[1]
-    degrees, _ = samples.within(np.array(found), samples.VARIATIONS)
+    stated = samples.scalar(data, "magnetic_variation")
+    if stated is None:
+        stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
+    degrees, _ = samples.within(np.array(stated), samples.VARIATIONS)
     return known(float(degrees))
 
 
@@ -168,20 +168,24 @@ def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
-def _of_samples(data: xarray.Dataset, names: Sequence[str], like: str) -> Iterator[str]:
+def _of_samples(
+    data: xarray.Dataset, names: Sequence[str], reference: str
+) -> Iterator[str]:
     """Return those of some variables that have the dimension of another."""
-    there = (name for name in names if name in data.variables)
-    return (name for name in there if data[name].dims == data[like].dims)
+    present = (name for name in names if name in data.variables)
+    return (name for name in present if data[name].dims == data[reference].dims)
 
 
-def _times(data: xarray.Dataset, like: str) -> tuple[np.ndarray | None, str]:
+def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
-    others = sorted(name for name in map(str, data.variables) if name.endswith("_time"))
-    for name in _of_samples(data, ("ctd_time", "time", *others), like):
+    time_names = sorted(
+        name for name in map(str, data.variables) if name.endswith("_time")
+    )
+    for name in _of_samples(data, ("ctd_time", "time", *time_names), reference):
         time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
-    return None, f"no track: no times in order with the dimension of {like}"
+    return None, f"no track: no times in order with the dimension of {reference}"
 
 
 def _dead_reckoning(
@@ -211,9 +215,11 @@ def _dead_reckoning(
     )
 
 
-def _depths(data: xarray.Dataset, like: str) -> np.ndarray:
+def _depths(data: xarray.Dataset, reference: str) -> np.ndarray:
     """Return depths of the samples that a variable has, NaN where there are none."""
-    name = next(_of_samples(data, DEPTHS, like), None)
+    name = next(_of_samples(data, DEPTHS, reference), None)
     return (
-        np.full(data[like].shape, nan) if name is None else samples.metres(data, name)
+        np.full(data[reference].shape, nan)
+        if name is None
+        else samples.metres(data, name)
     )

@@ -68,7 +68,7 @@ CLEAR = 0.03  # m/s that w may be off
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 
 
-def between(of: pandas.DataFrame, start: float, end: float) -> pandas.DataFrame:
+def rows_between(of: pandas.DataFrame, start: float, end: float) -> pandas.DataFrame:
     """Return what was logged after a time, to another."""
     return of[(of.index > start) & (of.index <= end)]
 
@@ -81,32 +81,32 @@ def own_currents(
     A file repeats the former in its first cycle until the latter is worked out.
     """
     time, *water = logged(of, *WATER)
-    each = np.column_stack([[nan, nan], turned(water, east_of_north)])
-    last = each[:, np.searchsorted(time, end - SHORT, "right")]
-    after = each[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
+    currents = np.column_stack([[nan, nan], turned(water, east_of_north)])
+    last = currents[:, np.searchsorted(time, end - SHORT, "right")]
+    after = currents[:, 1:][:, (time > end - SHORT) & (time <= end + OWN_CURRENT)]
     new = after[:, (after != last[:, None]).any(axis=0)]
     now = new[:, 0] if new.size else np.full(2, nan)
-    return np.array([each[:, np.searchsorted(time, dived, "right")], now])
+    return np.array([currents[:, np.searchsorted(time, dived, "right")], now])
 
 
 def dead_reckoning(
     of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> tuple[np.ndarray | None, str]:
     """Return time since the fix (s), metres east and north of it to the end under water; or why."""
-    time, *places = _places(of, start, wet, east_of_north)
+    time, *positions = _positions(of, start, wet, east_of_north)
     if time.size < 2:
         return (
             None,
             "fewer than two places of dead reckoning (m_lat, m_lon or m_x_lmc, m_y_lmc)",
         )
-    speed = float(np.median(np.hypot(*np.diff(places)) / np.diff(time)))
-    path = np.hstack([np.zeros((3, 1)), [time - start[0], *places]])
-    rest = wet[-1] - time[-1]
-    if rest > SHORT:
-        log, heading = logged(between(of, start[0], wet[-1] + SHORT), "m_heading")
+    speed = float(np.median(np.hypot(*np.diff(positions)) / np.diff(time)))
+    path = np.hstack([np.zeros((3, 1)), [time - start[0], *positions]])
+    remaining = wet[-1] - time[-1]
+    if remaining > SHORT:
+        log, heading = logged(rows_between(of, start[0], wet[-1] + SHORT), "m_heading")
         _, outside = within(np.degrees(heading), HEADINGS)
         if not log.size or 2 * outside.sum() > log.size:
-            why = f"no heading for the last {rest:.0f} s under water"
+            why = f"no heading for the last {remaining:.0f} s under water"
             return None, why + ": m_heading is not in radians" * bool(log.size)
         log, heading = log[~outside], heading[~outside]
         later = np.append(log[(log > time[-1]) & (log < wet[-1])], wet[-1])
@@ -117,12 +117,15 @@ def dead_reckoning(
     return path, ""
 
 
-def _places(
+def _positions(
     of: pandas.DataFrame, start: Fix, wet: np.ndarray, east_of_north: float
 ) -> np.ndarray:
     """Return times of the dead reckoning and its places east and north of the fix, m, (3, n)."""
-    near = between(of, start[0] - SHORT, wet[-1])
-    (time, lat, lon), (times, x, y) = logged(near, *PLACE), logged(near, *LOCAL)
+    rows_near = rows_between(of, start[0] - SHORT, wet[-1])
+    (time, lat, lon), (times, x, y) = (
+        logged(rows_near, *PLACE),
+        logged(rows_near, *LOCAL),
+    )
     lat, lon = degrees(lat), degrees(lon)
     good = np.isfinite(lat) & np.isfinite(lon) & (time > start[0])
     if good.sum() >= 2:
@@ -140,8 +143,8 @@ def _places(
         for c in (x, y)
     ]
     rows = times > start[0]
-    places = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
-    return np.array([times[rows], *places])
+    positions = turned((x[rows] - origin[0], y[rows] - origin[1]), east_of_north)
+    return np.array([times[rows], *positions])
 
 
 def reconciled(
@@ -149,16 +152,16 @@ def reconciled(
     dived: float,
     gps: np.ndarray,
     duration: float,
-    own: np.ndarray,
+    own_currents: np.ndarray,
     used: float,
 ) -> tuple[np.ndarray | None, np.ndarray, str]:
     """Return a path through the water that agrees with the own current, its end, and a note.
 
-    `own` has the current of the dive before and of this one, `used` whether the glider says that it
-    added the former, which is taken off then from when it `dived`, s after the fix. A path that
-    contradicts the latter, or may hold the former, is None.
+    `own_currents` has the current of the dive before and of this one. `used` is 1 if the glider
+    reports that it added the former, which is then taken off from `dived`, s after the fix. A path
+    that contradicts the latter, or may hold the former, is None.
     """
-    (before, now), note = own, ""
+    (before, now), note = own_currents, ""
     size = float(np.hypot(*before))
     if used == 1 and np.isfinite(size):
         under = np.clip(path[0] - dived, 0.0, None)
@@ -183,7 +186,7 @@ def dives_of(path: Path) -> list[Dive]:
     """Return the dives that end in a file."""
     segment = read_segment(path)
     log = segment.of
-    of, found = dives_across_files(
+    of, dive_fixes = dives_across_files(
         path, log, lambda file: read_segment(file).of, _fixes_and_wet
     )
     fixes, _ = _fixes_and_wet(of)
@@ -193,22 +196,26 @@ def dives_of(path: Path) -> list[Dive]:
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
         )
     ends = set(log.index[log.m_gps_lat.notna()])
-    dives = [_dive(of, segment, three) for three in found if three[2][0] in ends]
+    dives = [
+        _dive(of, segment, fixes_of_dive)
+        for fixes_of_dive in dive_fixes
+        if fixes_of_dive[2][0] in ends
+    ]
     if len(dives) > 1:
-        which = [
+        labels = [
             f"dive {k} of {len(dives)} in {path.name}" for k in range(1, len(dives) + 1)
         ]
         dives = [
-            replace(d, notes=(w, *d.notes)) for d, w in zip(dives, which, strict=True)
+            replace(d, notes=(w, *d.notes)) for d, w in zip(dives, labels, strict=True)
         ]
     return dives
 
 
 def _fixes_and_wet(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
     """Return the valid fixes and the times under water."""
-    time, *place = logged(of[of.m_gps_status.fillna(0.0) == 0.0], *FIX[:2])
+    time, *coordinates = logged(of[of.m_gps_status.fillna(0.0) == 0.0], *FIX[:2])
     wet = of.index[of.m_depth > LEAST_DEPTH].to_numpy()
-    return fixes_in(time, *map(degrees, place)), wet
+    return fixes_in(time, *map(degrees, coordinates)), wet
 
 
 def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
@@ -216,7 +223,7 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     _, start, end = fixes
     notes = list(segment.notes)
     east_of_north = _variation(of, start)
-    time, depth, note = _depths(between(of, start[0], end[0]))
+    time, depth, note = _depths(rows_between(of, start[0], end[0]))
     notes += [note] if note else []
     wet = time[(depth > LEAST_DEPTH) | np.isnan(depth)]
     duration = end[0] - start[0]
@@ -225,14 +232,14 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
     notes += [why or hole] if why or hole else []
     if large:
         path = None
-    own = own_currents(of, wet[0], end[0], east_of_north)
+    currents = own_currents(of, wet[0], end[0], east_of_north)
     used = of.u_use_current_correction[: end[0]].ffill().iloc[-1]
     notes += [CORRECTS] if used == 1 else []
     total = np.full(2, nan)
     if path is not None:
         gps = np.array(displacement(*start[1:], *end[1:]))
         path, total, note = reconciled(
-            path, wet[0] - start[0], gps, duration, own, used
+            path, wet[0] - start[0], gps, duration, currents, used
         )
         notes += [note] if note else []
     track = None
@@ -242,8 +249,8 @@ def _dive(of: pandas.DataFrame, segment: Segment, fixes: Three) -> Dive:
         segment.number,
         fixes,
         ThroughWater((float(total[0]), float(total[1])), track),
-        dac_east=own[1, 0],
-        dac_north=own[1, 1],
+        dac_east=currents[1, 0],
+        dac_north=currents[1, 1],
         magvar=east_of_north,
         depth_max=deepest(depth),
         next_course=_next_course(of, end, east_of_north),
@@ -258,18 +265,23 @@ def _depths(log: pandas.DataFrame) -> tuple[np.ndarray, np.ndarray, str]:
     after a deep sample, the places in between are under water too.
     """
     time, depth = logged(log, "m_depth")
-    places = log[[*PLACE, *LOCAL]].dropna(how="all").index.to_numpy()
-    k = np.searchsorted(time, places, "right") - 1
+    position_times = log[[*PLACE, *LOCAL]].dropna(how="all").index.to_numpy()
+    k = np.searchsorted(time, position_times, "right") - 1
     gaps = np.diff(time, append=log.index[-1])
-    more = places[(k >= 0) & (depth[k] > SURFACE) & (gaps[k] > LONGEST_GAP)]
-    more = more[~np.isin(more, time)]
-    if not more.size:
+    added_times = position_times[
+        (k >= 0) & (depth[k] > SURFACE) & (gaps[k] > LONGEST_GAP)
+    ]
+    added_times = added_times[~np.isin(added_times, time)]
+    if not added_times.size:
         return time, depth, ""
-    last = depth[np.searchsorted(time, more[0]) - 1]
-    whole = np.append(time, more), np.append(depth, np.full(more.size, nan))
-    order = np.argsort(whole[0], kind="stable")
+    last = depth[np.searchsorted(time, added_times[0]) - 1]
+    columns = (
+        np.append(time, added_times),
+        np.append(depth, np.full(added_times.size, nan)),
+    )
+    order = np.argsort(columns[0], kind="stable")
     note = f"no m_depth after {last:.0f} m, but places: taken as under water"
-    return whole[0][order], whole[1][order], note
+    return columns[0][order], columns[1][order], note
 
 
 def _next_course(of: pandas.DataFrame, end: Fix, east_of_north: float) -> float | None:

@@ -54,7 +54,7 @@ OF_TEXT = ("sensors_per_cycle", "num_label_lines")
 
 
 class Segment(NamedTuple):
-    """What a file holds: its number, its log by time, s since 1970 UTC, and what is wrong."""
+    """Content of a file: its number, its log by time (s since 1970 UTC), and notes on faults."""
 
     number: int
     of: pandas.DataFrame
@@ -63,23 +63,23 @@ class Segment(NamedTuple):
 
 def read_segment(path: Path) -> Segment:
     """Read the sensors of `NAMES`, NaN where a file has them not."""
-    raw, whole = read_bytes(path), True
+    raw, is_complete = read_bytes(path), True
     if not raw.startswith(MAGIC):
-        raw, whole = uncompressed(raw)
-    tags, at = _header(raw, path)
+        raw, is_complete = uncompressed(raw)
+    tags, offset = _header(raw, path)
     if tags["dbd_label"].startswith(TEXT):
-        columns, at = _table(raw, at, int(tags["num_label_lines"]))
+        columns, offset = _table(raw, offset, int(tags["num_label_lines"]))
     else:
-        sensors, at = _sensors(raw, at, tags, path)
+        sensors, offset = _sensors(raw, offset, tags, path)
         states = int(tags["state_bytes_per_cycle"])
-        columns, at = _cycles(raw, at, sensors, states, path)
+        columns, offset = _cycles(raw, offset, sensors, states, path)
     if TIME not in columns:
         raise DataError(
             f"{path}: the Slocum file has no {TIME}, the times of its cycles"
         )
     notes: tuple[str, ...] = ()
-    if not whole or raw[at : at + 1] not in (b"X", b""):
-        where = f"at byte {at} of {len(raw)}"
+    if not is_complete or raw[offset : offset + 1] not in (b"X", b""):
+        where = f"at byte {offset} of {len(raw)}"
         notes = (f"{path.name} is cut short or damaged {where}: read up to there",)
     number = _number(tags.get("the8x3_filename", ""), path)
     log = columns.set_index(TIME).reindex(columns=NAMES)
@@ -93,29 +93,29 @@ def uncompressed(raw: bytes) -> tuple[bytes, bool]:
     >>> uncompressed(b"\x00\x08" b"\x12a\x01\x00" b"\x30bcd")
     (b'aaaaaaabcd', True)
     """
-    out, at = bytearray(), 0
-    while at < min(len(raw), MOST_PACKED):
-        size = int.from_bytes(raw[at : at + 2])
+    out, offset = bytearray(), 0
+    while offset < min(len(raw), MOST_PACKED):
+        size = int.from_bytes(raw[offset : offset + 2])
         try:
-            out += _block(raw[at + 2 : at + 2 + size])
+            out += _block(raw[offset + 2 : offset + 2 + size])
         except IndexError:
             return bytes(out), False
-        at += 2 + size
-    return bytes(out), at == len(raw)
+        offset += 2 + size
+    return bytes(out), offset == len(raw)
 
 
 def _block(packed: bytes) -> bytes:
     """Return the bytes of an LZ4 block: runs of new bytes, each and a copy of what came before."""
-    out, at = bytearray(), 0
+    out, offset = bytearray(), 0
     while True:
-        token = packed[at]
-        new, at = _length(packed, at + 1, token >> 4)
-        out += packed[at : at + new]
-        at += new
-        if at == len(packed):
+        token = packed[offset]
+        new_bytes, offset = _length(packed, offset + 1, token >> 4)
+        out += packed[offset : offset + new_bytes]
+        offset += new_bytes
+        if offset == len(packed):
             return bytes(out)
-        back = packed[at] | packed[at + 1] << 8
-        count, at = _length(packed, at + 2, token & 15)
+        back = packed[offset] | packed[offset + 1] << 8
+        count, offset = _length(packed, offset + 2, token & 15)
         count += 4
         start = len(out) - back
         if start < 0 or back == 0 or len(out) + count > BLOCK:
@@ -123,25 +123,25 @@ def _block(packed: bytes) -> bytes:
         out += (out[start : start + count] * (count // back + 1))[:count]
 
 
-def _length(packed: bytes, at: int, length: int) -> tuple[int, int]:
+def _length(packed: bytes, offset: int, length: int) -> tuple[int, int]:
     """Return a length whose first four bits are known, and where it ends."""
-    more = 255 if length == 15 else 0
-    while more == 255:
-        more = packed[at]
-        length, at = length + more, at + 1
-    return length, at
+    extra = 255 if length == 15 else 0
+    while extra == 255:
+        extra = packed[offset]
+        length, offset = length + extra, offset + 1
+    return length, offset
 
 
 def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     """Return the tags of the header and where it ends."""
     tags: dict[str, str] = {}
-    at = 0
+    offset = 0
     for line in BytesIO(raw):
         name, colon, value = line.decode("ascii", "replace").partition(":")
         if not colon:
             break
         tags[name.strip()] = value.strip()
-        at += len(line)
+        offset += len(line)
         if tags.get("num_ascii_tags") == str(len(tags)):
             break
     is_text = tags.get("dbd_label", "").startswith(TEXT)
@@ -152,7 +152,7 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
     if (
         lacking
         or tags.get("num_ascii_tags") != str(len(tags))
-        or not raw[:at].isascii()
+        or not raw[:offset].isascii()
     ):
         raise DataError(
             f"{path}: the header of the Slocum file is damaged or cut short: "
@@ -163,11 +163,11 @@ def _header(raw: bytes, path: Path) -> tuple[dict[str, str], int]:
             f"{path}: is a Slocum file of encoding {tags.get('encoding_ver')!r}; must be 5, "
             "of a text 2"
         )
-    return tags, at
+    return tags, offset
 
 
 def _sensors(
-    raw: bytes, at: int, tags: dict[str, str], path: Path
+    raw: bytes, offset: int, tags: dict[str, str], path: Path
 ) -> tuple[list[tuple[str, int]], int]:
     """Return name and bytes of each sensor in a cycle, and where the list ends."""
     total = int(tags["total_num_sensors"])
@@ -177,31 +177,31 @@ def _sensors(
             raise DataError(
                 f"{path}: the Slocum file names no list of sensors: sensor_list_crc"
             )
-        place, listed = _list_of(path, check_sum)
-        return _listed(listed, total, place), at
-    end = at
+        list_file, listed = _list_of(path, check_sum)
+        return _listed(listed, total, list_file), offset
+    end = offset
     for _ in range(total):
         end = raw.find(b"\n", end) + 1 or len(raw)
-    return _listed(raw[at:end], total, path), end
+    return _listed(raw[offset:end], total, path), end
 
 
 def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
     """Return the .cac file of a check sum and its bytes."""
     name, packed = f"{check_sum}.cac", f"{check_sum}.ccc"
-    beside = Path(os.path.realpath(path)).parent
-    above = (beside, *beside.parents[:4])
-    folders = [beside, *(here / sub for here in above for sub in FOLDERS)]
-    if given := os.environ.get("CLPT_CAC"):
-        folders.insert(0, Path(given))
+    folder_of_file = Path(os.path.realpath(path)).parent
+    above = (folder_of_file, *folder_of_file.parents[:4])
+    folders = [folder_of_file, *(parent / sub for parent in above for sub in FOLDERS)]
+    if cac_folder := os.environ.get("CLPT_CAC"):
+        folders.insert(0, Path(cac_folder))
     for folder in folders:
         try:
             inside = {file.name.lower(): file for file in folder.iterdir()}
         except OSError:
             continue
-        if found := inside.get(name) or inside.get(packed):
+        if list_file := inside.get(name) or inside.get(packed):
             try:
-                listed = read_bytes(found)
-                return found, uncompressed(listed)[0] if found is inside.get(
+                listed = read_bytes(list_file)
+                return list_file, uncompressed(listed)[0] if list_file is inside.get(
                     packed
                 ) else listed
             except DataError as error:
@@ -218,18 +218,18 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
     """Return name and bytes of each sensor of a cycle, in their order."""
     rows = [line.split() for line in listed.splitlines() if line.strip()][:total]
     with suppress(IndexError, KeyError, ValueError):
-        each = [
+        entries = [
             (words[0], int(words[3]), int(words[4]), words[5], words[6])
             for words in rows
         ]
         sensors = {
-            place: (name.decode("ascii", "replace"), size)
-            for mark, place, size, name, _ in each
-            if mark == b"s:" and place >= 0 and KINDS[size]
+            index: (name.decode("ascii", "replace"), size)
+            for mark, index, size, name, _ in entries
+            if mark == b"s:" and index >= 0 and KINDS[size]
         }
-        found = [sensors[place] for place in range(len(sensors))]
-        if len(rows) == total and all(mark == b"s:" for mark, *_ in each):
-            return found
+        in_order = [sensors[index] for index in range(len(sensors))]
+        if len(rows) == total and all(mark == b"s:" for mark, *_ in entries):
+            return in_order
     raise NotYet(
         f"{path}: is no list of {total} sensors of a Slocum; get it again from the glider or its "
         "dockserver"
@@ -237,11 +237,11 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
 
 
 def _cycles(
-    raw: bytes, at: int, sensors: list[tuple[str, int]], states: int, path: Path
+    raw: bytes, offset: int, sensors: list[tuple[str, int]], states: int, path: Path
 ) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in whole cycles, and where these end."""
-    order = ORDERS.get(raw[at : at + 4])
-    if len(raw) < at + KNOWN or order is None:
+    order = ORDERS.get(raw[offset : offset + 4])
+    if len(raw) < offset + KNOWN or order is None:
         raise DataError(
             f"{path}: the Slocum file has no cycles behind its header, or is damaged"
         )
@@ -250,43 +250,49 @@ def _cycles(
             f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sensors)} "
             "sensors: the list is of another file; get the right one from the glider"
         )
-    wanted = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
+    indices = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
     sizes = np.array([size for _, size in sensors])
     codes = (np.arange(256)[:, None] >> np.array([6, 4, 2, 0])) & 3
-    last, rows = dict.fromkeys(wanted, nan), list[list[float]]()
-    at += KNOWN
-    while raw[at : at + 1] == b"d" and at + 1 + states <= len(raw) and len(rows) < MOST:
-        code = codes[np.frombuffer(raw, np.uint8, states, at + 1)].ravel()[: len(sizes)]
-        ends = at + 1 + states + np.cumsum(np.where(code == 2, sizes, 0))
+    last, rows = dict.fromkeys(indices, nan), list[list[float]]()
+    offset += KNOWN
+    while (
+        raw[offset : offset + 1] == b"d"
+        and offset + 1 + states <= len(raw)
+        and len(rows) < MOST
+    ):
+        code = codes[np.frombuffer(raw, np.uint8, states, offset + 1)].ravel()[
+            : len(sizes)
+        ]
+        ends = offset + 1 + states + np.cumsum(np.where(code == 2, sizes, 0))
         if np.any(code == 3) or ends[-1] > len(raw):
             break
-        for name, k in wanted.items():
+        for name, k in indices.items():
             if code[k] == 2:
                 (last[name],) = unpack_from(
                     f"{order}{KINDS[sizes[k]]}", raw, ends[k] - sizes[k]
                 )
-        rows.append([last[name] if code[k] else nan for name, k in wanted.items()])
-        at = int(ends[-1])
-    return pandas.DataFrame(rows, columns=[*wanted], dtype=float), at
+        rows.append([last[name] if code[k] else nan for name, k in indices.items()])
+        offset = int(ends[-1])
+    return pandas.DataFrame(rows, columns=[*indices], dtype=float), offset
 
 
-def _table(raw: bytes, at: int, labels: int) -> tuple[pandas.DataFrame, int]:
+def _table(raw: bytes, offset: int, labels: int) -> tuple[pandas.DataFrame, int]:
     """Return the values of sensors in the whole lines of a text, and where these end."""
     end = raw.rfind(b"\n") + 1
-    lines = raw[at:end].decode("ascii", "replace").splitlines()
+    lines = raw[offset:end].decode("ascii", "replace").splitlines()
     sensors = lines[0].split() if lines else []
-    wanted = [name for name in (TIME, *NAMES) if name in sensors]
-    places = [sensors.index(name) for name in wanted]
+    names = [name for name in (TIME, *NAMES) if name in sensors]
+    indices = [sensors.index(name) for name in names]
     cells = [line.split() for line in lines[labels:]]
     rows = [
-        [number(row[k]) for k in places] for row in cells if len(row) == len(sensors)
+        [number(row[k]) for k in indices] for row in cells if len(row) == len(sensors)
     ]
-    return pandas.DataFrame(rows, columns=wanted, dtype=float), end
+    return pandas.DataFrame(rows, columns=names, dtype=float), end
 
 
 def _number(short: str, path: Path) -> int:
     """Return the number of a segment: mission and segment, as in 00970156 or -166-0-156."""
     if short.isdecimal() and len(short) == 8:
         return int(short)
-    found = re.search(r"(\d+)-(\d+)-(\d+)-(\d+)$", path.stem)
-    return int(found[4]) if found else int(re.sub(r"\D", "", path.stem)[-8:] or 0)
+    matched = re.search(r"(\d+)-(\d+)-(\d+)-(\d+)$", path.stem)
+    return int(matched[4]) if matched else int(re.sub(r"\D", "", path.stem)[-8:] or 0)

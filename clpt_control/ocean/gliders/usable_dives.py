@@ -130,9 +130,9 @@ def check_one_vehicle(dives: Iterable[Dive]) -> None:
         if dive.vehicle
     }
     if len(names) > 1:
-        each = ", ".join(sorted(names.values()))
+        listing = ", ".join(sorted(names.values()))
         raise DataError(
-            f"{each}: are {len(names)} vehicles in one replay; give the files of one, or "
+            f"{listing}: are {len(names)} vehicles in one replay; give the files of one, or "
             "clpt replay --fleet FOLDER, which replays each vehicle of a folder on its own"
         )
 
@@ -144,21 +144,21 @@ def check_weeks(dives: Iterable[Dive]) -> None:
     """
     for early, dive in pairwise(dives):
         off = abs(dive.t_gps2 - early.t_gpse - ROLLOVER)
-        place = dive.lat_gps2, dive.lon_gps2
-        near = distance(early.lat_gpse, early.lon_gpse, *place) < REGION
-        if off < MISSION_LENGTH and near:
-            first, second = (
-                f"dive {one.number} of {datetime.fromtimestamp(one.t_gpse, UTC):%Y-%m-%d}"
-                for one in (early, dive)
-            )
+        position = dive.lat_gps2, dive.lon_gps2
+        in_one_region = distance(early.lat_gpse, early.lon_gpse, *position) < REGION
+        if off < MISSION_LENGTH and in_one_region:
+            dated = [
+                f"dive {d.number} of {datetime.fromtimestamp(d.t_gpse, UTC):%Y-%m-%d}"
+                for d in (early, dive)
+            ]
             raise DataError(
-                f"{first} and {second}: are in one region about 1024 weeks apart, as if the "
+                f"{' and '.join(dated)}: are in one region about 1024 weeks apart, as if the "
                 f"GPS week had begun again; {ADD_WEEKS}, or {OWN} if these are two missions"
             )
 
 
 def follows(dive: Dive, before: Dive) -> bool:
-    """Whether a dive is the next one, as far as numbers and times tell."""
+    """Return whether a dive is the next one, by numbers and times."""
     since = dive.t_gps2 - before.t_gpse
     return dive.number == before.number + 1 or since <= SHARE * min(
         dive.duration, before.duration
@@ -262,7 +262,8 @@ def _in_minutes(lat: float, lon: float) -> str:
     """
     large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
     degrees = [
-        np.sign(part) * (abs(part) // 100 + abs(part) % 100 / 60) for part in (lat, lon)
+        np.sign(coordinate) * (abs(coordinate) // 100 + abs(coordinate) % 100 / 60)
+        for coordinate in (lat, lon)
     ]
     minutes = large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60
     if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
@@ -276,14 +277,14 @@ def _in_minutes(lat: float, lon: float) -> str:
 def _by_time(dive: Dive) -> tuple:
     """Return the key that puts dives in one order: end, start, number, then all else."""
     through_water = (dive.dr_east, dive.dr_north)
-    rest = repr(vars(dive))
+    all_fields = repr(vars(dive))
     return (
         dive.t_gpse,
         dive.t_gps2,
         dive.number,
         *through_water,
         dive.track is None,
-        rest,
+        all_fields,
     )
 
 
@@ -303,11 +304,11 @@ def _too_far(dive: Dive, before: Dive) -> str:
     """Return how far from both fixes of the one before a dive starts, empty where it can."""
     since = dive.t_gps2 - before.t_gpse
     start = dive.lat_gps2, dive.lon_gps2
-    apart = distance(before.lat_gpse, before.lon_gpse, *start)
+    separation = distance(before.lat_gpse, before.lon_gpse, *start)
     most = max(FASTEST * since, ASTRAY)
-    if min(apart, distance(before.lat_gps2, before.lon_gps2, *start)) <= most:
+    if min(separation, distance(before.lat_gps2, before.lon_gps2, *start)) <= most:
         return ""
     return (
-        f"starts {apart / 1000:.0f} km from where dive {before.number} ended "
+        f"starts {separation / 1000:.0f} km from where dive {before.number} ended "
         f"{max(since, 0.0) / 3600:.1f} h before; another vehicle? {OWN}"
     )

@@ -34,8 +34,8 @@ def name_of_file(file: str) -> str | None:
     >>> name_of_file("dives.csv") is None
     True
     """
-    found = SLOCUM.fullmatch(file) or SEAEXPLORER.fullmatch(file)
-    return name_of(found and found["who"].partition(".")[0])
+    matched = SLOCUM.fullmatch(file) or SEAEXPLORER.fullmatch(file)
+    return name_of(matched and matched["who"].partition(".")[0])
 
 
 def name_of(*values: Any) -> str | None:
