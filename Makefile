@@ -7,8 +7,8 @@ BENCH := build/benchmarks/venv
 LOWEST := build/lowest
 DIST := build/dist
 SITE := .venv/.docs
-ENGINE := native jumps elementary components solver closed_form_flows written_is_run \
-	random_diagrams conformance members models_as_they_stand random_programs
+ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
+	tests/ensemble/test_members.py tests/simulation/test_models_as_they_stand.py
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
@@ -31,7 +31,7 @@ test-browser: $(READY)  ## pages to send, the page of a replay and the site in h
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
 	CLPT_CONTROL_PROCESSOR=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
-		$(wildcard $(ENGINE:%=tests/*/test_%.py))
+		$(ENGINE)
 
 test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
 	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2

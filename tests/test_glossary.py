@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from sentences import says
+from error_sentences import says
 
 import clpt_control as clpt
 from clpt_control import errors

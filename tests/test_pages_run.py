@@ -23,7 +23,7 @@ from types import ModuleType
 from typing import NamedTuple
 
 import pytest
-from processes import GUARD, ran
+from subprocesses import GUARD, ran
 from typer.main import get_command
 
 from clpt_control.app.cli import application

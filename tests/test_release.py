@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import yaml
 from packaging.requirements import Requirement
-from processes import ran
+from subprocesses import ran
 from tidal_records import times, waves, write_table
 
 import clpt_control
@@ -189,7 +189,7 @@ def said(tmp_path_factory):
     readme = (HOUSE / "README.md").read_text()
     [lines] = re.findall(r"## The paper.*?```python\n(.*?)```", readme, re.S)
     (folder / "mine.py").write_text(BLOCKED + "import xarray\n" + lines + CORE + TOLD)
-    places = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
+    places = [str(HOUSE / "tests/support"), os.environ.get("PYTHONPATH", "")]
     env = os.environ | {"PYTHONPATH": os.pathsep.join(places)}
     ran(sys.executable, "mine.py", cwd=folder, env=env)
     assert (folder / "page.html").stat().st_size > 10_000

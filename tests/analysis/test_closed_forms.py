@@ -2,14 +2,14 @@
 
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import control
 import numpy as np
 import pytest
-from pictures import inked
+from error_sentences import says
+from image_checks import inked
+from paths import DATA
 from responses import response
-from sentences import says
 
 import clpt_control as clpt
 from analysis import against_adcp, laws, mean_square, shelf
@@ -324,7 +324,7 @@ def test_the_shelf_has_a_panel_for_each_part(tmp_path):
 def test_each_study_leaves_a_table_and_a_figure(tmp_path):
     mean_square.main(tmp_path)
     worst.main(tmp_path, end=30.0)
-    glider = Path(__file__).parents[1] / "data" / "glider"
+    glider = DATA / "glider"
     against_adcp.main([glider / "sg171_dives.csv"], glider / "sg171_adcp.csv", tmp_path)
     for name in ("mean_square", "worst_disturbance", "against_adcp"):
         table = (tmp_path / f"{name}.md").read_text("utf-8")

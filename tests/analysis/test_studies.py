@@ -1,17 +1,16 @@
 """Studies: each leaves its table and figure, with figures that can be wrong."""
 
 import sys
-from pathlib import Path
 
 import pytest
-from pictures import inked
-from processes import ran
+from image_checks import inked
+from paths import ROOT
+from subprocesses import ran
 from synthetic_vehicle import vehicle
 
 import clpt_control as clpt
 from analysis import laws, simple_forecasts
 
-ROOT = Path(__file__).parents[2]
 DATA = ROOT / "clpt_control/data"
 pytestmark = pytest.mark.slow
 

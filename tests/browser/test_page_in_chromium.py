@@ -13,10 +13,10 @@ import time
 from dataclasses import replace
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
 
 import pytest
-from processes import CLPT, ran
+from paths import ROOT
+from subprocesses import CLPT, ran
 from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
@@ -373,7 +373,7 @@ def test_they_take_the_colours_of_the_page(paper, tmp_path):
 
 # --- the site ------------------------------------------------------------------------------------
 
-SITE = Path(__file__).parents[2] / "build" / "docs"
+SITE = ROOT / "build" / "docs"
 SEARCH = "search.html?q=waypoint"
 VISIT = """
 <!DOCTYPE html><meta charset="utf-8"><body><script>

@@ -1,7 +1,7 @@
 """One small ensemble, asked by many tests."""
 
 import pytest
-from swept import VARY
+from sampled_runs import VARY
 
 import clpt_control as clpt
 

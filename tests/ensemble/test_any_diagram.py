@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from swept import TIMES, lag, spring, springs, system, two_shapes, unread
+from sampled_runs import TIMES, lag, spring, springs, system, two_shapes, unread
 
 import clpt_control as clpt
 from clpt_control.engine.model.declaration import Each

@@ -18,9 +18,9 @@ import law_blocks
 import numpy as np
 import pytest
 from adaptive_loop import mrac
-from processes import CLPT, GUARD, await_line, listening, started, without_progress
 from random_diagrams import random_diagram
-from swept import TIMES, VARY, assert_identical, files, lag, system, unread
+from sampled_runs import TIMES, VARY, assert_identical, files, lag, system, unread
+from subprocesses import CLPT, GUARD, await_line, listening, started, without_progress
 
 import clpt_control as clpt
 from clpt_control.engine.codegen.directional_derivatives import place_of

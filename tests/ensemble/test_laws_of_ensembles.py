@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 from law_blocks import EACH, HELD, papers_law, remembering_law
-from swept import assert_identical
+from sampled_runs import assert_identical
 
 import clpt_control as clpt
 from clpt_control.ensemble.run import run_ensemble

@@ -7,8 +7,8 @@ import shutil
 import tracemalloc
 
 import pytest
-from sentences import says
-from swept import VARY, files
+from error_sentences import says
+from sampled_runs import VARY, files
 
 import clpt_control as clpt
 from clpt_control.ensemble.members import Ensemble

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from sentences import says
+from error_sentences import says
 
 import clpt_control
 from clpt_control.ensemble import tune_law

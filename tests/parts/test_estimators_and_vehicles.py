@@ -6,9 +6,9 @@ import re
 import control
 import numpy as np
 import pytest
+from error_sentences import says
 from scipy.integrate import simpson, solve_ivp
 from scipy.linalg import expm
-from sentences import says
 from test_parts_closed_forms import TIMES, every_engine, run
 
 import clpt_control as clpt

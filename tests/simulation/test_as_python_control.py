@@ -5,7 +5,7 @@ import re
 import control
 import numpy as np
 import pytest
-from sentences import says
+from error_sentences import says
 
 import clpt_control as clpt
 

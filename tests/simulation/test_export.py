@@ -8,7 +8,7 @@ import subprocess
 import control
 import numpy as np
 import pytest
-from models import MODELS, pendulum
+from example_models import MODELS, pendulum
 
 import clpt_control as clpt
 from clpt_control.ocean.currents.plane import GriddedField

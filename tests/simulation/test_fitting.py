@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 import xarray
-from models import autonomous, decay
+from example_models import autonomous, decay
 from scipy.optimize import curve_fit
 
 import clpt_control as clpt

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import control
 import numpy as np
 import pytest
-from models import MODELS, discrete
+from example_models import MODELS, discrete
 from test_export import library, needs_cc
 
 import clpt_control as clpt

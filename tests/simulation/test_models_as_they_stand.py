@@ -1,16 +1,16 @@
 """python-control's systems run as they stand, and python-control gives the same runs."""
 
 from itertools import pairwise
-from pathlib import Path
 
 import control
 import netCDF4
 import numpy as np
 import pytest
-from calm_water import CALM
-from models import MODELS
+from error_sentences import says
+from example_models import MODELS
+from paths import REFERENCE
 from responses import states_of
-from sentences import says
+from still_water import CALM
 
 import clpt_control as clpt
 from clpt_control.engine.diagram.wiring import wiring_of
@@ -403,7 +403,7 @@ def test_a_run_of_a_later_version_is_refused(form, tmp_path):
             read(tmp_path / "run.nc")
 
 
-FOLDER = Path(__file__).parents[1] / "reference"
+FOLDER = REFERENCE
 
 
 def test_every_scenario_has_its_reference(reference):

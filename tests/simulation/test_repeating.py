@@ -12,11 +12,11 @@ import control
 import numpy as np
 import pytest
 import xarray
-from damages import json_changed
-from models import MODELS
-from processes import ran
+from error_sentences import says
+from example_models import MODELS
+from file_damages import json_changed
 from random_diagrams import random_diagram
-from sentences import says
+from subprocesses import ran
 from test_compare import lemniscate, loop
 
 import clpt_control as clpt

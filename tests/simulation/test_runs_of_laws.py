@@ -3,9 +3,9 @@
 import law_blocks
 import numpy as np
 import pytest
+from error_sentences import says
 from law_blocks import EACH, HELD
 from scipy.integrate import simpson
-from sentences import says
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError, DiagramError, ScenarioError
@@ -128,7 +128,7 @@ def own_law(scenario):
 
 @pytest.mark.parametrize("period", [0.1, 1.0, 5.0])
 def test_a_law_that_is_sampled_is_the_sampled_block(period):
-    """Which is Euler's rule between samples: tests/native/test_sampled_parts."""
+    """Which is Euler's rule between samples: tests/engine/solver/test_sampled_parts."""
     run = clpt.simulate(SLOW.with_values({"learning.sample": period}))
     block = clpt.equations.Sampled(own_law(SLOW), period)
     own = clpt.simulate(clpt.closed_loop(SLOW, law=block))

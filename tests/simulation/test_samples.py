@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from calm_water import CALM, DWELL, PAPER, POINTS, exact_positions
+from still_water import CALM, DWELL, PAPER, POINTS, exact_positions
 
 import clpt_control as clpt
 from clpt_control.errors import SimulationError

@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from models import MODELS, autonomous, decay, mrac, stepping
+from example_models import MODELS, autonomous, decay, mrac, stepping
 from scipy.linalg import expm
 
 import clpt_control as clpt

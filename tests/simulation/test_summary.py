@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_fields import uniform_field
+from gridded_currents import uniform_field
 
 import clpt_control as clpt
 from clpt_control.simulation import summary

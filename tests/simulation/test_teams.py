@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import cumulative_simpson
 from scipy.linalg import expm
-from strait import DIFFERENT, FILE, PAPER, ROW, team, vehicle
+from team_scenarios import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
 import clpt_control as clpt
 

@@ -5,7 +5,7 @@ import os
 import threading
 
 import pytest
-from processes import GUARD
+from subprocesses import GUARD
 
 from clpt_control.base.files import CACHE
 from clpt_control.engine.codegen import machine

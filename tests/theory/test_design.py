@@ -4,14 +4,14 @@ from functools import partial
 
 import numpy as np
 import pytest
+from error_sentences import says
+from gridded_currents import uniform_field
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from image_checks import inked
 from law_blocks import EACH, HELD
-from made_fields import uniform_field
-from pictures import inked
 from scipy.linalg import expm
-from sentences import says
 
 import clpt_control as clpt
 from clpt_control.base.figures import figure_of

@@ -4,10 +4,10 @@ import json
 
 import numpy as np
 import pytest
-from made_fields import uniform_field
-from pictures import inked
-from sentences import says
-from strait import DIFFERENT, ROW, team, vehicle
+from error_sentences import says
+from gridded_currents import uniform_field
+from image_checks import inked
+from team_scenarios import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
 from clpt_control.app.pages.results import excitation_result

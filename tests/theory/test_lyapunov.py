@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 from lyapunov_cases import CASES, ENERGY, PENDULUM, half
-from written_systems import written
+from text_systems import written
 
 import clpt_control as clpt
 from clpt_control.paper.laws.table import LAWS

@@ -9,7 +9,7 @@ from functools import cache
 from types import FunctionType
 
 import pytest
-from altered import alterations, altered, exchanged
+from mutated_equations import alterations, altered, exchanged
 from package_blocks import BLOCKS
 from source_checks import CHECKS
 

@@ -6,9 +6,9 @@ from functools import partial
 import numpy as np
 import pytest
 import sympy
-from own_laws import LEARNED, N, V_of, beside, formula
 from responses import response
-from written_systems import whole_times
+from text_systems import whole_times
+from user_laws import LEARNED, N, V_of, beside, formula
 
 import clpt_control as clpt
 from clpt_control.errors import DiagramError

@@ -2,10 +2,10 @@
 
 import control
 import numpy as np
-import own_laws
 import pytest
-from own_laws import GAIN, LEARNED, V_of, beside, changed, driven, scaled
-from written_systems import TICKS, whole_times
+import user_laws
+from text_systems import TICKS, whole_times
+from user_laws import GAIN, LEARNED, V_of, beside, changed, driven, scaled
 
 import clpt_control as clpt
 from clpt_control.errors import ClptError
@@ -187,7 +187,7 @@ def test_an_invariant_that_repels_proves_nothing(rate, status):
 
 @pytest.mark.parametrize("functions", [1, 2, 7])
 def test_a_whole_number_among_the_parameters_changes_no_verdict(functions):
-    given = own_laws.MATRIX | {"functions": functions}
+    given = user_laws.MATRIX | {"functions": functions}
     law = changed("alpha' = -outer(e, M @ phi_x)", given)
     assert prove(law(), points=POINTS).status == "proved"
 
@@ -210,7 +210,7 @@ def test_a_law_that_does_not_read_zc_gets_a_verdict():
 
 @pytest.mark.parametrize("gain", [1e150, 1e-150])
 def test_a_gain_beyond_all_numbers_says_why_it_is_open(gain):
-    verdict = prove(own_laws.with_numbers(driven("e"), gain=gain)(), points=POINTS)
+    verdict = prove(user_laws.with_numbers(driven("e"), gain=gain)(), points=POINTS)
     assert verdict.status == "open"
     assert "scale states and gains" in verdict.claim
 
@@ -224,10 +224,10 @@ def of_squares(s):
 
 
 def test_a_V_of_a_law_is_a_function_of_signals():
-    verdict = prove(own_laws.paper(), of_squares, points=POINTS)
+    verdict = prove(user_laws.paper(), of_squares, points=POINTS)
     assert (verdict.status, verdict.for_every_N) == ("proved", True)
     with pytest.raises(ClptError, match=r"V asks for s\.q; s has .*alpha.*theta"):
-        prove(own_laws.paper(), lambda s: s.e @ s.e + s.q)
+        prove(user_laws.paper(), lambda s: s.e @ s.e + s.q)
 
 
 def test_a_V_that_makes_a_block_is_refused_of_a_diagram():
@@ -310,7 +310,7 @@ def test_a_wrong_law_is_refuted_by_both():
         right = rates(t, x, u, p)
         return right | {"alpha": signs * right["alpha"]}
 
-    bad = own_laws.law(wrong, law.parameters._asdict())
+    bad = user_laws.law(wrong, law.parameters._asdict())
     assert prove(bad, points=POINTS).status == "refuted"
     loop = theorem_loop(2, "learned-flow", law_block=bad)
     assert lyapunov(loop, "V", points=50).status == "refuted"

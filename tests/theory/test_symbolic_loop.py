@@ -5,7 +5,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from written_systems import written
+from text_systems import written
 
 import clpt_control as clpt
 from clpt_control.engine.diagram.interconnection import connect

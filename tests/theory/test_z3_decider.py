@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 import sympy
-from written_systems import written
+from text_systems import written
 
 from clpt_control.theory import lyapunov
 from clpt_control.theory.proofs import decide

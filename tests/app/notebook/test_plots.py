@@ -1,0 +1,192 @@
+"""Plots on given axes, and films."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from error_sentences import says
+from gridded_currents import uniform_field
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.quiver import Quiver
+from PIL import Image, ImageSequence
+
+import clpt_control as clpt
+from clpt_control import save_run
+from clpt_control.base.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
+from clpt_control.simulation.animation import draw_samples
+
+PLOTS = {  # what it draws -> name of a plot, how many axes
+    "run": "track 1, clpe 2, learning 2, run 7, excitation 4",
+    **{
+        "team": "team 3",
+        "diagram": "response 2",
+        "ensemble": "ensemble 2",
+        "design": "design 3",
+    },
+    "replay": "map 1, dive_clpe 1, current 3, replay 5",
+}
+PLOTS = [(kind, *one.split()) for kind, own in PLOTS.items() for one in own.split(", ")]
+ROOMS = (
+    getattr(clpt, room)
+    for room in ("simulation", "ensemble", "theory", "replay", "currents")
+)
+PUBLIC = {name: getattr(room, name) for room in ROOMS for name in room.__all__}
+track_plot = clpt.simulation.track_plot
+
+
+def test_all_plots_are_asked():
+    asked = {f"{name}_plot" for _, name, _ in PLOTS}
+    assert {name for name in PUBLIC if name.endswith("_plot")} == asked
+
+
+@pytest.mark.parametrize(("kind", "name", "count"), PLOTS)
+def test_on_given_axes(kind, name, count, made):
+    """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""
+    plot, count = PUBLIC[f"{name}_plot"], int(count)
+    figure, axes = plt.subplots(1, count + 1)
+    drawn = plot(made[kind], ax=axes[0] if count == 1 else list(axes[:count]))
+    assert list(np.ravel(np.asarray(drawn, object))) == list(axes[:count])
+    assert isinstance(drawn, Axes) == (count == 1)
+    assert all(one.has_data() or one.texts for one in axes[:count])
+    assert not axes[count].has_data()
+    figure.draw_without_rendering()
+    many = (
+        rf"has {count + 1} Axes; this plot draws on {count}"
+        if count > 1
+        else "must be an Axes"
+    )
+    for wrong, said in ((axes, many), (figure, r"must be (an|matplotlib) Axes")):
+        says(clpt.ClptError, said, plot, made[kind], ax=wrong)
+    assert plt.get_fignums() == [figure.number]
+
+
+def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypatch):
+    assert track_plot(made["run"]).figure is plt.gcf()
+    plt.close("all")
+    assert figure_of(track_plot, made["run"]).axes
+    assert plt.get_fignums() == []
+
+    def closed(**_):
+        raise ImportError("headless")  # a window cannot be opened
+
+    monkeypatch.setattr(plt, "figure", closed)
+    assert track_plot(made["run"]).has_data()
+
+
+def test_what_is_no_run_is_one_sentence(made):
+    for given, said in (
+        (made["replay"], "must be an xarray.Dataset"),
+        (made["team"], "team's; clpt.simulation.team_plot"),
+        (made["run"].drop_attrs(), "carries no scenario"),
+        (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
+    ):
+        says(clpt.ClptError, said, track_plot, given)
+    for plot in (
+        clpt.ensemble.ensemble_plot,
+        clpt.simulation.team_plot,
+        clpt.replay.map_plot,
+    ):
+        says(clpt.ClptError, "", plot, made["run"])
+    lacking, said = (
+        made["team"].drop_vars("alpha"),
+        "the run has no alpha over vehicle 2, time",
+    )
+    says(clpt.DataError, said, clpt.simulation.team_plot, lacking)
+
+
+def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
+    with plt.rc_context({"text.usetex": True}):
+        text = inline_svg(
+            figure_of(clpt.simulation.clpe_plot, made["run"]), "clpe", "CLPE"
+        )
+        clpt.animate(made["run"], tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
+    assert ">CLPE (m)<" in text
+
+
+# --- films ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def run(made):
+    return made["run"]
+
+
+def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
+    file, words = tmp_path / "run.gif", ("animate", tmp_path / "run.nc", "-o")
+    save_run(run, tmp_path / "run.nc")
+    done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
+    assert done.out == f"{file}: written\n"
+    refused_for(["must end in .gif"], *words, tmp_path / "film.doc")
+    with Image.open(file) as film:
+        assert (film.n_frames, film.width) == (10, 300)
+        for frame in ImageSequence.Iterator(film):
+            assert frame.info["duration"] == 100
+            pixels = np.asarray(frame.convert("RGB")).reshape(-1, 1, 3) / 255
+            near = np.abs(pixels - [to_rgb(BLUE), to_rgb(GREEN)]).max(axis=2) < 0.03
+            assert near.sum(axis=0).min() > 10  # vehicle and prediction are there
+    assert {one.name for one in tmp_path.iterdir()} == {"run.nc", "run.gif"}
+
+
+def test_hundredths_of_a_second_are_whole_and_the_film_lasts_as_long(run):
+    made = clpt.animate(run, seconds=0.25, fps=12, width=200)
+    assert (made.frames, made.seconds) == (3, pytest.approx(0.24))  # of 0.08 s
+
+
+def drawn(run, at):
+    """Return the lines by name, and the arrows, that are drawn of a sample."""
+    _, ax = new_figure()
+    next(draw_samples(ax, run, np.array([at])))
+    arrows = {one.get_label(): one for one in ax.collections if isinstance(one, Quiver)}
+    return {one.get_label(): one.get_xydata() for one in ax.lines}, arrows
+
+
+def test_what_is_shown_is_the_runs_own(run, scenario):
+    velocity = clpt.simulation.flow_velocity
+    for k in (0, 7, 20, 40):
+        lines, arrows = drawn(run, k)
+        own = [run.position[[k]], run.predicted_position[[k]], run.reference[[k]]]
+        found = [lines[label] for label in ("vehicle", "prediction", "waypoint, now")]
+        np.testing.assert_array_equal(found, own)
+        true = arrows["true flow"]
+        grid, flow = (
+            np.column_stack([true.X, true.Y]),
+            np.column_stack([true.U, true.V]),
+        )
+        np.testing.assert_allclose(
+            flow, velocity(scenario, grid, run.time[k]), atol=1e-12
+        )
+        if k:
+            u, v = velocity(
+                scenario, grid, run.time[k], run.flow_parameters_estimate.values[k]
+            ).T
+            along = arrows["learned flow"]
+            assert np.all(along.U * u + along.V * v >= 0)  # long ones are shortened
+            np.testing.assert_allclose(along.U * v - along.V * u, 0.0, atol=1e-12)
+
+
+def test_arrows_stand_within_a_field(scenario, tmp_path):
+    uniform_field(tmp_path / "field.nc", half=3.5)
+    flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
+    (arrows, *_) = drawn(clpt.simulate(scenario.with_values({"flow": flow})), 10)[
+        1
+    ].values()
+    assert np.abs([arrows.X, arrows.Y]).max() <= 3.5
+    np.testing.assert_allclose([arrows.U, arrows.V], 0.1)
+
+
+def test_refusals(run, made, scenario, tmp_path):
+    for given, options, said in (
+        (run, {"path": tmp_path / "run.avi"}, r"must end in .gif"),
+        (run, {"path": tmp_path / "no" / "run.gif"}, "does not exist"),
+        (run, {"fps": "many"}, "fps = 'many': must be a number"),
+        (run, {"width": 10}, "width = 10: must be a number from 200"),
+        (
+            run,
+            {"seconds": 100, "fps": 20, "width": 1000},
+            "would take 2.0 GB of memory",
+        ),
+        (made["team"], {}, "the run is a team's"),
+        (scenario, {}, "must be an xarray.Dataset"),
+    ):
+        says(clpt.ClptError, said, clpt.animate, given, **options)
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,329 @@
+"""A page to send: whole, safe, of anything that clpt writes, and one sentence for all else."""
+
+import json
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import xarray
+from error_sentences import says
+from html_parser import fetching_nothing
+from matplotlib.figure import Figure
+from synthetic_vehicle import fixes_of
+
+import clpt_control as clpt
+from clpt_control.app.pages.page import page_html
+from clpt_control.app.pages.results import run_result
+from clpt_control.app.pages.writing import page_of, report
+from clpt_control.base.figures import inline_svg, new_figure
+from clpt_control.ensemble.store import Store
+from clpt_control.errors import ClptError, DataError
+
+EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
+SECTIONS = [
+    "achieved",
+    "loop",
+    "track",
+    "clpe",
+    "learning",
+    "excitation",
+    "scenario",
+    "versions",
+]
+VARY = "learning.gain=0.2:2.0"
+SHORT = clpt.paper_scenario().with_values(
+    {"run.duration": 40, "title": "Two waypoints"}
+)
+
+
+@pytest.fixture(scope="module")
+def run():
+    return clpt.simulate(SHORT)
+
+
+@pytest.fixture(scope="module")
+def page(run):
+    return page_html(page_of(run))
+
+
+def checked(text, *said):
+    """A page's elements: nothing fetched, no script, identifiers once, headings in order."""
+    read = fetching_nothing(text)
+    assert [one for one in said if one not in text] == []
+    assert "script" not in [tag for tag, _ in read.tags]
+    assert "http" not in text.replace("http-equiv", "")
+    own, named = [names["id"] for _, names in read.tags if "id" in names], []
+    assert len(own) == len(set(own))
+    for tag, names in read.tags:
+        assert tag != "svg" or (names["role"] == "img" and names["aria-label"])
+        named += re.findall(r"url\(#(.*?)\)", " ".join(filter(None, names.values())))
+        named += filter(None, [names.get("href", "")[1:], names.get("aria-labelledby")])
+    assert set(named) <= set(own)
+    assert re.fullmatch(
+        "h1(h2)+", "".join(re.findall(r"h\d", " ".join(t for t, _ in read.tags)))
+    )
+    assert dict(read.tags)["html"] == {"lang": "en"}
+    return read
+
+
+def words(data):
+    """What a page says, without its figures."""
+    with pytest.MonkeyPatch.context() as patch:
+        for file in ("page", "run_page"):
+            patch.setattr(
+                f"clpt_control.app.pages.{file}.figure_of", lambda *_: Figure()
+            )
+        page = page_of(data)
+    parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
+    return "\n".join([*page.sentences, *page.warnings, *parts])
+
+
+def test_a_run_has_its_page(page):
+    read = checked(page)
+    assert [names["id"] for tag, names in read.tags if tag == "h2"] == SECTIONS
+    assert [tag for tag, _ in read.tags].count("svg") == 7
+    assert {"adaptation", "gain (1/s)"} <= set(read.texts)  # of figures
+    said = "at 10 waypoints, 20 s at each, for 40 s in a flow of 3 functions; law learn.*gain = 0.8"
+    assert re.search(f"(?s){said}", " ".join(read.texts))
+    assert len(page) < 1_000_000
+
+
+def test_each_figure_of_a_run_has_words_of_its_own(run):
+    captions = {one.name: one.caption for one in page_of(run).figures if one.caption}
+    assert captions["clpe"].startswith("The prediction error, ")
+    assert len(captions) == len(set(captions.values()))
+
+
+def test_nothing_of_a_run_is_markup(run, monkeypatch):
+    monkeypatch.setattr("clpt_control.app.pages.page.inline_svg", lambda *_: "")
+    scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
+    bad = run.assign_attrs(
+        title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario
+    )
+    assert sum(EVIL in text for text in checked(page_html(page_of(bad))).texts) >= 4
+
+
+def test_a_number_that_is_none_is_refused(run):
+    for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
+        bad = run.assign({name: run[name].where(run.time < 40)})
+        says(DataError, f"run's {name} holds what is no finite number", page_of, bad)
+    page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
+
+
+def test_one_sample_is_said_and_two_of_a_vehicle_at_rest_in_still_water_are_drawn(run):
+    text = page_html(page_of(run.isel(time=[-1])))
+    checked(text, "one sample: nothing can be drawn over time", "Not measured")
+    still = {"kind": "waypoints", "points": [[0, 0]], "dwell": 20}
+    calm = SHORT.with_values({"flow.parameters": np.zeros((2, 3)), "reference": still})
+    still = clpt.simulate(calm)
+    assert float(np.abs(still.position).max()) == 0
+    checked(page_html(page_of(still.isel(time=[0, -1]))))
+
+
+@pytest.mark.slow
+def test_many_samples_stay_small(run):
+    long = run.interp(time=np.linspace(0, 40, 60_001)).assign(
+        flow_parameters=run.flow_parameters
+    )
+    text = page_html(page_of(long))
+    checked(text, "Drawn from 1 in 11 of 60001 samples")
+    assert len(text) < 2_000_000
+
+
+def test_what_the_scenario_does_not_hold_is_said(run):
+    steered = clpt.closed_loop(SHORT, external=("zc",))
+    times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
+    steps = clpt.simulate(steered, times, inputs=[3, 0], initial_state=start)
+    assert "Eigenvalues" not in words(steps)
+    for data, said in (
+        (steps, "may be others than drawn"),
+        (
+            run.assign_attrs(own_law="mine"),
+            "does not hold: a law given in Python, mine",
+        ),
+        (
+            run.assign_attrs(parameters_changed='{"a.b": 1}'),
+            "hold: parameters given at call time",
+        ),
+        (
+            run.assign_attrs(status="stopped", message="it left"),
+            "The run ended early: it left.",
+        ),
+    ):
+        assert said in words(data)
+
+
+@pytest.fixture(scope="module")
+def found():
+    return clpt.simulation.run_and_report(SHORT)
+
+
+def test_figures_of_clpt_run_are_those_of_the_page(found):
+    text = words(found.run)
+    assert f"['CLPE rms, whole run (m)', '{found.summary['clpe_rms']:.3g}']" in text
+    assert "of the file" not in text
+    assert "samples of the file" in words(found.run.isel(time=slice(10)))
+
+
+def test_a_share_of_a_current_near_all_of_it_is_not_all(found):
+    """0.9996 of it is 99.96 %, in the table of a run on a page and on a terminal."""
+    shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
+    summary = found.summary | {"explained_variance": shares}
+    rows = run_result(summary, "").rows
+    assert ["share of the flow's variance learned, track", "99.96 %"] in rows
+    assert rows[-1][1] == "-50 %; negative: worse than the mean current"
+    text = words(found.run.assign_attrs(summary=json.dumps(summary)))
+    assert all(str(row) in text for row in rows[1:])
+
+
+def test_part_of_a_run_has_no_first_round():
+    """From t = 150 of rounds of 200 on: the first, which was the worst, is not among them."""
+    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 600}))
+    part = run.sel(time=slice(150, 500))
+    text = words(part)
+    rms = ((part.position - part.predicted_position) ** 2).sum("axis").mean() ** 0.5
+    assert "CLPE rms per cycle" not in text
+    assert f"['CLPE rms, whole run (m)', '{float(rms):.3g}']" in text
+    said = "What is shown is t = 7 to 7 s of the run..*over the 1 samples of the file"
+    assert re.search(f"(?s){said}", words(run.isel(time=[7])))
+
+
+def test_damaged_figures_of_a_run_are_not_believed(found):
+    right = json.loads(found.run.attrs["summary"])
+    for summary in (
+        *({"end": right["end"]}, right | {"clpe_rms": None}),
+        *(right | {"clpe_rms_per_cycle": "0.1"}, right | {"explained_variance": [0.5]}),
+        right | {"max_flow_parameter_error": {"40": float("nan")}},
+    ):
+        assert "samples of the file" in words(
+            found.run.assign_attrs(summary=json.dumps(summary))
+        )
+
+
+def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
+    out, page, folder = tmp_path / "e.zarr", tmp_path / "r.html", tmp_path / "f"
+    clpt.run_ensemble(SHORT, VARY, 6, out=out)
+    found = printed("report", out, "-o", page, "--figures", folder)
+    checked(page.read_text("utf-8"), "6 finished", "=0.2:2.0")
+    assert found["bytes"] == page.stat().st_size
+    names = [str(folder / f"ensemble.{kind}") for kind in ("pdf", "svg")]
+    assert sorted(found["figures"]) == sorted(map(str, folder.iterdir())) == names
+
+
+def test_an_ensemble_that_failed_has_its_page():
+    long = SHORT.with_values({"run.duration": 250})
+    text = words(clpt.run_ensemble(long, "vehicle.position=[[1e200,0],[1e201,0]]", 2))
+    said = (
+        "2 of 2 runs did not come to their end.*2 step too small.*did not finish is 0"
+    )
+    assert re.search(f"(?s){said}", text)
+
+
+@pytest.mark.parametrize("done", [0, 1])
+def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
+    write, left = Store.write, [True] * done
+
+    def stops(self, index, arrays):
+        if not left:
+            raise KeyboardInterrupt
+        left.pop()
+        write(self, index, arrays)
+
+    monkeypatch.setattr(Store, "write", stops)
+    # a process that is killed removes nothing
+    monkeypatch.setattr("clpt_control.ensemble.run.remove_empty", lambda store: None)
+    with pytest.raises(KeyboardInterrupt):
+        clpt.run_ensemble(SHORT, VARY, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
+    said = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")["sentences"]
+    told = f"not complete: {2 * done} of 6 members are done"
+    assert told in said[1]  # where the command ran
+    checked((tmp_path / "e.html").read_text("utf-8"), told)
+
+
+def test_a_team_has_its_page_and_a_replay_that_of_the_watch(tmp_path):
+    page, team = (
+        tmp_path / "t.html",
+        clpt.Team(members={"a": SHORT, "b": SHORT}, coupling=0.5),
+    )
+    clpt.save_run(clpt.simulate(team), tmp_path / "team.nc")
+    assert (
+        clpt.report(tmp_path / "team.nc", page, title="Two")["kind"] == "Run of a team"
+    )
+    checked(page.read_text("utf-8"))
+    made = clpt.report(clpt.replay.replay_dives(fixes_of(4)), page)
+    assert made["sentences"][0].startswith("next surfacing ")
+    assert "glider: next surfacing" in page.read_text("utf-8")
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(
+    run, clpt, tmp_path
+):
+    twice = ("--format", "svg", "--format", "pdf", "--format", "svg")
+    out, again = tmp_path / "replay", tmp_path / "again.html"
+    assert clpt("replay", "--sample", "--out", out, *twice).status == 0
+    drawn = {
+        path.name for path in out.iterdir() if path.suffix in (".svg", ".pdf", ".png")
+    }
+    assert drawn == {
+        f"{n}.{k}" for n in ("map", "clpe", "current") for k in ("svg", "pdf")
+    }
+    assert clpt("report", out / "replay.nc", "-o", again).status == 0
+    assert again.read_bytes() == (out / "replay.html").read_bytes()
+    own = {"figures": tmp_path, "formats": ["gif"]}
+    said = "format 'gif': must be one of png, pdf, svg"
+    says(ClptError, said, report, run, tmp_path / "r.html", **own)
+
+
+NO_SUMMARY = {  # of a replay's NetCDF
+    "deep.nc": ("[" * 10**5, "is a replay's NetCDF without its summary"),
+    "list.nc": ("[1]", "earlier version"),
+    "old.nc": ('{"each_dive": [{"dive": 1}], "next_dive": {}}', "earlier version"),
+    "none.nc": (
+        '{"each_dive": [], "headlines": {}, "next_dive": null}',
+        "without a dive",
+    ),
+    "bad.nc": (
+        '{"each_dive": [{}], "headlines": {}, "next_dive": {}}',
+        "is damaged or of another",
+    ),
+}
+
+
+def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    clpt.save_run(run, "run.nc")
+    whole = Path("run.nc").read_bytes()
+    Path("folder").mkdir()
+    Path("folder/run.nc").write_bytes(whole)
+    for name, (summary, _) in NO_SUMMARY.items():
+        held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
+        xarray.Dataset(held, attrs={"estimator": "gradient"}).to_netcdf(name)
+    half = whole[: len(whole) // 2]
+    no_page = {
+        "empty.nc": b"",
+        "bytes.nc": bytes(range(256)) * 9,
+        "a.toml": b"[run]",
+        "b.nc": half,
+    }
+    for name, content in no_page.items():
+        Path(name).write_bytes(content)
+    for name, said in {
+        **{name: said for name, (_, said) in NO_SUMMARY.items()},
+        **dict.fromkeys(no_page, "cannot be read as NetCDF"),
+        **{"folder": "give ", "nowhere.nc": "no such file"},
+    }.items():
+        refused_for([said], "report", name, "-o", "r.html")
+    for target in ("r.txt", "no/r.html", "folder"):
+        refused_for([], "report", "run.nc", "-o", target)
+
+
+@pytest.mark.filterwarnings("ignore:Glyph")
+def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls():
+    figure, ax = new_figure(2, 1)
+    ax.set_ylabel("lyapunov (\x1b[31m)")
+    drawn = inline_svg(figure, "own", "said")
+    assert "lyapunov (\ufffd[31m)" in drawn
+    ElementTree.fromstring(drawn)

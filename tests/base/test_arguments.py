@@ -1,0 +1,481 @@
+"""Every public name refuses wrong arguments in one sentence, takes what it may, ignores nothing."""
+
+import ast
+import dataclasses
+import inspect
+import math
+import pickle
+import re
+import textwrap
+import tomllib
+from collections.abc import Iterable
+from itertools import product
+from pathlib import Path
+
+import control
+import numpy as np
+import pytest
+import xarray
+from error_sentences import says
+from law_blocks import papers_law
+from responses import response
+from synthetic_vehicle import Made
+from test_documentation import methods, public_objects
+
+import clpt_control as clpt
+from clpt_control.base.arguments import Seed, fits, kinds_of, plain, public
+from clpt_control.paper.blocks.clpe import clpe
+from clpt_control.paper.scenario.team import team_to_text
+
+SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
+LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})
+OF_TEAM = {
+    "coupling": 0.5,
+    "edges": [("a", "b")],
+    "members": {"a": SCENARIO, "b": SCENARIO},
+}
+TEAM = clpt.Team(**OF_TEAM)
+DIVES = clpt.gliders.sample_dives()[:8]
+HOURS = np.datetime64("2020-01-01") + np.arange(720) * np.timedelta64(3600, "s")
+TIDE = 0.1 * np.cos(np.arange(720) * 2 * np.pi / 12.42)
+
+
+def line(t, x, u, p):
+    return u[0]
+
+
+LAG = control.tf([1], [1, 1])
+WRONG = {
+    **{
+        "None": None,
+        "3": 3,
+        "nan": math.nan,
+        "True": True,
+        "text": "mine.toml",
+        "nothing": "",
+    },
+    **{
+        "empty": [],
+        "numbers": [1, 2],
+        "nested": [[1.0], [1.0, 2.0]],
+        "object": object(),
+    },
+    **{
+        "dict": {},
+        "dict of numbers": {"a": 1},
+        "path": Path("no such folder") / "mine.toml",
+    },
+    **{"array": np.zeros((2, 3)), "of one": np.array(2.0), "of text": np.array(["a"])},
+    **{
+        "dataset": xarray.Dataset({"a": ("b", [1.0])}),
+        "response": control.step_response(LAG),
+    },
+    **{
+        "dataarray": xarray.DataArray([1.0], dims="time"),
+        "function": line,
+        "system": LAG,
+    },
+    **{"scenario": SCENARIO, "block": clpe(), "dive": DIVES[0]},
+}
+
+
+def wrong_values():
+    """Return values each of which is wrong nearly everywhere; a generator is read once."""
+    return {**WRONG, "generator": (one for one in [3])}
+
+
+OF_PARTS = {  # what they must be given
+    **dict.fromkeys(["rise", "width", "on", "delay", "dt", "kp"], 1.0),
+    **dict.fromkeys(["std", "period", "mass", "damping"], 1.0),
+    **{"L": [[1.0]], "Q": [[1.0]], "R": [[1.0]], "M": np.eye(3), "D": np.eye(3)},
+    **{"low": -1.0, "high": 1.0, "off": -1.0, "at": [0.0, 1.0], "values": [0.0, 2.0]},
+    **{"places": [(0.0, 1.0)], "angles": [0.0]},
+}
+LINEAR = {"system": control.ss(-1, 1, 1, 0)}
+TO = {"end": (9e3, 40.01, -70.0), "through_water": (1000.0, 0.0)}
+
+# what a function of the user's own raises is its own error
+CALLED = ("progress", "inputs")
+LONG = """animate audit design_track disturbance_counterexample excitation_plot export_fmu
+fit_parameters prove refute report run_ensemble sensitivity tune_law"""
+LISTS = ("conformance",)  # a sentence for each failure
+OF_THE_ENGINE = {  # called at each step, and checked by no one
+    "Block": ("values", "parameters_at", "interval_at", "with_params"),
+    "FixModel": ("regressor", "noise", "rotation"),
+    "NativeDiagram": ("callee", "lanes", "parameters", "with_parameters", "in_form"),
+    "Sampled": ("samples_at", "values"),
+    "Diagram": ("linearize",),  # it is python-control's
+    "Replay": ("surfacing", "start", "imagine", "feed"),
+}
+# which nobody makes by hand
+RESULTS = ("Verdict", "ConformanceReport", "FlowEstimate", "Diagram")
+
+
+def public_callables():
+    for name, value in public_objects():
+        if inspect.isclass(value):
+            unchecked = OF_THE_ENGINE.get(value.__name__, ())
+            for own, method in methods(value):
+                if inspect.isfunction(method) and own not in unchecked:
+                    yield pytest.param(method, id=method.__qualname__)
+            if issubclass(value, Exception) or value.__name__ in RESULTS:
+                continue
+        if inspect.signature(value).parameters:
+            yield pytest.param(value, id=name)
+
+
+@pytest.fixture(scope="module")
+def right(tmp_path_factory):
+    """Arguments that are allowed: by their name, and by function where the name is not enough."""
+    folder = tmp_path_factory.mktemp("right")
+    loop = clpt.closed_loop(SCENARIO, external=["zc"])
+    replay, run = clpt.replay.replay_dives(DIVES), clpt.simulate(SCENARIO)
+    clpt.save_run(run, folder / "run.nc")
+    clpt.save_scenario(SCENARIO, folder / "s.toml")
+    (folder / "team.toml").write_text(team_to_text(TEAM))
+    clpt.gliders.write_dive_table(DIVES, folder / "sample.csv")
+    currents = clpt.currents.sample_currents()
+    fit = clpt.currents.fit_scenario(currents, (40.9, 41.55, -69.9, -69.0))
+    shoals = clpt.currents.save_fit(fit, folder / "shoals.toml")
+    dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
+    tides = {
+        "time": HOURS,
+        "u": TIDE,
+        "v": TIDE,
+        "latitude": 40.0,
+        "constituents": ["M2"],
+    }
+    found = clpt.currents.fit_tides(**tides)
+    basis, _ = clpt.estimation.dive_basis(DIVES)
+    both, ensemble = (
+        np.zeros((2, 2)),
+        clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2),
+    )
+    named = {
+        **{
+            "scenario": SCENARIO,
+            "run": run,
+            "team": TEAM,
+            "diagram": loop,
+            "block": clpe(),
+        },
+        **{
+            "replay": replay,
+            "dives": DIVES,
+            "dive": DIVES[0],
+            "fit": found,
+            "source": SCENARIO,
+        },
+        **{"window": 20.0, "start": 0.0, "path": folder / "s.toml", "folder": folder},
+        **{
+            "flow_model": Made(lambda *_: (0.0, 0.0)),
+            "law_block": papers_law(),
+            "samples": 4,
+        },
+        **{"constituents": ["M2"], "names": ["M2"], "where": "here", "hours": 720.0},
+        **{"system": loop, "runs": {"a": run}, "data": ensemble, "lag": 0.1},
+    }
+    own = {
+        "connect": {"blocks": [clpe()], "external": ["x", "z"]},
+        "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
+        **{"lookup": {"table": [1.0, 2.0], "index": 1.0}, "fit_tides": tides},
+        **{"predict": {"time": HOURS[:3]}, "tidal_basis": {"epoch": HOURS[0]}},
+        **{
+            "percentiles": {"name": "clpe_rms"},
+            "flow_estimate": {"data": run, "every": 5.0},
+        },
+        "known_flow_scenario": {"theta": np.zeros((2, 3))},
+        "make_estimator": {"name": "gradient", "model": clpt.estimation.FixModel()},
+        "make_dive": {"number": 1, "start": (0.0, 40.0, -70.0), **TO},
+        **{
+            "aims": {"targets": [(40.0, -70.0)], "start": None},
+            "period": {"constituent": "M2"},
+        },
+        "claims": {"summary": clpt.simulation.run_and_report(LAP)[2]},
+        "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
+        "sample_times": {"duration": 1.0, "step": 0.5},
+        "team_plot": {"run": clpt.simulate(TEAM, [0.0, 1.0])},
+        "error_matrices": {
+            "phi": np.zeros((2, 3)),
+            "z": both,
+            "zc": both,
+            "KD": [1, 1],
+            "gain": 1,
+        },
+        "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
+        "state_at": {"t": 0.0},
+        **{name: {"path": folder / "run.nc"} for name in ("load_run", "load_diagram")},
+        **{name: {"path": currents} for name in ("read_currents", "fit_scenario")},
+        "read_flow_model": {"path": currents},
+        "read_record": {"path": currents, "at": (41.2, -69.5)},
+        "save_fit": {"fit": fit, "out": folder / "fit.toml"},
+        "load_team": {"path": folder / "team.toml"},
+        "read_dives": {"paths": [folder / "sample.csv"]},
+        "write_dive_table": {"path": folder / "dives.csv"},
+        "refute": {"law": "sigma"},
+        "design_plot": {"design": clpt.theory.design_track(SCENARIO)},
+        "animate": {"path": folder / "film.gif"},
+        "report": {"path": folder / "page.html"},
+        "run_ensemble": {"system": SCENARIO, "vary": "learning.gain=0.5:1"},
+        "run_and_report": {"system": SCENARIO},
+        "fit_parameters": {"data": run, "parameters": {"adaptation.gain": 1.0}},
+        "sensitivity": {"timepts": [0.0, 1.0]},
+        "linearize": {"x": np.ones(14)},
+        "explained_variance": {
+            "scenario": shoals,
+            "run": clpt.simulate(shoals),
+            "window": None,
+        },
+        "export_fmu": {"path": folder / "loop.fmu"},
+        "export_c": {"path": folder / "loop.c"},
+        **{
+            "save_run": {"path": folder / "other.nc"},
+            "draw": {"path": folder / "loop.svg"},
+        },
+        "save_scenario": {"path": folder / "other.toml"},
+        "Block": {"name": "b", "output": line, "inputs": {"u": 1}, "outputs": {"y": 1}},
+        "Block.breakpoints": {"self": clpe(), "t0": 0.0, "t1": 1.0},
+        "Block.with_values": {"self": clpe(), "changes": {}},
+        "Equations.derivative": {"self": clpt.equations(loop), "expression": "gain"},
+        "Guard.message": {
+            "self": clpt.equations.Guard(line, "stop", lambda t, u, p: "")
+        }
+        | {"t": 0.0, "u": [1.0]},
+        "Sampled": {"inner": clpe(), "period": 1.0},
+        "Guard": {"distance": line, "policy": "stop", "sentence": line},
+        "FlowEstimate.miss": {
+            "self": clpt.estimation.flow_estimate(DIVES, basis=basis)
+        },
+        **{
+            "Replay.forecast": {"self": replay},
+            "observer": LINEAR,
+            "kalman_filter": LINEAR,
+        },
+        "Replay.step": {"self": clpt.replay.replay_dives(DIVES[:3]), "dive": DIVES[5]},
+        "Scenario": tomllib.loads((folder / "s.toml").read_text()),
+        "Scenario.basis_block": {"self": SCENARIO},
+        "Scenario.with_values": {"self": SCENARIO, "values": {}},
+        **{"Team": OF_TEAM, "Team.neighbours": {"self": TEAM, "name": "a"}},
+        "Dive": dict(
+            zip(dive, [1, 0.0, 40.0, -70.0, 9e3, 40.0, -70.0, *[0.0] * 4], strict=True)
+        ),
+    }
+    return named, own
+
+
+@pytest.mark.parametrize("function", list(public_callables()))
+@pytest.mark.filterwarnings(
+    "ignore:initial_state is too short"
+)  # as python-control says it
+def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # "mine.toml" is a good name of a file to write
+    named, own = right
+    every = inspect.signature(function).parameters.items()
+    parameters = {name: one for name, one in every if one.kind is not one.VAR_KEYWORD}
+    needed = [
+        n for n, one in parameters.items() if n in named or one.default is one.empty
+    ]
+    given = {name: named.get(name, OF_PARTS.get(name)) for name in needed}
+    given |= own.get(function.__qualname__, {})
+    if function.__name__ not in LONG.split() and [*parameters] != ["self"]:
+        # else a right argument that is refused asks nothing of the others
+        function(**given)
+    for argument in [one for one in parameters if one not in ("self", "optional")]:
+        for label, value in wrong_values().items():
+            if callable(value) and argument in CALLED:
+                continue
+            if function.__name__ in LONG.split():
+                kinds = kinds_of(
+                    function.__annotations__[argument], function.__globals__
+                )
+                if fits(plain(wrong_values()[label], kinds), kinds):
+                    continue
+            try:
+                function(**{**given, argument: value})
+            except Exception as error:
+                lines = str(error).count("\n") if function.__name__ not in LISTS else 0
+                if not isinstance(error, clpt.ClptError) or lines:
+                    raise AssertionError(f"{argument} = {label}: {error!r}") from error
+
+
+# --- what is said --------------------------------------------------------------------------------
+
+
+SAID = {  # call -> the sentence
+    lambda: clpt.simulate("mine.toml"): (
+        "simulate: system = 'mine.toml': must be a Scenario, a Team or a diagram; "
+        "clpt.load_scenario('mine.toml') reads a scenario's file"
+    ),
+    lambda: clpt.Block("b", output=line, inputs=["u"], outputs={"y": 1}): (
+        "Block: inputs = ['u']: must be Mapping[str, int | str | tuple[int | str, ...]] or "
+        "None, such as {'e': 2}"
+    ),
+    lambda: clpt.simulate(SCENARIO, rtol=math.nan): (
+        "simulate: rtol = nan: must be a number or None"
+    ),
+    lambda: clpt.ensemble.tune_law(SCENARIO, laws="sigma"): (
+        "tune_law: laws = 'sigma': must be Iterable[str]; give a list: ['sigma']"
+    ),
+}
+
+
+@pytest.mark.parametrize("call", SAID)
+def test_the_sentence_says_what_to_try(call):
+    says(clpt.ArgumentError, f"^{re.escape(SAID[call])}$", call)
+    assert issubclass(clpt.ArgumentError, TypeError)
+
+
+# --- the mechanism -------------------------------------------------------------------------------
+
+
+@public
+def example(
+    number: float, whole: int = 1, *, names: Iterable[str] = (), values: np.ndarray | None = None,
+    pair: tuple[float, float] = (0.0, 0.0), run: "xarray.Dataset | None" = None, seed: Seed = 0,
+) -> tuple:  # fmt: skip
+    return number, whole, names, values, pair, run, seed
+
+
+@pytest.mark.parametrize(
+    "number", [1, 1.5, np.float32(2), np.int8(3), np.array(4.0), math.inf]
+)
+def test_numbers_of_all_kinds_are_numbers(number):
+    assert example(number)[0] == number
+    assert np.ndim(example(xarray.DataArray(2.5))[0]) == 0
+
+
+def test_what_can_be_made_plain_is():
+    found = example(
+        1, names=(name for name in "ab"), values=[[1, 2], [3, 4]], pair=[1, 2]
+    )
+    assert (found[2], found[3].shape, found[4]) == (["a", "b"], (2, 2), (1, 2))
+
+
+def test_python_itself_says_what_lacks_or_is_too_much():
+    for given, more in (((), {}), ((1, 2, 3), {}), ((1,), {"nothing": 3})):
+        with pytest.raises(TypeError, match="argument") as caught:
+            example(*given, **more)
+        assert not isinstance(caught.value, clpt.ClptError)
+
+
+def test_a_public_function_stays_itself():
+    assert str(inspect.signature(clpt.simulation.sample_times)).startswith(
+        "(duration: float"
+    )
+    assert pickle.loads(pickle.dumps(clpt.simulate)) is clpt.simulate
+    assert inspect.getsource(clpt.simulate).count("def simulate") == 1
+    # doctest asks
+    assert clpt.simulate.__globals__ is clpt.simulate.__wrapped__.__globals__
+
+
+def test_what_a_function_raises_itself_is_left_alone():
+    @public
+    def broken(number: float) -> None:
+        raise KeyError("its own")
+
+    with pytest.raises(KeyError, match="its own"):
+        broken(1.0)
+
+
+# --- no argument is ignored ----------------------------------------------------------------------
+
+SHORT = clpt.paper_scenario().with_values({"run.duration": 2})
+LOOP, STEERED = clpt.closed_loop(SHORT), clpt.closed_loop(SHORT, external="zc")
+ENGINES = ("native", "python")
+
+
+def public_functions():
+    for name, value in public_objects():
+        found = {name: value}
+        if inspect.isclass(value):
+            bases = {inner for base in value.__bases__ for inner in dir(base)}
+            found = {
+                f"{name}.{n}": method for n, method in methods(value) if n not in bases
+            }
+            if not dataclasses.is_dataclass(value):
+                found[name] = vars(value).get("__init__")
+        yield from (
+            pytest.param(one, id=n)
+            for n, one in found.items()
+            if inspect.isfunction(one)
+        )
+
+
+@pytest.mark.parametrize("function", list(public_functions()))
+def test_every_argument_is_used(function):
+    (made,) = ast.parse(textwrap.dedent(inspect.getsource(function))).body
+    names = (
+        node
+        for line in made.body
+        for node in ast.walk(line)
+        if isinstance(node, ast.Name)
+    )
+    used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
+    assert set(inspect.signature(function).parameters) - {"self", "cls"} <= used
+
+
+NAN, INF = float("nan"), float("inf")
+OF_RUNS = {
+    "timepts": ([1.0, 0.0], [1.0], [0.0, 0.0], [0.0, NAN], [0.0, INF]),
+    "initial_state": ("rest", [1.0] * 15, np.full(14, 1j)),
+    "inputs": (
+        np.full((2, 2), 1j),
+        [[1.0, 2.0]],
+        [[1.0], [1.0, 2.0, 3.0]],
+        lambda t: [t],
+    ),
+    "rtol": (-1.0, NAN),
+    "atol": (-1.0, NAN),
+    "max_step": (0.0,),
+    "first_step": (-1.0, NAN),
+    "method": ("RK45",),
+    "params": ([1.0], {"adaptation.gan": 1.0}),
+}
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("name", OF_RUNS)
+def test_engines_refuse_the_same_by_its_name(name, engine):
+    systems = ((SHORT, None), (LOOP, [0.0, 2.0]), (STEERED, [0.0, 2.0]))
+    for wrong, (system, times) in product(OF_RUNS[name], systems):
+        given = {"timepts": times, name: wrong, "engine": engine}
+        says(clpt.ClptError, f"{name}|unknown param", clpt.simulate, system, **given)
+
+
+def test_there_is_no_other_engine():
+    values = [one.values[0] for one in public_functions()]
+    assert {f for f in values if "engine" in inspect.signature(f).parameters} == {
+        clpt.simulate
+    }
+    said = "must be one of native, python"
+    says(clpt.ClptError, said, clpt.simulate, LOOP, [0.0, 2.0], engine="fast")
+
+
+def test_a_tolerance_of_nothing_is_not_the_default():
+    """One of the two may be 0, and is taken as given; both are refused."""
+    start = clpt.initial_state(SHORT)
+    ran = [
+        response(LOOP, [0.0, 2.0], initial_state=start, atol=a).states
+        for a in (0.1, 1.0)
+    ]
+    assert abs(ran[0] - ran[1]).max() > 0
+    said = "one of them must be above 0"
+    says(clpt.ClptError, said, clpt.simulate, LOOP, [0.0, 2.0], rtol=0.0, atol=0.0)
+
+
+def test_an_unknown_keyword_is_refused_where_keywords_are_handed_on():
+    given = 1, (0.0,) * 3, (0.0,) * 3, (0.0, 0.0)
+    says(
+        TypeError,
+        "unexpected keyword",
+        clpt.gliders.make_dive,
+        *given,
+        unknown_keyword=1,
+    )
+
+
+def test_help_shows_signatures_that_can_be_read():
+    shown = [
+        str(inspect.signature(getattr(clpt.parts, name))) for name in clpt.parts.__all__
+    ]
+    assert [one for one in shown if "_typing" in one] == []

@@ -1,0 +1,80 @@
+"""How far work has come: a rate and the time left, on standard error."""
+
+import io
+import os
+import sys
+from itertools import count
+from types import SimpleNamespace
+
+import pytest
+from subprocesses import ran
+
+from clpt_control.base import progress
+
+
+@pytest.fixture
+def ticking(monkeypatch):
+    """A clock that moves by a second whenever it is asked, and no patience."""
+    ticks = count(0.0, 1.0)
+    monkeypatch.setattr(progress, "time", SimpleNamespace(monotonic=ticks.__next__))
+    monkeypatch.setattr(progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(progress, "LOG_EVERY", 0.0)
+
+
+THERE = (
+    "clpt: running: 90 of 100 members were there already",
+    "running: 90 of 100 members",
+)
+SAID = [
+    ("members", (0, 50), ["running: 50 of 100 members, 25 a second, 0:02 left"]),
+    ("", (0, 50), ["running: 50 %, 0:02 left"]),
+    # what was done before is no rate
+    (
+        "members",
+        (90, 92),
+        [*THERE, "running: 92 of 100 members, 1 a second, 0:08 left"],
+    ),
+]
+
+
+@pytest.mark.parametrize(("counted", "done", "said"), SAID)
+def test_lines_say_rate_and_time_left(ticking, capsys, counted, done, said):
+    with progress.progress_bar("running", 100, counted) as report:
+        for count in done:
+            report(count)
+    assert capsys.readouterr().err.splitlines()[-len(said) :] == said
+    assert progress.clock(7265) == "2:01:05"
+
+
+def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):
+    monkeypatch.setattr("sys.stderr", screen := io.StringIO())
+    screen.isatty = lambda: True
+    with progress.progress_bar("running [red]{x}.toml", 4.0) as report:
+        report(0)
+        report(1)
+    assert "running [red]{x}.toml" in screen.getvalue()
+
+
+UNGUARDED = """
+import os
+from clpt_control.base.progress.processes import processes
+
+print("once", flush=True)
+with processes(1) as pool:
+    print(pool.submit(abs, -1).result(), flush=True)
+    {then}
+"""
+SEMAPHORES = pytest.mark.skipif(
+    os.name != "posix", reason="tidied by another process there"
+)
+ENDS = [("pass", 0), pytest.param("os._exit(130)", 130, marks=SEMAPHORES)]
+
+
+@pytest.mark.parametrize(("then", "status"), ENDS)
+def test_a_script_needs_no_guard_and_one_that_ends_at_work_says_nothing(
+    tmp_path, then, status
+):
+    """Nothing of semaphores."""
+    (tmp_path / "unguarded.py").write_text(UNGUARDED.format(then=then))
+    done = ran(sys.executable, "unguarded.py", status=status, cwd=tmp_path)
+    assert (done.stdout, done.stderr) == ("once\n1\n", "")

@@ -1,0 +1,275 @@
+"""What of a diagram may vary, and how: distributions, names, units, and each mistake."""
+
+import control
+import numpy as np
+import pytest
+import xarray
+from adaptive_loop import mrac
+from sampled_runs import TIMES, assert_identical, lag, springs, system, two_shapes
+from scipy import stats
+
+import clpt_control as clpt
+from clpt_control.errors import ClptError
+
+PAPER = clpt.paper_scenario().with_values({"run.duration": 4.0})
+
+
+def test_distributions_are_those_of_scipy():
+    frozen = stats.gamma(2.0, scale=0.5)
+    data = clpt.run_ensemble(lag(), {"tau": frozen}, 400, timepts=TIMES[:2])
+    assert stats.kstest(data.tau.values, frozen.cdf).pvalue > 0.9  # a Latin hypercube
+    assert np.atleast_1d(data.attrs["vary"]).tolist() == ["tau~gamma(2.0, scale=0.5)"]
+
+
+def test_a_dict_says_the_same_of_a_scenario():
+    texts = ["learning.gain=0.2:2.0", "flow.parameters~normal:0.1"]
+    asked = {"learning.gain": "0.2:2.0", "flow.parameters": "~normal:0.1"}
+    one, other = (clpt.run_ensemble(PAPER, vary, 4, seed=1) for vary in (texts, asked))
+    assert_identical(one, other)
+    vary = {"learning.gain": [0.4, 0.8], "vehicle.max_speed": stats.uniform(2, 1)}
+    limited = PAPER.with_values({"vehicle.max_speed": 3.0})
+    assert clpt.run_ensemble(limited, vary, 4)["vehicle.max_speed"].values.min() >= 2
+    vary = {"learning.gain": np.array([0.4, 0.8]), "reference.dwell": [5.0, 10.0, 20.0]}
+    grid = clpt.run_ensemble(PAPER, vary)
+    assert dict(grid.unstack().clpe_rms_whole.sizes) == {
+        "learning.gain": 2,
+        "reference.dwell": 3,
+    }
+
+
+def called(name):
+    """A system with a parameter of a name."""
+    rate = lambda t, x, u, p: -p[name] * x  # noqa: E731
+    return system(rate, outputs=["y[0]", "y[1]"], states=["x", "w"], params={name: 1.0})
+
+
+NO_TIMES = np.array(["2020-01-01", "2020-01-02"], "datetime64[ns]")
+MISTAKES = [  # a diagram, what varies, what else is given, the sentence
+    (
+        lag(),
+        {"tua": [1]},
+        {},
+        "tua cannot vary; did you mean tau\\? May vary: tau, lag.tau, x",
+    ),
+    (lag(), {"lag.tua": [1]}, {}, r"lag\.tua cannot vary; did you mean lag\.tau\?"),
+    (lag(), {"tau[0]": [1.0]}, {}, r"tau\[0\] is no element of tau"),
+    (
+        lag(),
+        {"tau": 2.0},
+        {},
+        "tau = 2.0: must be a list of values, a range '0.2:2.0', or a dis",
+    ),
+    (lag(), {"tau": []}, {}, "must be a list of values"),
+    (lag(), {"tau": [[1.0, 2.0]]}, {}, "each value must be a number"),
+    (lag(), {"tau": [np.inf]}, {}, r"tau = \[Infinity\]: each value must be a number"),
+    (
+        lag(),
+        {"tau": stats.uniform(0.5, 1)},
+        {},
+        "members: is required where values are drawn",
+    ),
+    (lag(), {"tau": stats.norm([0, 1], 1)}, {"members": 3}, "must be a list of values"),
+    (lag(), {"tau": [1.0, 2.0]}, {"members": 3}, "this grid must have 2 members"),
+    (
+        lag(),
+        {"tau": [1]},
+        {"timepts": None},
+        "timepts: is required to run a diagram many times",
+    ),
+    (
+        lag(),
+        {"tau": [1]},
+        {"timepts": [0.0]},
+        "timepts: must be at least two increasing times",
+    ),
+    (
+        lag(),
+        {"tau": [1]},
+        {"timepts": NO_TIMES},
+        r"timepts = .*: must be Sequence.float., an ar",
+    ),
+    (
+        lag(),
+        {"tau": [1]},
+        {"times": [1.0]},
+        "times: is for a scenario; a diagram has timepts; le",
+    ),
+    (
+        lag(),
+        {"tau": [1]},
+        {"method": "euler"},
+        "method = 'euler': must be one of auto, dop853",
+    ),
+    (lag(), {"tau": [1]}, {"rtol": -1.0}, "rtol = -1.0: must be a number, 0 or more"),
+    (lag(), {"tau": [1]}, {"params": {"tua": 1.0}}, "unknown parameter 'tua'"),
+    (
+        lag(),
+        {"tau": [1]},
+        {"initial_state": [1.0, 2.0]},
+        "initial_state: must have 1 numbers",
+    ),
+    (
+        springs(),
+        {"one.K": [[1, 2]], "one.K[0]": [1]},
+        {},
+        r"one\.K\[0\] and one\.K are one num",
+    ),
+    (springs(), {"one.turns": [1.0]}, {}, r"one\.turns cannot vary; may vary: one\.K"),
+    (springs(), {"one.K[2]": [1.0]}, {}, r"one\.K\[2\] is no element of one\.K"),
+    (springs(), {"one.K[-1]": [1.0]}, {}, r"one\.K\[-1\] is no element of one\.K"),
+    (mrac(), {"a": [1], "plant.a": [1]}, {}, r"plant\.a and a are one number"),
+    (PAPER, {"learning.gain": [1.0]}, {}, "timepts: is for a diagram, with timepts; l"),
+    (
+        two_shapes([1, 2]),
+        {"K": [1, 2]},
+        {},
+        r"K = \[1.*\]: each value must be an array of shape",
+    ),
+    (
+        called("x"),
+        {"x": [1.0]},
+        {},
+        "x is more than one of a parameter, an initial state and",
+    ),
+    (called("member"), {"member": [1.0]}, {}, "member is twice a name of the result"),
+    (
+        called("y_final"),
+        {"y_final": [1.0]},
+        {},
+        "y_final is twice a name of the result",
+    ),
+    (
+        called("y_index"),
+        {"y_index": [1.0]},
+        {},
+        "y_index is twice a name of the result",
+    ),
+]
+
+
+@pytest.mark.parametrize(("made", "vary", "more", "sentence"), MISTAKES)
+def test_mistakes_are_one_sentence(tmp_path, made, vary, more, sentence):
+    with pytest.raises(ClptError, match=rf"\A.*{sentence}.*\Z"):
+        clpt.run_ensemble(
+            made, vary, **{"timepts": TIMES, "out": tmp_path / "e.zarr", **more}
+        )
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("label", ["\\", "a\\b", "[0]"])
+def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
+    block = system(lambda t, x, u, p: -x, states=[label], outputs=[label], inputs=["u"])
+    for out in (None, tmp_path / "e.zarr"):
+        with pytest.raises(
+            clpt.DataError, match=r"Zarr has no name .* call that signal otherwise"
+        ):
+            clpt.run_ensemble(
+                block, {"u": [1.0, 2.0]}, timepts=TIMES, out=out, trajectories=True
+            )
+        assert not list(tmp_path.iterdir())
+
+
+def test_an_output_named_as_a_summary_of_another_is_refused():
+    ports = {
+        "inputs": 0,
+        "states": 1,
+        "outputs": ["y", "y_final"],
+        "params": {"k": 1.0},
+    }
+    functions = (lambda t, x, u, p: -p["k"] * x, lambda t, x, u, p: [x[0], 7.0])
+    two, given = (
+        control.nlsys(*functions, **ports),
+        {"timepts": TIMES, "initial_state": 1.0},
+    )
+    with pytest.raises(ClptError, match="y_final is twice a name of the result"):
+        clpt.run_ensemble(two, {"k": [1.0]}, trajectories=True, **given)
+    assert clpt.run_ensemble(two, {"k": [1.0]}, **given).y_final_final.values == 7.0
+
+
+def test_states_and_inputs_bring_their_units():
+    ports = {"inputs": {"v": 1}, "states": {"s": 1, "w": 2}}
+    ports["units"] = {"v": "m/s", "s": "m", "w": "kg"}
+    sail = clpt.Block(
+        "sail", update=lambda t, x, u, p: {"s": u.v - x.s, "w": -x.w}, **ports
+    )
+    loop = clpt.connect([sail], external="v", name="sailing")
+    vary = {"v": [1.0, 2.0], "sail_s[0]": [0.0, 1.0], "sail_w[0]": [0.0]}
+    data = clpt.run_ensemble(loop, vary, timepts=TIMES)
+    units = {"v": "m/s", "sail_s[0]": "m", "sail_w[0]": "kg", "s_rms": "m"}
+    assert {name: data[name].attrs["units"] for name in units} == units
+    axes = data.unstack().s_rms[..., 0].plot.contourf().axes
+    assert axes.get_xlabel() == "sail_s[0] [m]"
+
+
+def test_values_that_vary_have_the_units_of_their_keys():
+    words = [
+        "flow.parameters~normal:0.1",
+        "vehicle.feedback=0.5:2",
+        "reference.dwell=[19, 20]",
+    ]
+    words += ["learning.position~normal:1", "learning.gain=1:2"]
+    data = clpt.run_ensemble(PAPER.with_values({"units.length": "km"}), words, 2)
+    units = {
+        "flow.parameters": "km s-1",
+        "learning.position": "km",
+        "reference.dwell": "s",
+    }
+    units |= {"vehicle.feedback": "s-1"}
+    units["learning.gain"] = (
+        None  # 1/s2 for alpha, less a length squared for K and Gamma
+    )
+    assert {
+        key: data[key].attrs.get("units") for key in data.coords if "." in key
+    } == units
+
+
+def test_an_ensemble_says_what_it_is_and_is_written_as_netcdf(tmp_path):
+    drawn = clpt.run_ensemble(lag(), {"tau": "1:2"}, 3, timepts=TIMES)
+    grid = clpt.run_ensemble(lag(), {"tau": [1.0, 2.0]}, timepts=TIMES).reset_index(
+        "member"
+    )
+    for data in (drawn, grid):
+        data.to_netcdf(tmp_path / "many.nc")
+        with xarray.open_dataset(tmp_path / "many.nc") as read:
+            xarray.testing.assert_equal(read, data)
+        assert data.clpt.kind == "ensemble"
+        assert repr(data.clpt) == "<clpt of a dataset: ensemble Ensemble of lag>"
+        for ask in (data.clpt.plot, lambda data=data: clpt.report(data, "page.html")):
+            with pytest.raises(
+                ClptError, match=r"is an ensemble of a diagram.*plot\.contourf"
+            ):
+                ask()
+
+
+def test_a_state_whose_label_is_a_word_of_the_function_varies():
+    def rate(t, x, u, p):
+        own = dict(zip(("s", "i"), x, strict=True))
+        return [-own["s"] * own["i"], own["s"] * own["i"] - p.get("k", 0.3) * own["i"]]
+
+    spread = system(rate, states=["s", "i"], outputs=["s", "i"])
+    given = {"timepts": TIMES, "initial_state": [0.5, 0.1], "trajectories": True}
+    found = clpt.run_ensemble(spread, {"s": [0.8, 0.9]}, **given)
+    assert found.s_.values[:, 0].tolist() == [0.8, 0.9]
+    assert found.s_final.equals(found.s_[:, -1].drop_vars("time"))
+    one = clpt.simulate(spread, TIMES, initial_state=[0.9, 0.1])
+    np.testing.assert_allclose(found.i_final.values[-1], one.i.values[-1], rtol=1e-7)
+
+
+def test_an_interrupt_waits_for_one_member_that_python_runs():
+    begun = set()
+
+    def rate(t, x, u, p):
+        begun.add(p["k"])
+        return [-p["k"] * float(str(x[0]))]
+
+    def stop(done):
+        if done:
+            raise KeyboardInterrupt
+
+    given = {"timepts": TIMES, "threads": 1, "progress": stop}
+    with (
+        pytest.warns(UserWarning, match="runs in Python"),
+        pytest.raises(KeyboardInterrupt),
+    ):
+        clpt.run_ensemble(system(rate, params={"k": 2.0}), "k=1:2", 200, **given)
+    assert len(begun) < 20  # those that are tried before, and one or two

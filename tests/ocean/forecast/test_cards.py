@@ -1,0 +1,274 @@
+"""The page of a replay as a pilot reads it: cards, an overdue vehicle, plain words, a legend."""
+
+import json
+import re
+import time
+from dataclasses import replace
+
+import pytest
+from html_parser import Reader
+from synthetic_vehicle import along, chained, fixes_of, one_file_each, told
+
+from clpt_control.base.units import seconds_since_1970
+from clpt_control.gliders import sample_dives, write_dive_table
+from clpt_control.ocean.forecast.cards import cards, made_good
+from clpt_control.ocean.forecast.fleet import fleet_page, ordered, standing
+from clpt_control.ocean.forecast.replay_page import replay_page
+from clpt_control.ocean.forecast.track_map import map_svg
+from clpt_control.ocean.forecast.wording import aim_sentence, next_surfacing, wide
+from clpt_control.replay import replay_dives
+
+HOUR = 3600.0
+DAY = 24 * HOUR
+
+
+def recent(count, hours, **more):
+    """Dives of which the last one ended some hours ago."""
+    dives = fixes_of(count)
+    late = time.time() - hours * HOUR - dives[-1].t_gpse
+    return [
+        replace(dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late, **more)
+        for dive in dives
+    ]
+
+
+def shown(page):
+    """The text of a page, with the texts that a script or a pointer shows."""
+    read = Reader(re.sub("</?span[^>]*>", "", page))
+    names = ("title", "aria-label", "data-words")
+    hidden = [
+        value for _, tag in read.tags for name, value in tag.items() if name in names
+    ]
+    return " ".join(" ".join([*read.texts, *hidden]).split())
+
+
+def card_of(found, title):
+    """The texts of a card: title, value, what is below."""
+    made = [Reader(one) for one in cards(found)]
+    (card,) = (one for one in made if one.texts[0].startswith(title))
+    return " ".join("".join(card.texts[1:]).split()), card.tags[0][1]
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_vehicle_that_is_overdue_is_so_on_its_own_page():
+    late = told(recent(8, 9.0))
+    text, section = card_of(late, "Overdue: next surfacing")
+    assert re.search(r"expected \d\.\d h ago$", text)
+    assert section["class"] == "card first alarm"
+    page = shown(replay_page(late))
+    assert re.search(
+        r"Computed \d{4}-\d\d-\d\d \d\d:\d\d UTC, hours count from then\.", page
+    )
+    assert "overdue, expected" in next_surfacing(late["next_dive"])
+
+
+def test_the_script_knows_when_a_vehicle_becomes_overdue():
+    found = told(recent(8, 1.0))
+    ahead, last = found["next_dive"], found["each_dive"][-1]
+    text, section = card_of(found, "Next surfacing")
+    assert text.endswith(f"in {ahead['hours_from_now']:.1f} h")
+    assert section["class"] == "card first"
+    due = seconds_since_1970(ahead["time"])
+    assert section["data-time"] == ahead["time"]
+    overdue, until = (
+        seconds_since_1970(section[f"data-{one}"]) for one in ("overdue", "until")
+    )
+    assert overdue == pytest.approx(due + ahead["time_90"], abs=1)
+    assert until == pytest.approx(last["end_time"] + 30 * DAY, abs=1)
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_an_old_record_is_never_overdue():
+    found = told(fixes_of(8))
+    text, section = card_of(found, "Next surfacing")
+    assert text.endswith("h from the end of the last dive")
+    assert [name for name in section if name.startswith("data-")] == []
+    page = replay_page(found)
+    assert "An old record: hours count from the end of its last dive" in shown(page)
+    assert "data-since=" not in page
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_fleet_counts_on():
+    late, soon = told(recent(6, 9.0)), told(recent(6, 1.0))
+    rows = [standing(one, "a.html", time.time()) for one in (late, soon)]
+    page = fleet_page({"now": "2026-11-26T03:00:00Z", "vehicles": ordered(rows)})
+    marks = [
+        tag for name, tag in Reader(page).tags if name == "tr" and "data-end" in tag
+    ]
+    assert [tag["data-end"] for tag in marks] == [row["time"] for row in ordered(rows)]
+    assert marks[1]["data-words"].startswith(
+        "overdue after dive 6: should have surfaced at"
+    )
+    # the script finds its cells by these titles
+    titles = [name for name in Reader(page).texts if name in ("age", "pilot")]
+    assert titles == ["age", "pilot"]
+    assert "2 vehicles, 1 needs a pilot" in shown(page)
+
+
+def test_speed_and_distance_made_good_are_those_of_the_last_day():
+    ways = [(along(90.0, 3000.0), along(90.0, 4000.0), 5 * HOUR)] * 12
+    found = told(chained(ways, stay=HOUR))
+    way = made_good(found["each_dive"])
+    # of dives of six hours, with the time at the surface but for the last
+    assert way.seconds == 29 * HOUR
+    assert way.east == pytest.approx(20_000, rel=1e-3)
+    speed = 20_000 / way.seconds
+    text, _ = card_of(found, "Speed made good, last 29 h")
+    assert text.startswith(f"{speed:.2f} m/s, {speed * DAY / 1000:.1f} km per day")
+    assert text.endswith("to 090; fix to fix, dives 7 to 11")
+    few = made_good(found["each_dive"][:1])
+    assert (few.seconds, round(few.east)) == (5 * HOUR, 4000)
+
+
+def test_the_last_dive_has_age_and_depth():
+    found = told(recent(4, 9.0, depth_max=987.4))
+    text, section = card_of(found, "Last dive, 4")
+    assert text.startswith("9.0 h ago")
+    assert text.endswith("; 987 m deep")
+    assert section["data-end"] == found["each_dive"][-1]["end"]
+    text, _ = card_of(told(recent(4, 80.0)), "Last dive, 4")
+    assert text.startswith("3 d ago")
+    assert text.endswith("; depth not in its file")
+
+
+def test_distance_to_go_is_that_of_the_plan():
+    found = told(sample_dives(), (-42.8, 8.4))
+    text, _ = card_of(found, "Distance to go")
+    assert text.startswith(f"{found['aim'][0]['distance'] / 1000:.1f} km to 349")
+    assert re.search(r"there in [\d.]+ dives, \d+ h; 12.2 km per day nearer", text)
+    without = "".join(cards(told(sample_dives())))
+    assert "Distance to go" not in without
+
+
+def test_a_waypoint_against_the_current_is_said_on_its_card():
+    found = told(sample_dives(), (-42.8, 8.4))
+    leg = found["aim"][0] | {"state": "cannot be made", "dives": None, "hours": None}
+    text, _ = card_of(found | {"aim": [leg]}, "Aim")
+    assert re.search(
+        r"cannot be made against the current, 0\.\d\d m/s to \d{3}, at", text
+    )
+    assert "there in" not in card_of(found | {"aim": [leg]}, "Distance to go")[0]
+
+
+@pytest.mark.parametrize(
+    ("basis", "plan", "says"),
+    [
+        ("repeated", False, "wide: no plan in the files; give --next or --aim"),
+        (
+            "planned",
+            True,
+            "wide: few dives went along the plan in the files; give --next",
+        ),
+        ("given", False, "wide: longer than the way through the water; more dives"),
+    ],
+)
+def test_a_wide_forecast_says_so_and_what_helps(basis, plan, says):
+    found = told(sample_dives())
+    ahead = found["next_dive"] | {"basis": basis, "plan_in_files": plan}
+    assert ahead["ellipse_90_long"] > 3000
+    assert wide(ahead).startswith(says)
+    assert says in next_surfacing(ahead)
+    assert (
+        says in card_of(found | {"next_dive": ahead}, "Place of the next surfacing")[0]
+    )
+    assert wide(ahead | {"ellipse_90_long": 1000.0}) == ""
+
+
+def test_a_forecast_knows_of_a_plan_in_the_files():
+    dives = sample_dives()
+    assert not replay_dives(dives).surfacing().plan_in_files
+    planned = [*dives[:-1], replace(dives[-1], next_course=77.0)]
+    assert replay_dives(planned).surfacing().as_dict()["plan_in_files"]
+
+
+PLAIN = re.compile(
+    r"\b(headlines?|doubt\w*|habits?|miss|misses|way made good|carried|(come|came|comes) up|"
+    r"ask\w* for)\b",
+    re.IGNORECASE,
+)
+
+
+def wild_fix():
+    """A page with notes on a wild fix."""
+    ways = [
+        (along(77.0 * k, 2500.0), along(77.0 * k, 2600.0), 9000.0) for k in range(9)
+    ]
+    dives = chained(ways, stay=300.0)
+    dives[4] = replace(dives[4], lat_gpse=dives[4].lat_gpse + 0.05)
+    return dives
+
+
+@pytest.mark.parametrize(
+    "dives", [sample_dives(), recent(8, 9.0), wild_fix(), fixes_of(1)]
+)
+def test_the_words_of_a_page_are_plain(dives):
+    found = told(dives, (-42.8, 8.4), (-42.5, 8.4))
+    text = shown(replay_page(found))
+    assert PLAIN.findall(text) == []
+    assert "half axes" in text
+    rows = [standing(found, "page", time.time())]
+    text = shown(fleet_page({"now": "2026-11-26T03:00:00Z", "vehicles": rows}))
+    assert PLAIN.findall(text) == []
+    assert "half axes (m)" in text
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_cards_are_not_repeated_in_prose():
+    found = told(sample_dives(), (-42.8, 8.4), (-42.5, 8.4))
+    page = shown(replay_page(found))
+    first, second = found["aim"]
+    assert next_surfacing(found["next_dive"]) not in page
+    assert page.count(found["next_dive"]["place"]) == 1
+    assert f"{first['distance'] / 1000:.1f} km to 349:" not in page
+    assert aim_sentence(second) in page
+
+
+KEYS = ("track", "drift", "miss", "ring", "next", "target", "made", "outside", "area")
+
+
+def keys_of(found):
+    """The kinds in the legend of the map."""
+    styles = [tag.get("class", "") for _, tag in Reader(replay_page(found)).tags]
+    return {style.removeprefix("key ") for style in styles if style.startswith("key ")}
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_legend_has_what_is_drawn_alone():
+    one, many = told(fixes_of(1)), told(fixes_of(8))
+    for row in many["each_dive"]:
+        row["inside_90"] = True
+    assert keys_of(one) == {"track", "miss", "next"}
+    assert keys_of(many) == {"track", "drift", "miss", "ring", "next"}
+    aimed = many | {"aim": told(fixes_of(8), (40.5, 9.0))["aim"]}
+    assert keys_of(aimed) - keys_of(many) == {"target", "made"}
+    rows = [row | {"inside_90": False} for row in many["each_dive"]]
+    ring = [(40.0, 8.0), (40.1, 8.0), (40.1, 8.1), (40.0, 8.0)]
+    route = {"areas": [{"name": "a", "entered": 0.0, "ring": ring}], "waypoints": []}
+    more = keys_of(many | {"each_dive": rows, "route": route}) - keys_of(many)
+    assert more == {"outside", "area"}
+    assert keys_of(aimed) | more == set(KEYS)
+
+
+@pytest.mark.parametrize(("lat", "lon"), [(12.1, 85.8), (-42.0, -128.3)])
+def test_the_degrees_of_a_telephone_have_room(lat, lon):
+    """Letters of 11 units, each 0.62 of their height, and a tick, left of the chart."""
+    dives = [replace(one, lat_gps2=lat) for one in fixes_of(4, lat, lon)]
+    svg = map_svg(told(dives))
+    left = float(re.search(r'data-box="([\d.]+)', svg)[1])
+    names = re.findall(r">(\d+°[\d.]+'[NS])<", svg)
+    assert names
+    assert left > 11 * 0.62 * max(map(len, names)) + 4
+
+
+def test_a_vehicle_without_a_name_is_called_by_its_file(command, tmp_path):
+    write_dive_table(fixes_of(3), tmp_path / "north 7.csv")
+    found = json.loads(command(tmp_path / "north 7.csv", "--json").stdout)
+    assert found["vehicle"] == "north 7"
+    (tmp_path / "south").mkdir()
+    one_file_each(tmp_path / "south", fixes_of(3))
+    files = sorted((tmp_path / "south").iterdir())
+    for words in ([tmp_path / "south"], files):
+        assert json.loads(command(*words, "--json").stdout)["vehicle"] == "south"
+    named = json.loads(command("--sample", "--json").stdout)
+    assert named["vehicle"] == "SG542"

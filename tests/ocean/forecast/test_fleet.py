@@ -1,0 +1,311 @@
+"""A fleet: one row each, what asks for a pilot first, a command for it, on a folder tree."""
+
+import json
+import os
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from urllib.parse import unquote
+
+import pytest
+from html_parser import Reader
+from subprocesses import CLPT, kill_while_it_writes, ran, started
+from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
+
+from clpt_control.base.geodesy import place_from
+from clpt_control.base.units import seconds_since_1970
+from clpt_control.gliders import make_dive, write_dive_table
+from clpt_control.ocean.forecast import fleet
+from clpt_control.ocean.forecast.fleet import events, standing
+from clpt_control.ocean.forecast.places import utc
+from clpt_control.ocean.gliders.vehicle_names import name_of
+
+HOUR = 3600.0
+TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
+
+
+def recent(count, hours, name=None, seed=1):
+    """Dives of which the last one ended some hours ago."""
+    dives = fixes_of(count, seed=seed)
+    late = time.time() - hours * HOUR - dives[-1].t_gpse
+    return [
+        replace(
+            dive, t_gps2=dive.t_gps2 + late, t_gpse=dive.t_gpse + late, vehicle=name
+        )
+        for dive in dives
+    ]
+
+
+def strayed(dives, last=2):
+    """Dives of which the last ones came up 20 km to the north of where they did, as the sea may."""
+    found = list(dives[:-last])
+    for dive in dives[-last:]:
+        start = found[-1].lat_gpse, found[-1].lon_gpse
+        way = place_from(
+            *start, dive.gps_east, dive.gps_north + (-1) ** len(found) * 20000
+        )
+        fixes = (dive.t_gps2, *start), (dive.t_gpse, *way)
+        found.append(make_dive(dive.number, *fixes, (dive.dr_east, dive.dr_north)))
+    return found
+
+
+def test_what_asks_for_a_pilot():
+    dives = recent(12, 1.0)
+    calm, end = told(dives), dives[-1].t_gpse
+    assert events(calm, end) == []
+    due = seconds_since_1970(calm["next_dive"]["time"]) + calm["next_dive"]["time_90"]
+    assert events(calm, due - 60) == []
+    (event,) = events(calm, due + 60)
+    assert (event.name, event.dive) == ("overdue", 12)
+    assert events(calm, end + 40 * 24 * HOUR) == []  # an old record
+    for last, asks in ((1, []), (2, ["OUT"])):
+        wild = told(strayed(dives, last))
+        assert [row["inside_90"] for row in wild["each_dive"][-last:]] == [False] * last
+        row = standing(wild, "page", end)
+        assert (row["asks"], row["out_running"]) == (asks, last)
+    assert events(wild, end)[0].dive == 11  # the first of those that run: one event
+    slower = told(vehicle(3, 30, fault=24, lost=0.4))
+    (event,) = events(slower, 0.0)
+    *_, anomaly = (row["anomaly"] for row in slower["each_dive"] if row["anomaly"])
+    assert (event.name, event.dive) == ("SPEED", anomaly["dive"])
+    assert events(told(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
+
+
+@pytest.fixture
+def tree(tmp_path, facts, sample):
+    """A vehicle that is well, with a replay's results, one overdue, one OUT, two in one folder."""
+    top = tmp_path / "top"
+    for name, dives in (
+        ("well", recent(6, 1.0)),
+        ("late", recent(6, 30.0, seed=2)),
+        ("a <b> & '#1%3f'", strayed(recent(6, 0.5))),
+        ("station/from-glider", recent(4, 1.0)),
+        ("two", []),
+        ("hurt", []),
+        ("none", []),
+    ):
+        (top / name).mkdir(parents=True)
+        one_file_each(top / name, dives)
+    shutil.copytree(sample.folder, top / "well" / "results")
+    for file in ("sg171/p1710100.nc", "basestation/p5420304.nc"):
+        shutil.copy(facts / "glider" / file, top / "two")
+    (top / "hurt" / "p1.nc").write_bytes(b"CDF\x01 and no more")
+    return top
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
+    tree, command, monkeypatch
+):
+    monkeypatch.setenv("COLUMNS", "80")
+    heard = tree.parent / "told"
+    done = command("--fleet", tree, "--alert", teller(heard))
+    assert done.exit_code == 0, done.output
+    table = [line for line in done.stdout.splitlines() if line.startswith("│")]
+    names = [line.split("│")[1].strip() for line in table]
+    asking = ["late", "a <b> & '#1%3f'", "hurt"]
+    assert [*names[:3], *sorted(names[3:5])] == [*asking, "station", "well"]
+    assert names[5:] == ["SG542", "SG171"]  # old records
+    assert max(map(len, table)) <= 80
+    assert "OUT x2" in table[1]
+    for said in ("7 vehicles, 3 need a pilot", "hurt: cannot be read: "):
+        assert said in done.stdout
+    again = command("--fleet", tree, "--alert", teller(heard), "--json")
+    assert sorted(told_in(heard)) == [
+        ("a <b> & '#1%3f'", "OUT", 5),
+        ("late", "overdue", 6),
+    ]
+    rows = {row["vehicle"]: row for row in json.loads(again.stdout)["vehicles"]}
+    assert ([*rows][:3], rows["late"]["asks"]) == (asking, ["overdue"])
+    assert rows["late"]["age_hours"] == pytest.approx(30.0, abs=0.5)
+    assert "p1.nc" in rows["hurt"]["said"][0]
+    page = Reader((tree / "replay" / "fleet.html").read_text("utf-8"))
+    assert next(filter(str.strip, page.texts)).startswith("Fleet, ")  # its title
+    links = [names["href"] for tag, names in page.tags if tag == "a"]
+    assert len(links) == 6
+    assert all((tree / "replay" / unquote(link)).is_file() for link in links)
+    assert "a <b> & '#1%3f'" in page.texts  # as a text, no markup
+    assert rows["late"]["time"][:16].replace("T", " ") in page.texts  # with its year
+
+
+def teller(path):
+    return shlex.join([sys.executable, "-c", TELL, str(path)])
+
+
+def told_in(path):
+    """What the command was told: sentences, each with its object."""
+    lines = path.read_text("utf-8").splitlines() if path.exists() else []
+    told = [
+        (one, json.loads(two)) for one, two in zip(lines[::2], lines[1::2], strict=True)
+    ]
+    assert all(said == data["sentence"] for said, data in told)
+    names = ("vehicle", "event", "fix")
+    assert all(
+        data["id"] == "{} {} {}".format(*map(data.get, names)) for _, data in told
+    )
+    return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
+
+
+@pytest.fixture(scope="module")
+def out():
+    """What `--json` prints of a vehicle that is OUT twice."""
+    return told(strayed(recent(6, 1.0)))
+
+
+def alerts(folder, *words):
+    (folder / "state").mkdir(exist_ok=True)
+    return fleet.Alerts(words, folder)
+
+
+LEFT = """import subprocess as s, sys
+one = s.Popen([sys.executable, '-c', 'import time; time.sleep(600)'])
+open(sys.argv[1], 'w').write(str(one.pid))
+open(sys.argv[2], 'w').write(sys.argv[3])
+"""
+
+
+def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(
+    tmp_path, out
+):
+    number, said = tmp_path / "number", tmp_path / "said"
+    seen = alerts(tmp_path, sys.executable, "-c", LEFT, str(number), str(said), "{}")
+    seen.tell(out)
+    os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
+    assert seen.told == [f"glider OUT {out['each_dive'][4]['end']}"]
+    assert said.read_text().startswith("glider: OUT: 2 dives running, since dive 5")
+
+
+FAILING = [
+    ("raise SystemExit(3)", 60.0, "ended with status 3; is run again"),
+    ("import time; time.sleep(60)", 0.5, "takes longer than 0.5 s"),
+]
+
+
+@pytest.mark.parametrize(("code", "longest", "says"), FAILING)
+def test_a_command_that_fails_is_one_sentence_and_is_run_again(
+    code, longest, says, tmp_path, capsys, monkeypatch, out
+):
+    monkeypatch.setattr(fleet, "LONGEST", longest)
+    seen = alerts(tmp_path, sys.executable, "-c", code)
+    for _ in range(2):
+        seen.tell(out)
+    said = capsys.readouterr().err
+    assert (said.count(says), said.count("\n")) == (1, 1)
+    monkeypatch.setattr(fleet, "LONGEST", 60.0)
+    heard = tmp_path / "told"
+    alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
+    assert told_in(heard) == [("glider", "OUT", 5)]
+
+
+@pytest.mark.processes
+def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
+    top = tmp_path / "top"
+    for k in range(3):
+        (top / f"v{k}").mkdir(parents=True)
+        one_file_each(top / f"v{k}", strayed(fixes_of(8, seed=k)) if k else fixes_of(8))
+    told = {name: tmp_path / f"told {name}" for name in ("broken", "whole")}
+    words = ("replay", "--fleet", top, "--json")
+    commands = {
+        name: [*CLPT, *words, "--out", name, "--alert", teller(path)]
+        for name, path in told.items()
+    }
+    # a file that is being written may be there too short a time to be seen: then it is whole
+    for part in ("*replay.html*", "v1/*track.kml*"):
+        with started(
+            commands["broken"], stdout=subprocess.DEVNULL, cwd=tmp_path
+        ) as process:
+            kill_while_it_writes(process, tmp_path / "broken", part)
+    found = {}
+    for name, own in commands.items():
+        found[name] = json.loads(ran(*own, cwd=tmp_path).stdout)
+        for row in found[name]["vehicles"]:
+            row.pop("age_hours")
+        found[name].pop("now")
+    assert found["broken"] == found["whole"]
+    for path in (tmp_path / "whole").rglob("*"):
+        same = tmp_path / "broken" / path.relative_to(tmp_path / "whole")
+        assert same.exists()
+        if path.name in ("replay.html", "next.geojson", "track.kml"):
+            assert same.read_bytes() == path.read_bytes()
+    assert set(told_in(told["broken"])) == set(told_in(told["whole"]))
+    assert {event for _, event, _ in told_in(told["whole"])} == {"OUT"}
+    assert not list((tmp_path / "broken").rglob("*.part"))
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, command):
+    top, elsewhere = tmp_path / "top", tmp_path / "elsewhere"
+    for folder in (top / "here", elsewhere / "there"):
+        folder.mkdir(parents=True)
+        one_file_each(folder, recent(4, 1.0))
+    (top / "linked").symlink_to(elsewhere)
+    (top / "again").symlink_to(elsewhere / "there")
+    (top / "a").symlink_to(top / "here")
+    (top / "here" / "up").symlink_to(tmp_path)
+    (elsewhere / "there" / "circle").symlink_to(elsewhere)
+    found = json.loads(command("--fleet", top, "--json").stdout)
+    assert sorted(row["vehicle"] for row in found["vehicles"]) == ["here", "there"]
+    places = sorted(path.name for path in (top / "replay").iterdir())
+    assert places == ["again", "fleet.html", "here"]
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, command):
+    for file in ("an empty file.csv", "replay.nc"):
+        (tmp_path / file).write_text("")
+    for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
+        write_dive_table(
+            [replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv"
+        )
+        header, line = path.read_text().splitlines()
+        path.write_text(f"{header},vehicle\n{line},{name}\n")
+    lost, well = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
+    assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
+    assert lost["said"][0].startswith(
+        "cannot be read: no dive can be used; dive 1: no fix after"
+    )
+
+
+def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path):
+    heard = tmp_path / "told"
+    second = told(recent(6, 24.0))
+    for mission in (told(recent(6, 20 * 24.0)), second, second):
+        alerts(tmp_path, *shlex.split(teller(heard))).tell(mission)
+    assert told_in(heard) == [("glider", "overdue", 6)] * 2
+
+
+@pytest.mark.parametrize("name", ["-oProxyCommand=touch x", "--help", "@file", ">x"])
+def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, out, name):
+    assert name_of(name) is None
+    said = tmp_path / "said"
+    save = "import sys; open(sys.argv[1], 'w').write(sys.argv[2])"
+    alerts(tmp_path, sys.executable, "-c", save, str(said), "{}").tell(
+        dict(out, vehicle=name)
+    )
+    assert said.read_text().startswith(f"vehicle {name}: OUT")
+
+
+def test_two_spells_of_dives_with_one_number_are_two_events(out):
+    rows = [dict(row, dive=42) for row in out["each_dive"]]
+    far = [row["end"] for row in rows]
+    again = [dict(row, end=utc(seconds_since_1970(row["end"]) + 1e6)) for row in rows]
+    first, second = (
+        events(dict(out, each_dive=each), 0.0) for each in (rows, rows + again)
+    )
+    assert [event.dive for event in (*first, *second)] == [42, 42]
+    assert (first[0].fix, second[0].fix) == (far[4], again[4]["end"])
+
+
+@pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
+def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
+    place = tmp_path / "state" / fleet.TOLD
+    place.parent.mkdir()
+    if kept == "a pipe":
+        os.mkfifo(place)
+    else:
+        place.write_text(kept)
+    assert fleet.Alerts([sys.executable], tmp_path).told == []

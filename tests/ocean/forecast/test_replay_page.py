@@ -1,0 +1,319 @@
+"""The page of a replay, GeoJSON, KML and what goes onto the vehicle, as their readers read."""
+
+import json
+import math
+import re
+from base64 import b64encode
+from dataclasses import replace
+from hashlib import sha256
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from html_parser import Reader, fetching_nothing
+from matplotlib.path import Path
+from pyproj import Geod
+from synthetic_vehicle import fixes_of, told
+
+from clpt_control.app.cli.replay_report import write
+from clpt_control.base.geodesy import near, place_from
+from clpt_control.base.html import plain
+from clpt_control.gliders import sample_dives
+from clpt_control.ocean.forecast.exchange import next_geojson, track_kml
+from clpt_control.ocean.forecast.layers import ring_of
+from clpt_control.ocean.forecast.replay_page import replay_page
+from clpt_control.ocean.forecast.track_map import grid_label
+from clpt_control.ocean.gliders import slocum
+from clpt_control.replay import map_plot
+
+GEOD = Geod(ellps="WGS84")
+EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
+
+
+@pytest.fixture(scope="module")
+def evil():
+    """A page of texts that a file may hold."""
+    found = told(fixes_of(3))
+    found["skipped"] = [{"dive": None, "why": EVIL}]
+    found["vehicle"] = f"SG {EVIL}"
+    found["each_dive"][0]["dive"] = found["next_dive"]["place"] = EVIL
+    found["notes"] = [{"dive": 1, "note": EVIL}]
+    return replay_page(found)
+
+
+def test_nothing_of_a_file_is_markup(evil):
+    page = Reader(evil)
+    assert [tag for tag, _ in page.tags].count("script") == 1
+    shown = EVIL.replace("\x00", "\ufffd").replace("\udc80", "\ufffd")
+    assert any(shown in text for text in page.texts)
+
+
+def test_nothing_is_fetched(evil):
+    page = fetching_nothing(evil)
+    assert "//" not in re.sub(r"^// .*$", "", "".join(page.scripts), flags=re.M)
+    policy = next(
+        names["content"]
+        for tag, names in page.tags
+        if tag == "meta" and len(names) == 2
+    )
+    style, script = (
+        f"'sha256-{b64encode(sha256(''.join(parts).encode()).digest()).decode()}'"
+        for parts in (page.styles, page.scripts)
+    )
+    assert policy == f"default-src 'none'; style-src {style}; script-src {script}"
+    charts_have_dates(evil)
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_a_page_that_is_written_again_is_loaded_again():
+    found = told(fixes_of(3))
+    for again in (False, True):
+        tags = Reader(replay_page(found, again)).tags
+        asked = [names for _, names in tags if names.get("http-equiv") == "refresh"]
+        assert asked == [{"http-equiv": "refresh", "content": "60"}] * again
+        assert [names["data-again"] for _, names in tags if "data-again" in names] == [
+            "60"
+        ] * again
+
+
+def charts_have_dates(text):
+    charts = re.findall(r"<figure>.*?</figure>", text, flags=re.S)
+    assert len(charts) == 2
+    for chart in charts:
+        assert ">surfaced (UTC)<" in chart
+        assert len(re.findall(r">\d\d:\d\d<|>[A-Z][a-z]{2}-\d\d<", chart)) in range(
+            2, 12
+        )
+
+
+def test_sixty_dives_are_small_and_one_is_enough():
+    text = replay_page(told(fixes_of(60)))
+    assert len(text.encode()) < 2_000_000
+    tags = Reader(text).tags
+    rows = [names["id"] for tag, names in tags if tag == "tr" and "id" in names]
+    # a fix leads to its row
+    links = [names["href"] for tag, names in tags if tag == "a"]
+    assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
+    assert len(links) == 60
+    one = told(fixes_of(1))
+    charts_have_dates(replay_page(one))
+    assert len(json.loads(next_geojson(one))["features"]) == 4
+    ElementTree.fromstring(track_kml(one, "one"))
+
+
+@pytest.mark.parametrize(
+    ("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)]
+)
+def test_a_chart_is_true_to_scale_and_angle(lat, lon):
+    ax = map_plot(told(fixes_of(4, lat, lon)))
+    low, high = ax.get_ylim()
+    middle = (low + high) / 2
+    # in a degree of longitude
+    metres = GEOD.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
+    for bearing in (0, 45, 90, 200):
+        x, y, _ = GEOD.fwd(lon, middle, bearing, 100.0)
+        away = complex(near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
+        assert abs(away) == pytest.approx(100, rel=2e-3)
+        turned = math.degrees(math.atan2(away.real, away.imag))
+        assert turned % 360 == pytest.approx(bearing, abs=0.5)
+
+
+@pytest.mark.parametrize("name", ["latitude", "from_latitude"])
+def test_a_place_beyond_the_poles_is_not_drawn(name):
+    found = told(fixes_of(4))
+    found["next_dive"][name] = 1e9
+    with pytest.raises(ValueError, match="a latitude is beyond the poles"):
+        replay_page(found)
+
+
+def test_a_far_waypoint_leaves_the_chart_as_it_is():
+    *_, last = dives = fixes_of(6)
+    found, edges = told(dives), {}
+    for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
+        place = GEOD.fwd(last.lon_gpse, last.lat_gpse, bearing, away)
+        aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
+        ax = map_plot(aimed)
+        edges[bearing] = *ax.get_xlim(), *ax.get_ylim()
+    assert len({edge for bearing, edge in edges.items() if bearing != 300.0}) == 1
+    page = Reader(replay_page(aimed))
+    assert page.texts[page.texts.index("Aim") + 1].startswith("heading ")
+
+
+def test_grid_names_its_lines():
+    lons = (179 + 55 / 60, 180.0, 180 + 5 / 60)
+    names = [grid_label(lon, names="EW", step=5) for lon in lons]
+    assert names == ["179°55'E", "180°00'E", "179°55'W"]
+    assert grid_label(-0.999999, names="NS", step=0.1) == "1°00.00'S"
+    assert grid_label(59.9999 / 60, names="NS", step=1) == "1°00'N"
+
+
+KML = {"k": "http://www.opengis.net/kml/2.2"}
+
+
+@pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
+def test_a_ring_is_the_ellipse_on_the_earth(lat):
+    row = told(fixes_of(5, lat))["each_dive"][-1]
+    ring = ring_of(row)
+    assert ring[0] == ring[-1]
+    centre = row["forecast_longitude"], row["forecast_latitude"]
+    far = [GEOD.inv(*centre, lon, lat)[2] for lat, lon in ring]
+    assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
+    assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
+    bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
+    # meridians turn
+    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0
+
+
+@pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
+def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
+    found = told(fixes_of(5, 51.0, lon))
+    ahead, last = found["next_dive"], found["each_dive"][-1]
+    shapes = {
+        one["properties"]["name"]: one["geometry"]["coordinates"]
+        for one in json.loads(next_geojson(found))["features"]
+    }
+    ring, goal = np.array(shapes["90 % ellipse"][0]), shapes["next surfacing"]
+    assert ring[0].tolist() == ring[-1].tolist()
+    # counter-clockwise
+    assert np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0
+    assert any(
+        Path(ring).contains_point((goal[0] + turn, goal[1])) for turn in (-360, 0, 360)
+    )
+    way = shapes["way to the next surfacing"][0]
+    for (x, y), wanted, name in ((goal, ahead, ""), (way, last, "end_")):
+        off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
+        assert (off, y) == pytest.approx((0, wanted[f"{name}latitude"]), abs=1e-6)
+    root = ElementTree.fromstring(track_kml(found, "x"))
+    lines = [one.text.split() for one in root.iterfind(".//k:coordinates", KML)]
+    lines = [[float(pair.split(",")[0]) for pair in line] for line in lines]
+    for span in (ring[:, 0], *lines):
+        assert np.ptp(span) < 90
+        assert abs(span[0]) <= 180
+
+
+def test_kml_is_read_back():
+    found = told(fixes_of(5, -43.0))
+    root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
+    assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
+    fixes = [
+        [
+            one.find(f"k:{name}", KML).text
+            for name in ("TimeStamp/k:when", "Point/k:coordinates")
+        ]
+        for one in root.iterfind("k:Document/k:Placemark", KML)
+        if one.find("k:name", KML).text.startswith("dive ")
+    ]
+    for (when, text), row in zip(fixes, found["each_dive"], strict=True):
+        assert when == row["end"]
+        there = row["end_longitude"], row["end_latitude"]
+        assert [*map(float, text.split(","))] == pytest.approx(there, abs=1e-6)
+    names = {style.get("id") for style in root.iterfind(".//k:Style", KML)}
+    assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
+
+
+def test_plain_text_can_be_written_and_parsed():
+    text = plain("".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600")
+    assert text.encode().decode() == text
+    made = ElementTree.Element("a")
+    made.text = text.replace("\r", "")
+    assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
+
+
+TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
+PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
+
+
+def found_of(kind, note="", targets=TARGETS):
+    *dives, last = sample_dives()
+    return told([*dives, replace(last, kind=kind, notes=(note,))], *targets)
+
+
+def degrees_of(word):
+    """A number ddmm.mmmm as a vehicle reads it: the last two whole digits are minutes."""
+    sign, whole, minutes = re.fullmatch(r"(-?)(\d+?)(\d\d\.\d{4})", f"{word}").groups()
+    assert float(minutes) < 60
+    return (-1 if sign else 1) * (int(whole) + float(minutes) / 60)
+
+
+def targets_of(text):
+    """Lines of a targets file by the rules of basestation3's validate.py: name, then key=value."""
+    lines = [line.split() for line in filter(None, text.splitlines()) if line[0] != "/"]
+    read = {name: dict(pair.split("=") for pair in pairs) for name, *pairs in lines}
+    for one in read.values():
+        assert set(one) == {"lat", "lon", "radius", "goto"}
+        assert one["goto"] in read
+    return read
+
+
+def waypoints_of(text):
+    """A goto_list as mafiles have it: arguments, then a line for each waypoint, lon lat."""
+    lines = [line.partition("#")[0].strip() for line in text.splitlines()]
+    assert lines[0] == "behavior_name=goto_list"
+    first, last = lines.index("<start:b_arg>"), lines.index("<end:b_arg>")
+    asked = (
+        re.fullmatch(r"b_arg: (\w+)\(\w+\) (-?\d+)", one)
+        for one in lines[first + 1 : last]
+    )
+    arguments = dict(one.groups() for one in asked)
+    assert (lines[last + 1], lines[-1]) == ("<start:waypoints>", "<end:waypoints>")
+    places = [line.split() for line in lines[last + 2 : -1]]
+    assert int(arguments["num_waypoints"]) == len(places) <= 8
+    assert arguments["list_stop_when"] == "7"
+    assert int(arguments["list_when_wpt_dist"]) >= 10
+    return [(degrees_of(lat), degrees_of(lon)) for lon, lat in places]
+
+
+def test_a_seaglider_gets_targets_and_a_true_heading():
+    found = found_of("Seaglider")
+    assert found["paste"]["file"] == "targets"
+    read = targets_of(found["paste"]["text"])
+    places = [(degrees_of(one["lat"]), degrees_of(one["lon"])) for one in read.values()]
+    assert places == [pytest.approx(place) for place in PLACES]
+    assert [one["goto"] for one in read.values()] == ["AIM2", "AIM3", "AIM3"]
+    said = re.search(r"\$HEADING,(\d+\.\d)", found["paste"]["text"])
+    assert float(said[1]) == pytest.approx(found["aim"][0]["heading"], abs=0.051)
+    # or it would correct for the current again
+    assert "$NAV_MODE,0" in found["paste"]["text"]
+
+
+def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
+    found = found_of("Slocum")
+    assert found["paste"]["file"] == "goto_l10.ma"
+    ((lat, lon),) = waypoints_of(found["paste"]["text"])
+    leg = found["aim"][0]
+    start = leg["from_longitude"], leg["from_latitude"]
+    heading, _, far = GEOD.inv(*start, lon, lat)
+    assert heading % 360 == pytest.approx(leg["heading"], abs=0.01)
+    assert far == pytest.approx(20_000, abs=20)
+    time = leg["duration"]  # by the current alone, and a kilometre to the north
+    way = leg["current_east"] * time, leg["current_north"] * time + 1000
+    near = found_of("Slocum", targets=[place_from(*reversed(start), *way)])
+    assert near["aim"][0]["state"] == "reached"
+    ((lat, lon),) = waypoints_of(near["paste"]["text"])
+    far = GEOD.inv(*start, lon, lat)[2]
+    assert far == pytest.approx(near["aim"][0]["through_water"], abs=1)
+
+
+def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
+    read = waypoints_of(found_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
+    assert read == [pytest.approx(place) for place in PLACES]
+
+
+def test_a_seaexplorer_gets_heading_and_waypoints():
+    text = found_of("SeaExplorer")["paste"]["text"].splitlines()
+    assert re.fullmatch(r"DesiredH \d{3}", text[0])
+    assert text[1] == "Lat -4248.0000 Lon 824.0000"
+
+
+def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste():
+    for kind, targets in (None, TARGETS), ("Seaglider", []):
+        assert found_of(kind, targets=targets)["paste"] is None
+
+
+@pytest.mark.usefixtures("undrawn")
+def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
+    found = found_of("Seaglider", targets=TARGETS[:1])
+    assert tmp_path / "targets" in write(found, tmp_path, ())
+    text = (tmp_path / "targets").read_text()
+    assert text == found["paste"]["text"]
+    assert text in (tmp_path / "replay.html").read_text()

@@ -1,0 +1,168 @@
+"""The next surfacing as it is said: its spread, the plan in files, its own record."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from glider_files import basestation3
+from synthetic_vehicle import along, chained
+
+from clpt_control.base.geodesy import displacement, place_from
+from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
+from clpt_control.ocean.forecast.exchange import next_geojson
+from clpt_control.ocean.forecast.habits import PLANNED, REPEATED, Habits
+from clpt_control.ocean.forecast.surfacing import ellipse
+from clpt_control.ocean.gliders.dives import planned_course
+from clpt_control.replay import replay_dives, summary
+
+DIVES = usable(sample_dives())[0]
+
+
+def flown(courses, planned=False):
+    """Dives of 3 km on courses (degrees), with a drift at the surface, in still water."""
+    ways = [
+        (along(course, 3000.0), along(course, 3000.0), 14400.0) for course in courses
+    ]
+    dives = chained(ways, stay=900.0, drift=(150.0, 0.0))
+    if planned:
+        dives[:-1] = map(
+            lambda dive, course: replace(dive, next_course=course), dives, courses[1:]
+        )
+    return dives
+
+
+def half(replay):
+    """The geometric mean of the half axes, m."""
+    return math.sqrt(np.prod(ellipse(replay.surfacing().covariance)[:2]))
+
+
+def test_who_dives_alike_is_foretold_well_and_the_drift_is_in_it():
+    *dives, last = flown([90.0] * 31)
+    replay, early = replay_dives(dives), replay_dives(dives[:2])
+    said, end = replay.surfacing(), (last.lat_gpse, last.lon_gpse)
+    assert np.hypot(*displacement(said.latitude, said.longitude, *end)) < 60
+    assert abs(said.plan.t_gpse - last.t_gpse) < 60
+    start = displacement(dives[-1].lat_gpse, dives[-1].lon_gpse, *replay.start()[1:])
+    assert start == pytest.approx((150.0, 0.0), abs=25)
+    assert half(replay) < 0.5 * half(early)
+    assert said.time_90 < 0.5 * early.surfacing().time_90
+
+
+def test_a_plan_tells_the_course():
+    rng = np.random.default_rng(3)
+    courses = [*rng.uniform(0, 360, 24), 77.0]
+    with_plan = replay_dives(flown(courses, planned=True)[:24])
+    without = replay_dives(flown(courses)[:24])
+    said = with_plan.surfacing()
+    assert (said.basis, without.surfacing().basis) == (PLANNED, REPEATED)
+    course = math.degrees(math.atan2(said.plan.dr_east, said.plan.dr_north))
+    assert course == pytest.approx(77, abs=5)
+    assert half(with_plan) < 0.4 * half(without)
+
+
+@pytest.mark.parametrize("wild", [False, True])
+def test_in_the_long_run_nine_of_ten_hold(wild):
+    """Whatever a vehicle does, the width follows its record."""
+    rng = np.random.default_rng(5)
+    turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
+    habits, before, held = Habits(), None, []
+    for dive in flown(np.cumsum(turns)):
+        dive = replace(dive, t_gpse=dive.t_gps2 + dive.duration * rng.uniform(0.6, 1.4))
+        if before is not None:
+            guess = habits.guess()
+            off = np.array([dive.dr_east, dive.dr_north]) - guess.way
+            wide = guess.scatter[:2, :2] * guess.tails * habits.width[0] ** 2
+            late = (
+                1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
+            )
+            away = abs(math.log(dive.duration / guess.duration))
+            held.append((off @ np.linalg.solve(wide, off) <= 4.605, away <= late))
+        habits.learn(dive, None, held[-1] if held else ())
+        before = dive
+    assert np.mean(held, axis=0) == pytest.approx([0.9, 0.9], abs=0.03)
+
+
+def test_the_record_is_of_what_was_said_before_each_dive(sg542):
+    assert (sg542.steps[0].headline, sg542.steps[0].headline_held) == (None, None)
+    for k in (3, 9):
+        said = replay_dives(DIVES[:k]).surfacing()
+        own = sg542.steps[k].headline
+        assert own.latitude == said.latitude
+        assert np.array_equal(own.covariance, said.covariance)
+        assert sg542.steps[k].headline_held == said.holds(DIVES[k])
+    found = summary(sg542)
+    assert found["headlines"]["judged"] == 13
+    rows = [row["headline"] for row in found["each_dive"][1:]]
+    for name in ("place_held", "time_held"):
+        assert found["headlines"][name] == sum(row[name] for row in rows)
+    holed = usable([*DIVES[:5], *DIVES[6:]])[0]
+    unjudged = [step.headline_held is None for step in replay_dives(holed).steps[4:7]]
+    assert unjudged == [False, True, False]
+
+
+def test_a_wrong_fix_is_judged_again_when_it_is_known():
+    dives = flown([90.0] * 12)
+    lat, lon = place_from(dives[8].lat_gpse, dives[8].lon_gpse, 0.0, 8000.0)
+    north = dives[8].gps_north + 8000.0
+    dives[8] = replace(dives[8], lat_gpse=lat, lon_gpse=lon, gps_north=north)
+    assert replay_dives(dives[:9]).steps[8].headline_held == (False, True)
+    assert replay_dives(dives[:10]).steps[8].headline_held == (True, True)
+
+
+def test_terminal_page_and_files_say_the_same(sample):
+    ahead = sample.found["next_dive"]
+    within = f"+- {ahead['time_90'] / 60:.0f} min"
+    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+    record = "11 of 13 inside their 90 % ellipse, 13 within their 90 % time"
+    page, kml = (
+        (sample.folder / name).read_text() for name in ("replay.html", "track.kml")
+    )
+    for text in (sample.text.replace("\n", " "), page, kml):
+        assert within in text
+        assert half in text
+        assert record in text or text is kml
+    said = [
+        one["properties"] for one in json.loads(next_geojson(sample.found))["features"]
+    ]
+    spot = next(one for one in said if one["name"] == "next surfacing")
+    for key in ("time_90", "ellipse_90_long"):
+        assert spot[key] == ahead[key]
+
+
+def test_a_way_of_nothing():
+    ends = [((9e3 * k, 0.0, 8.0), (9e3 * k + 7200, 0.0, 8.0)) for k in range(9)]
+    still = [make_dive(k, *fixes, (0.0, 0.0)) for k, fixes in enumerate(ends)]
+    said = replay_dives(still).surfacing()
+    assert np.linalg.eigvalsh(said.covariance).min() > 0
+    assert math.isfinite(said.time_90)
+
+
+def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
+    """The dive of a file with a plan."""
+    letters = np.frombuffer(target.ljust(20, b"\0"), "S1")
+    of_one = {"log_HEADING": ((), heading, {}), "log_TGT_RADIUS": ((), radius, {})}
+    basestation3(path, log_TGT_LATLONG=(("letters",), letters, {}), **of_one)
+    return read_dives(path)[0][0]
+
+
+def test_a_hopeless_plan_is_not_followed():
+    """Always wrong by far, whatever the length of the record."""
+    habits = Habits()
+    for k, dive in enumerate(flown([90.0] * 400)):
+        wrong = {"dr_east": 3000.0 * (1.0 + 1e-4 * (k % 3)), "dr_north": 1e-3}
+        habits.learn(replace(dive, **wrong, next_course=(137.0 * k) % 360), None)
+    guess = habits.guess()
+    assert (guess.basis, guess.way) == (REPEATED, pytest.approx([3000.0, 0.0], abs=1.0))
+
+
+def test_the_plan_of_a_seaglider(tmp_path):
+    path = tmp_path / "p5420007.nc"
+    dive = seaglider(path)
+    end = dive.t_gpse, dive.lat_gpse, dive.lon_gpse
+    assert dive.next_course == planned_course(end, (-42.0, 9.0))
+    assert seaglider(path, heading=270.0).next_course == 270.0
+    assert seaglider(path, radius=1e7).next_course is None
+    for odd in (b"nonsense", b"", b"1e400,8", b"-4260.0,900.0", b"1,2,3"):
+        assert seaglider(path, odd).next_course is None

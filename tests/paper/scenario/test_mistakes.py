@@ -1,0 +1,368 @@
+"""Every way to make a scenario or a team: a wrong value is a ScenarioError of one sentence."""
+
+import copy
+import pickle
+import re
+import tomllib
+from operator import attrgetter
+from typing import get_args
+
+import numpy as np
+import pytest
+from error_sentences import says
+from law_blocks import EACH
+from team_scenarios import DIFFERENT, FILE, ROW, team, vehicle
+from team_scenarios import PAPER as STRAIT
+
+import clpt_control as clpt
+from clpt_control.errors import ScenarioError
+from clpt_control.paper.blocks import disturbance, flow
+from clpt_control.paper.laws.table import LAWS
+from clpt_control.paper.scenario.file import scenario_to_text
+from clpt_control.paper.scenario.learning import KINDS, Learning
+from clpt_control.paper.scenario.quantities import CALL_TIME_NAMES
+from clpt_control.paper.scenario.tables import Disturbance, Kernel
+from clpt_control.paper.scenario.team import system_from_text, team_to_text
+from clpt_control.theory.proofs.theorem_loop import AT_FIXES
+
+PAPER = clpt.paper_scenario()
+SINE = {"kind": "sine", "amplitude": [1.0, 0.0], "period": 1, "perod": 2}
+WRONG = {
+    "learning.gain = -1: must be": {"learning": {"gain": -1}},
+    "key flow.disturbance.perod; did you mean period?": {"flow": {"disturbance": SINE}},
+    "adaptation.gain is the name at call time.* key is learning.gain": {
+        "adaptation": {"gain": 2}
+    },
+}
+
+
+def document(changes=()):
+    tables = PAPER.model_dump(exclude_none=True, exclude_unset=True)
+    for key, value in dict(changes).items():
+        whole = not isinstance(value, dict) or key not in tables
+        tables[key] = value if whole else {**tables[key], **value}
+    return tables
+
+
+@pytest.mark.parametrize("words", WRONG)
+def test_a_wrong_value_is_one_sentence(words):
+    tables = document(WRONG[words])
+    says(ScenarioError, words, clpt.Scenario, **tables)
+    says(ScenarioError, words, clpt.Scenario.model_validate, tables)
+    says(ScenarioError, words, PAPER.with_values, tables)
+
+
+def test_a_table_of_its_own_is_checked_too():
+    says(
+        ScenarioError, "learning: law = 'none': must be", Learning, law="none", gain=1.0
+    )
+    says(ScenarioError, "missing key basis.kernel .and", clpt.Scenario, basis={})
+    says(ScenarioError, "3: must be a table of keys", clpt.Scenario.model_validate, 3)
+    says(clpt.ArgumentError, "must be Mapping", PAPER.with_values, [2])
+    other = {"reference.kind": "waypoints"}
+    says(ScenarioError, "missing key reference.points", PAPER.with_values, other)
+    given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference
+    assert (given.points, given.dwell) == (((0, 1),), PAPER.reference.dwell)
+    says(ScenarioError, "gain is no table", PAPER.with_values, {"learning.gain.x": 2})
+
+
+def test_a_right_scenario_is_the_same_by_every_way(tmp_path):
+    assert (
+        clpt.Scenario(**document()) == PAPER == clpt.Scenario.model_validate(document())
+    )
+    assert pickle.loads(pickle.dumps(PAPER)) == PAPER == copy.deepcopy(PAPER)
+    clpt.save_scenario(PAPER, file := tmp_path / "mine.toml")
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())  # a byte order mark
+    assert clpt.load_scenario(file) == PAPER
+
+
+NOISE = {"kind": "noise", "amplitude": [0.1, 0.0], "period": 2.0}
+KNOWN = {"learning.law": "known-flow", "learning.parameters": None}
+KNOWN |= {"learning.theta_estimate": [[1, 1, 1]] * 2}
+FIXES, NONE = {"learning.law": "fix-regression", **AT_FIXES}, {"learning.gain": None}
+
+
+def where_it_is(key):
+    """Return what else a scenario has that has a key."""
+    for part, values in {
+        "disturbance": {"flow.disturbance": NOISE},
+        **dict.fromkeys(["n.interval", "n.latency", "n.dropouts"], FIXES),
+        "localization": {"localization": {"noise": 0.1, "noise_period": 2.0}},
+        "learning.gains.": OF_EACH,
+        "vehicle.max_speed": {"vehicle.max_speed": 1.5},
+        "learning.theta_estimate": KNOWN,
+    }.items():
+        if part in key:
+            return values
+    return {}
+
+
+@pytest.mark.parametrize("key", CALL_TIME_NAMES)
+def test_an_error_about_one_name_says_the_other(key):
+    scenario = PAPER.with_values(where_it_is(key))
+    parameters = {
+        f"{block.name}.{field}": value
+        for block in clpt.paper_blocks(scenario)
+        for field, value in block.parameters._asdict().items()
+    }
+    known = [name for name in CALL_TIME_NAMES[key] if name in parameters]
+    value, held = parameters[known[0]], attrgetter(key)(scenario)
+    if held is not None:  # what the scenario leaves out is zero
+        np.testing.assert_allclose(np.reshape(value, np.shape(held)), held)
+    if key in known:
+        return
+    said = f"{key} is a key of the scenario.*{known[0]}"
+    for system, times in ((scenario, None), (clpt.closed_loop(scenario), [0.0, 1.0])):
+        says(clpt.BlockError, said, clpt.simulate, system, times, params={key: value})
+    said = f"the scenario's key is (.* or )?{key}"
+    says(ScenarioError, said, scenario.with_values, {known[0]: value})
+
+
+UNUSED = r"parameters: .* adapts feedback, feedforward here"
+HELD = {"learning.adapt_gains": False}
+OF_EACH = {**NONE, "learning.gains": EACH}
+OF_PARAMETERS = {**NONE, "learning.gains": {"parameters": 2.0}}
+
+
+def test_a_mistake_is_a_sentence():
+    for values, said in (
+        ({"learning.law": "known"}, r"learning.law = 'known': must be '.*`clpt laws`"),
+        (NONE, r"learning.gain: is required by law = \"learned-flow\""),
+        ({"learning.gains": EACH}, "learning.gains: give either gain or gains"),
+        (OF_PARAMETERS, "gains.feedback: .* adapts parameters, feedback, feedforward"),
+        (
+            {**NONE, "learning.gains.feedback": -1},
+            "learning.gains.feedback = -1: must be greater",
+        ),
+        (
+            {**NONE, "learning.gains": {**EACH, "K": 1}},
+            r"unknown key learning.gains.K.*feedback",
+        ),
+        (
+            {"learning.adapt_gains": 0},
+            "learning.adapt_gains = 0: must be a valid boolean",
+        ),
+        (
+            {**OF_EACH, **HELD},
+            "learning.gains.feedback: .* adapts parameters here; .* no other",
+        ),
+        (
+            {**HELD, "learning.feedback": None},
+            "feedback: is required by .* with adapt_gains = fal",
+        ),
+        ({**KNOWN, **OF_EACH}, UNUSED),
+        ({"learning.law": "composite-least-squares", **OF_EACH}, UNUSED),
+    ):
+        says(ScenarioError, said, PAPER.with_values, values)
+
+
+GAINS = [
+    ({}, (0.8, 0.8, 0.8, True)),
+    (OF_EACH, (0.8, 0.3, 0.5, False)),
+    (HELD, (0.8, 0.0, 0.0, False)),
+    ({**OF_PARAMETERS, **HELD}, (2.0, 0.0, 0.0, False)),
+    (
+        {**KNOWN, **NONE, "learning.gains": {**EACH, "parameters": None}},
+        (0, 0.3, 0.5, False),
+    ),
+]
+
+
+@pytest.mark.parametrize(("values", "gains"), GAINS)
+def test_gains_are_those_that_adapt(values, gains):
+    scenario = PAPER.with_values(values)
+    assert scenario.learning.used_gains == gains
+    assert (
+        clpt.Scenario.model_validate(tomllib.loads(scenario_to_text(scenario)))
+        == scenario
+    )
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_row_fits_the_scenario(name):
+    law = LAWS[name]
+    assert law.name == name
+    assert law.promises
+    assert re.fullmatch(".+", law.needs)
+    assert not law.settings or law.table in Learning.model_fields
+    for key, one in law.settings.items():
+        assert (key.isidentifier(), one.allowed in KINDS, bool(one.meaning)) == (
+            True,
+        ) * 3, key
+
+
+@pytest.mark.parametrize("name", [name for name, law in LAWS.items() if law.settings])
+def test_a_laws_own_table_is_checked_like_all_else(name):
+    law = LAWS[name]
+    key, table = next(iter(law.settings)), f"learning.{law.table}"
+    mine = {"learning.law": name, "learning.parameters": None}
+    mine |= AT_FIXES if law.at_fixes else {}
+    for values, said in (
+        ({table: {}}, f"{table}: law = .* has no use for it"),
+        ({**mine, f"{table}.none": 1.0}, f"unknown key {table}.none.*{key}"),
+        ({**mine, f"{table}.{key}": "x"}, f"{table}.{key} = 'x': must be"),
+    ):
+        says(ScenarioError, said, PAPER.with_values, values)
+    assert list(PAPER.with_values(mine).learning.settings) == list(law.settings)
+
+
+def test_a_setting_whose_square_is_no_number_is_refused():
+    """Laws square their settings: 1e300 overflows, 1e-300 is a standard deviation of nothing."""
+    mine = {"learning.law": "kalman-flow", "learning.parameters": None}
+    for key, value in (("prior", 1e300), ("noise", 1e-300)):
+        key = f"learning.kalman_flow.{key}"
+        said = f"{key} = .*: must be .* 1e100"
+        says(ScenarioError, said, PAPER.with_values, {**mine, key: value})
+
+
+def test_every_choice_is_made():
+    assert set(get_args(Kernel)) == set(flow.KERNELS)
+    assert set(get_args(Disturbance.model_fields["kind"].annotation)) == set(
+        disturbance.KINDS
+    )
+
+
+# --- a team --------------------------------------------------------------------------------------
+
+TEXT = FILE.read_text()
+EDGES, OWN = '[["west", "east"]]', "vehicle.position = [11, 0]"
+
+
+def test_the_example_says_what_it_says():
+    of = clpt.load_team(FILE)
+    west, east = of.members.values()
+    assert (list(of.members), of.edges) == (["west", "east"], (("west", "east"),))
+    assert (west.vehicle.position, east.reference.points[0]) == (
+        (-11.0, 0.0),
+        (15.0, -2.0),
+    )
+    assert west.vehicle.feedback == east.vehicle.feedback
+    assert of.connectivity == pytest.approx(2.0)
+
+
+TITLES = {"a": "one", "b": "two", "c": "", "d": "one"}
+TITLED = team(**{name: vehicle(title=title) for name, title in TITLES.items()})
+OTHERS = team(0.25, ROW, **DIFFERENT)
+
+
+@pytest.mark.parametrize("of", [OTHERS, clpt.load_team(FILE), TITLED])
+def test_a_team_comes_back_from_its_text(of, tmp_path):
+    back = system_from_text(team_to_text(of), "mine", tmp_path)
+    assert back == of
+    assert [one.title for one in back.members.values()] == [
+        m.title for m in of.members.values()
+    ]
+
+
+def test_each_vehicle_has_its_own_noise():
+    noise = {"noise": 0.02, "noise_period": 0.5}
+    first, second = (vehicle(localization={**noise, "seed": seed}) for seed in (1, 2))
+    of = team(a=first, b=second, c=STRAIT)
+    assert system_from_text(team_to_text(of), "mine", FILE.parent) == of
+    run = clpt.simulate(of, [0.0, 1.0])
+    a, b, c = (run.measured_position - run.position).values
+    assert abs(a - b).max() > 1e-3
+    assert abs(c).max() == 0
+    says(
+        ScenarioError,
+        r"members.b: localization.seed = 1 is that of a",
+        team,
+        a=first,
+        b=first,
+    )
+
+
+def test_left_out_edges_join_all():
+    assert team(a=STRAIT, b=STRAIT, c=STRAIT).edges == (
+        ("a", "b"),
+        ("a", "c"),
+        ("b", "c"),
+    )
+
+
+OF_A_TEAM = [
+    ("coupling = 0.5", "", "mine, team: missing key coupling"),
+    (
+        "coupling = 0.5",
+        "coupling = -1",
+        "team: coupling = -1: must be greater than or equal",
+    ),
+    (
+        "coupling = 0.5",
+        "coupling = nan",
+        "team: coupling = nan: must be a finite number",
+    ),
+    ("coupling = 0.5", "couplng = 0.5", "unknown key couplng; did you mean coupling"),
+    (
+        '"east"]]',
+        '"est"]]',
+        r"edges\[0\]: there is no vehicle 'est'; must be among west, east",
+    ),
+    (
+        '"east"]]',
+        '"west"]]',
+        r"edges\[0\] = \['west', 'west'\]: must join two vehicles",
+    ),
+    (
+        '"east"]]',
+        '"east"], ["east", "west"]]',
+        r"edges\[1\] = .*: must join two .* each pair",
+    ),
+    (EDGES, "[]", "edges: no path joins all vehicles"),
+    (EDGES, '["west"]', r"edges\[0\] = 'west': must be a list"),
+    (EDGES, '[["west"]]', r"missing key edges\[0\]\[1\]"),
+    (
+        "[team.members.west]",
+        '[team.members."we st"]',
+        "the name 'we st' of a vehicle must be",
+    ),
+    (OWN, "run.duration = 7.0", "members.east: its run is not that of west"),
+    (OWN, "learning.gain = 1", "members.east: its learning is not that of west"),
+    (OWN, "vehicle.pos = 1", "east: unknown key vehicle.pos"),
+    (OWN, "vehicle = 1", "east: vehicle = 1: must be a table of keys"),
+    ("gain = 4.0", "", "west: learning.gain: is required"),
+    ('"learned-flow"', '"sigma"', 'learning.law = "sigma": must be "learned-flow"'),
+    (
+        "[team]",
+        "[team]\nmembers = 1\n[other]",
+        "team.members = 1: must be a table of keys",
+    ),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "said"), OF_A_TEAM, ids=str)
+def test_each_mistake_is_a_sentence(tmp_path, old, new, said):
+    assert old in TEXT
+    text = TEXT.replace(old, new).partition("[other]")[0]
+    says(ScenarioError, said, system_from_text, text, "mine", tmp_path)
+
+
+def test_vehicles_share_one_flow():
+    for other, said in (
+        ({}, "members: has 1 vehicles; must have 2 to 100"),
+        (
+            {"b": vehicle(basis_widths=[5, 5, 4])},
+            "members.b: its basis is not that of a",
+        ),
+        ({"b": vehicle(flow_parameters=[[1, 2, 3]] * 2)}, "its flow is not that of a"),
+        ({"b": vehicle(units_length="km")}, "its units is not that of a"),
+        ({"b": 3}, "members.b = 3"),
+        (
+            {"b": {"run": {"durat": 3.0}}},
+            r"key members\.b\.run\.durat; did you mean dur",
+        ),
+    ):
+        says(
+            ScenarioError, said, clpt.Team, members={"a": STRAIT, **other}, coupling=0.5
+        )
+
+
+def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
+    clpt.save_scenario(STRAIT, file := tmp_path / "one.toml")
+    says(ScenarioError, "is a scenario of one vehicle", clpt.load_team, file)
+    says(
+        ScenarioError, r"has a table \[team\].*clpt.load_team", clpt.load_scenario, FILE
+    )
+    clpt.save_run(clpt.simulate(OTHERS, [0.0, 1.0]), run := tmp_path / "run.nc")
+    assert clpt.load_team(run) == OTHERS
+    says(clpt.ClptError, "it is a team's", clpt.load_scenario, run)

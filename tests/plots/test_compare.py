@@ -1,0 +1,301 @@
+"""Several runs in one figure, units of ports, and dimensions named after them."""
+
+import control
+import numpy as np
+import pytest
+import xarray
+from error_sentences import says
+
+import clpt_control as clpt
+from clpt_control.base.figures import COLOURS
+
+TIMES = np.linspace(0.0, 4.0, 41)
+SCENARIO = clpt.paper_scenario().with_values(
+    {"run.duration": 60.0, "run.output_step": 0.5}
+)
+
+
+def tank(units=None):
+    ports = {"inputs": {"q": 1}, "states": {"h": 2}, "parameters": {"a": 0.5}}
+    ports["units"] = {"h": "m", "q": "m3/s"} if units is None else units
+    return clpt.Block(
+        "tank",
+        update=lambda t, x, u, p: [u.q[0] - p.a * x.h[0], x.h[0] - x.h[1]],
+        **ports,
+    )
+
+
+def gauge():
+    ports = {"inputs": {"h": 2}, "outputs": {"v": 2, "mean": 1}, "units": {"v": "V"}}
+    ports["parameters"] = {"k": np.array([2.0, 3.0])}
+    mean = lambda t, x, u, p: {"v": p.k * u.h, "mean": (u.h[0] + u.h[1]) / 2}  # noqa: E731
+    return clpt.Block("gauge", output=mean, **ports)
+
+
+def loop():
+    return clpt.connect([tank(), gauge()], external="q", name="loop")
+
+
+def lemniscate():
+    return clpt.Block(
+        "eight",
+        output=lambda t, x, u, p: [2 * np.cos(t / 20), np.sin(t / 10)],
+        outputs={"zc": 2},
+    )
+
+
+def legends(axes):
+    return [
+        one.get_text() for ax in np.ravel(axes) for one in ax.get_legend().get_texts()
+    ]
+
+
+@pytest.fixture(scope="module")
+def of_tanks():
+    """Two runs of one diagram."""
+    return {
+        a: clpt.simulate(loop(), TIMES, 1.0, params={"tank.a": float(a)})
+        for a in ("0.5", "1")
+    }
+
+
+@pytest.fixture(scope="module")
+def of_scenarios():
+    """Two runs of the paper's loop, the second longer."""
+    other = SCENARIO.with_values({"learning.gain": 2.0, "run.duration": 80.0})
+    return {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(other)}
+
+
+def test_dimensions_are_named_after_ports_and_count_from_0():
+    run = clpt.simulate(loop(), TIMES, 1.0)
+    assert run.h.dims == ("time", "h_index")
+    assert run.v.dims == ("time", "v_index")
+    assert run["mean"].dims == run.q.dims == ("time",)
+    assert run.h_index.values.tolist() == [0, 1]
+    assert run.h_index.attrs["long_name"] == "signal of h, counted from 0"
+    np.testing.assert_array_equal(
+        run.h.sel(h_index=1), run.states.sel(state="tank_h[1]")
+    )
+
+
+def test_signals_that_python_control_picks_keep_their_names():
+    """``system[[0, 2], 1]`` has the outputs y[0] and y[2], and the input u[1]."""
+    picked = control.ss(-np.diag([1.0, 2.0, 3.0]), np.ones((3, 2)), np.eye(3), 0)[
+        [0, 2], 1
+    ]
+    run = clpt.simulate(picked, TIMES, 1.0)
+    assert list(run.data_vars) == ["y", "y[2]", "u[1]", "states"]
+    wanted = (1.0 - np.exp(-3.0 * TIMES)) / 3.0
+    np.testing.assert_allclose(run["y[2]"], wanted, atol=1e-8)
+    found = clpt.fit_parameters(picked, {"y[2]": wanted}, {"x0.x[2]": 1.0}, TIMES, 1.0)
+    assert found.values == pytest.approx({"x0.x[2]": 0.0}, abs=1e-7)
+    slopes = clpt.sensitivity(picked, TIMES, "y[2]", "x0.x[2]", 1.0)
+    np.testing.assert_allclose(slopes["y[2]"][:, 0], np.exp(-3.0 * TIMES), atol=1e-8)
+
+
+def test_names_that_would_be_one_are_two():
+    """Of an output called time, of y beside a port y[0], of a dimension, of what varies."""
+    rates = lambda t, x, u, p: [-x[0], -2.0 * x[1]]  # noqa: E731
+    for names in (["time", "time_"], ["y", "y[0]"]):
+        pair = control.nlsys(
+            rates, inputs=0, outputs=names, states=["y", "y_"], name="pair"
+        )
+        run = clpt.simulate(pair, [0.0, 1.0], 0.0, 1.0)
+        last = [
+            float(one[-1]) for name, one in run.data_vars.items() if name != "states"
+        ]
+        assert last == pytest.approx(np.exp([-1.0, -2.0]))
+    data = {"y": np.exp(-TIMES), "y[0]": 3.0 * np.exp(-2.0 * TIMES)}
+    found = clpt.fit_parameters(pair, data, {"x0": 0.5}, TIMES)
+    assert [*found.values.values()] == pytest.approx([1.0, 3.0])
+    two = control.ss(
+        -np.eye(2), np.ones((2, 1)), np.eye(2), 0, outputs=["x[0]", "x[1]"]
+    )
+    both = {"x": np.zeros((len(TIMES), 2)), "x[0]": 0 * TIMES}
+    with pytest.raises(clpt.ClptError, match=r"data: x\[0\] is given twice"):
+        clpt.fit_parameters(two, both, {"x0": 0.5}, TIMES)
+    sizes, wide = {"h": 2, "h_index": 1}, lambda t, x, u, p: {"h": [t, t], "h_index": t}
+    run = clpt.simulate(clpt.Block("a", output=wide, outputs=sizes), [0.0, 1.0])
+    assert (run.h.dims, run.h_index.dims) == (("time", "h_index_"), ("time",))
+    axes = clpt.simulation.response_plot(run)
+    assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
+
+
+def test_units_of_ports_are_those_of_the_run():
+    """A signal whose maker says no unit has that of who takes it; a sum has none."""
+    valve = clpt.parts.saturation(0, 1, u="w", y="q")
+    made = clpt.connect([valve, tank(), gauge()], external="w")
+    run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
+    units |= {"mean": None, "w": None}
+    assert {name: run[name].attrs.get("units") for name in units} == units
+    axes = clpt.simulation.response_plot(run)
+    assert {ax.get_ylabel() for ax in axes} == {
+        "h (m)",
+        "v (V)",
+        "mean",
+        "q (m3/s)",
+        "w",
+    }
+    drawn = clpt.draw(made).svg
+    assert [name in drawn for name in ("h (m)", "q (m3/s)", "mean (")] == [
+        True,
+        True,
+        False,
+    ]
+    a, b = tank().copy(name="a"), tank().copy(name="b")
+    ports = {
+        "inplist": ["a.q[0]"],
+        "outlist": [["a.h[0]", "b.h[0]"], "a.h[1]", "b.h[1]"],
+    }
+    ports |= {"outputs": ["sum", "one", "rest"], "connections": [["b.q[0]", "a.h[0]"]]}
+    run = clpt.simulate(control.interconnect([a, b], **ports), TIMES, 1.0)
+    assert [run[name].attrs.get("units") for name in ("sum", "one")] == [None, "m"]
+
+
+def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
+    moved = clpt.equations.Sampled(gauge(), 0.5)
+    run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
+    assert run.v.attrs["units"] == "V"
+    assert dict(tank({}).copy().units) == {}
+    ports = {
+        "inputs": {"s": 2},
+        "states": {"w": 2},
+        "units": {"s": "km/h", "w": "km/h"},
+    }
+    slow = clpt.Block("slow", update=lambda t, x, u, p: {"w": u.s - x.w}, **ports)
+    made = clpt.closed_loop(SCENARIO, insert={("v_x", "vehicle"): slow})
+    (part,) = (one for one in made.syslist if one.name == "slow")
+    assert part.units_of("input") == part.units_of("output") == ["km/h"] * 2
+    run = clpt.simulate(made, [0.0, 0.1])
+    units = {"w": "km/h", "v_z": "m s-1", "psi": "m s-1", "flow_z": "m s-1"}
+    assert {name: run[name].attrs["units"] for name in units} == units
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    np.testing.assert_array_equal(again.position, run.position)
+    assert again.w.attrs["units"] == "km/h"
+
+
+@pytest.mark.parametrize("units", [{"g": "m"}, {"h": ""}, {"h": 3}, {"h": "m\n"}])
+def test_units_that_are_none_are_refused(units):
+    says(clpt.ClptError, r"\A.*units.*\Z", tank, units)
+
+
+def test_runs_of_a_diagram_are_told_apart(of_tanks):
+    (ax, *_) = clpt.compare(of_tanks)
+    assert legends(ax) == ["0.5: h[0]", "0.5: h[1]", "1: h[0]", "1: h[1]"]
+    assert [line.get_color() for line in ax.lines] == np.repeat(COLOURS[:2], 2).tolist()
+    assert ax.lines[0].get_linestyle() != ax.lines[1].get_linestyle()
+    drawn = [line.get_ydata() for line in ax.lines]
+    np.testing.assert_array_equal(
+        drawn, np.vstack([one.h.T for one in of_tanks.values()])
+    )
+
+
+@pytest.mark.parametrize(
+    ("plot", "count"), [(None, 7), ("track", 1), ("clpe", 2), ("learning", 2)]
+)
+def test_runs_of_scenarios_are_told_apart(plot, count, of_scenarios):
+    axes = clpt.compare(of_scenarios, plot)
+    assert np.size(axes) == count
+    for ax in np.ravel(axes):
+        assert {*COLOURS[:2]} <= {line.get_color() for line in ax.lines}
+        # marked, in black and white
+        named = [one for one in ax.lines if one.get_label()[0] != "_"]
+        named = [one for one in named if one.get_linestyle() != "None"]
+        marks = {line.get_color(): line.get_marker() for line in named}
+        assert marks[COLOURS[0]] != marks[COLOURS[1]]
+        assert {text.partition(":")[0] for text in legends(ax)} == {"0.8", "2"}
+    if plot == "learning":
+        assert axes[0].get_xlim()[1] == 80.0
+    if plot == "track":
+        runs, pairs = of_scenarios.values(), [axes.lines[:2], axes.lines[3:5]]
+        for (track, line), run in zip(pairs, runs, strict=True):
+            np.testing.assert_array_equal(track.get_xydata(), run.position)
+            np.testing.assert_array_equal(line.get_xydata(), run.predicted_position)
+            assert line.get_linestyle() == "--"
+        assert axes.get_xlim()[1] > max(abs(one.position).max() for one in runs)
+
+
+@pytest.mark.parametrize("plot", ["clpe", "learning", "run"])
+def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(
+    plot, of_scenarios
+):
+    def drawn(axes):
+        np.ravel(axes)[0].figure.canvas.draw()
+        return np.ravel(axes), [one.get_window_extent() for one in np.ravel(axes)]
+
+    run = of_scenarios["0.8"]
+    axes, frames = drawn(clpt.compare(dict.fromkeys("abcd", run), plot))
+    legends = [one.get_legend().get_window_extent() for one in axes]
+    for k, legend in enumerate(legends):
+        assert not any(legend.overlaps(other) for other in frames + legends[:k])
+    if plot == "run":
+        alone, beside = (
+            drawn(one)[1] for one in (run.clpt.plot(), clpt.compare(of_scenarios))
+        )
+        assert (
+            min(b.width / a.width for a, b in zip(alone[1:], beside[1:], strict=True))
+            > 0.8
+        )
+
+
+def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
+    (a, b), plots = of_tanks.values(), clpt.simulation
+    cut = a.isel(time=slice(3, 20))
+    assert len(plots.response_plot(cut)[0].lines[0].get_xdata()) == 17
+    one = a.isel(h_index=0)[["h"]].clpt.plot()
+    np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
+    both = plots.response_plot(xarray.concat([a, b], "run", data_vars="all"))
+    assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
+    np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
+    paper = of_scenarios["0.8"]
+    for plot, run in {
+        plots.response_plot: a.isel(time=3),
+        plots.track_plot: paper.isel(time=3),
+        plots.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
+        plots.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
+    }.items():
+        says(clpt.DataError, r"\A.*\Z", plot, run)
+    ax = plots.track_plot(paper, label="mine", color="black")
+    assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
+
+
+def test_what_cannot_be_compared_is_one_sentence(of_tanks):
+    a = of_tanks["0.5"]
+    other, unknown = a.copy(deep=True), a.copy(deep=True)
+    other.h.attrs["units"] = "km"
+    del unknown.h.attrs["units"]
+    clpt.compare({"a": a, "b": unknown})
+    for runs, plot, said in (
+        ({str(k): a for k in range(7)}, None, ""),
+        ({"a": a}, "map", ""),
+        ({"a": a}, "track", ""),
+        (
+            {"a": a, "b": a[["h"]]},
+            None,
+            r"the same signals: choose some, as run\[\['h'\]\]",
+        ),
+        ({"a": a, "b": other}, None, "not all runs have h in one unit: m, km"),
+    ):
+        says(clpt.ClptError, rf"\A.*{said}.*\Z", clpt.compare, runs, plot)
+
+
+def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
+    made = clpt.closed_loop(SCENARIO, replace={"reference": lemniscate()})
+    outside, times = (
+        clpt.closed_loop(SCENARIO, external="zc"),
+        np.linspace(0.0, 60.0, 121),
+    )
+    zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
+    for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
+        ax = clpt.simulation.track_plot(run)
+        words = legends(ax)
+        assert words == ["track", "prediction", "desired position", "start"]
+        np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
+        for one in (ax, *clpt.simulation.clpe_plot(run)):
+            words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
+        assert not [word for word in words if "waypoint" in word or "interval" in word]
+    clpt.report(run, tmp_path / "page.html")
+    text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
+    assert "waypoint" not in text.partition('id="excitation"')[0].lower()
+    assert "waypoints" in legends(clpt.simulation.track_plot(clpt.simulate(SCENARIO)))

@@ -1,0 +1,302 @@
+"""What raises, cannot be computed or leaves a field is said in a sentence."""
+
+import math
+import re
+import warnings
+
+import control
+import numpy as np
+import pytest
+from error_sentences import says
+from still_water import PAPER
+
+import clpt_control as clpt
+from clpt_control.engine.model.declaration import Each
+from clpt_control.equations import Block
+from clpt_control.errors import SimulationError
+from clpt_control.ocean.currents.plane import GriddedField
+from clpt_control.paper.blocks import field, vehicle
+
+ENGINES = pytest.mark.parametrize("engine", [None, "python"])
+TIMES = np.linspace(0.0, 4.0, 5)
+
+
+def system(update, output=None, **given):
+    """A system of one state that begins at 1."""
+    return control.nlsys(
+        update,
+        output,
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"k": 1.0},
+        name="q",
+        **given,
+    )
+
+
+def decay(t, x, u, p):
+    return [-p["k"] * x[0]]
+
+
+def told(call, kind=clpt.SimulationError):
+    """The sentence of an error, without advice; it warns of nothing but that Python runs."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "q runs in Python")
+        with pytest.raises(kind, match=r"\A((?!tol).)*\Z") as caught:
+            call()
+    return str(caught.value)
+
+
+def ended(t, x, u, p):
+    if t > 1:
+        raise ValueError("table ends at 1 s")
+    return [1.0]
+
+
+def empty(t, x, u, p):
+    raise ValueError("thruster table\nis empty")
+
+
+def named(function, raises):
+    line = function.__code__.co_firstlineno + (function.__name__ != "<lambda>")
+    return f"{function.__name__}, line {line}: {raises}"
+
+
+RAISING = {
+    empty: named(empty, "ValueError: thruster table is empty"),
+    (one := lambda t, x, u, p: [1 / 0]): named(
+        one, "ZeroDivisionError: division by zero"
+    ),
+    (one := lambda t, x, u, p: [u[1]]): named(
+        one, "IndexError: index 1 is out of bounds for axis"
+    ),
+    lambda t, x, u, p: [x[0], x[0]]: "returns 2 numbers; must return 1",
+}
+
+
+@ENGINES
+@pytest.mark.parametrize("role", ["update", "output"])
+@pytest.mark.parametrize("function", RAISING)
+def test_a_function_that_raises(function, role, engine):
+    model = system(function) if role == "update" else system(decay, function)
+    said = told(lambda: clpt.simulate(model, TIMES, 1.0, [1.0], engine=engine))
+    at = "the integration stopped at t = 0" if role == "update" else "at t = 0"
+    assert said.startswith(f"{at}: q.{role}: {RAISING[function]}")
+
+
+@ENGINES
+def test_in_the_middle_of_a_run(engine):
+    said = told(lambda: clpt.simulate(system(ended), [0.0, 5.0], engine=engine))
+    line = ended.__code__.co_firstlineno + 2
+    end = f"q.update: ended, line {line}: ValueError: table ends at 1 s"
+    assert said == f"the integration stopped at t = 1: {end}"
+    root = system(lambda t, x, u, p: [-math.sqrt(x[0])])  # from 1 it is 0 at t = 2
+    said = told(lambda: clpt.simulate(root, [0.0, 5.0], 0.0, [1.0], engine=engine))
+    assert re.search("q.update: <lambda>, line.*ValueError: ", said)
+
+
+NO_NUMBERS = {
+    lambda t, x, u, p: [u[0] + "1"]: TypeError,
+    lambda t, x, u, p: [wibble(x[0])]: NameError,  # noqa: F821
+    lambda t, x, u, p: [x.y]: AttributeError,
+    lambda t, x, u, p: [p["none"] * x[0]]: KeyError,
+}
+
+
+@ENGINES
+@pytest.mark.parametrize("function", NO_NUMBERS)
+def test_what_is_no_matter_of_numbers(function, engine):
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "q runs in Python")
+        with pytest.raises(
+            clpt.BlockError, match=f"^q.update: {named(function, '')}"
+        ) as caught:
+            clpt.simulate(system(function), TIMES, engine=engine)
+    assert isinstance(caught.value.__cause__, NO_NUMBERS[function])
+
+
+@ENGINES
+def test_a_step_that_is_tried_and_left(engine):
+    """x' = -10 x^(3/2) from 1 is (1 + 5 t)^-2; a first step of 1 leads below 0."""
+    asked = []
+
+    def update(t, x, u, p):
+        if engine and isinstance(x[0], float):
+            asked.append(float(x[0]))
+        return [-10.0 * math.sqrt(x[0]) * x[0]]
+
+    run = clpt.simulate(
+        system(update), [0.0, 5.0], 0.0, [1.0], engine=engine, first_step=1.0
+    )
+    assert run.y.values.ravel()[-1] == pytest.approx(26.0**-2, rel=1e-6)
+    if engine:
+        assert min(asked) < 0.0
+
+
+def second(t, x, u, p):
+    if t > 1.5:
+        raise ValueError("no second jump")
+    return [0.0]
+
+
+def law(t, x, u, p):
+    if t > 1.2:
+        raise ValueError("the law ends")
+    return [x[0] + u[0]]
+
+
+@ENGINES
+@pytest.mark.parametrize("times", [[0.0, 4.0], TIMES])
+def test_jumps_and_sampled_parts(engine, times):
+    ports = {
+        "states": {"s": 1},
+        "parameters": {"interval": -1.0},
+        "breakpoints": Each(1.0),
+    }
+    saw = Block("saw", update=lambda t, x, u, p: [1.0], jump=second, **ports)
+    said = told(lambda: clpt.simulate(saw, times, engine=engine))
+    assert said.startswith("the integration stopped at t = 2: saw.jump: second, line ")
+    assert said.endswith("ValueError: no second jump")
+    with pytest.raises(
+        clpt.SimulationError, match=r"t = 0: state s\[0\] of block saw is not fin"
+    ):
+        clpt.simulate(saw, times, initial_state=[math.nan], engine=engine)
+    sampled = Block("law", update=law, inputs={"y": 1}, states={"w": 1}, dt=0.5)
+    plant = Block(
+        "plant", update=lambda t, x, u, p: u.w - x, inputs={"w": 1}, states={"y": 1}
+    )
+    said = told(
+        lambda: clpt.simulate(clpt.connect([sampled, plant]), times, engine=engine)
+    )
+    assert said.startswith("the integration stopped at t = 2: law.update: law, line ")
+    said = told(lambda: clpt.simulate(sampled, np.arange(0.0, 4.0, 0.5), engine=engine))
+    assert said.startswith("the run stopped at t = 1.5: law.update: law, line ")
+
+
+def caught(t, x, u, p):
+    """Python's float raises where a double is infinite, and the function goes on."""
+    try:
+        rate = 1.0 / p["k"]
+    except ZeroDivisionError:
+        rate = 2.0
+    return -rate * x
+
+
+@ENGINES
+def test_what_a_function_catches_itself(engine):
+    model = system(caught)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "q runs in Python.*q.update")
+        run = clpt.simulate(model, TIMES, 1.0, [1.0], params={"k": 0.0}, engine=engine)
+        data = clpt.run_ensemble(
+            model, {"k": [0.0, 1.0]}, timepts=TIMES, initial_state=[1.0]
+        )
+    assert run.y.values.ravel() == pytest.approx(np.exp(-2.0 * TIMES), abs=1e-8)
+    assert data.y_final.values == pytest.approx(np.exp([-8.0, -4.0]), abs=1e-8)
+
+
+@pytest.mark.filterwarnings("ignore:q runs in Python")
+@pytest.mark.parametrize(
+    ("model", "role", "end"),
+    [
+        (system(empty), "update", "thruster table is empty"),
+        (system(decay, ended), "output", "table ends at 1 s"),
+    ],
+)
+def test_an_ensemble(model, role, end):
+    said = rf"^2 of 2 members did .*; the first is member 0: not finite: .*q.{role}: .*: {end}\Z"
+    with pytest.warns(UserWarning, match=said) as caught:
+        data = clpt.run_ensemble(model, {"k": [1.0, 2.0]}, timepts=TIMES)
+    assert sum("did not finish" in str(one.message) for one in caught) == 1
+    assert np.all(data.status == 3)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_what_is_infinite_is_named(engine):
+    x0 = clpt.initial_state(PAPER)
+    x0[1] = np.nan
+    with pytest.raises(SimulationError, match=r"t = 0.*x\[1\].*vehicle"):
+        clpt.simulate(PAPER, [0, 1], initial_state=x0, engine=engine)
+    burst = clpt.Block("burst", update=lambda t, x, u, p: x[0] ** 2, states={"x": 1})
+    with pytest.raises(SimulationError, match=r"\A.*stopped at t = (0\.9|1).*\Z"):
+        clpt.simulate(burst, [0.0, 2.0], initial_state=[1.0], engine=engine)
+
+
+def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
+    """A vehicle that swims nowhere in a uniform current on x1 = -2 ... 2, x2 = -1 ... 1."""
+    axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
+    grid = GriddedField(*axes, *(np.full((5, 5, 9), speed) for speed in (u, v)))
+    units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
+    flow = field.gridded_flow(grid, outside, units=units)
+    return clpt.connect([flow, vehicle.vehicle(), *more], external=external)
+
+
+WHERE = r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2, x2 -1"
+LEFT = [  # its start, its span, the field, and what of the place, the time and the bounds is said
+    (
+        [0.0, 0.5],
+        np.linspace(0, 5, 11),
+        {},
+        WHERE + " to 1 km, time 0 to 10 h.*clip.*stop",
+    ),
+    ([0.0, 0.0], [0.0, 5.0], {"u": 0.1, "end": 3.0}, "time 3 h; .*time 0 to 3 h"),
+    ([3.0, 0.0], [0.0, 1.0], {}, r"\(3, 0\) km, time 0 h"),
+]
+
+
+@pytest.mark.parametrize(("start", "times", "given", "said"), LEFT)
+def test_leaving_raises_with_position_time_and_bounds(start, times, given, said):
+    says(
+        SimulationError,
+        said,
+        clpt.simulate,
+        drift("raise", **given),
+        times,
+        initial_state=start,
+    )
+
+
+def test_leaving_stops_where_it_leaves_between_samples():
+    run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
+    np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
+    np.testing.assert_allclose(
+        run.states, [[0.75, 0.5], [1.75, 0.5], [2.0, 0.5]], atol=1e-8
+    )
+    assert re.match("stopped.*time 1.25 h", run.message)
+    run = clpt.simulate(drift("stop"), [0.0, 1.0], initial_state=[3.0, 0.0])
+    assert run.time.values.tolist() == [0.0]
+    run = clpt.simulate(
+        drift("stop", u=0.1, end=3.0), [0.0, 5.0], initial_state=[0.0, 0.0]
+    )
+    np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
+
+
+def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
+    run = clpt.simulate(
+        drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0]
+    )
+    np.testing.assert_allclose(run.states[1:], [[4.0, -2.0], [20.0, -10.0]], atol=1e-8)
+    run = clpt.simulate(drift("raise"), [0.0, 2.0], initial_state=[0.0, 1.0])
+    np.testing.assert_allclose(run.states[-1], [2.0, 1.0], atol=1e-9)
+
+
+@pytest.mark.parametrize("farthest", [4.04, 2.02])
+def test_out_and_back_within_a_step_is_found(farthest):
+    # x1 = a sin(pi t/10) against a current of 1: out at the first time where it is 2
+    def velocity(t, x, u, p):
+        return [-1.0 + farthest * math.pi / 10 * np.cos(math.pi * t / 10), 0.0]
+
+    pushed = clpt.Block("pushed", output=velocity, outputs={"v_x": 2})
+    run = clpt.simulate(drift("stop", 1.0, 0.0, 10.0, pushed, external=()), [0.0, 9.9])
+    leaves = 10 / math.pi * math.asin(2 / farthest)
+    assert run.time[-1] == pytest.approx(leaves, abs=1e-6)
+    assert run.x[-1, 0] == pytest.approx(2.0, abs=1e-8)
+
+
+@pytest.mark.parametrize(
+    "of", [lambda s: s, clpt.closed_loop], ids=["scenario", "diagram"]
+)
+def test_more_samples_than_memory_holds_are_refused_before_work(of):
+    said = r"timepts: 8000000 samples of \d+ states and signals"
+    says(SimulationError, said, clpt.simulate, of(PAPER), 1e-4 * np.arange(8_000_000))

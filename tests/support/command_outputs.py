@@ -1,0 +1,86 @@
+"""Files that commands are given: the paper's scenario with changed keys, and one of each kind."""
+
+import shutil
+import tomllib
+from pathlib import Path
+
+import pytest
+from synthetic_vehicle import one_file_each
+from team_scenarios import FILE
+from tidal_records import times, waves, write_table
+
+import clpt_control as clpt
+from clpt_control.paper.scenario.file import paper_text, toml
+
+RUN = ("run", "s.toml", "--out", "run.nc")
+ENSEMBLE = (
+    "ensemble",
+    "s.toml",
+    "--vary",
+    "learning.gain=1:2",
+    "--out",
+    "e.zarr",
+    "--members",
+)
+FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
+COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or nothing; None: a part
+    ("--help",): (),
+    ("init", "mine.toml"): ("mine.toml",),
+    (*RUN, "--figures", "out"): ("run.nc", "figure?.png"),
+    ("run", "team.toml", "--out", "run.nc"): ("run.nc",),
+    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
+    (*ENSEMBLE, "64", "--chunk", "8", "--trajectories"): None,
+    ("laws", "concurrent", "--json"): (),
+    ("report", "r.nc", "-o", "r.html"): ("r.html",),
+    ("replay", "in", "--out", "out", "--aim", "-43.1", "8.5"): (
+        "replay.*",
+        "*.png",
+        "*.kml",
+    ),
+    (*ENSEMBLE, "64", "--chunk", "8", "--dask", "local", "--threads", "1"): None,
+    ("paper", "--out", "out"): ("run.nc", "figure?.png"),
+    ("tune", "s.toml", "--members", "3", "--law", "learned-flow", "--out", "t.toml"): (
+        "t.toml",
+    ),
+    ("prove", "--theorem", "3.2", "--again"): (),
+    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
+    ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
+    ("certify", "s.toml", "--json"): (),
+    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
+    ("fit", "c.nc", "--out", "f.toml", "--json"): ("f.toml", "f_field.nc"),
+    ("tides", "r.csv", "--constituents", "M2,S2"): (),
+    ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
+    FOLLOW: None,
+    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
+}
+
+
+def seldom(cases, often=1):
+    """Leave all but the first cases to `make test-processes`."""
+    rare = [pytest.mark.processes]
+    return [pytest.param(one, marks=rare * (k >= often)) for k, one in enumerate(cases)]
+
+
+def write(changes, path="s.toml"):
+    tables = tomllib.loads(paper_text())
+    for key, value in changes.items():
+        *place, last = key.split(".")
+        table = tables
+        for name in place:
+            table = table.setdefault(name, {})
+        table[last] = value
+        if value is None:
+            del table[last]
+    Path(path).write_text(toml(tables))
+
+
+def write_each(folder, duration):
+    """Write a scenario, its run, a team, a current, a tidal record and dives."""
+    scenario = clpt.paper_scenario().with_values({"run.duration": duration})
+    clpt.save_scenario(scenario, folder / "s.toml")
+    clpt.save_run(clpt.simulate(scenario), folder / "r.nc")
+    for name, file in (("team.toml", FILE), ("c.nc", clpt.currents.sample_currents())):
+        shutil.copyfile(file, folder / name)
+    write_table(folder / "r.csv", times(20), waves(times(20)))
+    (folder / "in").mkdir()
+    one_file_each(folder / "in", clpt.gliders.sample_dives()[:4])
