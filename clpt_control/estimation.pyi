@@ -3,7 +3,6 @@ from .ocean.estimation.fix_model import FixModel
 from .ocean.estimation.priors import Priors
 from .ocean.estimation.theta_from_fixes import (
     FlowEstimate,
-    dive_basis,
     flow_estimate,
     known_flow_scenario,
 )
@@ -12,7 +11,6 @@ __all__ = [
     "FixModel",
     "FlowEstimate",
     "Priors",
-    "dive_basis",
     "flow_estimate",
     "known_flow_scenario",
     "make_estimator",

@@ -41,19 +41,6 @@ def test_step_response_agrees_with_theory(study):
     )
 
 
-def test_forecasts_of_flow_estimators(study, tmp_path):
-    lines = (DATA / "sg542_dives.csv").read_text().splitlines(keepends=True)
-    (tmp_path / "few.csv").write_text("".join(lines[:14]))
-    first = {
-        row[0]: float(row[1]) for row in study("flow_estimators", tmp_path / "few.csv")
-    }
-    assert (len(first), first["tomography, steady"]) == (
-        9,
-        first["least-squares, steady"],
-    )
-    assert max(first.values()) == first["no flow"]
-
-
 def test_aiming_off_more_than_halves_the_distance_to_the_waypoint(study):
     rows = study("aiming", ROOT / "tests/data/glider/sea035m10_dives.csv")
     assert {row[0] for row in rows} == {"SG542", "sea035m10_dives", "all"}

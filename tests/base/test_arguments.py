@@ -146,7 +146,6 @@ def right(tmp_path_factory):
         "constituents": ["M2"],
     }
     found = clpt.currents.fit_tides(**tides)
-    basis, _ = clpt.estimation.dive_basis(DIVES)
     both, ensemble = (
         np.zeros((2, 2)),
         clpt.run_ensemble(SCENARIO, "learning.gain=0.5:1", 2),
@@ -182,7 +181,7 @@ def right(tmp_path_factory):
         **{"predict": {"time": HOURS[:3]}, "tidal_basis": {"epoch": HOURS[0]}},
         **{
             "percentiles": {"name": "clpe_rms"},
-            "flow_estimate": {"data": run, "every": 5.0},
+            "flow_estimate": {"run": run, "every": 5.0},
         },
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
         "make_estimator": {"name": "gradient", "model": clpt.estimation.FixModel()},
@@ -243,9 +242,6 @@ def right(tmp_path_factory):
         | {"t": 0.0, "u": [1.0]},
         "Sampled": {"inner": clpe(), "period": 1.0},
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
-        "FlowEstimate.miss": {
-            "self": clpt.estimation.flow_estimate(DIVES, basis=basis)
-        },
         **{
             "Replay.forecast": {"self": replay},
             "observer": LINEAR,

@@ -137,9 +137,7 @@ def tides_result(report: Report) -> Result:
 
 def estimate(
     run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
-    method: str = opt(
-        "NAME", "least-squares, kalman or tomography.", default="least-squares"
-    ),
+    method: str = opt("NAME", "least-squares or kalman.", default="least-squares"),
     every: float | None = opt(
         "TIME", "Time between fixes; a tenth of reference.dwell."
     ),
@@ -153,14 +151,14 @@ def estimate(
     ),
     as_json: Json = False,
 ) -> None:
-    """Estimate the flow from fix to fix, for the known-flow law.
+    """Estimate the flow from fixes of a run, for the known-flow law.
 
     Example:
         clpt estimate run.nc --method kalman --out known.toml
     """
     import numpy as np
 
-    from ...ocean.estimation.segments import run_scenario
+    from ...ocean.estimation.run_segments import run_scenario
 
     if run.suffix != ".nc":
         raise DataError(

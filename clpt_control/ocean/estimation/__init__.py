@@ -1,5 +1,5 @@
 """Estimates of the flow parameters theta from data.
 
-From samples of a flow (`least_squares.least_squares`), or from fix to fix of a vehicle that
-sees itself at surfacings only (`FixModel`, `make_estimator`).
+Samples of a flow: `least_squares`.  Fixes of a run: `theta_from_fixes`.  Surfacings of a glider,
+which has no position between them: `fix_model` and the estimators.
 """

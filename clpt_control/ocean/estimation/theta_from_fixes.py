@@ -1,15 +1,9 @@
-"""theta of Eq. (3) from fixes, of a run or of dives, for the known-flow law (Remark 3.2).
+"""theta of Eq. (3) from fixes of a run, for the known-flow law (Remark 3.2).
 
-The methods are those of `fix_to_fix`.  A basis for a glider's dives has currents everywhere, and
-gaussians at the places:
-
-    steady: phi = 1;  a tide: cos(w t) and sin(w t);  a place: exp(-|x - c|^2/(2 width^2))
-
-Only starts and dead reckoning of the dives are read for it.
+The vehicle of a run has a fix each so often; `run_segments` makes segments of them, and
+`between_fixes` has the methods.
 """
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,44 +13,36 @@ import xarray
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...engine.model.block import Block
-from ...paper.blocks.flow import flow_basis
 from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.tidal_periods import period
-from .dive import Dive
-from .fix_to_fix import METHODS, whitened
-from .gaussian_lattice import gaussian_centers
-from .priors import Priors
-from .segments import dive_segments, run_scenario, run_segments
-
-WIDE = 1e12  # m, of a gaussian that is 1 everywhere on Earth
+from .between_fixes import METHODS, whitened
+from .run_segments import run_scenario, run_segments
 
 
 @dataclass(frozen=True)
 class FlowEstimate:
-    """An estimate of theta with how well it is known.
+    """An estimate of theta and its covariance.
 
     Attributes
     ----------
     theta : ndarray, shape (2, N)
-        In the unit of speed of the run; m/s for dives.
+        In the unit of speed of the run.
     covariance : ndarray, shape (N, N)
         Of each row of theta; an upper bound where one noise of the position lasts over fixes.
     misses : ndarray, shape (n, 2)
-        What theta leaves of the segments' misses, length.
+        Residuals of the segments' position errors, length.
     condition_number : float
         The largest over the smallest singular value of the integrals h, each over its noise.
     steps : ndarray, shape (k, 2, N)
-        theta after each segment of the filter or each iteration of the tomography.
+        theta after each segment of the filter; of least squares the estimate alone.
 
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> dive = clpt.gliders.make_dive(1, (0.0, 0.0, 8.0), (9000.0, 0.0, 8.02), (500.0, 0.0))
-    >>> basis, prior = clpt.estimation.dive_basis([dive], width=None)
-    >>> found = clpt.estimation.flow_estimate([dive], basis=basis, prior=prior)
-    >>> found.theta.round(2).tolist(), found.miss(dive).round()
-    ([[0.19], [0.0]], array([1696.,    0.]))
+    >>> values = {"run.duration": 60, "run.output_step": 0.1}
+    >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
+    >>> clpt.estimation.flow_estimate(run, every=5.0).misses.shape
+    (12, 2)
     """
 
     theta: np.ndarray
@@ -65,31 +51,21 @@ class FlowEstimate:
     condition_number: float
     steps: np.ndarray
     basis: Block = field(repr=False)
-    origin: tuple[float, float] | None = None
 
     def __repr__(self) -> str:
-        axes = (", ".join(f"{one:.4g}" for one in row) for row in self.theta)
-        apart = ", ".join(f"{one:.2g}" for one in self.standard_deviation)
-        return f"<FlowEstimate: theta {'; '.join(axes)}; standard deviation {apart} on both axes>"
+        rows = "; ".join(", ".join(f"{x:.4g}" for x in row) for row in self.theta)
+        sd = ", ".join(f"{x:.2g}" for x in self.standard_deviation)
+        return f"<FlowEstimate: theta {rows}; standard deviation {sd} on both axes>"
 
     @property
     def standard_deviation(self) -> np.ndarray:
-        """Of each theta, shape (N,): the same for both axes."""
+        """Standard deviation of each theta, shape (N,): the same for both axes."""
         return np.sqrt(np.diag(self.covariance))
-
-    @public
-    def miss(self, dive: Dive) -> np.ndarray:
-        """Forecast a dive's miss, (2,), m; its end is not read."""
-        if self.origin is None:
-            raise DataError("the estimate is of a run; one of dives forecasts dives")
-        segments = dive_segments([dive], self.origin)
-        track = segments.predicted(self.basis, self.theta)[0]
-        return track[-1] - segments.start[0] - segments.water[0, -1]
 
 
 @public
 def flow_estimate(
-    data: "xarray.Dataset | Sequence[Dive]",
+    run: "xarray.Dataset",
     method: str = "least-squares",
     *,
     basis: Block | None = None,
@@ -97,38 +73,35 @@ def flow_estimate(
     prior: float | np.ndarray | None = None,
     noise: float | np.ndarray | None = None,
 ) -> FlowEstimate:
-    """Estimate the flow parameters theta from fix to fix.
+    """Estimate the flow parameters theta from fixes of a run.
 
     Parameters
     ----------
-    data : xarray.Dataset or sequence of Dive
-        A run, whose vehicle has a fix each `every`, or dives in their order.
+    run : xarray.Dataset
+        A run of `simulate`, whose vehicle has a fix each `every`.
     method : str
-        ``"least-squares"``, ``"kalman"`` or ``"tomography"``, which of a run reads the fixes and
-        the velocity through the water, and no position between.
+        ``"least-squares"`` or ``"kalman"``.
     basis : Block, optional
-        phi of Eq. (5) at x; of a run that of its scenario. `dive_basis` makes one for dives.
+        phi of Eq. (5) at x; that of the run's scenario by default.
     every : float, optional
-        Time between fixes of a run; by default a tenth of ``reference.dwell``.
+        Time between fixes; by default a tenth of ``reference.dwell``.
     prior : float or array_like, shape (N,), optional
-        Standard deviation of each theta before any fix; by default the law's of a run, 0.3 k R
-        with the mean k of KD and the track's reach R, and 0.3 m/s of dives.
+        Standard deviation of each theta before any fix; by default the law's, 0.3 k R with the
+        mean k of KD and the track's reach R.
     noise : float or array_like, shape (n,), optional
-        Standard deviation of a miss, length: by default of dives 30 m and 0.04 m/s over their time
-        (`Priors`), of a run 1e-4 R, or what its samples leave open where that is more, and
-        2^(1/2) ``localization.noise``. What a run's miss has beyond 1e-4 R is of its two fixes,
-        half of the variance each; its neighbours share them.
+        Standard deviation of a position error, length: by default 1e-4 R, or the error of the
+        run's samples if that is larger, and 2^(1/2) ``localization.noise``. What it has beyond
+        1e-4 R is of its two fixes, half of the variance each; its neighbours share them.
 
     Returns
     -------
     FlowEstimate
-        `theta`, its `covariance`, what is left of the `misses`, and the `steps` to it.
+        `theta`, its `covariance`, the residuals `misses`, and the `steps`.
 
     Raises
     ------
     DataError
-        If there is no segment, a number is not finite, the run's samples are too coarse, or the
-        tomography does not settle.
+        If a number is not finite, or the run's samples are too coarse.
     ScenarioError
         If an argument is not allowed, or the scenario's vehicle steers on fixes.
 
@@ -137,61 +110,39 @@ def flow_estimate(
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> found = clpt.estimation.flow_estimate(run, "tomography")
-    >>> found.theta.round(2).tolist()
+    >>> estimate = clpt.estimation.flow_estimate(run, "kalman")
+    >>> estimate.theta.round(2).tolist()
     [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
     """
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
-    origin, usual_prior, start = None, Priors().current, None
-    walk = 0.0  # of the prior, by the root of time: of dives 0.13 in six hours
-    if isinstance(data, Sequence):
-        if not data:
-            raise DataError("no dives are given; give one at least")
-        if basis is None or every is not None:
-            raise ScenarioError(
-                "dives need a basis, such as that of dive_basis, and no every"
-            )
-        origin = (data[0].lat_gps2, data[0].lon_gps2)
-        segments, sea = dive_segments(data, origin), Priors().gradient
-        time = np.array([dive.duration for dive in data])
-        usual_noise = np.hypot(Priors().fix, sea.scatter * time)
-        walk = np.sqrt(2 / sea.memory)  # that of a current, scaled
-    else:
-        scenario = run_scenario(data)
-        segments, known = run_segments(data, scenario, every), scenario.known_to_law
-        usual_prior = PRIOR.usual(known)
-        fix = 0.0 if scenario.localization is None else scenario.localization.noise
-        usual_noise = np.full(
-            len(segments.start), np.hypot(segments.alone, np.sqrt(2) * fix)
-        )
-        if basis is None:
-            basis, start = scenario.basis_block(), known.alpha_M
-    n, sizes = len(segments.start), list(basis.output_ports.values())
+    scenario = run_scenario(run)
+    segments, known = run_segments(run, scenario, every), scenario.known_to_law
+    fix = 0.0 if scenario.localization is None else scenario.localization.noise
+    usual_noise = np.hypot(segments.alone, np.sqrt(2) * fix)
+    start = None
+    if basis is None:
+        basis, start = scenario.basis_block(), known.alpha_M
+    n, sizes = len(segments.error), list(basis.output_ports.values())
     if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
         raise ScenarioError(
             f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states"
         )
     N = sizes[0]
-    sd = _numbers("prior", usual_prior if prior is None else prior, (N,))
+    sd = _numbers("prior", PRIOR.usual(known) if prior is None else prior, (N,))
     r = _numbers("noise", usual_noise if noise is None else noise, (n,))
     theta = np.zeros((2, N)) if start is None else np.asarray(start)
-    finite = all(np.all(np.isfinite(part)) for part in segments[:4])
-    if not (finite and np.all(segments.duration > 0)):
-        raise DataError(
-            "a segment is not finite, or has no time; clpt.gliders.usable leaves it out"
-        )
-    with np.errstate(all="ignore"):  # what is not finite is refused
-        steps, P, h = METHODS[method](segments, basis, theta, sd, r, walk * sd)
+    with np.errstate(all="ignore"):  # numbers that are not finite are refused below
+        steps, P, h = METHODS[method](segments, basis, theta, sd, r)
         theta = steps[-1]
-        scaled, left = whitened(segments, h, r), segments.miss - h @ theta.T
-    if not all(np.all(np.isfinite(part)) for part in (theta, P, scaled)):
+        scaled, residuals = whitened(segments, h, r), segments.error - h @ theta.T
+    if not all(np.all(np.isfinite(values)) for values in (theta, P, scaled)):
         raise DataError(
             "the estimate is not finite; give a smaller prior or more noise"
         )
     s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
-    return FlowEstimate(theta, P, left, condition, steps, basis, origin)
+    return FlowEstimate(theta, P, residuals, condition, steps, basis)
 
 
 def _numbers(name: str, value: Any, shape: tuple[int]) -> np.ndarray:
@@ -249,65 +200,3 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     else:
         values["learning.gain"] = gains.feedback
     return scenario.with_values(values)
-
-
-@public
-def dive_basis(
-    dives: Sequence[Dive],
-    width: float | None = 20e3,
-    constituents: Sequence[str] = ("steady",),
-) -> tuple[Block, np.ndarray]:
-    """Make a flow basis for dives, and what is believed of it before.
-
-    Parameters
-    ----------
-    dives : sequence of Dive
-        In their order; their ends are not read.
-    width : float or None
-        Of the gaussians, m, which stand 1.5 widths apart where the track comes near; None for
-        no gaussians.
-    constituents : sequence of str
-        Currents that are the same everywhere: ``"steady"``, ``"M2"``, ...
-
-    Returns
-    -------
-    basis : Block
-        phi of Eq. (5), x in m east and north of the first dive's start, time in s since 1970.
-    prior : ndarray, shape (N,)
-        Standard deviation of each parameter, m/s (`Priors`).
-
-    Raises
-    ------
-    DataError
-        If there is no dive.
-    ScenarioError
-        If a constituent is unknown, or there is no function.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> basis, prior = clpt.estimation.dive_basis(clpt.gliders.sample_dives(), width=20e3)
-    >>> basis.output_ports, prior[:2].tolist()
-    ({'phi_x': 9}, [0.3, 0.15])
-    """
-    if not dives:
-        raise DataError("no dive is given; a basis of dives needs one at least")
-    priors, sine = Priors(), -math.pi / 2
-    rows = []  # center, width, frequency, phase, prior
-    for name in constituents:
-        w = 2 * math.pi / period(name, "s")
-        sd = priors.tide if w else priors.current
-        rows += [
-            ((0.0, 0.0), WIDE, w, phase, sd) for phase in ((0.0, sine) if w else (0.0,))
-        ]
-    if width is not None:
-        if not (math.isfinite(width) and width > 0):
-            raise ScenarioError(
-                f"width = {width:g} m: must be positive, or None for no gaussians"
-            )
-        for center in gaussian_centers(dives, width):
-            rows.append((center, width, 0.0, 0.0, priors.gaussian))
-    if not rows:
-        raise ScenarioError("no function: give a constituent or a width")
-    *functions, prior = (np.array(column) for column in zip(*rows, strict=True))
-    return flow_basis("basis_x", "x", "gaussian", *functions), prior

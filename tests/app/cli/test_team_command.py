@@ -119,7 +119,7 @@ def run(tmp_path_factory):
     return file
 
 
-METHODS = ("least-squares", "kalman", "tomography")
+METHODS = ("least-squares", "kalman")
 
 
 @pytest.mark.parametrize("method", METHODS)
