@@ -123,9 +123,9 @@ class Dive:
     notes: tuple[str, ...] = field(default=(), compare=False)
 
     def __repr__(self) -> str:
-        whose = f" of {self.vehicle}" if self.vehicle else ""
+        vehicle = f" of {self.vehicle}" if self.vehicle else ""
         return (
-            f"<Dive {self.number}{whose}: {self.duration / 3600:.2f} h, miss "
+            f"<Dive {self.number}{vehicle}: {self.duration / 3600:.2f} h, miss "
             f"{self.miss_east:.0f} m east, {self.miss_north:.0f} m north>"
         )
 
@@ -136,12 +136,12 @@ class Dive:
 
     @property
     def miss_east(self) -> float:
-        """How far east of its dead reckoning the vehicle surfaced, m."""
+        """Position error to the east of the dead reckoning, m."""
         return self.gps_east - self.dr_east
 
     @property
     def miss_north(self) -> float:
-        """How far north of its dead reckoning the vehicle surfaced, m."""
+        """Position error to the north of the dead reckoning, m."""
         return self.gps_north - self.dr_north
 
 

@@ -59,6 +59,6 @@ def position_covariance(line: np.ndarray, lines: np.ndarray) -> np.ndarray:
 
     `line` (2, 2) and each of `lines` (N, 2, 2) are start and end, in m.
     """
-    apart = (POINTS @ line)[:, None] - (POINTS @ lines)[:, None]
-    square = np.sum(apart**2, axis=-1)
+    separation = (POINTS @ line)[:, None] - (POINTS @ lines)[:, None]
+    square = np.sum(separation**2, axis=-1)
     return np.exp(-square / (2 * LENGTH**2)).mean(axis=(1, 2))

@@ -92,5 +92,5 @@ def mixed(
     """
     mean = weights @ means
     deviation = means - mean
-    between = np.einsum("m,mi,mj->ij", weights, deviation, deviation)
-    return mean, np.einsum("m,mij->ij", weights, covariances) + between
+    between_means = np.einsum("m,mi,mj->ij", weights, deviation, deviation)
+    return mean, np.einsum("m,mij->ij", weights, covariances) + between_means

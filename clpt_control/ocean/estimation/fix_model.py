@@ -139,16 +139,16 @@ class FixModel:
 
     def __post_init__(self) -> None:
         """Reject invalid flows."""
-        parts = (*OTHERS, *SPEEDS)
-        rest = self.flow[1:]
+        known_parts = (*OTHERS, *SPEEDS)
+        optional_parts = self.flow[1:]
         if (
             self.flow[:1] != ("steady",)
-            or {*rest} - {*parts}
-            or len({*rest}) < len(rest)
+            or {*optional_parts} - {*known_parts}
+            or len({*optional_parts}) < len(optional_parts)
         ):
             raise ScenarioError(
                 f"flow {','.join(self.flow) or 'empty'}: must begin with steady, then name some of "
-                f"{', '.join(parts)}, each once"
+                f"{', '.join(known_parts)}, each once"
             )
 
     @cached_property

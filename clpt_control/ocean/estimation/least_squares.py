@@ -57,9 +57,9 @@ def explained_share(values: np.ndarray, model: np.ndarray) -> float:
     >>> explained_share(np.array([1.0, 3.0]), np.array([1.5, 2.5]))
     0.75
     """
-    each = values - values.mean(axis=0), values - model, values
-    off, left, size = (float(np.sum(np.abs(one) ** 2)) for one in each)
-    return 1.0 - left / off if off > STEADY**2 * size else np.nan
+    differences = values - values.mean(axis=0), values - model, values
+    off, residual, size = (float(np.sum(np.abs(d) ** 2)) for d in differences)
+    return 1.0 - residual / off if off > STEADY**2 * size else np.nan
 
 
 def least_squares(
