@@ -168,7 +168,6 @@ class Job:
         near = place(to_come["latitude"], to_come["longitude"])
         return found, (
             f"{line}; dive {step.dive.number}: position error {step.clpe['adaptive']:.0f} m"
-            + (f"; speed anomaly: {step.anomaly}" if step.anomaly else "")
             + f"; next surfacing {when(to_come)}, near {near}"
             + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
         )

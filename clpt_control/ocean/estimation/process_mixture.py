@@ -133,12 +133,6 @@ class ProcessMixture(Estimator):
         posterior = self.regression.posterior(H, path, self.jumps)
         self.mean, self.covariance, _ = posterior
 
-    def forget_speed(self) -> None:
-        """Add a jump of the speed factor, with half its prior variance."""
-        speed = np.array(self.model.names) == "speed"
-        self.jumps = self.jumps + 0.5 * self.priors.speed**2 * speed
-        self._describe()
-
     def parts(self) -> dict[str, float]:
         """Return the probability that each part is present."""
         seas = self.regression.seas

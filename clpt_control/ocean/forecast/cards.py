@@ -13,14 +13,14 @@ from ...base.geodesy import displacement, distance
 from ...base.html import safe
 from ...base.units import seconds_since_1970
 from . import places, wording
-from .cells import ellipse_words, half_axes, speed_mark
+from .cells import ellipse_words, half_axes
 from .habits import Way
 from .layers import place_in
 from .surfacing import CLOCK, overdue_times
 
 Found = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
-DAY = 86400.0  # s
+DAY, WEEK = 86400.0, 604800.0  # s
 UNBROKEN = re.compile(  # angles, times and sizes that stay on one line
     r"\d+(?: \d\d)?\.\d+ [NSEW]\b|\+- [\d.]+ \w+|\d+ x \d+ m\b|\d+ of \d+|"
     r"(?:\d{4}-)?\d\d-\d\d \d\d:\d\d"
@@ -45,7 +45,7 @@ def cards(found: Found) -> list[str]:
     if found["each_dive"][-1]["speed_factor"] is not None:
         made.append(_speed_factor(found))
     made.append(_position_error(found))
-    return [*made, *map(_anomaly, found["anomalies"][-1:])]
+    return made
 
 
 def time_of_computing(found: Found) -> str:
@@ -221,9 +221,22 @@ def _current(found: Found) -> str:
 
 
 def _speed_factor(found: Found) -> str:
-    last = found["each_dive"][-1]
-    value = f"{last['speed_factor']:.2f} +- {last['speed_factor_error']:.2f}"
-    return card("Factor on speed", value, "1: as fast as its files say")
+    rows = found["each_dive"]
+    parts = ["1: as fast as its files say"]
+    week_ago = _week_ago(rows)
+    if week_ago is not None:
+        parts.append(f"a week ago {_factor(week_ago)}, dive {week_ago['dive']}")
+    return card("Factor on speed", _factor(rows[-1]), "; ".join(parts))
+
+
+def _factor(row: Found) -> str:
+    return f"{row['speed_factor']:.2f} +- {row['speed_factor_error']:.2f}"
+
+
+def _week_ago(rows: list[Found]) -> Found | None:
+    """Return the last dive that ended a week before the last one, None of a shorter record."""
+    until = rows[-1]["end_time"] - WEEK
+    return next((row for row in reversed(rows) if row["end_time"] <= until), None)
 
 
 def _position_error(found: Found) -> str:
@@ -233,9 +246,3 @@ def _position_error(found: Found) -> str:
         before += "; outside the 90 % ellipse"
     value = f"{last['clpe']['adaptive']:.0f} m"
     return card(f"Position error, dive {last['dive']}", value, before)
-
-
-def _anomaly(anomaly: Found) -> str:
-    change = f"changed by {anomaly['change']:+z.2f} since dive {anomaly['since']}"
-    title = f"Speed, dive {anomaly['dive']}"
-    return card(title, speed_mark(anomaly), f"factor on speed {change}", ALARM)

@@ -72,11 +72,6 @@ def _ellipse(row: Row) -> str:
     return f"{half_axes(row)}, {row['ellipse_90_bearing']:.0f}"
 
 
-def speed_mark(anomaly: Row | None) -> str:
-    """Return the mark of a dive whose speed left its range, empty where none did."""
-    return "" if anomaly is None else "SPEED" if anomaly["certain"] else "SPEED?"
-
-
 TITLE = "Position error (CLPE, m) one dive ahead; currents in m/s"
 MODELS = ("no flow", "previous", "adaptive", "model")  # columns of the flow models
 ELLIPSE = "90 % half axes (m), deg"
@@ -98,7 +93,6 @@ COLUMNS: Columns = {
     ),
     ELLIPSE: (5, _ellipse),
     "90 %": (0, lambda row: "in" if row["inside_90"] else "OUT"),
-    "mark": (0, lambda row: speed_mark(row["anomaly"])),
 }
 
 

@@ -95,10 +95,7 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     (14, 'm')
     """
     found = found_of(replay)
-    rows = [
-        {**row, "anomaly": row["anomaly"] is not None} for row in found["each_dive"]
-    ]
-    table = pandas.json_normalize(rows, sep="_")
+    table = pandas.json_normalize(found["each_dive"], sep="_")
     time = {
         "units": EPOCH,
         "calendar": "standard",

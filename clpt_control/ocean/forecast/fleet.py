@@ -5,7 +5,6 @@ pilot where
 
     overdue         now is past the time of the next surfacing by more than its 90 %
     OUT             two dives running, at least, surfaced outside their 90 % ellipses
-    SPEED           the speed changed within the last `SETTLED` dives
     cannot be read  there is no replay, for a reason that the row says
 
 in this order, which is that of the rows; then come those that surface next.  A record that ended
@@ -40,15 +39,14 @@ from ...base.html import document, safe
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from .cards import attributes, overdue_marks, unbroken
-from .cells import Columns, cells, half_axes, speed_mark
-from .doubts import SETTLED, Anomaly
+from .cells import Columns, cells, half_axes
 from .places import clock, date, in_minutes
 from .replay_page import cell_table
 from .surfacing import RECENT, overdue_times
 from .wording import age, within
 
-OVERDUE, OUT, SPEED, UNREAD = "overdue", "OUT", "SPEED", "cannot be read"
-ORDER = (OVERDUE, OUT, SPEED, UNREAD)
+OVERDUE, OUT, UNREAD = "overdue", "OUT", "cannot be read"
+ORDER = (OVERDUE, OUT, UNREAD)
 
 
 class Event(NamedTuple):
@@ -76,9 +74,6 @@ def events(found: dict[str, Any], now: float) -> list[Event]:
         since = f"{running} dives running, since dive {first['dive']}"
         why = f"{OUT}: {since}, outside their 90 % ellipses"
         happened.append(_event(OUT, first, why))
-    if changed := _changed_speed(each):
-        why = f"{SPEED}: {Anomaly(**changed['anomaly'])}"
-        happened.append(_event(SPEED, changed, why))
     return happened
 
 
@@ -96,7 +91,6 @@ def _overdue(last: int, ahead: dict[str, Any]) -> str:
 def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
     """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
     asks, last = events(found, now), found["each_dive"][-1]
-    changed = _changed_speed(found["each_dive"])
     return {
         "vehicle": found["vehicle"],
         "kind": found["kind"],
@@ -111,7 +105,6 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "next_dive": found["next_dive"],
         "headlines": found["headlines"],
         "out_running": _running(found["each_dive"]),
-        "anomaly": changed and changed["anomaly"],
     }
 
 
@@ -158,7 +151,6 @@ FLEET: Columns = {
     "half axes (m)": (4, lambda row: half_axes(row["next_dive"])),
     "90 % so far": (2, lambda row: _record(row["headlines"])),
     "90 %": (0, lambda row: _out(row["out_running"])),
-    "mark": (0, lambda row: speed_mark(row["anomaly"])),
     "pilot": (0, lambda row: ", ".join(row["asks"])),
 }
 
@@ -223,11 +215,6 @@ def fleet_sentence(rows: list[dict[str, Any]]) -> str:
 def _running(each: list[dict[str, Any]]) -> int:
     """Return how many dives in a row, up to the last one, came up outside their ellipses."""
     return len(list(takewhile(lambda row: not row["inside_90"], reversed(each))))
-
-
-def _changed_speed(each: list[dict[str, Any]]) -> dict[str, Any] | None:
-    """Return the last of the last dives whose row has an anomaly of the speed."""
-    return next((row for row in each[: -SETTLED - 1 : -1] if row["anomaly"]), None)
 
 
 LONGEST = 60.0  # s that a command may take

@@ -191,7 +191,6 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "parts": dict(last.parts) if last else {},
         "said": learned_words(replay),
         "held": list(last.not_learned) if last else [],
-        "anomalies": [step.anomaly._asdict() for step in steps if step.anomaly],
         "notes": [
             {"dive": step.dive.number, "note": note}
             for step in steps

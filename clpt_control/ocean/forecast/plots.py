@@ -13,7 +13,6 @@ from ...base.figures import (
     GREEN,
     GREY,
     ORANGE,
-    RED,
     TITLE,
     axes_for,
     figure_of,
@@ -47,7 +46,7 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     Returns
     -------
     Axes
-        CLPE in km over time; speed anomalies are marked.
+        CLPE in km over time.
 
     Raises
     ------
@@ -73,8 +72,6 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
             "" if rms is None else f", rms {rms / 1000:.2f} km"
         )
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
-    for k, here in enumerate(x[[bool(row["anomaly"]) for row in found]]):
-        ax.axvline(here, color=RED, lw=1, label=None if k else "speed anomaly")
     ax.set(ylabel="position error (CLPE) (km)", ylim=(0, None))
     _mark(ax, x)
     ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)

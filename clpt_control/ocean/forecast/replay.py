@@ -35,11 +35,10 @@ from ..currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
-from ..estimation.process_mixture import ProcessMixture
 from ..gliders.usable_dives import follows
 from .carried_dives import FlowModel, carried
 from .cells import cells
-from .doubts import Anomaly, SpeedFactorWatch, doubt_one_fix
+from .doubts import doubt_one_fix
 from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift, has_course
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
@@ -90,12 +89,9 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        self._watch = None  # of a mixture that learns the speed
-        if isinstance(self._learner, ProcessMixture) and self.model.learn_speed:
-            self._watch = SpeedFactorWatch(self._learner)
         self.habits = Habits()
         self._fed: list[Dive] = []
-        self._before = self._learner, self._watch, self.habits  # the last dive
+        self._before = self._learner, self.habits  # the last dive
 
     def __repr__(self) -> str:
         return f"<Replay of {_in_words(self)}>"
@@ -191,7 +187,7 @@ class Replay:
     def imagine(self, dive: Dive) -> None:
         """Learn the flow from a dive that was drawn.
 
-        Habits and the watch learn nothing of it.
+        The habits learn nothing of it.
         """
         self._learner.update(dive)
         self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
@@ -245,7 +241,7 @@ class Replay:
     def _learn_again(self, dive: Dive) -> None:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
-        self._learner, self._watch, self.habits = self._before
+        self._learner, self.habits = self._before
         self._take(dive, was.forecast, was.covariance, was.headline)
 
     def _take(
@@ -256,8 +252,7 @@ class Replay:
         headline: NextDive | None,
     ) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
-        learner, watch = copy.copy(self._learner), copy.copy(self._watch)
-        self._before = learner, watch, copy.deepcopy(self.habits)
+        self._before = copy.copy(self._learner), copy.deepcopy(self.habits)
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
         way = drift(dive, last)
@@ -278,19 +273,9 @@ class Replay:
             modelled = np.array([dive.model_east, dive.model_north], float)
             clpe[FLOW_MODEL] = known(_size(y - modelled))
         self._learner.update(dive)
-        anomaly = self._watch_speed(dive)
         inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
-        step = Step(dive, clpe, mean, covariance, inside, anomaly, way, headline, held)
+        step = Step(dive, clpe, mean, covariance, inside, way, headline, held)
         self.steps.append(step.learned(self._learner))
-
-    def _watch_speed(self, dive: Dive) -> Anomaly | None:
-        """Return the anomaly of the speed at a dive just learned, None if it is normal."""
-        if self._watch is None or not isinstance(self._learner, ProcessMixture):
-            return None
-        anomaly = self._watch.step(self._learner, dive)
-        if anomaly is not None and anomaly.certain:
-            self._learner.forget_speed()
-        return anomaly
 
 
 @public

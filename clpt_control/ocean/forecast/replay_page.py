@@ -28,7 +28,7 @@ KEYS = {  # kind of a layer: its text in the legend of the map
     "made": "aimed: distance made good, 90 % ellipse",
 }
 # beginnings of cells that are alarms
-LOUD = ("OUT", "SPEED", "overdue", "cannot be read")
+LOUD = ("OUT", "overdue", "cannot be read")
 AGAIN = 60  # s, until a page of a folder that is followed is loaded again
 NARROW = 4.8  # inches of a chart, whose letters a telephone shows
 LEGEND_COLUMNS = 2

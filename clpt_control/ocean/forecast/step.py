@@ -20,7 +20,6 @@ from ...base.geodesy import place_from
 from ...base.units import known
 from ..estimation.estimator import Estimator
 from ..gliders.dives import Dive
-from .doubts import Anomaly
 from .habits import Way
 from .places import direction, placed, utc, vector
 from .surfacing import ELLIPSE, NextDive, ellipse
@@ -51,7 +50,6 @@ class Step:
     forecast: np.ndarray
     covariance: np.ndarray
     inside: bool
-    anomaly: Anomaly | None
     drift: Way | None
     headline: NextDive | None
     headline_held: tuple[bool, bool] | None
@@ -147,7 +145,6 @@ class Step:
             "headline": None
             if self.headline is None
             else _headline(self.headline, self.headline_held),
-            "anomaly": None if self.anomaly is None else self.anomaly._asdict(),
             "probability": self.parts,
             "depth_max": dive.depth_max,
             "notes": list(dive.notes),

@@ -4,7 +4,6 @@ from math import hypot
 from typing import Any
 
 from .cells import ellipse_words
-from .doubts import Anomaly
 from .habits import GIVEN
 from .places import clock, compass, place, velocity
 
@@ -201,7 +200,6 @@ def remarks(summary: dict[str, Any]) -> list[str]:
     lines: list[str] = []
     if "flow_model" in summary and summary["each_dive"]:
         lines += coverage(summary["flow_model"], summary["used"])
-    lines += [f"speed anomaly: {Anomaly(**found)}" for found in summary["anomalies"]]
     if summary["dac_identity_median"] is not None:
         lines.append(
             "position error / duration differs from the file's depth-averaged current by "

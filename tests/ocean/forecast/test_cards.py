@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from html_parser import Reader
-from synthetic_vehicle import along, chained, fixes_of, one_file_each, told
+from synthetic_vehicle import along, chained, fixes_of, one_file_each, told, vehicle
 
 from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import sample_dives, write_dive_table
@@ -272,3 +272,18 @@ def test_a_vehicle_without_a_name_is_called_by_its_file(command, tmp_path):
         assert json.loads(command(*words, "--json").stdout)["vehicle"] == "south"
     named = json.loads(command("--sample", "--json").stdout)
     assert named["vehicle"] == "SG542"
+
+
+def test_the_factor_on_speed_is_beside_that_of_a_week_ago():
+    """A made vehicle that loses a fifth of its speed; 4 h dives, about six a day."""
+    found = told(vehicle(3, 60, fault=30, lost=0.2))
+    rows = found["each_dive"]
+    text, _ = card_of(found, "Factor on speed")
+    now, before = map(float, re.findall(r"(\d\.\d\d) \+- ", text))
+    assert now < before - 0.1
+    (number,) = re.findall(r"a week ago .*, dive (\d+)", text)
+    ended = {row["dive"]: row["end_time"] for row in rows}
+    away = rows[-1]["end_time"] - ended[int(number)]
+    assert 7 * DAY <= away < 8 * DAY
+    text, _ = card_of(told(vehicle(3, 20)), "Factor on speed")
+    assert "a week ago" not in text

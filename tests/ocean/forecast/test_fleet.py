@@ -14,7 +14,7 @@ from urllib.parse import unquote
 import pytest
 from html_parser import Reader
 from subprocesses import CLPT, kill_while_it_writes, ran, started
-from synthetic_vehicle import fixes_of, one_file_each, told, vehicle
+from synthetic_vehicle import fixes_of, one_file_each, told
 
 from clpt_control.base.geodesy import place_from
 from clpt_control.base.units import seconds_since_1970
@@ -68,11 +68,6 @@ def test_what_asks_for_a_pilot():
         row = standing(wild, "page", end)
         assert (row["asks"], row["out_running"]) == (asks, last)
     assert events(wild, end)[0].dive == 11  # the first of those that run: one event
-    slower = told(vehicle(3, 30, fault=24, lost=0.4))
-    (event,) = events(slower, 0.0)
-    *_, anomaly = (row["anomaly"] for row in slower["each_dive"] if row["anomaly"])
-    assert (event.name, event.dive) == ("SPEED", anomaly["dive"])
-    assert events(told(vehicle(3, 45, fault=24, lost=0.4)), 0.0) == []  # long ago
 
 
 @pytest.fixture

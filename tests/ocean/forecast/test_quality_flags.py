@@ -4,14 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from synthetic_vehicle import along, chained, turned, vehicle
+from synthetic_vehicle import along, chained
 
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.estimation import FixModel
 from clpt_control.gliders import read_dives, usable
 from clpt_control.ocean.estimation.estimators import ESTIMATORS
-from clpt_control.ocean.estimation.process_mixture import ProcessMixture
-from clpt_control.ocean.forecast.doubts import SpeedFactorWatch
 from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
 
 CURRENT = np.array([0.12, -0.05])  # m/s
@@ -50,15 +47,7 @@ def said(replay):
     return [step.dive.number for step in replay.steps if step.dive.notes]
 
 
-SAID = (
-    "forecast",
-    "covariance",
-    "current",
-    "current_error",
-    "speed",
-    "inside",
-    "anomaly",
-)
+SAID = ("forecast", "covariance", "current", "current_error", "speed", "inside")
 
 
 def same(one, other):
@@ -182,63 +171,3 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     assert clpe_rms(replay)["adaptive"] == pytest.approx(
         clpe_rms(without)["adaptive"], abs=15
     )
-
-
-def flags(dives):
-    """The anomalies of dives that a mixture learns."""
-    mixture = ProcessMixture(FixModel())
-    watch = SpeedFactorWatch(mixture)
-    found = []
-    for dive in dives:
-        mixture.update(dive)
-        if anomaly := watch.step(mixture, dive):
-            found.append(anomaly)
-            if anomaly.certain:
-                mixture.forget_speed()
-    return found
-
-
-@pytest.mark.parametrize("case", [{}, {"noise": 0.01}, {"walk": 0.01}, {"flow": "M2"}])
-def test_lost_speed_is_flagged(case):
-    for seed in range(5):
-        late = [a for a in flags(vehicle(seed, 24, fault=20, **case)) if a.dive >= 20]
-        assert late[0].dive in (20, 21, 22)
-        assert late[0].change == pytest.approx(-0.15, abs=0.08)
-        assert "evidence" in str(late[0])
-
-
-@pytest.mark.parametrize(
-    "case", [{}, {"noise": 0.02}, {"walk": 0.03}, {"flow": "inertial"}]
-)
-def test_healthy_vehicles_are_left_alone(case):
-    # of 400
-    assert sum(len(flags(vehicle(50 + seed, 100, **case))) for seed in range(4)) <= 4
-
-
-def test_a_vehicle_that_does_not_swim_says_nothing_of_speed():
-    drifting = [
-        replace(d, dr_east=0.0, dr_north=0.0) for d in vehicle(1, 30, noise=0.02)
-    ]
-    moved = [*vehicle(1, 14, noise=0.02), *drifting[14:]]
-    for dives in (drifting, moved):
-        found = flags(dives)
-        told = [(a.change, a.standard_error, a.likelihood_ratio) for a in found]
-        assert np.isfinite(told).all()
-        assert len(found) <= 1
-
-
-def test_on_one_heading_the_flag_says_that_it_may_be_a_current():
-    dives = vehicle(3, 26, heading="one", noise=0.005)
-    found = flags([*dives[:20], *(turned(dive, 0.85) for dive in dives[20:])])
-    assert found
-    assert not found[0].certain
-    assert "a current from ahead looks the same" in str(found[0])
-    assert flags(vehicle(1, 24, fault=20))[0].certain
-
-
-def test_a_front_across_the_track_is_no_lost_speed():
-    for seed in range(6):
-        *dives, one, two = vehicle(seed, 22, noise=0.005)
-        far = [0.2 * d.duration / np.hypot(d.dr_east, d.dr_north) for d in (one, two)]
-        beyond = turned(one, 1 + 1j * far[0]), turned(two, 1 + 1j * far[1])
-        assert not [a for a in flags([*dives, *beyond]) if a.dive >= 20]
