@@ -1,10 +1,10 @@
+from .ocean.forecast.advected_dives import carried
 from .ocean.forecast.aim import aims
-from .ocean.forecast.carried_dives import carried
-from .ocean.forecast.facts import replay_dataset
 from .ocean.forecast.flow_models import read_flow_model
-from .ocean.forecast.outcome import clpe_rms, summary
+from .ocean.forecast.netcdf_export import replay_dataset
 from .ocean.forecast.plots import current_plot, dive_clpe_plot, replay_plot
 from .ocean.forecast.replay import Replay, next_dive, replay_dives
+from .ocean.forecast.replay_summary import clpe_rms, summary
 from .ocean.forecast.track_map import map_plot
 
 __all__ = [

@@ -10,7 +10,7 @@ from clpt_control.app.cli.replay_report import Job
 from clpt_control.base.geodesy import place_from
 from clpt_control.gliders import Dive, make_dive, write_dive_table
 from clpt_control.ocean.estimation.fix_model import inertial_frequency
-from clpt_control.ocean.forecast.carried_dives import FlowModel
+from clpt_control.ocean.forecast.advected_dives import FlowModel
 from clpt_control.paper.scenario.tidal_periods import period
 from clpt_control.replay import replay_dives
 

@@ -126,7 +126,7 @@ class Job:
 
     def summary(self, skipped: Sequence[Any] = ()) -> Report:
         """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
-        from ...ocean.forecast.exchange import paste
+        from ...ocean.forecast.kml_geojson import paste
         from ...ocean.forecast.route import DRAWS, arrivals
 
         replay = self.replay
@@ -153,8 +153,8 @@ class Job:
         self, dives: tuple[Any, Any], files: int, out: Path
     ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
-        from ...ocean.forecast.places import place
-        from ...ocean.forecast.wording import aim_sentence, when
+        from ...ocean.forecast.geographic import place
+        from ...ocean.forecast.text_report import aim_sentence, when
 
         found = self.found(*dives)
         used = len(self.replay.steps)
@@ -194,11 +194,11 @@ def fitted(
 
 def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
-    from ...ocean.forecast import cells, wording
+    from ...ocean.forecast import table_rows, text_report
 
     each, sentences = (
         summary["each_dive"],
-        [*wording.remarks(summary), *wording.coming(summary)],
+        [*text_report.remarks(summary), *text_report.coming(summary)],
     )
     if summary.get("paste"):
         sentences += [
@@ -207,19 +207,21 @@ def results(summary: Report) -> list[Result]:
         ]
     if not each:
         return [Result(sentences=["no dives yet", *sentences])]
-    dives = [cells.cells(row) for row in each]
+    dives = [table_rows.cells(row) for row in each]
     if summary["next_dive"]:
-        dives.append(cells.cells_ahead(summary["next_dive"]))
+        dives.append(table_rows.cells_ahead(summary["next_dive"]))
     means = {name: summary[key] for key, name in ROWS.items()}
     if (
         "flow_model" in summary
         and 0 < summary["flow_model"]["covered"] < summary["used"]
     ):
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = cells.MODELS[: len(each[0]["clpe"])]
-    rows = [[name, *map(cells.metres, rms.values())] for name, rms in means.items()]
+    models = table_rows.MODELS[: len(each[0]["clpe"])]
+    rows = [
+        [name, *map(table_rows.metres, rms.values())] for name, rms in means.items()
+    ]
     return [
-        fitted(cells.TITLE, dives, cells.COLUMNS),
+        fitted(table_rows.TITLE, dives, table_rows.COLUMNS),
         Result("Position error, rms (m)", ["over", *models], rows, sentences),
     ]
 
@@ -233,8 +235,8 @@ def write(
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
-    from ...ocean.forecast.exchange import next_geojson, track_kml
-    from ...ocean.forecast.facts import replay_dataset
+    from ...ocean.forecast.kml_geojson import next_geojson, track_kml
+    from ...ocean.forecast.netcdf_export import replay_dataset
     from ...ocean.forecast.plots import replay_figures
     from ...ocean.forecast.replay_page import replay_page
 
@@ -286,9 +288,9 @@ def watch(
         since = time.monotonic()
         try:
             while True:
-                before = follower.here
+                before = follower.present
                 arrived = follower.look()
-                if arrived or follower.here != before or found is None:
+                if arrived or follower.present != before or found is None:
                     found = None
                     learned, line = job.learn(follower.dives(), len(arrived), out)
                     found = learned  # from where the line is seen, an interrupt has its results

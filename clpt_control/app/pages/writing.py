@@ -145,7 +145,7 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
 def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
     """Return the page of a replay and its sentence."""
     from ...ocean.forecast.replay_page import replay_page
-    from ...ocean.forecast.wording import next_surfacing
+    from ...ocean.forecast.text_report import next_surfacing
 
     try:
         return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]
@@ -181,9 +181,9 @@ def read(path: Path) -> "xarray.Dataset":
 
 def replay_facts(replay: Any, name: str) -> dict[str, Any]:
     """Return the summary of a replay or of its dataset; refuse one without a dive."""
-    from ...ocean.forecast.facts import summary_in
-    from ...ocean.forecast.outcome import summary
+    from ...ocean.forecast.netcdf_export import summary_in
     from ...ocean.forecast.replay import next_dive
+    from ...ocean.forecast.replay_summary import summary
 
     if hasattr(replay, "steps"):
         ahead = next_dive(replay).as_dict() if replay.steps else None

@@ -1,4 +1,4 @@
-"""Where to steer so that the current and a vehicle's own errors carry it to a waypoint.
+"""Aiming: the heading by which current and errors of the vehicle lead to a waypoint.
 
 A dive of duration T ends, from its start, at w + c: c is what the forecast current does,
 tides at that time with it, and w the way through the water,
@@ -32,10 +32,10 @@ from ...base.geodesy import displacement, distance, is_place, near
 from ...base.units import known
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
-from .places import Place, direction, in_minutes, placed, utc, vector
+from .geographic import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
 from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
-from .wording import AGAINST, REACHED, UNDER_WAY, aim_sentence
+from .text_report import AGAINST, REACHED, UNDER_WAY, aim_sentence
 
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians
@@ -44,7 +44,7 @@ ITERATIONS, CLOSE = 20, 1.0  # of d and c, and m by which the last may change c
 
 
 class Aim:
-    """How to steer a dive to a waypoint: lengths in m, angles in degrees from true north.
+    """Steering of a dive to a waypoint: lengths in m, angles in degrees from true north.
 
     `ahead` is the dive as forecast when it is steered so; `bearing` and `distance` are of the
     waypoint from its start, `heading` what to command, None to stay in place, `crab` heading less
@@ -98,8 +98,8 @@ class Aim:
 
     def as_dict(self) -> dict[str, Any]:
         """Return all by name, for JSON; `expected_miss` is rms, from where the dive should end."""
-        plan, found = self.ahead.plan, dict(vars(self))
-        del found["ahead"], found["target"]
+        plan, fields = self.ahead.plan, dict(vars(self))
+        del fields["ahead"], fields["target"]
         return {
             **placed("", *self.target),
             "place": in_minutes(*self.target),
@@ -108,10 +108,10 @@ class Aim:
             "duration": plan.duration,
             "end": utc(plan.t_gpse),
             **placed("end_", self.ahead.latitude, self.ahead.longitude),
-            **vector("current_", *found.pop("current")),
+            **vector("current_", *fields.pop("current")),
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
             **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
-            **found,
+            **fields,
         }
 
 
@@ -124,12 +124,12 @@ def triangle(
     >>> w.round(), state, round(tau, 9)  # across the line 1500 of 2500 m: 2000 m a dive
     (array([-1500.,  2000.]), 'under way', 4.0)
     """
-    rest = g - c
-    if hypot(*rest) <= s:
-        return rest, REACHED, 1.0
+    remaining = g - c
+    if hypot(*remaining) <= s:
+        return remaining, REACHED, 1.0
     tau = _dives(g, c, s)
     if tau is None:
-        return s * rest / hypot(*rest), AGAINST, None
+        return s * remaining / hypot(*remaining), AGAINST, None
     return g / tau - c, UNDER_WAY, tau
 
 
@@ -203,17 +203,17 @@ def aims(
     >>> leg.state, leg.heading < leg.bearing  # against a current to the east: to the left of it
     ('under way', True)
     """
-    targets = [checked_target(*place) for place in targets]
+    targets = [checked_target(*point) for point in targets]
     V, T = usual(replay, speed, duration)
-    last, at = replay.steps[-1].dive, replay.start()
+    last, start_fix = replay.steps[-1].dive, replay.start()
     if start is not None:
-        at = (start[0], *checked_target(*start[1:]))
+        start_fix = (start[0], *checked_target(*start[1:]))
     legs: list[Aim] = []
     for target in targets:
-        leg = aim(replay, at, target, V, T)
-        stated = (known(one) for one in (variation, last.magvar))
-        east = next((one for one in stated if one is not None), None)
-        east = known(igrf(*at)) if east is None else east
+        leg = aim(replay, start_fix, target, V, T)
+        stated = (known(value) for value in (variation, last.magvar))
+        east = next((value for value in stated if value is not None), None)
+        east = known(igrf(*start_fix)) if east is None else east
         if leg.heading is not None and east is not None:
             leg.magnetic_variation = east
             leg.heading_magnetic = (leg.heading - east) % 360.0
@@ -221,7 +221,7 @@ def aims(
         if leg.hours is None or leg.hours > YEAR:
             break
         took = max(3600.0 * leg.hours, leg.ahead.plan.duration)
-        at = (at[0] + took + replay.habits.stay()[0], *target)
+        start_fix = (start_fix[0] + took + replay.dive_statistics.stay()[0], *target)
     return legs
 
 
@@ -252,7 +252,7 @@ def aim(
     c = np.full(2, np.inf)
     for _ in range(ITERATIONS):
         ahead = replay.surfacing(
-            replay.habits.guess_of((float(d[0]), float(d[1])), T), start
+            replay.dive_statistics.guess_of((float(d[0]), float(d[1])), T), start
         )
         before, c = c, ahead.forecast + d - response @ d
         w, state, tau = triangle(g, c, s)
@@ -263,4 +263,4 @@ def aim(
         middle = float(g @ c) / (float(c @ c) - s * s)  # of two roots, both below 1
         return aim(replay, start, target, V, T * middle, shorten=False)
     # as it was forecast, whether or not c came to rest
-    return Aim(ahead, target, V, T, c, s, state, tau, replay.habits.stay()[0])
+    return Aim(ahead, target, V, T, c, s, state, tau, replay.dive_statistics.stay()[0])

@@ -1,4 +1,4 @@
-"""How the vehicles of a fleet stand, what asks for a pilot, and the command that calls one.
+"""Fleet: a row for each vehicle, events that need a pilot, and the command that alerts.
 
 Each row is made of what `clpt replay --json` prints of a vehicle, at a time, now.  It asks for a
 pilot where
@@ -39,11 +39,11 @@ from ...base.html import document, safe
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from .cards import attributes, overdue_marks, unbroken
-from .cells import Columns, cells, half_axes
-from .places import clock, date, in_minutes
+from .geographic import clock, date, in_minutes
 from .replay_page import cell_table
 from .surfacing import RECENT, overdue_times
-from .wording import age, within
+from .table_rows import Columns, cells, half_axes
+from .text_report import age, within
 
 OVERDUE, OUT, UNREAD = "overdue", "OUT", "cannot be read"
 ORDER = (OVERDUE, OUT, UNREAD)
@@ -61,19 +61,19 @@ class Event(NamedTuple):
     sentence: str
 
 
-def events(found: dict[str, Any], now: float) -> list[Event]:
+def events(report: dict[str, Any], now: float) -> list[Event]:
     """Return what asks for a pilot, s since 1970, of what `--json` prints of a vehicle."""
-    each, ahead = found["each_dive"], found["next_dive"]
+    rows, ahead = report["each_dive"], report["next_dive"]
     happened = []
-    last = each[-1]
+    last = rows[-1]
     late, until = overdue_times(ahead, last["end"])
     if late < now <= until:
         happened.append(_event(OVERDUE, last, _overdue(last["dive"], ahead)))
-    if (running := _running(each)) > 1:
-        first = each[-running]
-        since = f"{running} dives running, since dive {first['dive']}"
+    if (running := _running(rows)) > 1:
+        first_row = rows[-running]
+        since = f"{running} dives running, since dive {first_row['dive']}"
         why = f"{OUT}: {since}, outside their 90 % ellipses"
-        happened.append(_event(OUT, first, why))
+        happened.append(_event(OUT, first_row, why))
     return happened
 
 
@@ -88,12 +88,12 @@ def _overdue(last: int, ahead: dict[str, Any]) -> str:
     return f"{OVERDUE} after dive {last}: should have surfaced at {expected}"
 
 
-def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
+def standing(report: dict[str, Any], page: str, now: float) -> dict[str, Any]:
     """Return a row of the fleet, for JSON; `page` is where the vehicle's own page is."""
-    asks, last = events(found, now), found["each_dive"][-1]
+    asks, last = events(report, now), report["each_dive"][-1]
     return {
-        "vehicle": found["vehicle"],
-        "kind": found["kind"],
+        "vehicle": report["vehicle"],
+        "kind": report["kind"],
         "page": page,
         "asks": [event.name for event in asks],
         "said": [event.sentence for event in asks],
@@ -102,9 +102,9 @@ def standing(found: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "latitude": last["end_latitude"],
         "longitude": last["end_longitude"],
         "age_hours": (now - seconds_since_1970(last["end"])) / 3600,
-        "next_dive": found["next_dive"],
-        "headlines": found["headlines"],
-        "out_running": _running(found["each_dive"]),
+        "next_dive": report["next_dive"],
+        "headlines": report["headlines"],
+        "out_running": _running(report["each_dive"]),
     }
 
 
@@ -121,13 +121,13 @@ def unread(vehicle: str, why: str) -> dict[str, Any]:
 def ordered(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return rows, what asks for a pilot first, then by the time of the next surfacing."""
 
-    def place(row: dict[str, Any]) -> tuple[int, bool, str]:
-        first = min(map(ORDER.index, row["asks"]), default=len(ORDER))
+    def sort_key(row: dict[str, Any]) -> tuple[int, bool, str]:
+        rank = min(map(ORDER.index, row["asks"]), default=len(ORDER))
         if "dive" not in row:
-            return first, False, ""
-        return first, 3600 * row["age_hours"] > RECENT, row["next_dive"]["time"]
+            return rank, False, ""
+        return rank, 3600 * row["age_hours"] > RECENT, row["next_dive"]["time"]
 
-    return sorted(rows, key=place)
+    return sorted(rows, key=sort_key)
 
 
 def _out(running: int) -> str:
@@ -166,20 +166,22 @@ def fleet_cells(row: dict[str, Any]) -> dict[str, str]:
     }
 
 
-def fleet_page(found: dict[str, Any]) -> str:
+def fleet_page(fleet: dict[str, Any]) -> str:
     """Return the fleet as one HTML file, which links the page of each vehicle."""
-    rows = found["vehicles"]
-    each = [fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows]
+    rows = fleet["vehicles"]
+    cells_of_rows = [
+        fleet_cells(row) | {"pilot": "; ".join(row["said"])} for row in rows
+    ]
     pages = [row["page"] and quote(row["page"]) for row in rows]
-    since = f'<span data-since="{safe(found["now"])}">ages are of then</span>'
+    since = f'<span data-since="{safe(fleet["now"])}">ages are of then</span>'
     body = "\n".join(
         [
             "<h1>Fleet</h1>",
-            f"<p>{unbroken(clock(found['now']))}, {since}: {fleet_sentence(rows)}.</p>",
+            f"<p>{unbroken(clock(fleet['now']))}, {since}: {fleet_sentence(rows)}.</p>",
             '<div class="fleet">',
             *cell_table(
                 "Vehicles, those that need a pilot first",
-                each,
+                cells_of_rows,
                 FLEET,
                 _marks(rows),
                 pages,
@@ -188,7 +190,7 @@ def fleet_page(found: dict[str, Any]) -> str:
         ]
     )
     again = '<meta http-equiv="refresh" content="60">\n'
-    title = f"Fleet, {clock(found['now'])}"
+    title = f"Fleet, {clock(fleet['now'])}"
     return document(title, body, "replay.css", ("clock.js",), again)
 
 
@@ -212,9 +214,9 @@ def fleet_sentence(rows: list[dict[str, Any]]) -> str:
     return f"{len(rows)} vehicle{'s'[: len(rows) != 1]}, {asks} {verb} a pilot"
 
 
-def _running(each: list[dict[str, Any]]) -> int:
+def _running(rows: list[dict[str, Any]]) -> int:
     """Return how many dives in a row, up to the last one, came up outside their ellipses."""
-    return len(list(takewhile(lambda row: not row["inside_90"], reversed(each))))
+    return len(list(takewhile(lambda row: not row["inside_90"], reversed(rows))))
 
 
 LONGEST = 60.0  # s that a command may take
@@ -255,14 +257,14 @@ class Alerts:
         with suppress(DataError, ValueError):
             # none yet, or none that can be read: told again
             keys = json.loads(read_text(self.path, "is no text"))
-            self.told = [str(one) for one in keys] if isinstance(keys, list) else []
+            self.told = [str(key) for key in keys] if isinstance(keys, list) else []
 
-    def tell(self, found: dict[str, Any]) -> None:
+    def tell(self, report: dict[str, Any]) -> None:
         """Run the command for what is new in what `--json` prints of a vehicle."""
-        if not (self.command and found["each_dive"]):
+        if not (self.command and report["each_dive"]):
             return
-        vehicle = found["vehicle"]
-        for event in events(found, time.time()):
+        vehicle = report["vehicle"]
+        for event in events(report, time.time()):
             key = f"{vehicle} {event.name} {event.fix}"
             if key in self.told:
                 continue
@@ -274,7 +276,7 @@ class Alerts:
                 "dive": event.dive,
                 "fix": event.fix,
             }
-            data |= {"sentence": sentence, "next_dive": found["next_dive"]}
+            data |= {"sentence": sentence, "next_dive": report["next_dive"]}
             why = self._run(sentence, json.dumps(data))
             if not why:
                 self.told.append(key)
@@ -291,7 +293,7 @@ class Alerts:
         text = f"{sentence}\n{data}\n".encode()
         quiet: Any = dict.fromkeys(("stdout", "stderr"), subprocess.DEVNULL)
         try:
-            done = subprocess.run(
+            process = subprocess.run(
                 words, input=text, timeout=LONGEST, check=False, **quiet
             )
         except subprocess.TimeoutExpired:
@@ -301,4 +303,4 @@ class Alerts:
             UnicodeError,
         ) as error:  # a name may not be in the locale's letters
             return f"cannot be run: {getattr(error, 'strerror', None) or error}"
-        return f"ended with status {done.returncode}" if done.returncode else ""
+        return f"ended with status {process.returncode}" if process.returncode else ""

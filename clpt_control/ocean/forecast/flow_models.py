@@ -1,4 +1,4 @@
-"""Files of flow models (`carried_dives`): a gridded forecast, or a fitted basis.
+"""Files of flow models (`advected_dives`): a gridded forecast, or a fitted basis.
 
 Of a gridded forecast a glider feels its water column.  A dive samples it down to its greatest
 depth D, so the flow is averaged over it, by trapezoids through the levels that have data,
@@ -39,7 +39,7 @@ from ...paper.scenario.file import load_scenario
 from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
 from ..currents.plane import LocalPlane
 from ..gliders.dives import Dive
-from .carried_dives import Flow, FlowModel, Uncovered
+from .advected_dives import Flow, FlowModel, Uncovered
 
 
 def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> complex:
@@ -51,8 +51,8 @@ def depth_mean(depth: np.ndarray, profile: np.ndarray, deepest: float) -> comple
     >>> round(depth_mean(np.array([0.0, 100.0, 400.0]), np.array([0.4, 0.3, 0.0]), 200.0).real, 9)
     0.3
     """
-    known = np.isfinite(profile)
-    z, u = depth[known], profile[known]
+    finite = np.isfinite(profile)
+    z, u = depth[finite], profile[finite]
     if not z.size or z[0] > max(deepest, depth[0]):
         return complex(np.nan)
     end = min(deepest, z[-1])
@@ -145,8 +145,11 @@ class Fitted(FlowModel):
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
-        here, units = LocalPlane(dive.lat_gps2, dive.lon_gps2), self.scenario.units
-        long, second = METRES[units.length], SECONDS[units.time]
+        dive_plane, units = (
+            LocalPlane(dive.lat_gps2, dive.lon_gps2),
+            self.scenario.units,
+        )
+        long, time_unit = METRES[units.length], SECONDS[units.time]
         basis, N, no_state = (
             self.scenario.basis_block(),
             self.scenario.basis.N,
@@ -154,17 +157,17 @@ class Fitted(FlowModel):
         )
 
         def flow(t: float, east: float, north: float) -> tuple[float, float]:
-            lat, lon = here.to_earth(east / 1000, north / 1000)
-            within = (lon - self.lon0) % 360.0 <= self.lon1 - self.lon0
-            if not (self.lat0 <= lat <= self.lat1 and within):
+            lat, lon = dive_plane.to_earth(east / 1000, north / 1000)
+            in_box = (lon - self.lon0) % 360.0 <= self.lon1 - self.lon0
+            if not (self.lat0 <= lat <= self.lat1 and in_box):
                 raise Uncovered("outside the fit's area")
             x1, x2 = (1000.0 * float(x) / long for x in self.plane.to_plane(lat, lon))
-            when = (dive.t_gps2 + t - self.start) / second
+            when = (dive.t_gps2 + t - self.start) / time_unit
             phi = basis.values("output", N, when, no_state, [x1, x2], basis.parameters)
-            u1, u2 = self.theta @ phi * (long / second)
+            u1, u2 = self.theta @ phi * (long / time_unit)
             # where east points in the fit's plane
             c, s = self.plane.rotate(lat, lon, 1.0, 0.0)
-            u1, u2 = here.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
+            u1, u2 = dive_plane.rotate(lat, lon, c * u1 + s * u2, c * u2 - s * u1)
             return float(u1), float(u2)
 
         flow(0.0, 0.0, 0.0)

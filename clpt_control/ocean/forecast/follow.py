@@ -38,7 +38,7 @@ FIXES = ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse")
 @public
 @dataclass(frozen=True)
 class StoredFile:
-    """What was read of one file: its folder, dives, and lines without a dive.
+    """Record of one file that was read: its folder, dives, and lines without a dive.
 
     Its stamp is its size and times of change, ns; None where it could not be opened.
     """
@@ -60,12 +60,12 @@ def _plain(value: Any) -> Any:
 
 def stored_file(text: bytes) -> StoredFile:
     """Return the record of a JSON text; what is none raises any error."""
-    found = {**json.loads(text)}
-    dives, skipped = found.pop("dives"), found.pop("skipped")
-    if found.pop("format") != FORMAT:
+    fields = {**json.loads(text)}
+    dives, skipped = fields.pop("dives"), fields.pop("skipped")
+    if fields.pop("format") != FORMAT:
         raise ValueError("another version's")
     return StoredFile(
-        dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **found
+        dives=[*map(_dive, dives)], skipped=[Skipped(**s) for s in skipped], **fields
     )
 
 
@@ -77,7 +77,7 @@ def _dive(fields: dict[str, Any]) -> Dive:
 
 
 class Follower:
-    """Reads what is new in a folder; `files` are records, `here` names at the last look."""
+    """Reads what is new in a folder; `files` are records, `present` the names at the last look."""
 
     def __init__(self, folder: str | Path, state: str | Path) -> None:
         self.folder, self.state = Path(folder), make_folder(state)
@@ -86,7 +86,7 @@ class Follower:
         for path in _inside(self.state, "cannot be read"):
             if path.suffix == ".json" and not path.name.startswith("."):
                 self.files[path.name.removesuffix(".json")] = self._stored(path)
-        self.here = set(self.files)
+        self.present = set(self.files)
         self.unnamed: list[
             tuple[Path, Skipped]
         ] = []  # under whose names nothing can be kept
@@ -109,12 +109,12 @@ class Follower:
 
     def look(self) -> list[str]:
         """Read new and changed files; return the names of those with new contents."""
-        new, here, inside = [], set(), []
+        new, present, inside = [], set(), []
         self.unnamed.clear()
         lost = f"cannot be looked into; what was read is kept in {self.state}"
         for path in filter(may_hold_dives, _inside(self.folder, lost)):
             try:
-                check_name(self._kept(path.name))
+                check_name(self._record_path(path.name))
                 inside.append(path)
             except DataError as error:
                 self.unnamed.append((path, Skipped(None, str(error))))
@@ -122,38 +122,38 @@ class Follower:
         for path in sorted(before):
             check()
             name = path.name
-            known, record = self.files.get(name), self._read(path, before[path])
+            stored, record = self.files.get(name), self._read(path, before[path])
             if record is None:
                 continue
-            here.add(name)
-            if record is known:
+            present.add(name)
+            if record is stored:
                 continue
             text = record.text()
-            if known is None or text != known.text():  # as text, NaN is NaN
-                write_file(self._kept(name), text)
+            if stored is None or text != stored.text():  # as text, NaN is NaN
+                write_file(self._record_path(name), text)
                 self.files[name] = record
                 new.append(name)
-        self.here = here
+        self.present = present
         return new
 
-    def _kept(self, name: str) -> Path:
+    def _record_path(self, name: str) -> Path:
         """Return where what was read of a file is kept."""
         return self.state / f"{name}.json"
 
     def _read(self, path: Path, before: list[Path]) -> StoredFile | None:
         """Return the record of a file, behind those before it, as it is now; None if it is none."""
-        known = self.files.get(path.name)
+        stored = self.files.get(path.name)
         try:
             status = path.stat()
             if not stat.S_ISREG(status.st_mode):
                 return None
             stamp = _stamp(status, before if is_segment(path) else [])
             if (
-                known is not None
-                and known.stamp is not None
-                and _is_as(known.stamp, stamp)
+                stored is not None
+                and stored.stamp is not None
+                and _is_as(stored.stamp, stamp)
             ):
-                return known
+                return stored
             with open(path, "rb", opener=at_once) as file:
                 file.read(1)
             dives, skipped = read_dive_file(path)
@@ -164,32 +164,40 @@ class Follower:
             if isinstance(error, OSError):
                 why = f"{path}: cannot be read: {error.strerror or error}"
             later = Skipped(None, f"{why}; is tried at each look")
-            return StoredFile(self._where, None, known.dives if known else [], [later])
+            return StoredFile(
+                self._where, None, stored.dives if stored else [], [later]
+            )
         except DataError as error:
             dives, skipped = [], [Skipped(None, str(error))]
         return StoredFile(self._where, stamp, dives, skipped)
 
     def dives(self) -> tuple[list[Dive], list[Skipped]]:
         """Return all dives so far, by the name of their file, and what was left out."""
-        seen = {_fixes(dive) for name in self.here for dive in self.files[name].dives}
+        present_fixes = {
+            _fixes(dive) for name in self.present for dive in self.files[name].dives
+        }
         dives: list[Dive] = []
         skipped = [*self.unnamed]
         for name in sorted(self.files, key=lambda name: in_order(Path(name))):
             record = self.files[name]
-            its = record.dives
-            if name not in self.here:
-                its = [dive for dive in its if _fixes(dive) not in seen]
-                seen.update(map(_fixes, its))
-                if not its:
+            file_dives = record.dives
+            if name not in self.present:
+                file_dives = [
+                    dive for dive in file_dives if _fixes(dive) not in present_fixes
+                ]
+                present_fixes.update(map(_fixes, file_dives))
+                if not file_dives:
                     continue  # nothing is lost with it
-            dives += its
-            skipped += [(self.folder / name, one) for one in record.skipped]
+            dives += file_dives
+            skipped += [(self.folder / name, skip) for skip in record.skipped]
         return dives, grouped_faults(skipped)
 
 
-def _is_as(known: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
-    """Whether a file is as it was; one that is older now has lost one that was merged with it."""
-    return known == stamp or (known[0] == stamp[0] and max(stamp[1:]) < max(known[1:]))
+def _is_as(stored: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:
+    """Return whether a file is unchanged; one that is older now was merged with fewer files."""
+    return stored == stamp or (
+        stored[0] == stamp[0] and max(stamp[1:]) < max(stored[1:])
+    )
 
 
 def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
@@ -199,7 +207,7 @@ def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
         with suppress(OSError):
             every.append(file.stat())
     changed, moved = (
-        max(getattr(one, f"st_{t}time_ns") for one in every) for t in "mc"
+        max(getattr(status_of, f"st_{t}time_ns") for status_of in every) for t in "mc"
     )
     return status.st_size, changed, moved
 
@@ -222,8 +230,8 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
     """Open a follower whose state is out/state; refuse a second process and a wrong folder."""
     if not os.path.isdir(folder):  # noqa: PTH112 - never raises
         raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
-    for place in (out, out / "state"):
-        if os.path.exists(place) and os.path.samefile(place, folder):  # noqa: PTH110, PTH121
+    for results_folder in (out, out / "state"):
+        if os.path.exists(results_folder) and os.path.samefile(results_folder, folder):  # noqa: PTH110, PTH121
             raise DataError(
                 f"--out {out}: results would lie in the followed folder {folder} and count as new "
                 "files there; give another folder, or leave --out out"
@@ -234,8 +242,10 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
         try:  # the lock of a killed process is free
             locked.enter_context(filelock.FileLock(state / LOCK, timeout=0))
         except filelock.Timeout:
-            other = f"{state}: another clpt follows here; end it, or give another --out"
-            raise DataError(other) from None
+            refusal = (
+                f"{state}: another clpt follows here; end it, or give another --out"
+            )
+            raise DataError(refusal) from None
         except OSError as error:
             raise DataError(
                 f"{state}: cannot be written to: {error.strerror or error}"

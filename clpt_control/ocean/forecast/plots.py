@@ -18,8 +18,8 @@ from ...base.figures import (
     figure_of,
     legend_below,
 )
-from .facts import Source, found_of
-from .outcome import rms_of
+from .netcdf_export import Source, report_of
+from .replay_summary import rms_of
 from .track_map import map_plot
 
 LINES = {
@@ -61,13 +61,16 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.dive_clpe_plot(replay)
     """
-    found = found_of(replay)["each_dive"]
+    rows = report_of(replay)["each_dive"]
     ax = axes_for(ax, 6.8, 4.0)
-    x = _surfaced(found)
-    clpe = [row["clpe"] for row in found]
+    x = _surfaced(rows)
+    clpe = [row["clpe"] for row in rows]
     for model, rms in rms_of(clpe[1:], list(clpe[0])).items():
         colour, mark, style = LINES[model]
-        size = [np.nan if e is None else e / 1000 for e in (one[model] for one in clpe)]
+        size = [
+            np.nan if e is None else e / 1000
+            for e in (errors_of_row[model] for errors_of_row in clpe)
+        ]
         label = model.replace("_", " ") + (
             "" if rms is None else f", rms {rms / 1000:.2f} km"
         )
@@ -109,24 +112,31 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> east, north, speed = clpt.replay.current_plot(replay)
     """
-    found = found_of(replay)["each_dive"]
-    learned = found[0]["speed_factor"] is not None
+    rows = report_of(replay)["each_dive"]
+    learned = rows[0]["speed_factor"] is not None
     axes = axes_for(ax, 6.8, 6.4 if learned else 4.6, nrows=2 + learned, sharex=True)
-    x = _surfaced(found)
-    for one, axis in zip(axes, ("east", "north"), strict=False):
-        _band(one, x, found, f"current_{axis}", BLUE, "learned, 2 standard errors")
-        of_file = _column(found, f"file_current_{axis}")
+    x = _surfaced(rows)
+    for axes_of_component, axis in zip(axes, ("east", "north"), strict=False):
+        _band(
+            axes_of_component,
+            x,
+            rows,
+            f"current_{axis}",
+            BLUE,
+            "learned, 2 standard errors",
+        )
+        of_file = _column(rows, f"file_current_{axis}")
         if np.isfinite(of_file).any():
-            one.plot(
+            axes_of_component.plot(
                 x, of_file, "--^", color=ORANGE, label="the file's own", **_fine(x)
             )
-        one.axhline(0, color="black", lw=0.5)
-        one.set_ylabel(f"current {axis} (m/s)")
+        axes_of_component.axhline(0, color="black", lw=0.5)
+        axes_of_component.set_ylabel(f"current {axis} (m/s)")
     axes[0].legend(
         fontsize=8, frameon=False, ncols=2, loc="lower left", bbox_to_anchor=(0, 1)
     )
     if learned:
-        _band(axes[2], x, found, "speed_factor", GREEN)
+        _band(axes[2], x, rows, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
     _mark(axes[-1], x)
@@ -162,7 +172,7 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> axes = clpt.replay.replay_plot(replay)
     """
-    replay = found_of(replay)
+    replay = report_of(replay)
     learned = replay["each_dive"][0]["speed_factor"] is not None
     speed = [["map", "speed"]] if learned else []
     mosaic = [
@@ -179,14 +189,14 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     return axes
 
 
-def replay_figures(found: dict[str, Any]) -> "dict[str, Figure]":
+def replay_figures(report: dict[str, Any]) -> "dict[str, Figure]":
     """Draw all figures of what `clpt replay --json` prints, by name."""
     plots: dict[str, Any] = {
         "map": map_plot,
         "clpe": dive_clpe_plot,
         "current": current_plot,
     }
-    return {name: figure_of(plot, found) for name, plot in plots.items()}
+    return {name: figure_of(plot, report) for name, plot in plots.items()}
 
 
 def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:

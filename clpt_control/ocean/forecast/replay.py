@@ -11,7 +11,7 @@ the dead reckoning carried by a modelled flow:
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
 The first used dive is forecast with no flow.  Where a dive starts too far from the end of
-the last one, one of the two fixes is wrong (`doubts`): before the dive is forecast
+the last one, one of the two fixes is wrong (`quality_flags`): before the dive is forecast
 the last one is learned again, its forecast as it was.  A flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
 The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
@@ -36,12 +36,19 @@ from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import OTHERS, FixModel
 from ..gliders.usable_dives import follows
-from .carried_dives import FlowModel, carried
-from .cells import cells
-from .doubts import doubt_one_fix
-from .habits import CHI_SQUARED, GIVEN, Guess, Habits, drift, has_course
+from .advected_dives import FlowModel, carried
+from .dive_statistics import (
+    CHI_SQUARED,
+    GIVEN,
+    DiveStatistics,
+    Guess,
+    drift,
+    has_course,
+)
+from .quality_flags import doubt_one_fix
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
+from .table_rows import cells
 
 LISTED = 10  # dives of a notebook's table
 
@@ -49,8 +56,8 @@ LISTED = 10  # dives of a notebook's table
 def _in_words(replay: Any) -> str:
     if not replay.steps:
         return f"no dive yet, {replay.estimator}"
-    first, last = replay.steps[0].dive, replay.steps[-1].dive
-    count = f"{len(replay.steps)} dives, {first.number} to {last.number}"
+    first_dive, last = replay.steps[0].dive, replay.steps[-1].dive
+    count = f"{len(replay.steps)} dives, {first_dive.number} to {last.number}"
     return f"{last.vehicle or 'a glider'}: {count}, {replay.estimator}"
 
 
@@ -69,7 +76,7 @@ class Replay:
         What the dives were `carried` by; it gets a CLPE of its own.
     steps : list of Step
         One per dive so far.
-    habits : Habits
+    dive_statistics : DiveStatistics
         How the vehicle dives.
 
     Examples
@@ -89,9 +96,9 @@ class Replay:
     def __post_init__(self) -> None:
         """Start without any dive."""
         self._learner = make_estimator(self.estimator, self.model)
-        self.habits = Habits()
+        self.dive_statistics = DiveStatistics()
         self._fed: list[Dive] = []
-        self._before = self._learner, self.habits  # the last dive
+        self._before = self._learner, self.dive_statistics  # the last dive
 
     def __repr__(self) -> str:
         return f"<Replay of {_in_words(self)}>"
@@ -100,12 +107,12 @@ class Replay:
         """Return the last dives as a table, the last one first."""
         rows = [cells(step.row) for step in self.steps[: -LISTED - 1 : -1]]
         table = facts([tuple(row.values()) for row in rows], [*rows[0]]) if rows else ""
-        more = (
+        remarks = (
             [f"The last {LISTED} of {len(self.steps)} dives."]
             if self.steps[LISTED:]
             else []
         )
-        return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(more))
+        return fragment("Replay", f"of {_in_words(self)}", table, paragraphs(remarks))
 
     @property
     def models(self) -> tuple[str, ...]:
@@ -122,9 +129,9 @@ class Replay:
         again, dive = self._doubt_one_fix(dive)
         if again is None:
             return self._ahead(dive)
-        known = copy.deepcopy(self)
-        known._learn_again(again)
-        return known._ahead(dive)
+        relearned = copy.deepcopy(self)
+        relearned._learn_again(again)
+        return relearned._ahead(dive)
 
     def known(self) -> dict[str, float]:
         """Return the parameters as known now: m/s, 1 and rad."""
@@ -146,14 +153,14 @@ class Replay:
         return self.steps[-1]
 
     def feed(
-        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda done: None
+        self, dives: Sequence[Dive], report: Callable[[int], None] = lambda count: None
     ) -> "Replay":
         """Take all dives of a record, and return the replay of them.
 
         Each is carried by the flow model.  Of a record that grows, dives that come first again
         are not learned again.
         """
-        if [*map(_told, self._fed)] != [*map(_told, dives[: len(self._fed)])]:
+        if [*map(_identity, self._fed)] != [*map(_identity, dives[: len(self._fed)])]:
             self.steps = []
             self.__post_init__()
         for dive in dives[len(self._fed) :]:
@@ -168,11 +175,11 @@ class Replay:
     def start(self, rng: np.random.Generator | None = None) -> Fix:
         """Return when and where the next dive begins, as a fix.
 
-        By its habits; where `rng` is given, drawn from them.
+        By its dive statistics; if `rng` is given, drawn from them.
         """
         last = self.steps[-1].dive
-        stay, late = self.habits.stay()
-        drift, spread = self.habits.drift()
+        stay, late = self.dive_statistics.stay()
+        drift, spread = self.dive_statistics.drift()
         if rng is not None:
             stay = max(rng.normal(stay, late), 0.0)
             drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
@@ -180,14 +187,14 @@ class Replay:
 
     def imagined(self) -> "Replay":
         """Return one that knows the same, for dives that are drawn."""
-        other = copy.copy(self)
-        other.steps, other._learner = self.steps[-1:], copy.copy(self._learner)
-        return other
+        sketch = copy.copy(self)
+        sketch.steps, sketch._learner = self.steps[-1:], copy.copy(self._learner)
+        return sketch
 
     def imagine(self, dive: Dive) -> None:
         """Learn the flow from a dive that was drawn.
 
-        The habits learn nothing of it.
+        The dive statistics learn nothing of it.
         """
         self._learner.update(dive)
         self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
@@ -197,17 +204,17 @@ class Replay:
     ) -> NextDive:
         """Forecast the end of the next dive.
 
-        It goes by a guess, by default that of the vehicle's habits, and begins at `start`, by
+        It goes by a guess, by default that of the dive statistics, and begins at `start`, by
         default as the vehicle should be when it dives.
         """
-        last, habits = self.steps[-1], self.habits
+        last, habits = self.steps[-1], self.dive_statistics
         guess = habits.guess() if guess is None else guess
         begin = self.start() if start is None else start
         plan = unflown(last.dive, begin, guess)
         if self.flow_model is not None:
             plan = carried(plan, self.flow_model)
         mean, covariance = self.forecast(plan)
-        place = place_from(*begin[1:], *(guess.way + mean))
+        position = place_from(*begin[1:], *(guess.way + mean))
         scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
         covariance = covariance + scatter + habits.drift()[1]
         late = np.hypot(guess.duration * np.sqrt(guess.scatter[2, 2]), habits.stay()[1])
@@ -216,7 +223,7 @@ class Replay:
             plan,
             mean,
             covariance * guess.tails * wide**2,
-            *place,
+            *position,
             (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
             float(NORMAL * late * np.sqrt(guess.tails) * long),
             guess.basis,
@@ -233,15 +240,15 @@ class Replay:
         if not self.steps:
             return None, dive
         last = self.steps[-1]
-        found, dive = doubt_one_fix(
+        doubted, dive = doubt_one_fix(
             last.dive, dive, (last.forecast, last.covariance), self.model
         )
-        return (None if found is last.dive else found), dive
+        return (None if doubted is last.dive else doubted), dive
 
     def _learn_again(self, dive: Dive) -> None:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
-        self._learner, self.habits = self._before
+        self._learner, self.dive_statistics = self._before
         self._take(dive, was.forecast, was.covariance, was.headline)
 
     def _take(
@@ -252,14 +259,14 @@ class Replay:
         headline: NextDive | None,
     ) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
-        self._before = copy.copy(self._learner), copy.deepcopy(self.habits)
+        self._before = copy.copy(self._learner), copy.deepcopy(self.dive_statistics)
         y = miss(dive)
         last = self.steps[-1].dive if self.steps else None
-        way = drift(dive, last)
-        held = None
+        surface_drift = drift(dive, last)
+        inside_forecast = None
         if headline is not None and last is not None and follows(dive, last):
-            held = headline.holds(dive)
-        self.habits.learn(dive, way, held or ())
+            inside_forecast = headline.holds(dive)
+        self.dive_statistics.learn(dive, surface_drift, inside_forecast or ())
         previous = (
             np.zeros(2)
             if last is None
@@ -274,7 +281,16 @@ class Replay:
             clpe[FLOW_MODEL] = known(_size(y - modelled))
         self._learner.update(dive)
         inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
-        step = Step(dive, clpe, mean, covariance, inside, way, headline, held)
+        step = Step(
+            dive,
+            clpe,
+            mean,
+            covariance,
+            inside,
+            surface_drift,
+            headline,
+            inside_forecast,
+        )
         self.steps.append(step.learned(self._learner))
 
 
@@ -317,14 +333,16 @@ def next_dive(
         return replay.surfacing()
     guess = replay.surfacing().plan
     T = guess.duration if duration is None else duration
-    way = (guess.dr_east, guess.dr_north) if through_water is None else through_water
-    check_flown(hypot(*way) / T if T > 0 else 0.0, T)
-    return replay.surfacing(replay.habits.guess_of(way, T))
+    through = (
+        (guess.dr_east, guess.dr_north) if through_water is None else through_water
+    )
+    check_flown(hypot(*through) / T if T > 0 else 0.0, T)
+    return replay.surfacing(replay.dive_statistics.guess_of(through, T))
 
 
-def _told(dive: Dive) -> tuple:
+def _identity(dive: Dive) -> tuple:
     """Return all that a dive tells, to compare."""
-    track = dive.track and tuple(np.asarray(one).tobytes() for one in dive.track)
+    track = dive.track and tuple(np.asarray(column).tobytes() for column in dive.track)
     return dive, dive.vehicle, dive.notes, track
 
 

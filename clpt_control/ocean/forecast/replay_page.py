@@ -11,9 +11,9 @@ from typing import Any
 
 from ...base.figures import figure_of, inline_svg, legend_below
 from ...base.html import document, listing, safe
-from . import cells, wording
+from . import table_rows, text_report
 from .cards import cards, time_of_computing, unbroken
-from .layers import layers_of, words_of_dive
+from .map_layers import layers_of, words_of_dive
 from .plots import current_plot, dive_clpe_plot
 from .track_map import map_svg
 
@@ -38,13 +38,13 @@ SCRIPTS = ("clock.js", "replay.js")
 
 
 def replay_page(
-    found: dict[str, Any], again: bool = False, title: str | None = None
+    report: dict[str, Any], again: bool = False, title: str | None = None
 ) -> str:
     """Return the page of what `clpt replay --json` prints, with one dive at least.
 
     A page that is written `again` at each dive is loaded again each minute.
     """
-    vehicle = found["vehicle"]
+    vehicle = report["vehicle"]
     head, mark = "", ""
     if again:
         head = f'<noscript><meta http-equiv="refresh" content="{AGAIN}"></noscript>\n'
@@ -52,42 +52,47 @@ def replay_page(
     body = "\n".join(
         [
             f"<h1>{safe(title or f'{vehicle}: next surfacing')}</h1>",
-            time_of_computing(found),
-            f'<div class="cards"{mark}>{"".join(cards(found))}</div>',
-            *(f"<p>{unbroken(one)}</p>" for one in wording.beyond_cards(found)),
-            f'<div class="body"><div><div class="map">{map_svg(found)}',
-            f'<div class="buttons"></div></div>{_legend(found)}'
+            time_of_computing(report),
+            f'<div class="cards"{mark}>{"".join(cards(report))}</div>',
+            *(
+                f"<p>{unbroken(sentence)}</p>"
+                for sentence in text_report.beyond_cards(report)
+            ),
+            f'<div class="body"><div><div class="map">{map_svg(report)}',
+            f'<div class="buttons"></div></div>{_legend(report)}'
             '<p id="said" class="soft"></p></div>',
-            f"<div>{_charts(found)}</div></div>",
-            *_paste(found),
-            *_table(found),
-            *_remarks(found),
+            f"<div>{_charts(report)}</div></div>",
+            *_paste(report),
+            *_table(report),
+            *_remarks(report),
         ]
     )
-    name = title or f"{vehicle}, dive {found['each_dive'][-1]['dive']}"
+    name = title or f"{vehicle}, dive {report['each_dive'][-1]['dive']}"
     return document(name, body, "replay.css", SCRIPTS, head)
 
 
-def _legend(found: dict[str, Any]) -> str:
+def _legend(report: dict[str, Any]) -> str:
     """Return the legend of what the map shows."""
-    drawn = layers_of(found)
-    shown = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
-    if not all(row["inside_90"] for row in found["each_dive"]):
-        shown.append(("outside", "fix outside its 90 % ellipse"))
-    if "route" in found and found["route"]["areas"]:
-        shown.append(("area", "area to stay out of"))
-    return "".join(f'<span class="key {kind}">{name}</span>' for kind, name in shown)
+    drawn = layers_of(report)
+    entries = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
+    if not all(row["inside_90"] for row in report["each_dive"]):
+        entries.append(("outside", "fix outside its 90 % ellipse"))
+    if "route" in report and report["route"]["areas"]:
+        entries.append(("area", "area to stay out of"))
+    return "".join(f'<span class="key {kind}">{name}</span>' for kind, name in entries)
 
 
-def _paste(found: dict[str, Any]) -> list[str]:
+def _paste(report: dict[str, Any]) -> list[str]:
     """Return what goes onto the vehicle."""
-    one = found.get("paste")
+    upload = report.get("paste")
     return (
-        [f"<h2>To paste: {safe(one['file'])}</h2>", listing(one["text"])] if one else []
+        [f"<h2>To paste: {safe(upload['file'])}</h2>", listing(upload["text"])]
+        if upload
+        else []
     )
 
 
-def _charts(found: dict[str, Any]) -> str:
+def _charts(report: dict[str, Any]) -> str:
     """Return the position errors and what was learned, over time."""
     charts = []
     for name, plot, high, caption in (
@@ -99,7 +104,7 @@ def _charts(found: dict[str, Any]) -> str:
         ),
         ("learned", current_plot, 1.0, "Learned, with two standard errors"),
     ):
-        figure = figure_of(plot, found)
+        figure = figure_of(plot, report)
         figure.set_size_inches(NARROW, NARROW * high)
         if plot is dive_clpe_plot:
             legend_below(figure.axes[0], LEGEND_COLUMNS)
@@ -108,21 +113,21 @@ def _charts(found: dict[str, Any]) -> str:
     return "\n".join(charts)
 
 
-def _table(found: dict[str, Any]) -> list[str]:
+def _table(report: dict[str, Any]) -> list[str]:
     """Return the table, the last dive first."""
-    title = f"Dives, the last one first. {cells.TITLE}"
-    rows = found["each_dive"]
+    title = f"Dives, the last one first. {table_rows.TITLE}"
+    rows = report["each_dive"]
     words = [f"dive {row['dive']}: {words_of_dive(row)}" for row in rows]
-    marks = [f' id="map-dive{k}" title="{safe(one)}"' for k, one in enumerate(words)]
+    marks = [f' id="map-dive{k}" title="{safe(text)}"' for k, text in enumerate(words)]
     return cell_table(
-        title, [*map(cells.cells, rows[::-1])], cells.COLUMNS, marks[::-1]
+        title, [*map(table_rows.cells, rows[::-1])], table_rows.COLUMNS, marks[::-1]
     )
 
 
 def cell_table(
     title: str,
     rows: Sequence[dict[str, str]],
-    columns: cells.Columns,
+    columns: table_rows.Columns,
     marks: Sequence[str] = (),
     links: Sequence[str | None] = (),
 ) -> list[str]:
@@ -137,18 +142,18 @@ def cell_table(
         f"<h2>{safe(title)}</h2>",
         f'<div class="table"><table><thead><tr>{"".join(names)}</tr></thead><tbody>',
     ]
-    none = [""] * len(rows)
-    for row, mark, link in zip(rows, marks or none, links or none, strict=True):
+    blank = [""] * len(rows)
+    for row, mark, link in zip(rows, marks or blank, links or blank, strict=True):
         texts = [unbroken(row[title]) for title in titles]
         if link:
             texts[0] = f'<a href="{safe(link)}">{texts[0]}</a>'
         loud = [
             ALARM if row[title].startswith(LOUD) else styles[title] for title in titles
         ]
-        each = "".join(
+        cells_of_row = "".join(
             f"<td{style}>{text}</td>" for style, text in zip(loud, texts, strict=True)
         )
-        lines.append(f"<tr{mark}>{each}</tr>")
+        lines.append(f"<tr{mark}>{cells_of_row}</tr>")
     return [*lines, "</tbody></table></div>"]
 
 
@@ -157,8 +162,8 @@ def _style(rank: int) -> str:
     return "" if rank <= PHONE else f' class="wide{" most" if rank > PAPER else ""}"'
 
 
-def _remarks(found: dict[str, Any]) -> list[str]:
-    lines = [f"<li>{safe(remark)}</li>" for remark in wording.remarks(found)]
+def _remarks(report: dict[str, Any]) -> list[str]:
+    lines = [f"<li>{safe(remark)}</li>" for remark in text_report.remarks(report)]
     return (
         [
             "<h2>Learned parameters, notes and skipped dives</h2>",

@@ -1,11 +1,10 @@
-"""When a vehicle is at waypoints that are days away, and whether it enters what it should not.
+"""Routes: times of arrival at waypoints days away, and the share of draws in forbidden areas.
 
 The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at
 the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
-and the drift before it are drawn from their spread (`habits`), its miss from the forecast's mean
-and covariance.  What was drawn is learned before the next dive is aimed: drawn one after the other,
-each given those before it, the misses are drawn from their joint distribution, with what lasts from
-dive to dive in them.
+and the drift before it are drawn from their spread (`dive_statistics`), its position error from
+the forecast's mean and covariance.  A drawn dive is learned before the next one is aimed: drawn one
+after the other, each given those before it, position errors have their joint distribution.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
 
 The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
@@ -31,9 +30,9 @@ from ...base.geodesy import distance, is_place, near, place_from
 from ...base.progress.interrupt import check
 from ..gliders.dives import Fix, make_dive
 from .aim import ARRIVED, aim, usual
-from .places import Place, in_minutes, placed, utc
+from .geographic import Place, in_minutes, placed, utc
 from .replay import Replay
-from .wording import REACHED
+from .text_report import REACHED
 
 DRAWS, DIVES, SEED = 100, 100, 1
 MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
@@ -54,19 +53,18 @@ def read_route(path: File) -> tuple[list[Place], list[Area]]:
 
 def _route(text: str) -> tuple[list[Place], list[Area]]:
     try:
-        found = list(
-            _shapes(json.loads(text)) if text.lstrip().startswith("{") else _lines(text)
-        )
+        is_json = text.lstrip().startswith("{")
+        shapes = list(_shapes(json.loads(text)) if is_json else _lines(text))
     except Exception as error:  # what is neither can raise anything
         why = f"is neither GeoJSON nor a latitude and a longitude a line: {error}"
         raise DataError(why) from None
-    for lat, lon in (place for _, places in found for place in places):
+    for lat, lon in (point for _, points in shapes for point in points):
         if not is_place(lat, lon):
             raise DataError(f"latitude {lat:g}, longitude {lon:g} is no place")
-    targets = [place for name, places in found if name is None for place in places]
+    targets = [point for name, points in shapes if name is None for point in points]
     if not targets:
         raise DataError("has no waypoint; give points, or a line of them")
-    areas = [(name, places) for name, places in found if name is not None]
+    areas = [(name, points) for name, points in shapes if name is not None]
     count = sum(len(ring) for _, ring in areas)
     if len(targets) > DIVES or count > MOST_PLACES:
         raise DataError(
@@ -86,22 +84,22 @@ def _lines(text: str) -> Iterator[Shape]:
 def _shapes(data: dict[str, Any], name: str = "area") -> Iterator[Shape]:
     name = str((data.get("properties") or {}).get("name") or name)
     inner = *data.get("features", ()), *data.get("geometries", ()), data.get("geometry")
-    for one in filter(None, inner):
-        yield from _shapes(one, name)
+    for part in filter(None, inner):
+        yield from _shapes(part, name)
     if "coordinates" not in data:
         return
     several = data["type"] in ("MultiPolygon", "MultiLineString")
-    for one in data["coordinates"] if several else [data["coordinates"]]:
+    for part in data["coordinates"] if several else [data["coordinates"]]:
         if not data["type"].endswith("Polygon"):
-            yield None, _places(one)
+            yield None, _points(part)
             continue
-        ring = _places(one[0])
+        ring = _points(part[0])
         if len(set(ring)) < 3:
             raise ValueError("an area has at least three corners")
         yield name, ring
 
 
-def _places(pairs: list[Any]) -> list[Place]:
+def _points(pairs: list[Any]) -> list[Place]:
     """Return places of a pair longitude, latitude, or of a list of them; heights are left out."""
     points = np.atleast_2d(np.array(pairs, float))
     if points.ndim > 2:
@@ -115,7 +113,7 @@ def arrivals(
     areas: list[Area],
     speed: float | None,
     duration: float | None,
-    report: Callable[[float], None] = lambda done: None,
+    report: Callable[[float], None] = lambda share: None,
 ) -> dict[str, Any]:
     """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
     V, T = usual(replay, speed, duration)
@@ -124,21 +122,21 @@ def arrivals(
     rings = [np.array([*ring, ring[0]]) for _, ring in areas]
     while len(times) < DRAWS and drawn < MOST_DRAWN:
         check()
-        came, ways = _draw(replay, targets, V, T, rng)
-        times.append(came + [inf] * (len(targets) - len(came)))
-        entered.append([any(_meets(*way, ring) for way in ways) for ring in rings])
-        drawn += len(ways)
+        arrived, legs = _draw(replay, targets, V, T, rng)
+        times.append(arrived + [inf] * (len(targets) - len(arrived)))
+        entered.append([any(_meets(*leg, ring) for leg in legs) for ring in rings])
+        drawn += len(legs)
         report(max(len(times), DRAWS * min(drawn / MOST_DRAWN, 1.0)))
     waypoints = []
-    for place, each in zip(targets, np.transpose(times), strict=True):
+    for point, times_of_point in zip(targets, np.transpose(times), strict=True):
         quantiles = np.quantile(
-            each, list(SHARES.values()), method="inverted_cdf"
+            times_of_point, list(SHARES.values()), method="inverted_cdf"
         ).tolist()
         dates = [utc(time) if isfinite(time) else None for time in quantiles]
         waypoints.append(
-            {**placed("", *place), "place": in_minutes(*place)}
+            {**placed("", *point), "place": in_minutes(*point)}
             | {
-                "made": float(np.isfinite(each).mean()),
+                "made": float(np.isfinite(times_of_point).mean()),
                 **dict(zip(SHARES, dates, strict=True)),
             }
         )
@@ -162,13 +160,15 @@ def _draw(
     """Draw the dives to come once: times of arrival, s since 1970, and the ends of each way."""
     learned = replay.imagined()
     start = learned.start(rng)
-    came: list[float] = []
-    ways: list[tuple[Place, Place]] = []
+    arrived: list[float] = []
+    legs: list[tuple[Place, Place]] = []
     for _ in range(DIVES):
-        target = targets[len(came)]
+        target = targets[len(arrived)]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
-        guess = learned.habits.guess_of((plan.dr_east, plan.dr_north), plan.duration)
+        guess = learned.dive_statistics.guess_of(
+            (plan.dr_east, plan.dr_north), plan.duration
+        )
         east, north, late = rng.multivariate_normal(
             np.zeros(3), guess.scatter, check_valid="ignore"
         )
@@ -181,18 +181,18 @@ def _draw(
         miss = rng.multivariate_normal(*learned.forecast(flown), check_valid="ignore")
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
-        ways.append((start[1:], end[1:]))
+        legs.append((start[1:], end[1:]))
         if leg.state == REACHED or distance(*end[1:], *target) < ARRIVED:
-            came.append(end[0])
-            if len(came) == len(targets):
+            arrived.append(end[0])
+            if len(arrived) == len(targets):
                 break
         learned.imagine(make_dive(plan.number, start, end, through))
         start = learned.start(rng)
-    return came, ways
+    return arrived, legs
 
 
-def _meets(one: Place, other: Place, ring: np.ndarray) -> bool:
-    """Whether a straight way meets an area, of a closed ring.
+def _meets(start: Place, end: Place, ring: np.ndarray) -> bool:
+    """Return whether a straight way meets an area, of a closed ring.
 
     >>> corners = (0.0, 179.0), (1.0, 179.0), (1.0, -179.0), (0.0, -179.0), (0.0, 179.0)
     >>> square = np.array(corners)
@@ -203,8 +203,8 @@ def _meets(one: Place, other: Place, ring: np.ndarray) -> bool:
     """
     from matplotlib.path import Path
 
-    area, way = (
-        Path(np.column_stack([places[:, 0], near(places[:, 1], one[1])]))
-        for places in (ring, np.array([one, other]))
+    area, line = (
+        Path(np.column_stack([points[:, 0], near(points[:, 1], start[1])]))
+        for points in (ring, np.array([start, end]))
     )
-    return bool(area.intersects_path(way, filled=True))
+    return bool(area.intersects_path(line, filled=True))

@@ -20,8 +20,8 @@ from ...base.geodesy import place_from
 from ...base.units import known
 from ..estimation.estimator import Estimator
 from ..gliders.dives import Dive
-from .habits import Way
-from .places import direction, placed, utc, vector
+from .dive_statistics import Way
+from .geographic import direction, placed, utc, vector
 from .surfacing import ELLIPSE, NextDive, ellipse
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
@@ -56,10 +56,10 @@ class Step:
 
     def learned(self, learner: Estimator) -> "Step":
         """Take what an estimator knows that has learned the dive."""
-        p, P, left = learner.estimate()
+        p, P, prior_share = learner.estimate()
         model = learner.model
         flow = [
-            k for k, part in enumerate(model.parts) if part not in ("speed", "compass")
+            k for k, name in enumerate(model.parts) if name not in ("speed", "compass")
         ]
         H = model.regressor(self.dive)[:, flow] / self.dive.duration
         self.current = H @ p[flow]
@@ -67,7 +67,7 @@ class Step:
         self.parts = learner.parts()
         self.not_learned = tuple(
             name
-            for name, share in zip(model.names, left, strict=True)
+            for name, share in zip(model.names, prior_share, strict=True)
             if share >= LEARNED
         )
         self.speed, self.speed_error, self.compass, self.compass_error = (
@@ -152,19 +152,25 @@ class Step:
         return {key: known(value) for key, value in row.items()}
 
 
-def _headline(headline: NextDive, held: tuple[bool, bool] | None) -> dict[str, Any]:
+def _headline(
+    headline: NextDive, inside_forecast: tuple[bool, bool] | None
+) -> dict[str, Any]:
     """Return the headline before a surfacing, and whether its place and time held."""
-    found = headline.as_dict()
+    fields = headline.as_dict()
     keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
-    place, time = held or (None, None)
-    return {**{key: found[key] for key in keys}, "place_held": place, "time_held": time}
+    inside_ellipse, inside_time = inside_forecast or (None, None)
+    return {
+        **{key: fields[key] for key in keys},
+        "place_held": inside_ellipse,
+        "time_held": inside_time,
+    }
 
 
 def check_next(dive: Dive, last: Dive | None) -> None:
     """Refuse a dive that is not finite or ends before the last one."""
     numbers = [dive.miss_east, dive.miss_north, dive.lat_gps2, dive.lon_gps2]
     numbers += [dive.model_east or 0, dive.model_north or 0]
-    numbers += [np.sum(part) for part in dive.track or ()]
+    numbers += [np.sum(column) for column in dive.track or ()]
     if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
         raise DataError(
             f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "

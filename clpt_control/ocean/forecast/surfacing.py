@@ -1,11 +1,11 @@
-"""Where and when a vehicle will surface next.
+"""Forecast of the next surfacing: place and time.
 
 It is the forecast of a dive not yet flown,
 
     z(T) = last fix + drift at the surface + d + forecast of the miss
 
-d is the displacement through the water and T the duration of the dive that `Habits` guesses, or
-that is planned or aimed.  The ellipse and the time are for 90 %: of the miss, of the drift, of the
+d is the displacement through the water and T the duration of the dive, as planned, as aimed or as
+`DiveStatistics` expects.  The ellipse and the time are for 90 %: of the miss, of the drift, of the
 scatter of d and T (d by the learned speed and compass), as wide as their own record asks.
 
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
@@ -24,8 +24,8 @@ from ...base.geodesy import displacement
 from ...base.units import seconds_since_1970
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
-from .habits import CHI_SQUARED, REPEATED, Guess
-from .places import clock, in_minutes, placed, utc, vector
+from .dive_statistics import CHI_SQUARED, REPEATED, Guess
+from .geographic import clock, in_minutes, placed, utc, vector
 
 NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
 SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
@@ -77,7 +77,7 @@ class NextDive:
         return (now, CLOCK) if 0.0 <= now - end <= RECENT else (end, LAST_END)
 
     def holds(self, dive: Dive) -> tuple[bool, bool]:
-        """Whether the end of the dive that came lies in the ellipse, and in the time."""
+        """Return whether the end of the dive is inside the ellipse, and within the time."""
         away = np.array(
             displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse)
         )
@@ -86,12 +86,12 @@ class NextDive:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the forecast by name, for JSON: degrees, m and s."""
-        now, which = self.now()
+        now, clock_name = self.now()
         return {
             "time": utc(self.plan.t_gpse),
             "time_90": self.time_90,
             "now": utc(now),
-            "now_is": which,
+            "now_is": clock_name,
             "hours_from_now": (self.plan.t_gpse - now) / 3600,
             "surface_time": self.plan.t_gps2 - self.fix[0],
             **placed("from_", *self.fix[1:]),

@@ -30,9 +30,9 @@ from ...base.figures import (
 )
 from ...base.geodesy import distance, near
 from ...base.html import plain
-from .facts import Source, found_of
-from .layers import layers_of
-from .places import Place, clock, degrees_minutes, east_of
+from .geographic import Place, clock, degrees_minutes, east_of
+from .map_layers import layers_of
+from .netcdf_export import Source, report_of
 
 FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
@@ -104,11 +104,11 @@ def map_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
     >>> ax = clpt.replay.map_plot(replay)
     """
-    found = found_of(replay)
-    ax = _drawn(found, ax, (0.9, 1.7))
-    last = found["each_dive"][-1]
+    report = report_of(replay)
+    ax = _drawn(report, ax, (0.9, 1.7))
+    last = report["each_dive"][-1]
     dive, when = (
-        literal(plain(f"{found['vehicle']}: dive {last['dive']}")),
+        literal(plain(f"{report['vehicle']}: dive {last['dive']}")),
         clock(last["end"]),
     )
     ax.set_title(f"{dive} surfaced {when}", **TITLE)
@@ -132,72 +132,78 @@ def edges_of(points: np.ndarray, degree: np.ndarray) -> np.ndarray:
     low, high = points.min(axis=1), points.max(axis=1)
     spans = (high - low) * degree
     size = max(*spans, SHORTEST)
-    half = (np.maximum(spans, NARROWEST * size) / 2 + MARGIN * size) / degree
-    return np.array([(low + high) / 2 - half, (low + high) / 2 + half])
+    half_size = (np.maximum(spans, NARROWEST * size) / 2 + MARGIN * size) / degree
+    return np.array([(low + high) / 2 - half_size, (low + high) / 2 + half_size])
 
 
-def _drawn(whole: dict[str, Any], ax: Axes | None, around: tuple[float, float]) -> Axes:
+def _drawn(
+    report: dict[str, Any], ax: Axes | None, margins: tuple[float, float]
+) -> Axes:
     """Draw what `clpt replay --json` prints, inches around it."""
-    found = whole["each_dive"]
+    rows = report["each_dive"]
     of = {
-        kind: [one.places for one in layers]
-        for kind, layers in layers_of(whole).items()
+        kind: [layer.places for layer in layers]
+        for kind, layers in layers_of(report).items()
     }
-    areas = whole["route"]["areas"] if "route" in whole else []
-    first = east_of(of["track"][0][0][1])
+    areas = report["route"]["areas"] if "route" in report else []
+    reference = east_of(of["track"][0][0][1])
 
-    def at(several: Sequence[Sequence[Place]]) -> np.ndarray:
+    def lines_of(several: Sequence[Sequence[Place]]) -> np.ndarray:
         """Return lines as one, broken by NaN: longitudes and latitudes, (2, n)."""
-        ends = [place for places in several for place in (*places, (np.nan, np.nan))]
+        ends = [
+            point for points_of in several for point in (*points_of, (np.nan, np.nan))
+        ]
         lat, lon = np.transpose(ends)
-        return np.array([near(lon, first), lat])
+        return np.array([near(lon, reference), lat])
 
-    far = [place for kind in FAR for places in of.get(kind, []) for place in places]
-    points = at([far])[:, :-1]
+    outline = [
+        point for kind in FAR for points_of in of.get(kind, []) for point in points_of
+    ]
+    points = lines_of([outline])[:, :-1]
     if not (np.abs(points[1]) <= 90.0).all():
         raise ValueError("a latitude is beyond the poles")
-    degree = degree_at((points[1].min() + points[1].max()).item() / 2, first)
+    degree = degree_at((points[1].min() + points[1].max()).item() / 2, reference)
     size = max(*np.ptp(points, axis=1) * degree, SHORTEST)
     for target in of.get("target", []):
-        with_it = np.hstack([points, at([target])[:, :1]])
+        with_it = np.hstack([points, lines_of([target])[:, :1]])
         if max(*np.ptp(with_it, axis=1) * degree) <= LARGER * size:
             points = with_it
     (west, south), (east, north) = edges_of(points, degree)
     wide, high = (east - west) * degree[0], (north - south) * degree[1]
     inch = SIZE / max(wide, high)
-    ax = axes_for(ax, max(wide * inch, LEAST) + around[0], high * inch + around[1])
+    ax = axes_for(ax, max(wide * inch, LEAST) + margins[0], high * inch + margins[1])
     ax.set(xlim=(west, east), ylim=(south, north))
     ax.set_aspect(degree[1] / degree[0], adjustable="box")
     for area in areas:
-        ax.fill(*at([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
-    few = len(found) <= FEW
+        ax.fill(*lines_of([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
+    few = len(rows) <= FEW
     for kind, mark_or_line, size, small, style in DRAWN:
         if kind in of:
             look: dict[str, Any] = {"ls": mark_or_line, "lw": size}
             if small:
                 look = {"ls": "", "marker": mark_or_line, "ms": size if few else small}
-            ax.plot(*at(of[kind]), **look, **style)
-    fixes = at(of["fix"])[:, ::2]
-    urls = np.array([f"#dive{k}" for k in range(len(found))])
-    inside = np.array([row["inside_90"] for row in found])
-    for some, colour, label in (
+            ax.plot(*lines_of(of[kind]), **look, **style)
+    fixes = lines_of(of["fix"])[:, ::2]
+    urls = np.array([f"#dive{k}" for k in range(len(rows))])
+    inside = np.array([row["inside_90"] for row in rows])
+    for mask, colour, label in (
         (inside, "black", "fix"),
         (~inside, RED, "fix outside 90 %"),
     ):
-        if some.any():
-            x, y = fixes[:, some]
-            here = urls[some].tolist()
+        if mask.any():
+            x, y = fixes[:, mask]
+            links = urls[mask].tolist()
             ax.scatter(
-                x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=here
+                x, y, s=16 if few else 5, c=colour, zorder=4, label=label, urls=links
             )
-    beside: dict[str, Any] = {
+    label_style: dict[str, Any] = {
         "xytext": (5, 4),
         "textcoords": "offset points",
         "zorder": 6,
     }
     for k in with_room(fixes.T * degree * inch):
-        name = literal(plain(found[k]["dive"]))
-        ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **beside)
+        name = literal(plain(rows[k]["dive"]))
+        ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **label_style)
     _mark(ax, degree)
     return ax
 
@@ -217,7 +223,7 @@ def _mark(ax: Axes, degree: np.ndarray) -> None:
             FuncFormatter(partial(grid_label, names=names, step=step))
         )
         axis.set_tick_params(labelsize=LABEL)
-    length = next((one for one in reversed(LENGTHS) if one <= wide / 4), LENGTHS[0])
+    length = next((size for size in LENGTHS[::-1] if size <= wide / 4), LENGTHS[0])
     end = east - 0.04 * (east - west)
     x, y = (end - length / degree[0], end), south + 0.03 * wide / degree[1]
     ax.plot(x, (y, y), color="black", lw=2, solid_capstyle="butt")
@@ -225,12 +231,12 @@ def _mark(ax: Axes, degree: np.ndarray) -> None:
     ax.annotate(name, (sum(x) / 2, y), (0, 3), textcoords="offset points", ha="center")
 
 
-def map_svg(found: dict[str, Any]) -> str:
+def map_svg(report: dict[str, Any]) -> str:
     """Return the map as an element of a page, with what its script needs.
 
     That is where the chart lies in it, its edges in degrees, and how long a unit is, m.
     """
-    figure = figure_of(_drawn, found, None, (0.5, 0.4))
+    figure = figure_of(_drawn, report, None, (0.5, 0.4))
     (ax,), units = figure.axes, POINTS * figure.get_size_inches()
     # room for the labels of a telephone, which are larger
     ax.tick_params(labelsize=PHONE_LABEL)
@@ -246,22 +252,22 @@ def map_svg(found: dict[str, Any]) -> str:
         ("edges", (south, north, west, east)),
         ("metres", (wide / (x1 - x0),)),
     ):
-        words = " ".join(f"{one:.9g}" for one in numbers)
+        words = " ".join(f"{number:.9g}" for number in numbers)
         text = text.replace("<svg ", f'<svg data-{name}="{words}" ', 1)
     return text.replace("<svg ", '<svg id="map" ', 1).replace(' target="_blank"', "")
 
 
 def with_room(points: np.ndarray) -> list[int]:
     """Return which of points, (n, 2), inches, have room for a number, the last ones first."""
-    found: list[int] = []
+    chosen: list[int] = []
     for k in range(len(points) - 1, -1, -1):
-        if (np.abs(points[found] - points[k]) >= ROOM).any(1).all():
-            found.append(k)
-    return found
+        if (np.abs(points[chosen] - points[k]) >= ROOM).any(1).all():
+            chosen.append(k)
+    return chosen
 
 
 def grid_label(
-    angle: float, place: int | None = None, *, names: str, step: float
+    angle: float, position: int | None = None, *, names: str, step: float
 ) -> str:
     """Return degrees and minutes of a parallel ("NS") or meridian ("EW") of a grid.
 
@@ -269,5 +275,5 @@ def grid_label(
     ("42°54'S", "169°29.70'W")
     """
     angle = east_of(angle) if names == "EW" else angle
-    whole, minutes = degrees_minutes(angle, 0 if step >= 1 else 2)
-    return f"{whole}°{minutes}'{names[int(angle < 0)]}"
+    degrees, minutes = degrees_minutes(angle, 0 if step >= 1 else 2)
+    return f"{degrees}°{minutes}'{names[int(angle < 0)]}"

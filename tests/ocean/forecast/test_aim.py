@@ -18,7 +18,7 @@ from clpt_control.errors import ScenarioError
 from clpt_control.estimation import FixModel
 from clpt_control.ocean.forecast import route
 from clpt_control.ocean.forecast.aim import aim, triangle
-from clpt_control.ocean.forecast.wording import (
+from clpt_control.ocean.forecast.text_report import (
     AGAINST,
     REACHED,
     UNDER_WAY,

@@ -14,8 +14,8 @@ from clpt_control.gliders import sample_dives, write_dive_table
 from clpt_control.ocean.forecast.cards import cards, made_good
 from clpt_control.ocean.forecast.fleet import fleet_page, ordered, standing
 from clpt_control.ocean.forecast.replay_page import replay_page
+from clpt_control.ocean.forecast.text_report import aim_sentence, next_surfacing, wide
 from clpt_control.ocean.forecast.track_map import map_svg
-from clpt_control.ocean.forecast.wording import aim_sentence, next_surfacing, wide
 from clpt_control.replay import replay_dives
 
 HOUR = 3600.0

@@ -21,7 +21,7 @@ from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import make_dive, write_dive_table
 from clpt_control.ocean.forecast import fleet
 from clpt_control.ocean.forecast.fleet import events, standing
-from clpt_control.ocean.forecast.places import utc
+from clpt_control.ocean.forecast.geographic import utc
 from clpt_control.ocean.gliders.vehicle_names import name_of
 
 HOUR = 3600.0

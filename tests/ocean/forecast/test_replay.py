@@ -18,8 +18,8 @@ from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.errors import ArgumentError, ScenarioError
 from clpt_control.estimation import FixModel
 from clpt_control.gliders import make_dive, sample_dives, usable
-from clpt_control.ocean.forecast import habits, places, surfacing
-from clpt_control.ocean.forecast.outcome import learned_words, speed_words
+from clpt_control.ocean.forecast import dive_statistics, geographic, surfacing
+from clpt_control.ocean.forecast.replay_summary import learned_words, speed_words
 from clpt_control.replay import (
     Replay,
     clpe_rms,
@@ -108,7 +108,7 @@ def test_a_speed_far_from_one_is_a_sentence(factor, said):
 @settings(derandomize=True, max_examples=200)
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
-    words = places.in_minutes(lat, lon).split()
+    words = geographic.in_minutes(lat, lon).split()
     found = [
         (int(whole) + float(minutes) / 60) * (-1 if name in "SW" else 1)
         for whole, minutes, name in (words[:3], words[3:])
@@ -123,7 +123,7 @@ def test_minutes_are_the_degrees(lat, lon):
 def test_drift_is_from_where_it_came_up():
     first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
-    way = habits.drift(next_one, first)
+    way = dive_statistics.drift(next_one, first)
     degree = math.radians(1) * 6378137.0  # along the equator
     assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
     speed = pytest.approx(0.02 * degree / 600)
@@ -131,11 +131,15 @@ def test_drift_is_from_where_it_came_up():
         pytest.approx(90.0),
         speed,
     )
-    assert habits.drift(replace(next_one, number=9), first) is None  # a dive is missing
+    assert (
+        dive_statistics.drift(replace(next_one, number=9), first) is None
+    )  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
-    assert habits.drift(gps1, first).east == pytest.approx(0.01 * degree, rel=1e-9)
-    assert habits.drift(replace(gps1, t_gps1=math.nan), first) is None
-    still = habits.Way(0.0, 0.0, 20.0).as_dict()
+    assert dive_statistics.drift(gps1, first).east == pytest.approx(
+        0.01 * degree, rel=1e-9
+    )
+    assert dive_statistics.drift(replace(gps1, t_gps1=math.nan), first) is None
+    still = dive_statistics.Way(0.0, 0.0, 20.0).as_dict()
     assert still["direction"] is still["speed"] is None
 
 
@@ -173,7 +177,7 @@ def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
     said = next_dive(sg542).as_dict()
     since = late if which == "clock" else 0
     assert said["now_is"].startswith(which)
-    assert said["now"] == places.utc(end + since)
+    assert said["now"] == geographic.utc(end + since)
     assert 0 < said["surface_time"] < 1800
     hours = (said["surface_time"] + said["duration"] - since) / 3600
     assert said["hours_from_now"] == pytest.approx(hours)

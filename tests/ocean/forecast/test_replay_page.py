@@ -19,8 +19,8 @@ from clpt_control.app.cli.replay_report import write
 from clpt_control.base.geodesy import near, place_from
 from clpt_control.base.html import plain
 from clpt_control.gliders import sample_dives
-from clpt_control.ocean.forecast.exchange import next_geojson, track_kml
-from clpt_control.ocean.forecast.layers import ring_of
+from clpt_control.ocean.forecast.kml_geojson import next_geojson, track_kml
+from clpt_control.ocean.forecast.map_layers import ring_of
 from clpt_control.ocean.forecast.replay_page import replay_page
 from clpt_control.ocean.forecast.track_map import grid_label
 from clpt_control.ocean.gliders import slocum
@@ -223,7 +223,7 @@ TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
 PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
 
 
-def found_of(kind, note="", targets=TARGETS):
+def report_of(kind, note="", targets=TARGETS):
     *dives, last = sample_dives()
     return told([*dives, replace(last, kind=kind, notes=(note,))], *targets)
 
@@ -264,7 +264,7 @@ def waypoints_of(text):
 
 
 def test_a_seaglider_gets_targets_and_a_true_heading():
-    found = found_of("Seaglider")
+    found = report_of("Seaglider")
     assert found["paste"]["file"] == "targets"
     read = targets_of(found["paste"]["text"])
     places = [(degrees_of(one["lat"]), degrees_of(one["lon"])) for one in read.values()]
@@ -277,7 +277,7 @@ def test_a_seaglider_gets_targets_and_a_true_heading():
 
 
 def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
-    found = found_of("Slocum")
+    found = report_of("Slocum")
     assert found["paste"]["file"] == "goto_l10.ma"
     ((lat, lon),) = waypoints_of(found["paste"]["text"])
     leg = found["aim"][0]
@@ -287,7 +287,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
     assert far == pytest.approx(20_000, abs=20)
     time = leg["duration"]  # by the current alone, and a kilometre to the north
     way = leg["current_east"] * time, leg["current_north"] * time + 1000
-    near = found_of("Slocum", targets=[place_from(*reversed(start), *way)])
+    near = report_of("Slocum", targets=[place_from(*reversed(start), *way)])
     assert near["aim"][0]["state"] == "reached"
     ((lat, lon),) = waypoints_of(near["paste"]["text"])
     far = GEOD.inv(*start, lon, lat)[2]
@@ -295,24 +295,24 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
 
 
 def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
-    read = waypoints_of(found_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
+    read = waypoints_of(report_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
     assert read == [pytest.approx(place) for place in PLACES]
 
 
 def test_a_seaexplorer_gets_heading_and_waypoints():
-    text = found_of("SeaExplorer")["paste"]["text"].splitlines()
+    text = report_of("SeaExplorer")["paste"]["text"].splitlines()
     assert re.fullmatch(r"DesiredH \d{3}", text[0])
     assert text[1] == "Lat -4248.0000 Lon 824.0000"
 
 
 def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste():
     for kind, targets in (None, TARGETS), ("Seaglider", []):
-        assert found_of(kind, targets=targets)["paste"] is None
+        assert report_of(kind, targets=targets)["paste"] is None
 
 
 @pytest.mark.usefixtures("undrawn")
 def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
-    found = found_of("Seaglider", targets=TARGETS[:1])
+    found = report_of("Seaglider", targets=TARGETS[:1])
     assert tmp_path / "targets" in write(found, tmp_path, ())
     text = (tmp_path / "targets").read_text()
     assert text == found["paste"]["text"]

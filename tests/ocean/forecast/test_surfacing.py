@@ -11,8 +11,12 @@ from synthetic_vehicle import along, chained
 
 from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
-from clpt_control.ocean.forecast.exchange import next_geojson
-from clpt_control.ocean.forecast.habits import PLANNED, REPEATED, Habits
+from clpt_control.ocean.forecast.dive_statistics import (
+    PLANNED,
+    REPEATED,
+    DiveStatistics,
+)
+from clpt_control.ocean.forecast.kml_geojson import next_geojson
 from clpt_control.ocean.forecast.surfacing import ellipse
 from clpt_control.ocean.gliders.dives import planned_course
 from clpt_control.replay import replay_dives, summary
@@ -67,7 +71,7 @@ def test_in_the_long_run_nine_of_ten_hold(wild):
     """Whatever a vehicle does, the width follows its record."""
     rng = np.random.default_rng(5)
     turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
-    habits, before, held = Habits(), None, []
+    habits, before, held = DiveStatistics(), None, []
     for dive in flown(np.cumsum(turns)):
         dive = replace(dive, t_gpse=dive.t_gps2 + dive.duration * rng.uniform(0.6, 1.4))
         if before is not None:
@@ -149,7 +153,7 @@ def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
 
 def test_a_hopeless_plan_is_not_followed():
     """Always wrong by far, whatever the length of the record."""
-    habits = Habits()
+    habits = DiveStatistics()
     for k, dive in enumerate(flown([90.0] * 400)):
         wrong = {"dr_east": 3000.0 * (1.0 + 1e-4 * (k % 3)), "dr_north": 1e-3}
         habits.learn(replace(dive, **wrong, next_course=(137.0 * k) % 360), None)

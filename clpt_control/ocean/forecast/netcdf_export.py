@@ -21,8 +21,8 @@ import xarray
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970
-from .outcome import summary
 from .replay import Replay, next_dive
+from .replay_summary import summary
 from .surfacing import ELLIPSE
 
 EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
@@ -51,24 +51,28 @@ COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
 Source = Replay | xarray.Dataset | dict[str, Any]
 
 
-def found_of(source: Source) -> dict[str, Any]:
+def report_of(source: Source) -> dict[str, Any]:
     """Return what `clpt replay --json` prints of a replay, or of the dataset or JSON of one.
 
     With the next surfacing as the replay expects it.  What has no dive is refused.
     """
-    found: Any = source
+    report: Any = source
     if isinstance(source, Replay):
         if not source.steps:
             raise DataError("the replay has no dive yet; feed one, as Replay.step does")
-        found = {**summary(source), "next_dive": next_dive(source).as_dict(), "aim": []}
+        report = {
+            **summary(source),
+            "next_dive": next_dive(source).as_dict(),
+            "aim": [],
+        }
     elif isinstance(source, xarray.Dataset) and SUMMARY in source:
-        found = summary_in(source, "the dataset")
-    if not (isinstance(found, dict) and found.get("each_dive")):
+        report = summary_in(source, "the dataset")
+    if not (isinstance(report, dict) and report.get("each_dive")):
         raise DataError(
             f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
-    return found
+    return report
 
 
 @public
@@ -94,8 +98,8 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
-    found = found_of(replay)
-    table = pandas.json_normalize(found["each_dive"], sep="_")
+    report = report_of(replay)
+    table = pandas.json_normalize(report["each_dive"], sep="_")
     time = {
         "units": EPOCH,
         "calendar": "standard",
@@ -121,42 +125,42 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
             "title": "dead reckoning, forecasts and learned flow of a glider, dive by dive",
             "history": "written by clpt replay",
             "source": f"clpt-control {version('clpt-control')}",
-            "estimator": found["estimator"],
-            "flow": ",".join(found["flow"]),
-            "learn_speed": int(found["learn_speed"]),
+            "estimator": report["estimator"],
+            "flow": ",".join(report["flow"]),
+            "learn_speed": int(report["learn_speed"]),
         },
     )
-    if "flow_model" in found:
-        data.attrs["flow_model"] = "{source}: {about}".format(**found["flow_model"])
-    data["trajectory"] = ((), found["vehicle"], {"cf_role": "trajectory_id"})
-    for name, each in table.drop(columns=[*COORDINATES]).items():
+    if "flow_model" in report:
+        data.attrs["flow_model"] = "{source}: {about}".format(**report["flow_model"])
+    data["trajectory"] = ((), report["vehicle"], {"cf_role": "trajectory_id"})
+    for name, column in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
-        if each.dtype == bool:
+        if column.dtype == bool:
             flags = {
                 "flag_values": np.array([0, 1], np.int8),
                 "flag_meanings": "no yes",
             }
-            data[name] = ("dive", each.to_numpy(np.int8), {**attributes, **flags})
-        elif each.dtype == float and each.notna().any():
+            data[name] = ("dive", column.to_numpy(np.int8), {**attributes, **flags})
+        elif column.dtype == float and column.notna().any():
             attributes["units"] = units_of(name)
             if name in STANDARD:
                 attributes["standard_name"] = STANDARD[name]
             if f"{name}_error" in table:
                 attributes["ancillary_variables"] = f"{name}_error"
-            data[name] = ("dive", each.to_numpy(), attributes)
+            data[name] = ("dive", column.to_numpy(), attributes)
     ahead = {
-        key: found["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)
+        key: report["next_dive"][key] for key in ("latitude", "longitude", *ELLIPSE)
     }
-    ahead["time"] = seconds_since_1970(found["next_dive"]["time"])
+    ahead["time"] = seconds_since_1970(report["next_dive"]["time"])
     for name, value in ahead.items():
         long_name = {
             "long_name": f"{name.replace('_', ' ')} of the next surfacing, as forecast"
         }
-        more = time if name == "time" else {"units": units_of(name)}
-        data[f"next_{name}"] = ((), value, {**more, **long_name})
+        attributes_of_next = time if name == "time" else {"units": units_of(name)}
+        data[f"next_{name}"] = ((), value, {**attributes_of_next, **long_name})
     words = "all that was found, as JSON: what clpt replay --json prints"
     return data.assign(
-        {SUMMARY: ((), json.dumps(found, allow_nan=False), {"long_name": words})}
+        {SUMMARY: ((), json.dumps(report, allow_nan=False), {"long_name": words})}
     )
 
 

@@ -26,8 +26,8 @@ from ...base.arguments import public
 from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
 from ..gliders.dives import Skipped
-from .carried_dives import FlowModel
-from .places import velocity
+from .advected_dives import FlowModel
+from .geographic import velocity
 from .replay import Replay
 from .step import FLOW_MODEL, Step
 
@@ -52,13 +52,13 @@ def learned_words(replay: Replay) -> str:
     """Return what was learned, of the flow part by part, as a sentence."""
     if not replay.steps:
         return "nothing"
-    step, known = replay.steps[-1], replay.known()
+    step, parameters = replay.steps[-1], replay.known()
     words = [f"{velocity(*map(float, step.current))} over the last dive"]
-    for part in replay.model.flow[1:]:
+    for component in replay.model.flow[1:]:
         # all tides come or go together
-        p = step.parts.get(part if part in OTHERS else "tides")
+        p = step.parts.get(component if component in OTHERS else "tides")
         words.append(
-            f"{part}{strength(part, known)}"
+            f"{component}{strength(component, parameters)}"
             + ("" if p is None else f" (odds {odds(p)})")
         )
     if replay.model.learn_speed:
@@ -66,15 +66,16 @@ def learned_words(replay: Replay) -> str:
     return "; ".join(words)
 
 
-def strength(part: str, known: Mapping[str, float]) -> str:
+def strength(component: str, parameters: Mapping[str, float]) -> str:
     """Return how strong an optional part of the flow is now: m/s, the factor of a model."""
-    if part == "gaussians":
+    if component == "gaussians":
         return ""
-    if part == "model":
-        return f" {known[part]:z.2f}"
-    waves = ("",) if part in OTHERS else ("_cos", "_sin")
+    if component == "model":
+        return f" {parameters[component]:z.2f}"
+    waves = ("",) if component in OTHERS else ("_cos", "_sin")
     axes = [
-        [known[f"{part}{wave}_{axis}"] for wave in waves] for axis in ("east", "north")
+        [parameters[f"{component}{wave}_{axis}"] for wave in waves]
+        for axis in ("east", "north")
     ]
     return f" {np.linalg.norm(np.array(axes), 2):z.2f} m/s"
 
@@ -120,16 +121,16 @@ def clpe_rms(replay: Replay, after: int = 3) -> dict[str, float | None]:
 
 
 def rms_of(
-    each: Sequence[Mapping[str, float | None]], models: Sequence[str]
+    errors: Sequence[Mapping[str, float | None]], models: Sequence[str]
 ) -> dict[str, float | None]:
     """Return the rms of the known misses of each model, m; None where there is none."""
-    found: dict[str, float | None] = {}
+    rms: dict[str, float | None] = {}
     for name in models:
-        known = np.array(
-            [size for size in (clpe[name] for clpe in each) if size is not None]
+        finite = np.array(
+            [size for size in (clpe[name] for clpe in errors) if size is not None]
         )
-        found[name] = float(np.sqrt(np.mean(known**2))) if len(known) else None
-    return found
+        rms[name] = float(np.sqrt(np.mean(finite**2))) if len(finite) else None
+    return rms
 
 
 @public
@@ -158,8 +159,10 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
     steps = replay.steps
-    each = (dac_difference(step.dive) for step in steps)
-    differences = [one for one in each if isfinite(one)]
+    differences_of_dives = (dac_difference(step.dive) for step in steps)
+    differences = [
+        difference for difference in differences_of_dives if isfinite(difference)
+    ]
     headlines = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last if replay.model.learn_speed else None
@@ -180,7 +183,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "dac_identity_median": float(np.median(differences)) if differences else None,
         "headlines": {
             "judged": len(headlines),
-            "place_held": sum(place for place, _ in headlines),
+            "place_held": sum(inside for inside, _ in headlines),
             "time_held": sum(time for _, time in headlines),
         },
         "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,

@@ -41,30 +41,34 @@ def doubt_one_fix(
 
     The forecast is that of the end of the one before: mean (2,), m, and covariance (2, 2), m^2.
     """
-    apart = distance(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    separation = distance(
+        before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2
+    )
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
-    if not apart > FASTEST * since + MARGIN:  # as far as a vehicle may drift
+    if not separation > FASTEST * since + MARGIN:  # as far as a vehicle may drift
         return before, dive
-    there = displacement(before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2)
-    start = np.array(there) - (before.dr_east, before.dr_north)
+    start_displacement = displacement(
+        before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2
+    )
+    start = np.array(start_displacement) - (before.dr_east, before.dr_north)
     mean, covariance = forecast
     end_off, start_off = (
         float(off @ np.linalg.solve(covariance, off))
         for off in (miss(before) - mean, start - mean)
     )
-    jump = f"{apart / 1000:.1f} km in {since / 60:.0f} min"
+    jump = f"{separation / 1000:.1f} km in {since / 60:.0f} min"
     if start_off >= end_off:
         note = f"starts {jump} from where dive {before.number} ended: counts little"
-        return before, _doubted(dive, apart, note)
+        return before, _doubted(dive, separation, note)
     note = f"the fix at its end is {jump} from where dive {dive.number} starts"
     if since > SAME_STAY:
-        return _doubted(before, apart, f"{note}: counts little"), dive
+        return _doubted(before, separation, f"{note}: counts little"), dive
     drift = model.priors.current * since
     settled = _doubted(
         before, drift, f"{note}, and off its forecast: that start is taken instead"
     )
     lat, lon = dive.lat_gps2, dive.lon_gps2
-    east, north = there
+    east, north = start_displacement
     return replace(
         settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north
     ), dive

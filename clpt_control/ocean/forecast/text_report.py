@@ -3,9 +3,9 @@
 from math import hypot
 from typing import Any
 
-from .cells import ellipse_words
-from .habits import GIVEN
-from .places import clock, compass, place, velocity
+from .dive_statistics import GIVEN
+from .geographic import clock, compass, place, velocity
+from .table_rows import ellipse_words
 
 REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
 SOON = 48.0  # hours; a longer age is in days
@@ -30,7 +30,7 @@ def from_now(hours: float) -> str:
 
 
 def is_overdue(ahead: dict[str, Any]) -> bool:
-    """Whether a vehicle is later than the 90 % of its time, of `NextDive.as_dict`."""
+    """Return whether a vehicle is later than its 90 % time, of `NextDive.as_dict`."""
     late = -3600 * ahead["hours_from_now"]
     return ahead["now_is"] == "clock" and late > ahead["time_90"]
 
@@ -71,7 +71,9 @@ BASES = {  # what the next dive is guessed by
 
 def next_surfacing(ahead: dict[str, Any]) -> str:
     """Return the sentence on `NextDive.as_dict`."""
-    remarks = "".join(f"; {one}" for one in (wide(ahead), uncovered(ahead)) if one)
+    remarks = "".join(
+        f"; {remark}" for remark in (wide(ahead), uncovered(ahead)) if remark
+    )
     return (
         f"next surfacing {when(ahead)}, "
         f"after {ahead['duration'] / 3600:.2f} h and {ahead['dr_east']:+z.0f} m "
@@ -124,13 +126,13 @@ def heading_words(leg: dict[str, Any]) -> str:
     if leg["heading"] is None:
         return "stay"
     magnetic = leg["heading_magnetic"]
-    known = "" if magnetic is None else f" (magnetic {compass(magnetic)})"
-    return f"heading {compass(leg['heading'])}{known}"
+    magnetic_text = "" if magnetic is None else f" (magnetic {compass(magnetic)})"
+    return f"heading {compass(leg['heading'])}{magnetic_text}"
 
 
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
-    text, made = (
+    text, made_good = (
         f"aim at {place(leg['latitude'], leg['longitude'])}, ",
         leg["made_good"],
     )
@@ -145,13 +147,13 @@ def aim_sentence(leg: dict[str, Any]) -> str:
         text += f", crab {leg['crab']:+z.0f}"
     full = f"{leg['through_water_full']:.0f} m"
     if leg["state"] == REACHED:
-        way = f"{leg['through_water']:.0f} of {full} through the water"
-        text += f", {way}; there at {clock(leg['end'])}"
+        through_water = f"{leg['through_water']:.0f} of {full} through the water"
+        text += f", {through_water}; there at {clock(leg['end'])}"
     else:
         text += (
-            f", {made:.0f} m made good of {full}"
-            if made >= 0
-            else f", {-made:.0f} m are lost"
+            f", {made_good:.0f} m made good of {full}"
+            if made_good >= 0
+            else f", {-made_good:.0f} m are lost"
         )
         text += f", then {leg['left'] / 1000:.1f} km"
     if leg["state"] == UNDER_WAY:
@@ -160,35 +162,36 @@ def aim_sentence(leg: dict[str, Any]) -> str:
     return f"{text}; {error}, {ellipse_words(leg)}"
 
 
-def coming(found: dict[str, Any]) -> list[str]:
+def coming(report: dict[str, Any]) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
-    lines = [next_surfacing(found["next_dive"])] if found["next_dive"] else []
-    lines += map(aim_sentence, found["aim"])
-    return lines + (route_sentences(found["route"]) if "route" in found else [])
+    lines = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
+    lines += map(aim_sentence, report["aim"])
+    return lines + (route_sentences(report["route"]) if "route" in report else [])
 
 
-def beyond_cards(found: dict[str, Any]) -> list[str]:
+def beyond_cards(report: dict[str, Any]) -> list[str]:
     """Return sentences on what no card has: later legs and the route."""
-    lines = [uncovered(found["next_dive"])] if uncovered(found["next_dive"]) else []
-    lines += map(aim_sentence, found["aim"][1:])
-    return lines + (route_sentences(found["route"]) if "route" in found else [])
+    lines = [uncovered(report["next_dive"])] if uncovered(report["next_dive"]) else []
+    lines += map(aim_sentence, report["aim"][1:])
+    return lines + (route_sentences(report["route"]) if "route" in report else [])
 
 
 def route_sentences(route: dict[str, Any]) -> list[str]:
     """Return a sentence for each waypoint of a route, and for each area."""
     lines = []
-    for one in route["waypoints"]:
+    for waypoint in route["waypoints"]:
         times = [
-            clock(one[key]) if one[key] else "" for key in ("not_before", "time", "by")
+            clock(waypoint[key]) if waypoint[key] else ""
+            for key in ("not_before", "time", "by")
         ]
         early, middle, late = times
         text = f"there {middle}" if middle else "not there"
         text += f"; cannot be made before {early} (90 %)" if early else ""
         text += f", made by {late} (90 %)" if late else ""
-        if one["made"] < 1:
-            within = f"within {route['dives']} dives"
-            text += f"; made {within} in {100 * one['made']:.0f} % of {route['draws']} draws"
-        lines.append(f"route to {one['place']}: {text}")
+        if waypoint["made"] < 1:
+            share = f"{100 * waypoint['made']:.0f} % of {route['draws']} draws"
+            text += f"; made within {route['dives']} dives in {share}"
+        lines.append(f"route to {waypoint['place']}: {text}")
     entered = ((area["name"], 100 * area["entered"]) for area in route["areas"])
     return lines + [
         f"{name}: entered in {share:.0f} % of the draws" for name, share in entered

@@ -7,7 +7,7 @@ where there is no room for all; those of rank 0 always stand.
 from collections.abc import Callable
 from typing import Any
 
-from .places import compass, date
+from .geographic import compass, date
 
 Row = dict[str, Any]
 # title: rank, and cell of a row
@@ -24,20 +24,20 @@ def _miss(row: Row, model: str) -> str | None:
     return metres(row["clpe"][model]) if model in row["clpe"] else None
 
 
-def _toward(way: Row, prefix: str = "") -> str:
+def _toward(motion: Row, prefix: str = "") -> str:
     """Return a speed, m/s, and where to, degrees."""
-    speed, direction = way[f"{prefix}speed"], way[f"{prefix}direction"]
-    known = "-" if speed is None else f"{speed:.2f}"
-    return known if direction is None else f"{known} {compass(direction)}"
+    speed, direction = motion[f"{prefix}speed"], motion[f"{prefix}direction"]
+    speed_text = "-" if speed is None else f"{speed:.2f}"
+    return speed_text if direction is None else f"{speed_text} {compass(direction)}"
 
 
 def _current(row: Row) -> str:
     """Return the current east and north, and the standard error of its last digits."""
-    parts = (
+    components = (
         (row[f"current_{axis}"], row[f"current_{axis}_error"])
         for axis in ("east", "north")
     )
-    return " ".join(f"{value:+z.3f}({1000 * error:.0f})" for value, error in parts)
+    return " ".join(f"{value:+z.3f}({1000 * error:.0f})" for value, error in components)
 
 
 def _speed(row: Row) -> str | None:
@@ -98,15 +98,15 @@ COLUMNS: Columns = {
 
 def cells(row: Row, columns: Columns = COLUMNS) -> dict[str, str]:
     """Return the cells of a row by the titles of its columns, in their order."""
-    each = ((title, cell(row)) for title, (_, cell) in columns.items())
-    return {title: text for title, text in each if text is not None}
+    pairs = ((title, cell(row)) for title, (_, cell) in columns.items())
+    return {title: text for title, text in pairs if text is not None}
 
 
 def cells_ahead(ahead: Row) -> dict[str, str]:
     """Return what is known of the next dive: when and how near it ends."""
-    known = {
+    known_cells = {
         "dive": "next",
         "ended (UTC)": date(ahead["time"]),
         ELLIPSE: _ellipse(ahead),
     }
-    return {**dict.fromkeys(COLUMNS, ""), **known}
+    return {**dict.fromkeys(COLUMNS, ""), **known_cells}

@@ -57,7 +57,7 @@ class FlowModel(ABC):
         """
 
 
-def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
+def flow_displacement(dive: Dive, flow: Flow) -> tuple[float, float]:
     """Integrate a flow along a dive's dead reckoning: q(T), m east and north.
 
     `Uncovered` is raised where the flow says nothing on the track.
@@ -79,12 +79,12 @@ def carried_by(dive: Dive, flow: Flow) -> tuple[float, float]:
             raise Uncovered(f"its flow is not finite {t / 3600:.2g} h into the dive")
         return u, v
 
-    found = solve_ivp(
+    solution = solve_ivp(
         rate, (0.0, T), np.zeros(2), rtol=RELATIVE, atol=ABSOLUTE, max_step=LONGEST_STEP
     )
-    if not found.success:  # pragma: no cover - only a flow that jumps endlessly
-        raise Uncovered(f"the dive cannot be integrated: {found.message}")
-    return float(found.y[0, -1]), float(found.y[1, -1])
+    if not solution.success:  # pragma: no cover - only a flow that jumps endlessly
+        raise Uncovered(f"the dive cannot be integrated: {solution.message}")
+    return float(solution.y[0, -1]), float(solution.y[1, -1])
 
 
 @public
@@ -119,7 +119,7 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     900.0
     """
     try:
-        east, north = carried_by(dive, flow_model.along(dive))
+        east, north = flow_displacement(dive, flow_model.along(dive))
     except Uncovered as why:
         return replace(dive, model_east=None, model_north=None, uncovered=str(why))
     return replace(dive, model_east=east, model_north=north, uncovered=None)

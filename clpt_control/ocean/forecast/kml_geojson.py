@@ -30,9 +30,9 @@ from ...base.geodesy import near, place_from
 from ...base.html import safe
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
-from .layers import Layer, layers_of, place_in
-from .places import compass, east_of, minutes
-from .wording import REACHED
+from .geographic import compass, east_of, minutes
+from .map_layers import Layer, layers_of, place_in
+from .text_report import REACHED
 
 DIGITS = 6  # decimals of a degree: 0.1 m
 KML = "http://www.opengis.net/kml/2.2"
@@ -61,16 +61,16 @@ SHAPES = {  # of KML, around coordinates
 
 def _points(layer: Layer) -> list[list[float]]:
     """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
-    first = east_of(layer.places[0][1])
+    first_longitude = east_of(layer.places[0][1])
     return [
-        [round(near(lon, first), DIGITS), round(lat, DIGITS)]
+        [round(near(lon, first_longitude), DIGITS), round(lat, DIGITS)]
         for lat, lon in layer.places
     ]
 
 
-def next_geojson(found: dict[str, Any]) -> str:
+def next_geojson(report: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
-    of, end = layers_of(found), found["each_dive"][-1]
+    of, end = layers_of(report), report["each_dive"][-1]
     last = Layer(
         "last",
         "Point",
@@ -83,24 +83,26 @@ def next_geojson(found: dict[str, Any]) -> str:
 
 
 def _feature(layer: Layer) -> dict[str, Any]:
-    more: dict[str, Any] = {"time": layer.when} if layer.when else {}
+    properties: dict[str, Any] = {"time": layer.when} if layer.when else {}
     if layer.shape == "Point":
-        more = {"description": layer.words} if layer.kind == "next" else {}
-        more |= {key: value for key, value in layer.of.items() if value is not None}
+        properties = {"description": layer.words} if layer.kind == "next" else {}
+        properties |= {
+            key: value for key, value in layer.of.items() if value is not None
+        }
     points: Any = _points(layer)
     coordinates = {"Point": points[0], "Polygon": [points]}.get(layer.shape, points)
     return {
         "type": "Feature",
         "geometry": {"type": layer.shape, "coordinates": coordinates},
-        "properties": {"name": NAMES[layer.kind][0], **more},
+        "properties": {"name": NAMES[layer.kind][0], **properties},
     }
 
 
-def track_kml(found: dict[str, Any], name: str) -> str:
+def track_kml(report: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
-    of = layers_of(found)
-    places = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
-    track = Layer("track", "LineString", places, {})
+    of = layers_of(report)
+    positions = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
+    track = Layer("track", "LineString", positions, {})
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
@@ -143,16 +145,16 @@ UNTIL = (  # arguments of a goto_list
 )
 
 
-def paste(found: dict[str, Any]) -> dict[str, str] | None:
+def paste(report: dict[str, Any]) -> dict[str, str] | None:
     """Return name and text of what goes onto the vehicle, of what `--json` prints.
 
     None where nothing is aimed at, or no file says which kind of vehicle it is.
     """
-    write = WRITERS.get(found["kind"])
-    if write is None or not found["aim"] or found["aim"][0]["heading"] is None:
+    write = WRITERS.get(report["kind"])
+    if write is None or not report["aim"] or report["aim"][0]["heading"] is None:
         return None
-    corrects = CORRECTS in found["each_dive"][-1]["notes"]
-    name, lines = write(found["aim"], corrects)
+    corrects = CORRECTS in report["each_dive"][-1]["notes"]
+    name, lines = write(report["aim"], corrects)
     return {"file": name, "text": "\n".join(lines) + "\n"}
 
 
@@ -171,25 +173,32 @@ def _seaglider(legs: list[dict[str, Any]], _: bool) -> tuple[str, list[str]]:
 
 
 def _slocum(legs: list[dict[str, Any]], corrects: bool) -> tuple[str, list[str]]:
-    first = legs[0]
-    places = [place_in(leg, "") for leg in legs[:MOST]]
+    next_leg = legs[0]
+    waypoints = [place_in(leg, "") for leg in legs[:MOST]]
     comment = (
         "the waypoints: this glider corrects for the current itself "
         "(u_use_current_correction 1)"
     )
     if not corrects:
-        far = first["through_water"] if first["state"] == REACHED else FAR
-        angle = radians(first["heading"])
-        places = [
-            place_from(*place_in(first, "from_"), far * sin(angle), far * cos(angle))
+        distance_ahead = (
+            next_leg["through_water"] if next_leg["state"] == REACHED else FAR
+        )
+        angle = radians(next_leg["heading"])
+        waypoints = [
+            place_from(
+                *place_in(next_leg, "from_"),
+                distance_ahead * sin(angle),
+                distance_ahead * cos(angle),
+            )
         ]
-        comment = f"heading {compass(first['heading'])} (true), for u_use_current_correction 0"
+        comment = f"heading {compass(next_leg['heading'])} (true), for u_use_current_correction 0"
     lines = ["behavior_name=goto_list", f"# {comment}", "<start:b_arg>"]
     lines += [
-        f"b_arg: {one}" for one in (*UNTIL, f"num_waypoints(nodim) {len(places)}")
+        f"b_arg: {argument}"
+        for argument in (*UNTIL, f"num_waypoints(nodim) {len(waypoints)}")
     ]
     lines += ["<end:b_arg>", "<start:waypoints>"]
-    lines += ["{1} {0}".format(*_numbers(*one)) for one in places]
+    lines += ["{1} {0}".format(*_numbers(*argument)) for argument in waypoints]
     return "goto_l10.ma", [*lines, "<end:waypoints>"]
 
 

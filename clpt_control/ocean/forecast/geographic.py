@@ -90,9 +90,11 @@ def degrees_minutes(angle: float, decimals: int) -> tuple[int, str]:
     ((43, '00.00'), (8, '25'))
     """
     size = 10**decimals
-    whole, rest = divmod(round(60 * size * abs(angle)), 60 * size)
-    return whole, f"{rest // size:02d}" + f".{rest % size:0{decimals}d}" * bool(
-        decimals
+    degrees, remainder = divmod(round(60 * size * abs(angle)), 60 * size)
+    return (
+        degrees,
+        f"{remainder // size:02d}"
+        + f".{remainder % size:0{decimals}d}" * bool(decimals),
     )
 
 
@@ -104,8 +106,8 @@ def in_minutes(lat: float, lon: float) -> str:
     """
     words = []
     for angle, names in ((lat, "NS"), (east_of(lon), "EW")):
-        whole, minutes = degrees_minutes(angle, 2)
-        words.append(f"{whole} {minutes} {names[round(6000 * angle) < 0]}")
+        degrees, minutes = degrees_minutes(angle, 2)
+        words.append(f"{degrees} {minutes} {names[round(6000 * angle) < 0]}")
     return " ".join(words)
 
 
@@ -127,18 +129,18 @@ def place(lat: float, lon: float) -> str:
     return f"{in_minutes(lat, lon)} ({in_degrees(lat, lon)})"
 
 
-def placed(which: str, lat: float, lon: float) -> dict[str, float]:
+def placed(prefix: str, lat: float, lon: float) -> dict[str, float]:
     """Return a place as rows have it, by the name of the place.
 
     >>> placed("end_", -42.9, 8.4)
     {'end_latitude': -42.9, 'end_longitude': 8.4}
     """
-    return {f"{which}latitude": lat, f"{which}longitude": lon}
+    return {f"{prefix}latitude": lat, f"{prefix}longitude": lon}
 
 
-def vector(which: str, east: float, north: float) -> dict[str, float]:
+def vector(prefix: str, east: float, north: float) -> dict[str, float]:
     """Return a vector as rows have it, by its name."""
-    return {f"{which}east": float(east), f"{which}north": float(north)}
+    return {f"{prefix}east": float(east), f"{prefix}north": float(north)}
 
 
 def date(time: str) -> str:

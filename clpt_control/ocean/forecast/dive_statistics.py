@@ -1,4 +1,4 @@
-"""How a vehicle dives, and how far its headlines can be trusted.
+"""Dive statistics: the expected next dive and the record of the forecasts.
 
 Its last dives, and the plan in its files, tell of the next one.  It is guessed `PLANNED`, along the
 course that the last file holds, as long and as quick as the last dives were, or `REPEATED`, as
@@ -42,7 +42,7 @@ import numpy as np
 
 from ...base.geodesy import displacement
 from ..gliders.dives import Dive
-from .places import direction
+from .geographic import direction
 
 PLANNED, REPEATED, GIVEN = "planned", "repeated", "given"
 CENTRE = np.array([1.0, 0.0, 0.0])  # c
@@ -85,13 +85,13 @@ def drift(dive: Dive, before: Dive | None) -> Way | None:
     if any(value is None or not isfinite(value) for value in fix):
         return None
     seconds = dive.t_gps2 - fix[0]
-    way = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
-    known = 0.0 <= seconds <= LONGEST_STAY and isfinite(way[0])
-    return Way(*way, seconds) if known else None
+    displaced = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
+    is_known = 0.0 <= seconds <= LONGEST_STAY and isfinite(displaced[0])
+    return Way(*displaced, seconds) if is_known else None
 
 
 def has_course(dive: Dive) -> bool:
-    """Whether the file of a dive has a course for the next one."""
+    """Return whether the file of a dive has a course for the next one."""
     return dive.next_course is not None and isfinite(dive.next_course)
 
 
@@ -115,7 +115,7 @@ class Guess(NamedTuple):
 
 
 class Evidence(NamedTuple):
-    """What the dives so far say of one guess: N, sum z, sum z z^T."""
+    """Evidence of the dives so far for one guess: N, sum z, sum z z^T."""
 
     dives: float = 0.0
     total: np.ndarray = np.zeros(3)
@@ -132,8 +132,8 @@ class Evidence(NamedTuple):
         )
 
 
-class Habits:
-    """What is known of how a vehicle dives, dive by dive; `last` is the last dive.
+class DiveStatistics:
+    """Statistics of a vehicle's dives, updated dive by dive; `last` is the last dive.
 
     `means` are sums of 1, length and log duration, `drifts` of 1, east, north and their square.
     `width` is how many times wider the next headline's place and time are by its record.
@@ -148,35 +148,38 @@ class Habits:
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
-        found = {REPEATED: (_frame(last.dr_east, last.dr_north), log(last.duration))}
+        frames = {REPEATED: (_frame(last.dr_east, last.dr_north), log(last.duration))}
         if last.next_course is not None and has_course(last):
             usual, usually = self.means[1:] / self.means[0]  # length, log duration
             course, length = radians(last.next_course), max(usual, LEAST)
-            found[PLANNED] = _frame(length * sin(course), length * cos(course)), usually
-        return found
+            frames[PLANNED] = (
+                _frame(length * sin(course), length * cos(course)),
+                usually,
+            )
+        return frames
 
     def guess(self) -> Guess:
         """Return the next dive, of one dive at least."""
         assert self.last is not None
-        found = []
+        candidates = []
         for name, (B, log_time) in self._frames(self.last).items():
             m, S = self.evidence[name].moments(name)
             mean, scatter, dives = B @ m, B @ S @ B.T, self.evidence[name].dives
             guess = Guess(
                 mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name
             )
-            found.append((float(np.trace(scatter[:2, :2])), guess))
-        return min(found, key=itemgetter(0))[1]
+            candidates.append((float(np.trace(scatter[:2, :2])), guess))
+        return min(candidates, key=itemgetter(0))[1]
 
-    def guess_of(self, way: tuple[float, float], duration: float) -> Guess:
-        """Return a dive of a given way (m) and duration (s), with what both scatter by."""
+    def guess_of(self, displacement: tuple[float, float], duration: float) -> Guess:
+        """Return a dive of a given displacement (m) and duration (s) with its scatter."""
         # of one dive, not of two
         late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
-        B = _frame(*way)
+        B = _frame(*displacement)
         S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
         S[0, 2] = S[2, 0] = late
         return Guess(
-            np.array(way),
+            np.array(displacement),
             duration,
             B @ S @ B.T,
             SPREADS + self.evidence[REPEATED].dives,
@@ -186,7 +189,7 @@ class Habits:
     def stay(self) -> tuple[float, float]:
         """Return how long the vehicle stays up, s: median and standard deviation about it."""
         usual = float(median(self.stays or [0.0]))
-        away = sum((one - usual) ** 2 for one in self.stays)
+        away = sum((seconds - usual) ** 2 for seconds in self.stays)
         return usual, ((MEANS * STAY**2 + away) / (MEANS + len(self.stays))) ** 0.5
 
     def drift(self) -> tuple[np.ndarray, np.ndarray]:
@@ -196,7 +199,9 @@ class Habits:
         away = max(square - 2 * mean @ total + n * mean @ mean, 0.0) / 2
         return mean, (MEANS * DRIFT**2 + away) / (MEANS + n) * np.eye(2)
 
-    def learn(self, dive: Dive, way: Way | None, held: Sequence[bool] = ()) -> None:
+    def learn(
+        self, dive: Dive, surface_drift: Way | None, was_inside: Sequence[bool] = ()
+    ) -> None:
         """Learn from a dive, the drift before it, and whether place and time of its headline held.
 
         Nothing that could be changed in place is: a copy of this needs no depth.
@@ -216,14 +221,19 @@ class Habits:
                     **self.evidence,
                     name: Evidence(FADING * was.dives + 1.0, total, square),
                 }
-        if way is not None:
-            size = way.east**2 + way.north**2
-            self.drifts = FADING * self.drifts + (1.0, way.east, way.north, size)
-            self.stays = [*self.stays, way.seconds]
-        if held:
+        if surface_drift is not None:
+            size = surface_drift.east**2 + surface_drift.north**2
+            self.drifts = FADING * self.drifts + (
+                1.0,
+                surface_drift.east,
+                surface_drift.north,
+                size,
+            )
+            self.stays = [*self.stays, surface_drift.seconds]
+        if was_inside:
             wider = (
-                w * exp(RATE * (0.9 - one))
-                for w, one in zip(self.width, held, strict=True)
+                w * exp(RATE * (0.9 - inside))
+                for w, inside in zip(self.width, was_inside, strict=True)
             )
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
         self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])

@@ -1,4 +1,4 @@
-"""What is drawn of a replay: layers, made of what `clpt replay --json` prints.
+"""Map layers of a replay, made of what `clpt replay --json` prints.
 
 A layer is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.
 Four writers take them: the map of the page, map.png, GeoJSON and KML.
@@ -15,9 +15,9 @@ from math import cos, pi, radians, sin
 from typing import Any, NamedTuple
 
 from ...base.geodesy import displacement, place_from
-from .cells import ellipse_words
-from .places import Place, compass, velocity
-from .wording import within
+from .geographic import Place, compass, velocity
+from .table_rows import ellipse_words
+from .text_report import within
 
 # start, centre
 DIVE, NEXT, AIMED = (("start_", "forecast_"), ("from_", ""), ("from_", "end_"))
@@ -36,9 +36,9 @@ class Layer(NamedTuple):
     when: str = ""
 
 
-def place_in(row: dict[str, Any], which: str) -> Place:
+def place_in(row: dict[str, Any], prefix: str) -> Place:
     """Return a place of a row, such as its ``"end_"``."""
-    return row[f"{which}latitude"], row[f"{which}longitude"]
+    return row[f"{prefix}latitude"], row[f"{prefix}longitude"]
 
 
 def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
@@ -46,18 +46,18 @@ def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
     long, short, bearing = (
         row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing")
     )
-    begin, end = (place_in(row, which) for which in kind)
+    begin, end = (place_in(row, prefix) for prefix in kind)
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
-    places = []
+    points = []
     for k in range(CORNERS):
-        along, across = (
+        along_axis, across = (
             long * cos(2 * pi * k / CORNERS),
             short * sin(2 * pi * k / CORNERS),
         )
-        away = along * sine - across * cosine, along * cosine + across * sine
-        places.append(place_from(*begin, east + away[0], north + away[1]))
-    return [*places, places[0]]
+        away = along_axis * sine - across * cosine, along_axis * cosine + across * sine
+        points.append(place_from(*begin, east + away[0], north + away[1]))
+    return [*points, points[0]]
 
 
 def words_of_next(ahead: dict[str, Any]) -> str:
@@ -78,17 +78,17 @@ def words_of_dive(row: dict[str, Any]) -> str:
     )
 
 
-def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
+def layers_of(report: dict[str, Any]) -> dict[str, list[Layer]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
     The first dive has no forecast; the ellipses are those of the last ones.
     """
     layers: list[Layer] = []
     before = None
-    for row in found["each_dive"]:
+    for row in report["each_dive"]:
         start, end, reckoned, forecast = (
-            place_in(row, which)
-            for which in ("start_", "end_", "reckoned_", "forecast_")
+            place_in(row, prefix)
+            for prefix in ("start_", "end_", "reckoned_", "forecast_")
         )
         layers += [
             Layer("miss", "LineString", [reckoned, end], row),
@@ -104,11 +104,11 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
         before = end
     layers += [
         Layer("ring", "Polygon", ring_of(row), row)
-        for row in found["each_dive"][1:][-LAST:]
+        for row in report["each_dive"][1:][-LAST:]
     ]
-    ahead = found.get("next_dive")
+    ahead = report.get("next_dive")
     if ahead is not None:
-        last, goal = (place_in(ahead, which) for which in NEXT)
+        last, goal = (place_in(ahead, prefix) for prefix in NEXT)
         layers += [
             Layer("way", "LineString", [last, goal], ahead),
             Layer("next", "Point", [goal], ahead, words_of_next(ahead), ahead["time"]),
@@ -116,10 +116,10 @@ def layers_of(found: dict[str, Any]) -> dict[str, list[Layer]]:
                 "ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]
             ),
         ]
-    for leg in found.get("aim") or ():
+    for leg in report.get("aim") or ():
         target, (begin, end) = (
             place_in(leg, ""),
-            (place_in(leg, which) for which in AIMED),
+            (place_in(leg, prefix) for prefix in AIMED),
         )
         layers += [
             Layer("target", "Point", [target], leg, leg["place"]),
