@@ -4,7 +4,7 @@ The miss of dive k, fix less dead reckoning, is
 
     y_k = H_k p(t_k) + int u dt + n_k
 
-with H the regressor of `FixModel`, p its parameters, u a slow current (`dive_means`) and n white
+with H the regressor of `FixModel`, p its parameters, u a slow current and n white
 noise. A parameter of standard deviation sd and memory tau has the covariance
 
     cov(p(t), p(t')) = sd^2 exp(-|t - t'|/tau) + (variance of its jumps until the earlier time)
@@ -17,6 +17,21 @@ misses, K = L L^T, and c the covariance of a quantity q with them,
 (C. E. Rasmussen, C. K. I. Williams, "Gaussian Processes for Machine Learning", 2006, section
 2.2). A new dive appends two rows to L^-1, and its innovation, scaled to unit variance, to
 L^-1 y.
+
+A current displaces a vehicle by its integral over the dive. For a current with the covariance
+k(|t - s|), the integrals over [a, b] and [c, d] have the covariance
+
+    Q(b - c) + Q(a - d) - Q(b - d) - Q(a - c),   Q'' = k,  Q(0) = Q'(0) = 0,
+
+for any two intervals: separate, overlapping or identical. The Matern covariances of order 1/2
+("rough") and 3/2 ("smooth") are, with u = |t|/tau and v = sqrt(3) |t|/tau,
+
+    rough    k = exp(-u)             Q = tau^2 (u - 1 + exp(-u))
+    smooth   k = (1 + v) exp(-v)     Q = tau^2/3 (2 v - 3 + (3 + v) exp(-v))
+
+A steady current that depends on position has the covariance exp(-|x - y|^2/(2 l^2)). Its mean
+along two straight dives is computed by Gauss-Legendre quadrature with two points each; dives are
+short compared with l.
 """
 
 from dataclasses import dataclass, replace
@@ -24,8 +39,11 @@ from typing import Any
 
 import numpy as np
 
-from .dive_means import integral_covariance, position_covariance
 from .priors import Sea
+
+LENGTH = 28e3  # m, l: that of gaussians which are 20 km wide
+# Gauss-Legendre points from the start and the end of a dive
+POINTS = 0.5 + np.array([[1.0, -1.0], [-1.0, 1.0]]) / np.sqrt(12)
 
 
 @dataclass(frozen=True)
@@ -148,3 +166,41 @@ def empty_regression(
         whitened=np.zeros((m, 0)),
         inverse_factor=np.zeros((m, 0, 0)),
     )
+
+
+def rough_integral(time: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Return Q of the rough covariance, s^2."""
+    u = np.abs(time) / tau
+    return tau**2 * (u + np.expm1(-u))
+
+
+def smooth_integral(time: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Return Q of the smooth covariance, s^2."""
+    v = np.sqrt(3) * np.abs(time) / tau
+    return tau**2 / 3 * (2 * v - 3 + (3 + v) * np.exp(-v))
+
+
+def integral_covariance(
+    interval: np.ndarray, intervals: np.ndarray, tau: np.ndarray, smooth: np.ndarray
+) -> np.ndarray:
+    """Return the covariances of a unit current's integrals, (m, N), s^2.
+
+    `interval` (2,) and each of `intervals` (N, 2) are start and end in s; `tau` (m,) in s, and
+    `smooth` (m,) is 1 for smooth currents and 0 for rough ones.
+    """
+    start, end = interval
+    starts, ends = intervals.T
+    lags = np.stack([end - starts, start - ends, end - ends, start - starts])
+    tau, smooth = tau[:, None, None], smooth[:, None, None]
+    Q = np.where(smooth, smooth_integral(lags, tau), rough_integral(lags, tau))
+    return Q[:, 0] + Q[:, 1] - Q[:, 2] - Q[:, 3]
+
+
+def position_covariance(line: np.ndarray, lines: np.ndarray) -> np.ndarray:
+    """Return the mean covariances along lines, (N,), of a unit current that depends on position.
+
+    `line` (2, 2) and each of `lines` (N, 2, 2) are start and end, in m.
+    """
+    separation = (POINTS @ line)[:, None] - (POINTS @ lines)[:, None]
+    square = np.sum(separation**2, axis=-1)
+    return np.exp(-square / (2 * LENGTH**2)).mean(axis=(1, 2))

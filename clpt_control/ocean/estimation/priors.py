@@ -16,7 +16,7 @@ class Sea(NamedTuple):
 
     size: Any  # S, m/s, of the slow current
     memory: Any  # tau, s
-    smooth: Any = 1.0  # 1: a smooth current, 0: a rough one (`dive_means`)
+    smooth: Any = 1.0  # 1: a smooth current, 0: a rough one (`dive_regression`)
     scatter: Any = 0.005  # s, m/s, white noise from dive to dive
     mapped: Any = 0.0  # m/s, of a steady current that depends on position
 

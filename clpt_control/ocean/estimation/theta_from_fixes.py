@@ -59,7 +59,7 @@ class FlowEstimate:
 
     @property
     def standard_deviation(self) -> np.ndarray:
-        """Standard deviation of each theta, shape (N,): the same for both axes."""
+        """Standard deviation of each theta on both axes, shape (N,)."""
         return np.sqrt(np.diag(self.covariance))
 
 

@@ -11,11 +11,13 @@ its place in `read_dive_file`.  A text that is of no dialect is a plain table of
 (`dive_table`).
 """
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 from stat import S_ISDIR
+from typing import Any
 
 from ...base.arguments import public
 from ...base.errors import DataError, naming
@@ -24,14 +26,14 @@ from ...base.progress.interrupt import check
 from ..estimation.dive import Dive
 from . import og1, seaexplorer, seaglider, slocum
 from .dive_table import table_dives
-from .dives import Skipped, in_order, is_segment
-from .vehicle_names import name_in, name_of_file
+from .dives import SEAEXPLORER, SLOCUM, Skipped, in_order, is_segment, name_of
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 KINDS = (
     "Seaglider or OG1 NetCDF files, .sbd, .mbd or .dbd of a Slocum, .gli of a SeaExplorer, "
     "a CSV table of dives"
 )
+DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 RESULTS = "replay.nc"  # of a replay, beside dives where --out says so
 FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
 
@@ -132,6 +134,31 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
         f"{names}, not the fixes and the displacement through the water that a dive needs; a CSV "
         "table of dives can give both"
     )
+
+
+def name_in(data: Any) -> str | None:
+    """Return the vehicle's name in an open xarray.Dataset, of its identifiers.
+
+    >>> import xarray
+    >>> name_in(xarray.Dataset(attrs={"id": "SG015_20040929T140907_delayed"}))
+    'SG015'
+    >>> name_in(xarray.Dataset(attrs={"id": "x", "platform_id": " SG171 "}))
+    'SG171'
+    """
+    dated = DATED.match(str(data.attrs.get("id", "")))
+    return name_of(data.attrs.get("platform_id"), dated and dated[1])
+
+
+def name_of_file(file: str) -> str | None:
+    """Return the vehicle's name in that of a file of a Slocum or a SeaExplorer.
+
+    >>> name_of_file("rosie_713-2019-166-0-156.sbd"), name_of_file("sea035.10.gli.sub.12.gz")
+    ('rosie_713', 'sea035')
+    >>> name_of_file("dives.csv") is None
+    True
+    """
+    matched = SLOCUM.fullmatch(file) or SEAEXPLORER.fullmatch(file)
+    return name_of(matched and matched["who"].partition(".")[0])
 
 
 def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:

@@ -32,9 +32,8 @@ from ...base.files import write_file
 from ...base.units import seconds_since_1970
 from ..currents.text_table import other_marks, table_of
 from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
-from .dives import NUMBERS, Skipped, whole_number, with_dac_note
+from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
 from .samples import HEADINGS, VARIATIONS
-from .vehicle_names import name_of
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")

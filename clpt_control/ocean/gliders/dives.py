@@ -49,6 +49,7 @@ LEAST_DEPTH = 5.0  # m that a dive reaches
 Three = tuple[Fix | None, Fix, Fix]
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
+LONGEST_NAME = 40  # letters; a longer one is no name
 BACK = 6  # files before one that are merged with it at most
 SLOCUM_FILES = (
     ".sbd",
@@ -201,6 +202,23 @@ def with_dac_note(dive: Dive) -> Dive:
 def noted(dive: Dive, note: str) -> Dive:
     """Return a dive with a note, which stands there once."""
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
+
+
+def name_of(*values: Any) -> str | None:
+    """Return the first value that is a vehicle's name, None if none is.
+
+    A name begins with a letter, a digit or an underscore, so that no file can pass an option, a
+    path or a redirection to the command of an alert.
+
+    >>> name_of("-oProxyCommand=x", "SG171")
+    'SG171'
+    """
+    for value in values:
+        name = value.strip() if isinstance(value, str) else ""
+        begins_well = name[:1].isalnum() or name[:1] == "_"
+        if begins_well and len(name) <= LONGEST_NAME and name.isprintable():
+            return name
+    return None
 
 
 def is_segment(path: Path) -> bool:

@@ -12,7 +12,7 @@ from synthetic_vehicle import further, vehicle
 
 from clpt_control.estimation import FixModel, Priors
 from clpt_control.ocean.estimation.dive import mid_time, miss
-from clpt_control.ocean.estimation.dive_means import (
+from clpt_control.ocean.estimation.dive_regression import (
     LENGTH,
     integral_covariance,
     position_covariance,

@@ -22,7 +22,7 @@ from clpt_control.gliders import make_dive, write_dive_table
 from clpt_control.ocean.forecast import fleet
 from clpt_control.ocean.forecast.fleet import events, standing
 from clpt_control.ocean.forecast.geographic import utc
-from clpt_control.ocean.gliders.vehicle_names import name_of
+from clpt_control.ocean.gliders.dives import name_of
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
