@@ -150,7 +150,7 @@ function found() {
   return { since: text("[data-since]"), alarm: card?.classList.contains("alarm"),
     title: text("section[data-overdue] h2"), below: text("section[data-overdue] small"),
     last: text("section[data-end] b"), age: row?.cells[1].textContent,
-    pilot: row?.cells[4].textContent, loud: row?.cells[4].className };
+    pilot: row?.cells[3].textContent, loud: row?.cells[3].className };
 }
 """
 
