@@ -187,7 +187,21 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
         assert swam(with_variation(dive, made.VARIATION))
 
 
-@pytest.mark.parametrize("fill", [-999.0, 9.96921e36, -np.inf])
+FILLS = [
+    -999.0,
+    -9999.0,
+    -99999.0,
+    -32768.0,
+    32767.0,
+    65535.0,
+    999.0,
+    9999.0,
+    2**31 - 1.0,
+]
+FILLS += [9.96921e36, 1e20, -1e34, 1e35, np.inf, -np.inf]
+
+
+@pytest.mark.parametrize("fill", FILLS)
 def test_headings_that_are_no_angles_are_gaps(fill, tmp_path):
     columns = og1_rows()
     columns["HEADING"][::5] = fill
