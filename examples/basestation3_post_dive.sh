@@ -11,4 +11,4 @@
 # The page is MISSION/clpt/replay.html.  CLPT says where the command is, if not on the path.
 
 mission=${2:-$(dirname "$0")}
-exec "${CLPT:-clpt}" replay --follow "$mission" --patience 0 --out "$mission/clpt" >/dev/null
+exec "${CLPT:-clpt}" watch "$mission" --patience 0 --out "$mission/clpt" >/dev/null

@@ -29,8 +29,8 @@ from typer.main import get_command
 from clpt_control.app.cli import application
 
 ROOT = Path(__file__).parent.parent
-# `clpt tune` and `clpt design` look for minutes; cluster, watch, film and pages to send take a
-# quarter of one; test_release runs the ten lines of README
+# `clpt tune` and `clpt tune --waypoints` look for minutes; cluster, watch, film and reports take
+# a quarter of one; test_release runs the ten lines of README
 SLOW = {"laws.md", "theory.md", "ensembles.md", "gliders.md", "measured_current.md"}
 SLOW |= {"start.md", "report.md", "team.md", "README.md"}
 FILM = "docs/index.md"

@@ -161,7 +161,7 @@ COMMANDS = {
     "replay --sample": "pyproj",
     "ensemble mine.toml --vary learning.gain=0.2:2.0 --members 3 --out e.zarr": "zarr",
     "tune mine.toml": "zarr",
-    "tides record.csv --constituents M2 --latitude 41.2": "utide",
+    "fit record.csv --tides --constituents M2 --latitude 41.2": "utide",
     "fit current.nc --out fit.toml": "netCDF4",
 }
 TOLD = f"""

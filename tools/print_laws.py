@@ -149,7 +149,7 @@ def whole_page() -> str:
     """Return the page: all laws, those of one page together, and what they share."""
     found = [
         "# Each law\n\nWhich to take when: [laws](laws.md). `clpt laws NAME` prints a section in "
-        "plain text. What is asked along runs, `clpt refute` asks; *as usual* says: where "
+        "plain text. What is asked along runs, `clpt prove --search` asks; *as usual* says: where "
         f"{typeset(USUAL)}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):

@@ -134,7 +134,7 @@ def test_the_words_of_a_fleet_are_whole_on_a_telephone(tmp_path):
     for name in ("north", "a_long_name_of_a_vehicle_2026"):
         (tmp_path / "fleet" / name).mkdir(parents=True)
         write_dive_table(fixes_of(15), tmp_path / "fleet" / name / "dives.csv")
-    ran(*CLPT, "replay", "--fleet", "fleet", "--out", "out", cwd=tmp_path)
+    ran(*CLPT, "watch", "fleet", "--fleet", "--out", "out", cwd=tmp_path)
     found = asked(tmp_path / "out" / "fleet.html", WORDS, tmp_path, 390)
     assert found["words"] > 10
     assert (found["broken"], found["beyond"]) == ([], 0)
@@ -167,7 +167,7 @@ def watched(tmp_path_factory):
     ]
     (folder / "fleet" / "north").mkdir(parents=True)
     write_dive_table(dives, folder / "fleet" / "north" / "dives.csv")
-    ran(*CLPT, "replay", "--fleet", "fleet", "--out", "out", cwd=folder)
+    ran(*CLPT, "watch", "fleet", "--fleet", "--out", "out", cwd=folder)
     return folder / "out"
 
 

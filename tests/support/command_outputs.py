@@ -22,13 +22,13 @@ ENSEMBLE = (
     "e.zarr",
     "--members",
 )
-FOLLOW = ("replay", "--follow", "in", "--out", "out", "--patience", "0", "--json")
+FOLLOW = ("watch", "in", "--out", "out", "--patience", "0", "--json")
 COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or nothing; None: a part
     ("--help",): (),
     ("init", "mine.toml"): ("mine.toml",),
     (*RUN, "--figures", "out"): ("run.nc", "figure?.png"),
     ("run", "team.toml", "--out", "run.nc"): ("run.nc",),
-    ("diagram", "s.toml", "-o", "d.svg"): ("d.svg",),
+    ("export", "s.toml", "--drawing", "-o", "d.svg"): ("d.svg",),
     (*ENSEMBLE, "64", "--chunk", "8", "--trajectories"): None,
     ("laws", "concurrent", "--json"): (),
     ("report", "r.nc", "-o", "r.html"): ("r.html",),
@@ -43,15 +43,18 @@ COMMANDS = {  # of files as `write_each` writes -> what is made: all of it, or n
         "t.toml",
     ),
     ("prove", "--theorem", "3.2", "--again"): (),
-    ("refute", "sigma", "--budget", "3", "--out", "broken.toml"): ("broken.toml",),
+    ("prove", "sigma", "--search", "3", "--out", "broken.toml"): ("broken.toml",),
     ("excitation", "s.toml", "--figure", "x.png"): ("x.png",),
-    ("certify", "s.toml", "--json"): (),
-    ("design", "s.toml", "--out", "b.toml", "--figure", "b.png"): ("b.toml", "b.png"),
+    ("excitation", "s.toml", "--bounds", "--json"): (),
+    ("tune", "s.toml", "--waypoints", "--out", "b.toml", "--figure", "b.png"): (
+        "b.toml",
+        "b.png",
+    ),
     ("fit", "c.nc", "--out", "f.toml", "--json"): ("f.toml", "f_field.nc"),
-    ("tides", "r.csv", "--constituents", "M2,S2"): (),
+    ("fit", "r.csv", "--tides", "--constituents", "M2,S2"): (),
     ("estimate", "r.nc", "--out", "known.toml"): ("known.toml",),
     FOLLOW: None,
-    ("animate", "r.nc", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
+    ("report", "r.nc", "--film", "-o", "r.gif", "--seconds", "1"): ("r.gif",),
 }
 
 

@@ -13,10 +13,10 @@ import numpy as np
 from paths import DATA
 
 SAMPLE = "2016-01-31"  # the day of the sample's dives
-RUNS = ("run", "ensemble", "tune", "design", "certify", "excitation s", "excitation t")
+RUNS = ("run", "ensemble", "tune", "excitation s", "excitation t")
 VARY = "--members 4 --vary learning.gain=0.2:2 --chunk 2 --threads 1"
 FILM = "--seconds 0.2 --fps 5 --width 200"
-WATCH = "replay --follow in --every 0.1 --patience 0.1"
+WATCH = "watch in --every 0.1 --patience 0.1"
 USES = (
     "run s.toml --out out.nc",
     "run f.toml --out out.nc",
@@ -24,13 +24,13 @@ USES = (
     "run run.nc --out out.nc --json",
     "run diagram.nc --out out.nc --json",
     "run team.toml --out out.nc",
-    "diagram s.toml",
+    "export s.toml --drawing",
     "excitation s.toml --json",
     "excitation run.nc --json",
     "excitation team.nc --json",
     "estimate run.nc --out out.toml --json",
     "estimate run.nc --method kalman --json",
-    f"animate run.nc -o out.gif {FILM}",
+    f"report run.nc --film -o out.gif {FILM}",
     "report run.nc -o out.html --json",
     "report team.nc -o out.html --json",
     "report diagram.nc -o out.html --json",
@@ -38,10 +38,10 @@ USES = (
     "report replay.nc -o out.html --json",
     f"ensemble s.toml --out out.zarr --json {VARY}",
     f"ensemble s.toml --out begun.zarr --json {VARY} | begun.zarr",
-    "certify s.toml --json",
+    "excitation s.toml --bounds --json",
     "fit grid.nc --rows 2 --columns 2 --out out.toml --json",
-    "tides record.nc --constituents M2,K1 --json",
-    "tides record.csv --constituents M2,K1 --json",
+    "fit record.nc --tides --constituents M2,K1 --json",
+    "fit record.csv --tides --constituents M2,K1 --json",
     "replay dives.csv --out out --json",
     "replay dives.csv --flow-model model.nc --json | model.nc",
     "replay dives.csv --flow-model fit.toml --json | fit.toml",
@@ -63,21 +63,24 @@ OPTIONS = (  # words, options whose values are damaged
     ("run s.toml --out out.nc", "--format --figures"),
     ("excitation s.toml", "--window --start"),
     ("excitation run.nc", "--window --start"),
-    ("certify s.toml", "--radius --error --window"),
-    ("design s.toml --out out.toml", "--length --max-speed --window --start --seed"),
+    ("excitation s.toml --bounds", "--radius --error --window"),
+    (
+        "tune s.toml --waypoints --out out.toml",
+        "--length --max-speed --window --start --seed",
+    ),
     (
         "ensemble s.toml --members 3 --vary learning.gain=0.2:2 --out out.zarr",
         "--members --vary --seed --threads --chunk --design",
     ),
     ("tune s.toml --members 2 --law learned-flow", "--members --prior --seed"),
     ("fit grid.nc --out out.toml", "--rows --columns --width-km --units"),
-    ("tides record.csv --constituents M2", "--constituents --latitude"),
+    ("fit record.csv --tides --constituents M2", "--constituents --latitude"),
     ("estimate run.nc", "--every --prior --noise --until"),
     (
         "replay dives.csv --aim 41 -69",
         "--speed --hours --least-duration --variation --flow",
     ),
-    (f"animate run.nc -o out.gif {FILM}", "--start --end --seconds --width"),
+    (f"report run.nc --film -o out.gif {FILM}", "--start --end --seconds --width"),
 )
 
 
@@ -139,7 +142,7 @@ def make_valid(folder):
     said = call("replay dives.csv --out watched --json", folder)
     (folder / "replay.json").write_text(said)
     shutil.copy(folder / "watched/replay.nc", folder / "replay.nc")
-    call("replay --follow in --every 0.1 --patience 0.1", folder)
+    call("watch in --every 0.1 --patience 0.1", folder)
 
 
 def put(valid, folder, words):

@@ -152,7 +152,7 @@ def test_what_cannot_be_searched_is_refused(law, budget):
 def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypatch):
     monkeypatch.setitem(LAWS, "drem", LAWS["drem"]._replace(promises=ANYWHERE))
     file = tmp_path / "broken.toml"
-    outcome = clpt("refute", "drem", "--budget", LONG, "--out", file, "--json")
+    outcome = clpt("prove", "drem", "--search", LONG, "--out", file, "--json")
     report = json.loads(outcome.out)
     assert (outcome.status, report["status"]) == (1, "refuted")
     assert report["closest"]["shrinks"] > BROKEN
@@ -164,12 +164,12 @@ def test_the_command_writes_a_scenario_that_repeats_it(clpt, tmp_path, monkeypat
 
 def test_the_command_says_that_nothing_was_found(clpt, refused, tmp_path):
     outcome = clpt(
-        "refute", "known-flow", "--budget", 0.1, "--out", tmp_path / "none.toml"
+        "prove", "known-flow", "--search", 0.1, "--out", tmp_path / "none.toml"
     )
     assert outcome.status == 0
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()
-    assert "seed = -5" in refused("refute", "known-flow", "--seed", -5)
+    assert "seed = -5" in refused("prove", "known-flow", "--search", 60, "--seed", -5)
 
 
 def test_what_the_solver_leaves_breaks_no_promise():

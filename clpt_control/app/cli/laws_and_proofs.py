@@ -1,4 +1,4 @@
-"""`clpt laws`: their table; `clpt prove`: theorems and laws; `clpt refute`: a law's promise."""
+"""`clpt laws`: their table; `clpt prove`: theorems, laws, and searches for counterexamples."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -77,19 +77,36 @@ def laws(
 
 
 def prove(
+    law: str | None = arg(
+        "LAW", "Law of --search; default: theorems and laws are proved.", default=None
+    ),
     theorem: str | None = opt(
         "NUMBER", "3.1 to 3.4; default: all, limits and every law."
     ),
-    again: bool = flag("Judge what was judged before.", "--again"),
+    again: bool = flag("Ignore cached verdicts and prove everything again.", "--again"),
+    search: float | None = opt(
+        "SECONDS", "Search so long for a run that breaks a promise of LAW instead."
+    ),
+    seed: int = opt("NUMBER", "Seed of --search.", default=0),
+    out: Path | None = opt(
+        "FILE", "Of --search: scenario that breaks the promise, to write."
+    ),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
 
-    The equations are those that run, read from the same blocks.
+    The equations are those that run, traced from the same blocks. A search that finds no run is
+    no proof.
 
     Example:
         clpt prove --theorem 3.2
+        clpt prove concurrent --search 20 --out broken.toml
     """
+    if (law is None) != (search is None):
+        raise ClptError("--search SECONDS: needs LAW, and LAW needs --search SECONDS")
+    if law is not None and search is not None:
+        _search_counterexample(law, search, seed, out, as_json)
+        return
     from ...theory.proofs.cached_verdicts import (
         CachedOutcomes,
         make_ready,
@@ -152,20 +169,10 @@ def prove(
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
 
 
-def refute(
-    law: str = arg("LAW", "Its name."),
-    budget: float = opt("SECONDS", "How long to search.", default=60.0),
-    seed: int = opt("NUMBER", "Seed of the search.", default=0),
-    out: Path | None = opt("FILE", "Scenario that breaks the promise, to write."),
-    as_json: Json = False,
+def _search_counterexample(
+    law: str, budget: float, seed: int, out: Path | None, as_json: bool
 ) -> None:
-    """Search for a run that breaks what a law promises.
-
-    Not to find one is no proof.
-
-    Example:
-        clpt refute concurrent --budget 20 --out broken.toml
-    """
+    """Search for a run that breaks what a law promises, and print how near it came."""
     from ...base.files import write_file
     from ...paper.laws.table import LAWS
     from ...paper.scenario.file import scenario_to_text

@@ -1,4 +1,4 @@
-"""Commands on measurements: `clpt fit`, `clpt tides` and `clpt estimate`."""
+"""Commands on measurements: `clpt fit` and `clpt estimate`."""
 
 from pathlib import Path
 
@@ -7,37 +7,59 @@ import clpt_control as clpt
 from ...base.errors import DataError, ScenarioError
 from ...base.html import Result
 from ...base.units import known, percent
-from .printing import Json, Report, arg, cell_text, check_out, finish, opt
+from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 
 def fit(
     currents: Path = arg(
-        "FILE", "NetCDF file of a gridded current, Zarr, or a folder of files."
+        "FILE",
+        "NetCDF file of a gridded current, Zarr, or a folder of files; with --tides a record.",
     ),
-    out: Path = opt(
-        "SCENARIO", "Scenario file to write; the field lies beside it.", default=...
+    out: Path | None = opt(
+        "SCENARIO", "Scenario file to write; the field lies beside it."
     ),
     box: tuple[float, float, float, float] | None = opt(
         "LAT0 LAT1 LON0 LON1", "Degrees; default: the whole grid."
     ),
-    rows: int = opt("COUNT", "Places of functions, south to north.", default=3),
-    columns: int = opt("COUNT", "Places of functions, west to east.", default=3),
+    rows: int = opt("COUNT", "Centers of functions, south to north.", default=3),
+    columns: int = opt("COUNT", "Centers of functions, west to east.", default=3),
     width_km: float | None = opt(
-        "KM", "Width of the Gaussians, km; default: 0.6 of the distance between places."
+        "KM",
+        "Width of the Gaussians, km; default: 0.6 of the distance between centers.",
     ),
-    constituents: str = opt(
-        "NAMES", "steady and named tides, such as steady,M2.", default="steady,M2"
+    constituents: str | None = opt(
+        "NAMES",
+        "steady and named tides; default: steady,M2. With --tides such as M2,S2,K1, or auto: all "
+        "that are distinguishable.",
     ),
     units: str | None = opt(
         "UNIT", "Of u and v, such as m/s, where the file has none."
     ),
+    tides: bool = flag(
+        "Fit tidal constituents to a record at one place instead.", "--tides"
+    ),
+    latitude: float | None = opt(
+        "DEGREES", "Of --tides: degrees north; default: the file's own."
+    ),
+    at: tuple[float, float] | None = opt(
+        "LAT LON", "Of --tides: degrees, the nearest cell of a grid."
+    ),
     as_json: Json = False,
 ) -> None:
-    """Make a scenario in a measured current, and fit its flow.
+    """Make a scenario in a measured current, or fit tides to a record.
 
     Example:
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
+        clpt fit record.nc --tides --constituents M2,S2,K1
     """
+    if tides:
+        if constituents is None:
+            raise ScenarioError("--tides: needs --constituents, such as M2,S2, or auto")
+        _fit_tides(currents, constituents, latitude, at, units, as_json)
+        return
+    if out is None:
+        raise ScenarioError("--out: is missing. Give the scenario file to write")
+    names = tuple(name.strip() for name in (constituents or "steady,M2").split(","))
     from ...theory.excitation.gramian import not_learned
 
     fitted = clpt.currents.fit_scenario(
@@ -46,7 +68,7 @@ def fit(
         rows=rows,
         columns=columns,
         width_km=width_km,
-        constituents=tuple(name.strip() for name in constituents.split(",")),
+        constituents=names,
         units=units,
     )
     scenario = clpt.currents.save_fit(fitted, out)
@@ -68,27 +90,15 @@ def fit(
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
 
 
-def tides(
-    record: Path = arg("FILE", "NetCDF, or CSV with time, u and v."),
-    constituents: str = opt(
-        "NAMES",
-        "Named tides, such as M2,S2,K1; auto: all that can be told apart.",
-        default=...,
-    ),
-    latitude: float | None = opt("DEGREES", "Degrees north; default: the file's own."),
-    at: tuple[float, float] | None = opt(
-        "LAT LON", "Degrees: the nearest cell of a grid."
-    ),
-    units: str | None = opt(
-        "UNIT", "Of u and v, such as m/s, where the file has none."
-    ),
-    as_json: Json = False,
+def _fit_tides(
+    record: Path,
+    constituents: str,
+    latitude: float | None,
+    at: tuple[float, float] | None,
+    units: str | None,
+    as_json: bool,
 ) -> None:
-    """Fit tidal constituents to a current record.
-
-    Example:
-        clpt tides record.nc --constituents M2,S2,K1
-    """
+    """Print the tidal constants of a record."""
     from ...ocean.currents.tidal_constants import tides_report
 
     measured = clpt.currents.read_record(record, latitude, at, units)

@@ -108,9 +108,9 @@ def flag(about: str, *names: str, default: Any = False) -> Any:
     return typer.Option(default, *names, help=about)
 
 
-def arg(metavar: str, about: str, default: Any = ...) -> Any:
+def arg(metavar: str, about: str, default: Any = ..., **settings: Any) -> Any:
     """Return an argument: its word and its help; one whose default is ... is required."""
-    return typer.Argument(default, metavar=metavar, help=about)
+    return typer.Argument(default, metavar=metavar, help=about, **settings)
 
 
 # --- what commands take, and print ---------------------------------------------------------------

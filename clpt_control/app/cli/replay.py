@@ -1,4 +1,4 @@
-"""`clpt replay`: a glider's dives, each forecast before its end; every vehicle of a fleet.
+"""`clpt replay`: dives of a glider, each forecast before its end; `clpt watch`: new dives.
 
 A folder of a fleet with files of dives holds a vehicle, or several that their files name.  What was
 read of it, its page and its numbers are kept in a folder of the same name within the results.
@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from math import inf
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, NamedTuple
 
 import typer
 
@@ -32,76 +32,110 @@ def folder_named(text: str) -> Path:
     return Path(text)
 
 
+Estimator = Annotated[str, opt("NAME", "gaussian-process or gradient.", default=...)]
+Flow = Annotated[
+    str | None,
+    opt(
+        "PARTS",
+        "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
+        default=...,
+    ),
+]
+LearnSpeed = Annotated[
+    bool, flag("Learn a factor on speed and a compass error.", default=...)
+]
+FlowModelFile = Annotated[
+    Path | None,
+    opt(
+        "FILE",
+        "Forecast (NetCDF) or fit (TOML) to compare with and learn from.",
+        default=...,
+    ),
+]
+Units = Annotated[
+    str | None,
+    opt(
+        "UNIT",
+        "Of u and v of a forecast, such as m/s, if the file has none.",
+        default=...,
+    ),
+]
+Plan = Annotated[
+    tuple[float, float, float] | None,
+    opt(
+        "HOURS EAST NORTH",
+        "Plan of the next dive: hours, m east, m north through the water.",
+        "--next",
+        default=...,
+    ),
+]
+Aim = Annotated[
+    tuple[float, float] | None,
+    opt(
+        "LAT LON",
+        "Waypoint to aim at, degrees: the heading by which the current leads there.",
+        default=...,
+    ),
+]
+Route = Annotated[
+    Path | None,
+    opt(
+        "FILE",
+        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: times of arrival. Its "
+        "polygons are areas to stay out of: probability of entering.",
+        default=...,
+    ),
+]
+Speed = Annotated[
+    float | None,
+    opt(
+        "M/S",
+        "Speed through water for --aim. Default: that of recent dives.",
+        default=...,
+    ),
+]
+Hours = Annotated[
+    float | None,
+    opt(
+        "HOURS",
+        "Dive duration for --aim. Default: duration of recent dives.",
+        default=...,
+    ),
+]
+LeastDuration = Annotated[
+    float | None, opt("SECONDS", "Dives must last longer than this.", default=...)
+]
+Variation = Annotated[
+    float | None,
+    opt(
+        "DEGREES",
+        "Variation of magnetic headings, degrees east. Default: the file's, or IGRF.",
+        default=...,
+    ),
+]
+
+
 def replay(
     files: list[Path] | None = arg(
         "FILES", "Files of one vehicle, or folders of them.", default=None
     ),
     sample: bool = flag("Replay the dives that come with clpt.", "--sample"),
-    estimator: str = opt(
-        "NAME", "gaussian-process or gradient.", default="gaussian-process"
-    ),
-    flow: str | None = opt(
-        "PARTS",
-        "steady, then any of tides, inertial, shear, gaussians, model, such as steady,M2,K1.",
-    ),
-    learn_speed: bool = flag(
-        "Learn a factor on speed and a compass error.", default=True
-    ),
-    flow_model: Path | None = opt(
-        "FILE", "Forecast (NetCDF) or fit (TOML) to compare with and learn from."
-    ),
-    units: str | None = opt(
-        "UNIT", "Of u and v of a forecast, such as m/s, where it has none."
-    ),
-    plan: tuple[float, float, float] | None = opt(
-        "HOURS EAST NORTH",
-        "Plan of the next dive: hours, m east, m north through the water.",
-        "--next",
-    ),
-    aim: tuple[float, float] | None = opt(
-        "LAT LON",
-        "Waypoint to aim at, degrees: the heading that the current carries there.",
-    ),
-    route: Path | None = opt(
-        "FILE",
-        "Waypoints to aim at in their order, GeoJSON or lines LAT LON: when each is made. Its "
-        "polygons are areas to stay out of: how likely they are entered.",
-    ),
-    speed: float | None = opt(
-        "M/S", "Speed through water for --aim; else that of the last dives."
-    ),
-    hours: float | None = opt(
-        "HOURS", "Length of a dive for --aim; else that of the last dives."
-    ),
-    least_duration: float | None = opt("SECONDS", "Dives must last longer than this."),
-    variation: float | None = opt(
-        "DEGREES",
-        "Variation of magnetic headings, degrees east; else the file's or IGRF.",
-    ),
+    estimator: Estimator = "gaussian-process",
+    flow: Flow = None,
+    learn_speed: LearnSpeed = True,
+    flow_model: FlowModelFile = None,
+    units: Units = None,
+    plan: Plan = None,
+    aim: Aim = None,
+    route: Route = None,
+    speed: Speed = None,
+    hours: Hours = None,
+    least_duration: LeastDuration = None,
+    variation: Variation = None,
     out: Path | None = opt(
-        "FOLDER", "Folder for NetCDF and figures.", parser=folder_named
-    ),
-    follow: Path | None = opt(
         "FOLDER",
-        "Folder to watch for new files; --out is FOLDER/replay by default.",
+        "Folder for NetCDF and figures; default: none are written.",
         parser=folder_named,
-    ),
-    fleet: Path | None = opt(
-        "FOLDER",
-        "Look once at each vehicle of a folder tree; --out is FOLDER/replay by default.",
-        parser=folder_named,
-    ),
-    alert: str | None = opt(
-        "CMD",
-        "Run this when a vehicle is OUT twice running, changes its speed or is overdue, once "
-        "each; {} is the sentence, which is on its standard input too.",
-    ),
-    every: float = opt("SECONDS", "Time between looks at that folder.", default=10.0),
-    patience: float = opt(
-        "SECONDS",
-        "End after this time without a new file; default: never.",
-        default=inf,
-        show_default=False,
     ),
     formats: Formats = None,
     as_json: Json = False,
@@ -111,27 +145,136 @@ def replay(
     Example:
         clpt replay p542*.nc --aim 41.05 -69.40 --out replay
     """
-    from ...base.figures import checked_formats
-    from ...ocean.forecast.fleet import checked_command
-    from ...ocean.forecast.route import read_route
-    from ...ocean.gliders.usable_dives import LEAST_DURATION
-
-    if bool(files) + sample + (follow is not None) + (fleet is not None) != 1:
+    if bool(files) + sample != 1:
         raise ScenarioError(
-            "give files of dives, --sample for those that come with clpt, --follow FOLDER or "
-            "--fleet FOLDER"
+            "give files of dives, or --sample for those that come with clpt; `clpt watch` is for "
+            "folders that files arrive in"
         )
-    if fleet is not None and (aim or plan or route):
+    job = job_of(
+        replay_of(estimator, flow, learn_speed, flow_model, units),
+        Steering(plan, aim, route, speed, hours, variation),
+        least_duration,
+        formats or ["png"],
+    )
+    job.name = name_by_files(files or [])
+    if sample:
+        summary = job.found(clpt.gliders.sample_dives(), [])
+    else:
+        summary = job.found(*clpt.gliders.read_dives(files or []))
+    written = []
+    if out is not None:
+        written = replay_report.write(summary, make_folder(out), job.kinds)
+    finish(replay_report.results(summary), summary, as_json, *written)
+
+
+def watch(
+    folder: Path = arg(
+        "FOLDER", "Folder that files of dives arrive in.", parser=folder_named
+    ),
+    fleet: bool = flag(
+        "Look once at each vehicle of a folder tree; let cron repeat it.", "--fleet"
+    ),
+    alert: str | None = opt(
+        "CMD",
+        "Run this when a vehicle is OUT twice running or is overdue, once each; {} is the "
+        "sentence, which is on its standard input too.",
+    ),
+    every: float = opt("SECONDS", "Time between looks at the folder.", default=10.0),
+    patience: float = opt(
+        "SECONDS",
+        "End after this time without a new file; default: never.",
+        default=inf,
+        show_default=False,
+    ),
+    estimator: Estimator = "gaussian-process",
+    flow: Flow = None,
+    learn_speed: LearnSpeed = True,
+    flow_model: FlowModelFile = None,
+    units: Units = None,
+    plan: Plan = None,
+    aim: Aim = None,
+    route: Route = None,
+    speed: Speed = None,
+    hours: Hours = None,
+    least_duration: LeastDuration = None,
+    variation: Variation = None,
+    out: Path | None = opt(
+        "FOLDER", "Folder for results; default: FOLDER/replay.", parser=folder_named
+    ),
+    formats: Formats = None,
+    as_json: Json = False,
+) -> None:
+    """Watch a folder for new dives of a vehicle, or of a fleet.
+
+    Example:
+        clpt watch incoming --out results --alert "notify-send {}"
+    """
+    from ...ocean.forecast.fleet import checked_command
+
+    if fleet and (aim or plan or route):
         raise ScenarioError(
             "--aim, --route and --next are of one vehicle; leave --fleet out"
         )
+    command = [] if alert is None else checked_command(alert)
+    replay_report.check_pace(every, patience)
+    job = job_of(
+        replay_of(estimator, flow, learn_speed, flow_model, units),
+        Steering(plan, aim, route, speed, hours, variation),
+        least_duration,
+        formats or ([] if fleet else ["png"]),
+    )
+    job.follows, job.name = not fleet, name_by_files([folder])
+    results = out or folder / "replay"
+    if fleet:
+        rows, page = look_at(job, folder, results, command)
+        finish(fleet_results(rows), rows, as_json, page)
+        return
+    summary = replay_report.watch(job, folder, results, every, patience, command)
+    finish(replay_report.results(summary), summary, as_json)
+
+
+def replay_of(
+    estimator: str,
+    flow: str | None,
+    learn_speed: bool,
+    flow_model: Path | None,
+    units: str | None,
+) -> Any:
+    """Return a `Replay` without dives, of the options."""
+    model = chosen_model(flow, learn_speed, flow_model is not None)
+    if flow_model is None:
+        if units is not None:
+            raise ScenarioError(
+                f"--units {units}: is for --flow-model FILE; give one, or leave it out"
+            )
+        return clpt.replay.Replay(estimator, model, None)
+    forecast = clpt.replay.read_flow_model(flow_model, units)
+    return clpt.replay.Replay(estimator, model, forecast)
+
+
+class Steering(NamedTuple):
+    """Options on the dives to come, as `clpt replay` has them."""
+
+    plan: tuple[float, float, float] | None
+    aim: tuple[float, float] | None
+    route: Path | None
+    speed: float | None
+    hours: float | None
+    variation: float | None
+
+
+def job_of(
+    replay: Any, steering: Steering, least_duration: float | None, formats: list[str]
+) -> replay_report.Job:
+    """Return the work on a replay; options that do not fit are refused."""
+    from ...base.figures import checked_formats
+    from ...ocean.forecast.route import read_route
+    from ...ocean.gliders.usable_dives import LEAST_DURATION
+
+    plan, aim, route, speed, hours, variation = steering
     if route is not None and aim:
         raise ScenarioError("--route FILE has the waypoints; leave --aim out")
-    if alert is not None and follow is None and fleet is None:
-        raise ScenarioError("--alert is for --follow FOLDER or --fleet FOLDER")
-    command = [] if alert is None else checked_command(alert)
-    kinds = checked_formats(formats or ([] if fleet else ["png"]))
-    replay_report.check_pace(every, patience)
+    kinds = checked_formats(formats)
     least = LEAST_DURATION if least_duration is None else least_duration
     if not least >= 0:
         raise ScenarioError(f"--least-duration {least:g} s: must be 0 s or more")
@@ -139,49 +282,22 @@ def replay(
         raise ScenarioError(
             f"--variation {variation:g} degrees: must be -180 to 180, east positive"
         )
-    model = chosen_model(flow, learn_speed, flow_model is not None)
-    if units is not None and flow_model is None:
-        raise ScenarioError(
-            f"--units {units}: is for --flow-model FILE; give one, or leave it out"
-        )
-    forecast = (
-        None if flow_model is None else clpt.replay.read_flow_model(flow_model, units)
-    )
-    way, areas = (None, None) if route is None else read_route(route)
+    targets, areas = [] if aim is None else [aim], None
+    if route is not None:
+        targets, areas = read_route(route)
     job = replay_report.Job(
-        clpt.replay.Replay(estimator, model, forecast),
+        replay,
         () if plan is None else (3600 * plan[0], plan[1:]),
-        ([] if aim is None else [aim]) if way is None else way,
+        targets,
         speed,
         None if hours is None else 3600 * hours,
         variation,
         areas,
-        follow is not None,
-        kinds,
-        least,
+        kinds=kinds,
+        least=least,
     )
     job.check()
-    job.name = name_by_files(files or ([] if follow is None else [follow]))
-    if fleet is not None:
-        rows, page = look_at(job, fleet, out or fleet / "replay", command)
-        finish(fleet_results(rows), rows, as_json, page)
-        return
-    written = []
-    if follow is not None:
-        summary = replay_report.watch(
-            job, follow, out or follow / "replay", every, patience, command
-        )
-    else:
-        summary = job.found(
-            *(
-                (clpt.gliders.sample_dives(), [])
-                if sample
-                else clpt.gliders.read_dives(files or [])
-            )
-        )
-        if out is not None:
-            written = replay_report.write(summary, make_folder(out), kinds)
-    finish(replay_report.results(summary), summary, as_json, *written)
+    return job
 
 
 def name_by_files(files: Sequence[Path]) -> str:

@@ -1,7 +1,8 @@
-"""One scenario: `clpt init`, `clpt paper`, `clpt run`, `clpt diagram`, `clpt export`.
+"""Commands on scenarios and runs.
 
-Many runs: `clpt ensemble`, with values that vary; `clpt tune`, which chooses law and gains.  What
-is sent or shown: `clpt report` writes a page, `clpt animate` a moving picture.
+One scenario: `clpt init`, `clpt paper`, `clpt run`, `clpt export`.  Many runs: `clpt ensemble`,
+with values that vary; `clpt tune`, which chooses law and gains, or waypoints.  Reports: `clpt
+report` writes an HTML report, or a film.
 """
 
 import os
@@ -20,6 +21,8 @@ from .printing import (
     Json,
     Report,
     ScenarioFile,
+    Start,
+    Window,
     arg,
     cell_text,
     check_out,
@@ -29,7 +32,9 @@ from .printing import (
     opt,
     say,
 )
+from .tracks import WaypointSearch, tune_waypoints
 
+Four = tuple[float, float, float, float]
 MOST_SHOWN = 15  # candidates in the table; --json has all
 RUN = "run it with `clpt run {} --out run.nc`"
 FIT = "fit it with `clpt fit {} --out mine.toml`"
@@ -155,17 +160,39 @@ def run(
     finish([found], summary, as_json, out)
 
 
-def diagram(
+def export(
     scenario: ScenarioFile,
     out: Path | None = opt(
-        "FILE", ".svg, .png, .pdf or .mmd; default: Mermaid text.", "-o", "--out"
+        "FILE",
+        "File to write: C (.c), an FMU (.fmu), with --drawing .svg, .png, .pdf or .mmd; "
+        "default of a drawing: Mermaid text on standard output.",
+        "-o",
+        "--out",
     ),
+    drawing: bool = flag("Draw the block diagram.", "--drawing"),
 ) -> None:
-    """Draw a scenario's block diagram.
+    """Write a loop or a run's diagram as C99, an FMU or a drawing.
 
     Example:
-        clpt diagram mine.toml -o loop.svg
+        clpt export mine.toml -o loop.c
+        clpt export mine.toml --drawing -o loop.svg
     """
+    from ...simulation.run_file import repeats_by_equations
+
+    if drawing:
+        _draw_diagram(scenario, out)
+        return
+    if out is None:
+        raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
+    check_writable(out, "a program", (".c", ".h", ".fmu"))
+    again = repeats_by_equations(scenario)
+    write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
+    write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
+    say(f"{out}: written")
+
+
+def _draw_diagram(scenario: Path, out: Path | None) -> None:
+    """Draw a scenario's block diagram into a file, or print it as Mermaid text."""
     wired = clpt.closed_loop(clpt.load_scenario(scenario))
     if out is None:
         say(clpt.diagrams.mermaid(wired))
@@ -174,32 +201,12 @@ def diagram(
     say(f"{out}: written")
 
 
-def export(
-    scenario: ScenarioFile,
-    out: Path = opt(
-        "FILE", "The file: C (.c) or an FMU (.fmu).", "-o", "--out", default=...
-    ),
-) -> None:
-    """Write a scenario's loop or a run's diagram as C99 or an FMU.
-
-    Example:
-        clpt export mine.toml -o loop.c
-    """
-    from ...simulation.run_file import repeats_by_equations
-
-    check_writable(out, "a program", (".c", ".h", ".fmu"))
-    again = repeats_by_equations(scenario)
-    write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
-    write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
-    say(f"{out}: written")
-
-
 # --- many runs -----------------------------------------------------------------------------------
 
 
 def ensemble(
     scenario: ScenarioFile,
-    members: int = opt("COUNT", "How many runs.", default=...),
+    members: int | None = opt("COUNT", "Number of runs; default: all values of lists."),
     vary: list[str] = opt(
         "KEY=LOW:HIGH",
         "A range, KEY~normal:DEVIATION or KEY=[VALUE, ...]; repeat it.",
@@ -208,7 +215,10 @@ def ensemble(
     out: Path = opt(
         "FOLDER", "Zarr folder; if it holds a part, go on from there.", default=...
     ),
-    design: str = opt("NAME", "lhs (Latin hypercube), grid or random.", default="lhs"),
+    design: str | None = opt(
+        "NAME",
+        "lhs (Latin hypercube), grid or random; default: lhs, without --members grid.",
+    ),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
     threads: int | None = opt("COUNT", "Default: all processors."),
     trajectories: bool = flag("Keep the states too.", "--trajectories"),
@@ -225,16 +235,22 @@ def ensemble(
         clpt ensemble mine.toml --members 1000 --vary learning.gain=0.2:2.0 \
             --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
     """
+    from ...ensemble.drawn_values import grid_count, read_vary
     from ..pages.ensemble_page import ensemble_result
 
     experiment = clpt.load_scenario(scenario)
     check_out(figure, "a figure")
+    if members is None:
+        members, design = (
+            grid_count([read_vary(text) for text in vary]),
+            design or "grid",
+        )
     with progress_bar(f"running {scenario.name}", members, "members") as report:
         data = clpt.run_ensemble(
             experiment,
             vary,
             members,
-            design,
+            design or "lhs",
             seed,
             out,
             threads=threads,
@@ -261,13 +277,44 @@ def tune(
     ),
     law: list[str] | None = opt("NAME", "A law to compare; repeat it; default: all."),
     seed: int = opt("NUMBER", "Seed of the draws.", default=0),
+    waypoints: bool = flag(
+        "Find waypoints instead, from which most can be learned; needs --out.",
+        "--waypoints",
+    ),
+    length: float | None = opt(
+        "LENGTH", "Of --waypoints: longest closed polygon; default: the scenario's own."
+    ),
+    max_speed: float | None = opt(
+        "SPEED", "Of --waypoints: largest speed through the water; default: any."
+    ),
+    area: Four | None = opt(
+        "X1FROM X1TO X2FROM X2TO",
+        "Of --waypoints: where it may drive; default: where it drives now.",
+    ),
+    window: Window = None,
+    start: Start = None,
+    goal: str = opt(
+        "GOAL",
+        "Of --waypoints: law, the scenario's own learns soonest; kappa, the largest smallest "
+        "eigenvalue.",
+        "--for",
+        default="law",
+    ),
+    figure: Path | None = opt(
+        "FILE", "Of --waypoints: .png, .pdf or .svg, old and new track."
+    ),
     as_json: Json = False,
 ) -> None:
-    """Choose law, gains and filter for a flow that is not known.
+    """Choose law, gains and filter, or waypoints, for an unknown flow.
 
     Example:
         clpt tune mine.toml --law learned-flow --law sigma --out tuned.toml
+        clpt tune mine.toml --waypoints --out better.toml --max-speed 1.5
     """
+    if waypoints:
+        search = WaypointSearch(length, max_speed, area, window, start, goal, seed)
+        tune_waypoints(scenario, out, search, figure, as_json)
+        return
     experiment = clpt.load_scenario(scenario)
     check_out(out, "a scenario")
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
@@ -320,38 +367,33 @@ def _result(report: Report) -> Result:
 
 def report(
     run: Path = arg("RUN", "run.nc, a team's too; an ensemble's folder; replay.nc."),
-    out: Path = opt(
-        "FILE", "The page, .html.", "-o", "--out", default=Path("report.html")
+    out: Path | None = opt(
+        "FILE", "File to write; default: report.html, of a film run.gif.", "-o", "--out"
     ),
     title: str | None = opt("TITLE", "In place of the scenario's."),
     figures: Path | None = opt("FOLDER", "Folder for the figures too, as SVG and PDF."),
     formats: Formats = None,
+    film: bool = flag(
+        "Write a film instead: the vehicle and its prediction, both flows, CLPE.",
+        "--film",
+    ),
+    seconds: float = opt("SECONDS", "Length of the film.", default=12.0),
+    fps: float = opt("NUMBER", "Frames of the film in a second.", default=12.5),
+    width: int = opt("PIXELS", "Width of the film, pixels.", default=560),
     as_json: Json = False,
 ) -> None:
-    """Write a page to send: one HTML file that needs nothing else.
+    """Write an HTML report of a run: one file that needs no other.
 
     Example:
         clpt report run.nc -o report.html
+        clpt report run.nc --film -o run.gif
     """
+    if film:
+        path = out or Path("run.gif")
+        clpt.animate(clpt.load_run(run), path, seconds=seconds, fps=fps, width=width)
+        finish([Result(sentences=[f"{path}: written"])], {"film": str(path)}, as_json)
+        return
+    out = out or Path("report.html")
     page = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
     written = f"{out}: written, {page['bytes'] / 1000:.0f} kB"
     finish([Result(sentences=[*page["sentences"], written])], page, as_json)
-
-
-def animate(
-    run: Path = arg("RUN", "A run's NetCDF."),
-    out: Path = opt("FILE", "The film, .gif.", "-o", "--out", default=Path("run.gif")),
-    seconds: float = opt("SECONDS", "How long the film lasts.", default=12.0),
-    fps: float = opt("NUMBER", "Frames a second.", default=12.5),
-    width: int = opt("PIXELS", "Pixels.", default=560),
-) -> None:
-    """Make a moving picture of a run.
-
-    It shows the vehicle and its prediction, the true and the learned flow, and CLPE.
-
-    Example:
-        clpt animate run.nc -o run.gif
-    """
-    data = clpt.load_run(run)
-    clpt.animate(data, out, seconds=seconds, fps=fps, width=width)
-    say(f"{out}: written")

@@ -1,7 +1,7 @@
-"""Commands on tracks: `clpt excitation`, `clpt certify` and `clpt design`."""
+"""Commands on tracks: `clpt excitation`, its bounds, and the waypoints of `clpt tune`."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import clpt_control as clpt
 
@@ -20,10 +20,9 @@ from .printing import (
     check_out,
     draw_figure,
     finish,
+    flag,
     opt,
 )
-
-Four = tuple[float, float, float, float]
 
 
 def excitation(
@@ -33,6 +32,15 @@ def excitation(
     figure: Path | None = opt(
         "FILE", ".png, .pdf or .svg: eigenvalues and directions."
     ),
+    bounds: bool = flag(
+        "Bound CLPE and errors for every start of the learner instead.", "--bounds"
+    ),
+    radius: float | None = opt(
+        "R", "Of --bounds: largest V(0); default: that of the scenario's own start."
+    ),
+    error: float | None = opt(
+        "LENGTH", "Of --bounds: CLPE to come to; default: a hundredth of what R allows."
+    ),
     as_json: Json = False,
 ) -> None:
     """Measure what can be learned on a track, and how fast.
@@ -41,7 +49,11 @@ def excitation(
 
     Example:
         clpt excitation mine.toml --figure excitation.png
+        clpt excitation mine.toml --bounds --radius 0.1 --error 0.01
     """
+    if bounds:
+        _bound_errors(scenario, radius, error, window, as_json)
+        return
     from ...paper.scenario.team import load_either
     from ...theory.excitation.excitation_report import excitation_report
     from ..pages.results import excitation_result, is_team
@@ -59,22 +71,14 @@ def excitation(
     finish([excitation_result(report)], report, as_json, figure)
 
 
-def certify(
-    scenario: ScenarioFile,
-    radius: float | None = opt(
-        "R", "Largest V(0); default: that of the scenario's own start."
-    ),
-    error: float | None = opt(
-        "LENGTH", "CLPE to come to; default: a hundredth of what R allows."
-    ),
-    window: Window = None,
-    as_json: Json = False,
+def _bound_errors(
+    scenario: Path,
+    radius: float | None,
+    error: float | None,
+    window: float | None,
+    as_json: bool,
 ) -> None:
-    """Bound CLPE and errors for every start of the learner.
-
-    Example:
-        clpt certify mine.toml --radius 0.1 --error 0.01
-    """
+    """Print bounds on CLPE and errors for every start of the learner."""
     experiment = clpt.load_scenario(scenario)
     found = clpt.certify(experiment, radius, error=error, window=window)
     length, time = found.units["length"], found.units["time"]
@@ -98,53 +102,36 @@ def certify(
     finish([Result(title, columns, rows, sentences)], found.report(), as_json)
 
 
-def design(
-    scenario: ScenarioFile,
-    out: Path = opt(
-        "FILE", "Scenario file to write, with the new waypoints.", default=...
-    ),
-    length: float | None = opt(
-        "LENGTH", "Longest closed polygon; default: the scenario's own."
-    ),
-    max_speed: float | None = opt(
-        "SPEED", "Largest speed through the water; default: any."
-    ),
-    area: Four | None = opt(
-        "X1FROM X1TO X2FROM X2TO", "Where it may drive; default: where it drives now."
-    ),
-    window: Window = None,
-    start: Start = None,
-    goal: str = opt(
-        "GOAL",
-        "law: the scenario's own learns soonest; kappa: the largest smallest eigenvalue.",
-        "--for",
-        default="law",
-    ),
-    seed: int = opt("NUMBER", "Seed of the search.", default=0),
-    figure: Path | None = opt("FILE", ".png, .pdf or .svg: old and new track."),
-    as_json: Json = False,
-) -> None:
-    """Find waypoints from which most can be learned.
+class WaypointSearch(NamedTuple):
+    """Limits and goal of a search for waypoints, as `clpt.theory.design_track` has them."""
 
-    Example:
-        clpt design mine.toml --out better.toml --max-speed 1.5
-    """
+    length: float | None
+    max_speed: float | None
+    area: tuple[float, float, float, float] | None
+    window: float | None
+    start: float | None
+    goal: str
+    seed: int
+
+
+def tune_waypoints(
+    scenario: Path,
+    out: Path | None,
+    search: WaypointSearch,
+    figure: Path | None,
+    as_json: bool,
+) -> None:
+    """Find waypoints from which most can be learned, and write the scenario with them."""
     from ...paper.scenario.file import scenario_to_text
 
+    if out is None:
+        raise ClptError("--waypoints: needs --out. Give the scenario file to write")
     experiment = clpt.load_scenario(scenario)
     check_out(out, "a scenario")
     check_out(figure, "a figure")
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
         found = clpt.theory.design_track(
-            experiment,
-            length=length,
-            max_speed=max_speed,
-            area=area,
-            window=window,
-            start=start,
-            goal=goal,
-            seed=seed,
-            progress=report,
+            experiment, **search._asdict(), progress=report
         )
     results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
     if figure is not None:

@@ -98,7 +98,7 @@ class Follower:
             record = stored_file(read_bytes(path))
         except (DataError, LookupError, TypeError, ValueError, RecursionError):
             raise DataError(
-                f"{path}: is no state of this version's clpt replay --follow; {away}"
+                f"{path}: is no state of this version's clpt watch; {away}"
             ) from None
         if record.folder != self._where:
             raise DataError(

@@ -133,7 +133,7 @@ def check_one_vehicle(dives: Iterable[Dive]) -> None:
         listing = ", ".join(sorted(names.values()))
         raise DataError(
             f"{listing}: are {len(names)} vehicles in one replay; give the files of one, or "
-            "clpt replay --fleet FOLDER, which replays each vehicle of a folder on its own"
+            "clpt watch FOLDER --fleet, which replays each vehicle of a folder on its own"
         )
 
 

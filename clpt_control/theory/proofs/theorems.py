@@ -274,7 +274,9 @@ def theorem_3_3() -> Proof:
         corrected="if w* = [phi(x), x_i, zc_i] of each axis excites in every window alike, "
         "(e, alpha + theta, K - KD, Gamma - GammaD) goes to zero from every start, exponentially "
         "in the end",
-        not_proved=("that a given track excites w*: `clpt certify` measures it",),
+        not_proved=(
+            "that a given track excites w*: `clpt excitation --bounds` measures it",
+        ),
     )
 
 

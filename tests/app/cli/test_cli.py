@@ -91,8 +91,10 @@ def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
 def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     write({}, "p.toml")
     before = Path("p.toml").read_text()
-    assert re.match("(?s)flowchart.*learning_controller", clpt("diagram", "p.toml").out)
-    refused_for([".svg"], "diagram", "p.toml", "-o", "p.docx")
+    assert re.match(
+        "(?s)flowchart.*learning_controller", clpt("export", "p.toml", "--drawing").out
+    )
+    refused_for([".svg"], "export", "p.toml", "--drawing", "-o", "p.docx")
     refused_for(
         ["a program's name must end in .c, .h or .fmu"],
         "export",
@@ -101,8 +103,8 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
         "p.toml",
     )
     assert Path("p.toml").read_text() == before
-    for command, name in (("diagram", "p.svg"), ("export", "p.c"), ("export", "p.fmu")):
-        assert clpt(command, "p.toml", "-o", name).out == f"{name}: written\n"
+    for name, *words in (("p.svg", "--drawing"), ("p.c",), ("p.fmu",)):
+        assert clpt("export", "p.toml", *words, "-o", name).out == f"{name}: written\n"
     assert "adaptation" in Path("p.svg").read_text()
     assert "void closed_loop_step(" in Path("p.c").read_text()
     assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
@@ -239,7 +241,11 @@ def test_nothing_that_is_printed_steers_the_terminal(clpt, refused, monkeypatch)
     )
     vary = ("--members", "2", "--vary", "learning.gain=1:2", "--out", f"e {HOSTILE}")
     for words in (
-        *(("run", file, "--out", run), ("excitation", file), ("diagram", file)),
+        *(
+            ("run", file, "--out", run),
+            ("excitation", file),
+            ("export", file, "--drawing"),
+        ),
         ("run", run, "--out", HOSTILE, "--figures", f"f {HOSTILE}"),
         *(("report", run, "-o", f"p {HOSTILE}.html"), ("ensemble", file, *vary)),
         ("report", f"e {HOSTILE}", "-o", "e.html"),
@@ -362,8 +368,29 @@ MISSPELT = r"""
     run -> (?i)scenario.*; `clpt run --help` shows what it takes
     run x.toml --out -> --out.*; `clpt run --help` shows what it takes
     nothing-like-it -> nothing-like-it.*; `clpt --help` shows what it takes
-    tides a.csv --at 3 -> --at.*; `clpt tides --help` shows what it takes
+    fit a.csv --tides --at 3 -> --at.*; `clpt fit --help` shows what it takes
 """
+
+
+EARLIER_NAMES = r"""
+    diagram p.toml -> `clpt export SCENARIO --drawing`
+    refute sigma --budget 3 -> `clpt prove LAW --search SECONDS`
+    certify p.toml -> `clpt excitation SCENARIO --bounds`
+    design p.toml --out b.toml -> `clpt tune SCENARIO --waypoints`
+    animate run.nc -> `clpt report RUN --film`
+    tides r.csv --constituents M2 -> `clpt fit RECORD --tides`
+    replay --follow in -> `clpt watch FOLDER`
+    replay --fleet=in -> `clpt watch FOLDER --fleet`
+    replay in --alert true -> `clpt watch FOLDER --alert CMD`
+    replay in --every 3 -> `clpt watch FOLDER --every SECONDS`
+    replay in --patience 3 -> `clpt watch FOLDER --patience SECONDS`
+"""
+
+
+@pytest.mark.parametrize("line", EARLIER_NAMES.strip().splitlines())
+def test_an_earlier_name_gives_the_new_one(refused, line):
+    words, new = line.split(" -> ")
+    assert refused(*words.split()).endswith(f": is now {new}\n")
 
 
 @pytest.mark.parametrize("line", MISSPELT.strip().splitlines())
@@ -387,7 +414,7 @@ _clpt_completion clpt; printf "%s\n" "${COMPREPLY[@]}"
 """
 
 
-OFFERED = [(["re"], ["refute", "replay", "report"]), (["run", "--fi"], ["--figures"])]
+OFFERED = [(["re"], ["report", "replay"]), (["run", "--fi"], ["--figures"])]
 OFFERED += [(["run", "mine"], [])]  # files, by bash itself
 
 
@@ -421,13 +448,13 @@ def test_each_shell_has_its_script_and_fish_is_told_of_words_or_files(
 COMPLETING = {
     "_CLPT_COMPLETE": "complete_bash",
     "COMP_CWORD": "1",
-    "COMP_WORDS": "clpt ref",
+    "COMP_WORDS": "clpt repl",
 }
 COMMAND = "sys.argv = {}; os.environ.update({}); from clpt_control.app.cli import main; main()"
 LIGHT = {  # code, and what it says
     "the package": ("import clpt_control", ""),
     "help": (COMMAND.format(["clpt", "--help"], {}), "clpt init mine.toml"),
-    "completion": (COMMAND.format(["clpt"], COMPLETING), "refute\n"),
+    "completion": (COMMAND.format(["clpt"], COMPLETING), "replay\n"),
 }
 
 

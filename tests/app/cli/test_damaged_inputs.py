@@ -127,7 +127,7 @@ def test_what_is_no_file_is_not_waited_for(refused_for, name):
     os.mkfifo("s.toml")
     for arguments in (
         ("run", name, "--out", "run.nc"),
-        ("diagram", name),
+        ("export", name, "--drawing"),
         ("excitation", name),
     ):
         refused_for(["is no regular file; give one"], *arguments)
@@ -189,7 +189,9 @@ def test_a_scenario_with_many_waypoints_is_read_and_written():
 def test_a_diagram_that_python_control_cannot_hold_is_refused(refused_for, monkeypatch):
     write({})
     monkeypatch.setattr(interconnection, "MOST_BYTES", 1000)
-    refused_for(["closed_loop: has 3", "fewer basis functions"], "diagram", "s.toml")
+    refused_for(
+        ["closed_loop: has 3", "fewer basis functions"], "export", "s.toml", "--drawing"
+    )
 
 
 def test_jumps_are_not_listed_without_end():
@@ -274,7 +276,7 @@ def test_a_damaged_run_is_refused_by_all_that_open_runs(refused_for, run, name):
     damage(run).to_netcdf("run.nc")
     commands = ["estimate"]
     if name not in NEEDED_BY_ESTIMATE:
-        commands += ["report -o out.html", "animate -o out.gif", "excitation"]
+        commands += ["report -o out.html", "report --film -o out.gif", "excitation"]
     for command, *out in map(
         str.split, commands + ["run --out a.nc"] * (name == "no scenario")
     ):
@@ -336,4 +338,4 @@ def test_long_headers_and_comments_are_read(refused_for):
         (f"# a{long}b\n# {'a' * 10**5}\n# x: {long}y\ntime\n", "no column u"),
     ):
         Path("r.csv").write_text(text)
-        refused_for([said], "tides", "r.csv", "--constituents", "M2")
+        refused_for([said], "fit", "r.csv", "--tides", "--constituents", "M2")

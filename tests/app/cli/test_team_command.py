@@ -45,7 +45,7 @@ def test_the_excitation_of_a_team(clpt, printed):
 
 
 def test_what_takes_no_team_says_so(refused_for):
-    refused_for(["team"], "diagram", FILE)
+    refused_for(["team"], "export", FILE, "--drawing")
     refused_for(["team"], "excitation", FILE, "--figure", "x.png")
 
 
@@ -81,7 +81,14 @@ def paper(monkeypatch):
 @pytest.mark.usefixtures("paper")
 def test_excitation_finds_the_eigenvalue_of_the_design(printed):
     report = printed(
-        "design", "paper.toml", "--out", "new.toml", "--figure", "new.png", *QUICK
+        "tune",
+        "paper.toml",
+        "--waypoints",
+        "--out",
+        "new.toml",
+        "--figure",
+        "new.png",
+        *QUICK,
     )
     assert inked("new.png") > 0.01
     made = clpt_control.load_scenario("new.toml")
@@ -104,7 +111,9 @@ def test_a_mistake_is_one_sentence(refused_for):
         ("must end in .png, .pdf or .svg", "--figure", "new.gif"),
         ("must end in .toml", "--out", "new.nc"),
     ):
-        refused_for([said], "design", "paper.toml", "--out", "new.toml", *words)
+        refused_for(
+            [said], "tune", "paper.toml", "--waypoints", "--out", "new.toml", *words
+        )
 
 
 PAPER = clpt_control.paper_scenario()
@@ -184,7 +193,15 @@ SHORT = PAPER.with_values({"run.duration": 400})
 
 def test_the_command_says_what_the_function_finds(clpt, printed):
     clpt_control.save_scenario(SHORT, "paper.toml")
-    words = ("certify", "paper.toml", "--radius", "0.05", "--error", "0.3")
+    words = (
+        "excitation",
+        "paper.toml",
+        "--bounds",
+        "--radius",
+        "0.05",
+        "--error",
+        "0.3",
+    )
     found, report = clpt_control.certify(SHORT, 0.05, error=0.3), printed(*words)
     assert report["V"] == pytest.approx(found.V.tolist())
     assert report["time_to_error"] == 200.0
@@ -199,9 +216,11 @@ def test_the_command_says_what_the_function_finds(clpt, printed):
 def test_a_disturbance_has_its_end_and_a_mistake_one_sentence(clpt, refused_for):
     push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.001, 0.002]}}
     clpt_control.save_scenario(SHORT.with_values(push), "paper.toml")
-    said = " ".join(clpt("certify", "paper.toml", "--radius", "0.05").out.split())
+    said = " ".join(
+        clpt("excitation", "paper.toml", "--bounds", "--radius", "0.05").out.split()
+    )
     # sqrt(5e-6) = 0.00223607, rounded up
     assert "with |Delta| <= 0.002237 m/s it ends at most at" in said
     assert re.search("CLPE is never above .* m, within the run", said)
     said = "radius = -1.0: must be a number, positive and finite"
-    refused_for([said], "certify", "paper.toml", "--radius", "-1")
+    refused_for([said], "excitation", "paper.toml", "--bounds", "--radius", "-1")

@@ -112,7 +112,7 @@ def run(made):
 
 
 def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
-    file, words = tmp_path / "run.gif", ("animate", tmp_path / "run.nc", "-o")
+    file, words = tmp_path / "run.gif", ("report", tmp_path / "run.nc", "--film", "-o")
     save_run(run, tmp_path / "run.nc")
     done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
     assert done.out == f"{file}: written\n"

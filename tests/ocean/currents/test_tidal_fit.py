@@ -1,4 +1,4 @@
-"""Tides and records of a current: against what is known, told apart, in files, `clpt tides`."""
+"""Tides and records of a current: known tides, identifiability, files, `clpt fit --tides`."""
 
 import json
 import os
@@ -187,8 +187,8 @@ def test_rayleigh_on_a_measured_day(printed, refused, tmp_path):
     )
     assert list(tmp_path.iterdir()) == []
     at = ("--at", 41.2, -69.5, "--constituents")
-    assert sentence in refused("tides", MARACOOS, *at, "M2,S2")
-    tide = printed("tides", MARACOOS, *at, "M2")["constituents"]["M2"]
+    assert sentence in refused("fit", MARACOOS, "--tides", *at, "M2,S2")
+    tide = printed("fit", MARACOOS, "--tides", *at, "M2")["constituents"]["M2"]
     assert 0.5 < tide["major"] < 1.1  # strong and clockwise on the shoals
     assert tide["minor"] < 0
     for mistake, what in (
@@ -196,14 +196,14 @@ def test_rayleigh_on_a_measured_day(printed, refused, tmp_path):
         ((41.2, 10), "longitude 10"),
     ):
         assert what in refused(
-            "tides", MARACOOS, "--at", *mistake, "--constituents", "M2"
+            "fit", MARACOOS, "--tides", "--at", *mistake, "--constituents", "M2"
         )
 
 
 def test_the_command_prints_constants(clpt, tmp_path):
     time = times(30)
     path = write_table(tmp_path / "r.csv", time, 100 * waves(time), "cm/s")
-    arguments = ("tides", path, "--constituents", "M2,S2,K1,O1")
+    arguments = ("fit", path, "--tides", "--constituents", "M2,S2,K1,O1")
     status, out, err = clpt(*arguments, "--json")
     report = json.loads(out)
     assert (status, err, list(report["constituents"])) == (0, "", list(KNOWN))
@@ -322,7 +322,7 @@ BAD_TABLES = [
 def test_each_bad_table_is_one_sentence(refused, tmp_path, text, sentence):
     path = tmp_path / "r.csv"
     path.write_text(text)
-    assert re.search(sentence, refused("tides", path, "--constituents", "M2"))
+    assert re.search(sentence, refused("fit", path, "--tides", "--constituents", "M2"))
 
 
 def test_each_bad_file_is_one_sentence(refused, tmp_path):
@@ -357,7 +357,7 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
         (net, ("--constituents", "steady"), "must be tides, each once"),
         (net, (*m2, "--latitude", "nan"), "latitude = nan"),
     ):
-        assert sentence in refused("tides", path, *arguments)
+        assert sentence in refused("fit", path, "--tides", *arguments)
 
 
 def test_records_that_are_blind_to_a_tide():

@@ -13,19 +13,20 @@ from clpt_control.replay import replay_dives
 
 
 def run(*words):
-    return CliRunner().invoke(application(), ["replay", *map(str, words)])
+    command = [] if words[:1] == ("watch",) else ["replay"]
+    return CliRunner().invoke(application(), [*command, *map(str, words)])
 
 
 @pytest.fixture
 def command():
-    """Run `clpt replay WORDS`; what a user's mistake raises is kept as `exception`."""
+    """Run `clpt replay WORDS`, or `clpt watch WORDS`; `exception` is what a mistake raises."""
     return run
 
 
 @pytest.fixture
 def follow():
-    """Run `clpt replay --follow FOLDER WORDS` for one look."""
-    return lambda folder, *words: run("--follow", folder, "--patience", "0", *words)
+    """Run `clpt watch FOLDER WORDS` for one look."""
+    return lambda folder, *words: run("watch", folder, "--patience", "0", *words)
 
 
 @pytest.fixture

@@ -98,7 +98,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
 ):
     monkeypatch.setenv("COLUMNS", "80")
     heard = tree.parent / "told"
-    done = command("--fleet", tree, "--alert", teller(heard))
+    done = command("watch", tree, "--fleet", "--alert", teller(heard))
     assert done.exit_code == 0, done.output
     table = [line for line in done.stdout.splitlines() if line.startswith("│")]
     names = [line.split("│")[1].strip() for line in table]
@@ -109,7 +109,7 @@ def test_a_row_each_what_asks_for_a_pilot_first_and_is_told_once(
     assert "OUT x2" in table[1]
     for said in ("7 vehicles, 3 need a pilot", "hurt: cannot be read: "):
         assert said in done.stdout
-    again = command("--fleet", tree, "--alert", teller(heard), "--json")
+    again = command("watch", tree, "--fleet", "--alert", teller(heard), "--json")
     assert sorted(told_in(heard)) == [
         ("a <b> & '#1%3f'", "OUT", 5),
         ("late", "overdue", 6),
@@ -203,7 +203,7 @@ def test_a_fleet_killed_twice_is_as_an_unbroken_one(tmp_path):
         (top / f"v{k}").mkdir(parents=True)
         one_file_each(top / f"v{k}", strayed(fixes_of(8, seed=k)) if k else fixes_of(8))
     told = {name: tmp_path / f"told {name}" for name in ("broken", "whole")}
-    words = ("replay", "--fleet", top, "--json")
+    words = ("watch", top, "--fleet", "--json")
     commands = {
         name: [*CLPT, *words, "--out", name, "--alert", teller(path)]
         for name, path in told.items()
@@ -242,7 +242,7 @@ def test_linked_folders_are_followed_once_and_never_in_a_circle(tmp_path, comman
     (top / "a").symlink_to(top / "here")
     (top / "here" / "up").symlink_to(tmp_path)
     (elsewhere / "there" / "circle").symlink_to(elsewhere)
-    found = json.loads(command("--fleet", top, "--json").stdout)
+    found = json.loads(command("watch", top, "--fleet", "--json").stdout)
     assert sorted(row["vehicle"] for row in found["vehicles"]) == ["here", "there"]
     places = sorted(path.name for path in (top / "replay").iterdir())
     assert places == ["again", "fleet.html", "here"]
@@ -258,7 +258,9 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
         )
         header, line = path.read_text().splitlines()
         path.write_text(f"{header},vehicle\n{line},{name}\n")
-    lost, well = json.loads(command("--fleet", tmp_path, "--json").stdout)["vehicles"]
+    lost, well = json.loads(command("watch", tmp_path, "--fleet", "--json").stdout)[
+        "vehicles"
+    ]
     assert (lost["vehicle"], well["vehicle"], well["asks"]) == ("a", "z", [])
     assert lost["said"][0].startswith(
         "cannot be read: no dive can be used; dive 1: no fix after"

@@ -241,7 +241,7 @@ def whole(tmp_path):
 def is_no_state(path, text):
     """Whether a state with this text is refused, and left as it is."""
     path.write_bytes(text.encode("utf-8", "surrogateescape"))
-    said = "is no state of this version's clpt replay --follow.*move the folder .* away"
+    said = "is no state of this version's clpt watch.*move the folder .* away"
     refuses(said, Follower, path.parents[1] / "in", path.parent)
     assert path.read_bytes() == text.encode("utf-8", "surrogateescape")
 

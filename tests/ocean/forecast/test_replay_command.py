@@ -87,7 +87,7 @@ def test_the_table_keeps_what_matters(width, sample, capsys, monkeypatch):
 
 MISTAKES = [
     ("", "give files"),
-    ("--sample --follow .", "give files"),
+    ("--sample a.csv", "give files"),
     ("--sample --flow M2", "must begin with steady"),
     ("--sample --flow steady,M2,S2", "cannot be told apart: M2 and S2"),
     ("--sample --flow steady,model", "needs --flow-model"),
@@ -107,27 +107,27 @@ MISTAKES = [
     ("--sample --aim 40 8 --speed -1", "at -1 m/s"),
     ("--sample --aim 40 8 --speed 0", "leads nowhere; give --speed"),
     ("--sample --aim 40 8 --hours 1e9", "to 720 hours"),
-    ("--fleet .", "no folder below it has files of dives"),
-    ("--fleet no", "no such folder"),
-    ("--fleet . --aim 1 2", "are of one vehicle"),
-    ("--sample --alert true", "is for --follow FOLDER or --fleet FOLDER"),
-    ("--fleet . --alert no-such-command-here", "no such command"),
-    ('--fleet . --alert "echo \'a"', "no such command"),
-    ("--follow none", "no such folder"),
-    ("--follow . --every inf", "--every inf s: must be above 0 s and at most 86400 s"),
-    ("--follow . --every nan", "at most 86400 s"),
-    ("--follow . --every 0", "above 0 s"),
-    ("--follow . --patience nan", "--patience nan s: must be 0 s or more"),
-    ("--follow . --out .", "would lie in the followed folder"),
-    ("--follow . --out ''", "'--out': is empty"),
-    ("--follow ''", "'--follow': is empty"),
+    ("watch . --fleet", "no folder below it has files of dives"),
+    ("watch no --fleet", "no such folder"),
+    ("watch . --fleet --aim 1 2", "are of one vehicle"),
+    ("watch . --fleet --alert no-such-command-here", "no such command"),
+    ('watch . --fleet --alert "echo \'a"', "no such command"),
+    ("watch none", "no such folder"),
+    ("watch . --every inf", "--every inf s: must be above 0 s and at most 86400 s"),
+    ("watch . --every nan", "at most 86400 s"),
+    ("watch . --every 0", "above 0 s"),
+    ("watch . --patience nan", "--patience nan s: must be 0 s or more"),
+    ("watch . --out .", "would lie in the followed folder"),
+    ("watch . --out ''", "'--out': is empty"),
+    ("watch ''", "'FOLDER': is empty"),
 ]
 
 
 @pytest.mark.parametrize(("words", "says"), MISTAKES)
 def test_each_mistake_is_one_sentence(words, says, refused_for, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    refused_for([says], "replay", *shlex.split(words))
+    command = [] if words.startswith("watch ") else ["replay"]
+    refused_for([says], *command, *shlex.split(words))
 
 
 @pytest.fixture
@@ -299,7 +299,7 @@ def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     monkeypatch.setattr(
         replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM)
     )
-    outcome = clpt("replay", "--follow", tmp_path, "--out", tmp_path / "out", "--json")
+    outcome = clpt("watch", tmp_path, "--out", tmp_path / "out", "--json")
     assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
     assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
     assert signal.getsignal(TERM) is before
@@ -348,15 +348,15 @@ def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(
     others = [name for name in RESULTS if name != "replay.html"]
     for name in others:
         (out / name).write_text("old")
-    for words in (("--follow", inbox, "--patience", "0"), (inbox,)):
-        assert "replay.html: is a folder" in refused("replay", *words, "--out", out)
+    for words in (("watch", inbox, "--patience", "0"), ("replay", inbox)):
+        assert "replay.html: is a folder" in refused(*words, "--out", out)
         assert [(out / name).read_text() for name in others] == ["old"] * len(others)
         assert not list(out.glob(".*.part"))
 
 
 def test_following_without_dives_says_so(clpt, tmp_path):
     (tmp_path / "half.nc").write_bytes(b"CDF\x01")
-    outcome = clpt("replay", "--follow", tmp_path, "--patience", "0")
+    outcome = clpt("watch", tmp_path, "--patience", "0")
     assert (outcome.status, outcome.err) == (0, "1 new file, 0 dives used\n")
     assert outcome.out.startswith("no dives yet\nskipped a file: ")
     assert outcome.out.count("\n") == 2
@@ -377,10 +377,7 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
     for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
         waits.clear()
         words = ("--every", every, "--patience", "25")
-        assert (clpt("replay", "--follow", tmp_path, *words).status, waits) == (
-            0,
-            expected,
-        )
+        assert (clpt("watch", tmp_path, *words).status, waits) == (0, expected)
 
 
 @pytest.fixture
@@ -418,7 +415,7 @@ def test_the_page_is_written_after_each_dive(mission, clpt, tmp_path):
         logged(f"{mission}/.post_dive {tmp_path}/basestation {mission} ", tmp_path)
         == words
     )
-    asked = f"replay --follow {mission} --patience 0 --out {mission}/clpt\n"
+    asked = f"watch {mission} --patience 0 --out {mission}/clpt\n"
     assert words == asked  # and nothing of standard output
     outcome = clpt(*words.split())
     assert outcome.status == 0
