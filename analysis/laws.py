@@ -17,7 +17,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.currents import fit_scenario, save_fit
+from clpt_control.currents import fit_current, save_fit
 from clpt_control.simulation import explained_variance
 
 from .study import BLUE, GREY, ORANGE, leave, make_folder, new_figure, progress_bar
@@ -69,7 +69,7 @@ def candidates(
         "learning.feedback": car.feedback,
         "learning.feedforward": car.feedforward,
     }
-    for law in clpt.blocks.table_of_laws().values():
+    for law in clpt.laws().values():
         if law.given_estimate:
             continue  # is told the flow
         needed = law.gain is None and law.alpha_by_gain
@@ -211,7 +211,7 @@ def main(
     pages.append(table(title, PAPER, rows))
     drawn = figure(told)
     if currents is not None:
-        fit = fit_scenario(
+        fit = fit_current(
             currents,
             BOX,
             rows=3,

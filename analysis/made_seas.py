@@ -17,8 +17,13 @@ from typing import NamedTuple
 import numpy as np
 
 from clpt_control.gliders import Dive
-from clpt_control.scenario import period
 
+PERIODS = {
+    "M2": 44714.16,
+    "S2": 43200.0,
+    "K1": 86164.09,
+    "O1": 92949.63,
+}  # s (Foreman 1977)
 DAY, QUARTER_DAY, TICK = 86400.0, 21600.0, 600.0  # s
 LATITUDE, LONGITUDE = 40.0, 8.0  # degrees, of all dives
 ROTATION = 7.292115e-5  # rad/s, of the Earth
@@ -94,7 +99,7 @@ def background(sea: Sea, rng: np.random.Generator, end: float) -> np.ndarray:
     for size, memory, order in sea.eddying:
         u += remembered(rng, size, memory, order, n)
     for name, size in sea.tides:
-        turn = 2 * np.pi / period(name, "s") * time + rng.uniform(0, 2 * np.pi)
+        turn = 2 * np.pi / PERIODS[name] * time + rng.uniform(0, 2 * np.pi)
         u += size * np.stack(
             [np.cos(turn), rng.uniform(-0.7, 0.7) * np.sin(turn)], axis=1
         )

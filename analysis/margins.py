@@ -91,7 +91,7 @@ def main(
     )
     laws = [
         law
-        for law in clpt.blocks.table_of_laws().values()
+        for law in clpt.laws().values()
         if not (law.at_fixes or law.alpha_is_constant)
     ]
     found: dict[str, list[float]] = {}

@@ -26,7 +26,7 @@ WRONG_BY = 0.1  # 1/s: how far the second learner's feedforward gain is off
 
 def operating_point(scenario: clpt.Scenario) -> np.ndarray:
     """Return the state of a run at the frozen time."""
-    return clpt.state_at(clpt.simulate(scenario, [0.0, TIME]), TIME)
+    return clpt.simulate(scenario, [0.0, TIME]).clpt.state(TIME)
 
 
 def linear_model(scenario: clpt.Scenario, state: np.ndarray) -> control.StateSpace:

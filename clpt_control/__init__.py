@@ -13,8 +13,14 @@ import lazy_loader
 from .base import notebook_display, public_modules
 
 __version__ = "0.1.0"
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+_lazy_getattr, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 public_modules.register()
+
+
+def __getattr__(name: str) -> Any:
+    if name in public_modules.EARLIER:
+        raise public_modules.missing(__name__, name)
+    return _lazy_getattr(name)
 
 
 def _diagram_html(diagram: Any) -> str:

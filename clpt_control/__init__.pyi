@@ -24,23 +24,21 @@ from .base.errors import (
     DiagramError,
     ScenarioError,
     SimulationError,
-    Uncompiled,
 )
 from .engine.diagram.interconnection import connect
 from .engine.diagram.linearization import linearize
 from .engine.model.block import Block
 from .ensemble import run_ensemble
+from .paper.laws.table import laws
 from .paper.scenario.experiment import Scenario
-from .paper.scenario.file import load_scenario, paper_scenario, save_scenario
-from .paper.scenario.team import Team, load_team
+from .paper.scenario.file import paper_scenario, save_scenario
+from .paper.scenario.team import Team, load_scenario
 from .plots.drawing.figure import draw
 from .simulation import (
     animate,
     closed_loop,
     compare,
-    error_loop,
-    export_c,
-    export_fmu,
+    export,
     fit_parameters,
     initial_state,
     load_diagram,
@@ -49,13 +47,10 @@ from .simulation import (
     save_run,
     sensitivity,
     simulate,
-    state_at,
-    team_loop,
 )
-from .theory import certify, refute
+from .theory import certify, gramian, lyapunov, prove, refute
 
 __version__: str
-
 __all__ = [
     "ArgumentError",
     "Block",
@@ -67,7 +62,6 @@ __all__ = [
     "ScenarioError",
     "SimulationError",
     "Team",
-    "Uncompiled",
     "animate",
     "blocks",
     "certify",
@@ -80,23 +74,24 @@ __all__ = [
     "draw",
     "ensemble",
     "equations",
-    "error_loop",
     "estimation",
-    "export_c",
-    "export_fmu",
+    "export",
     "fit_parameters",
     "gliders",
+    "gramian",
     "initial_state",
+    "laws",
     "linearize",
     "load_diagram",
     "load_run",
     "load_scenario",
-    "load_team",
+    "lyapunov",
     "native",
     "pages",
     "paper_blocks",
     "paper_scenario",
     "parts",
+    "prove",
     "refute",
     "replay",
     "report",
@@ -107,7 +102,5 @@ __all__ = [
     "sensitivity",
     "simulate",
     "simulation",
-    "state_at",
-    "team_loop",
     "theory",
 ]

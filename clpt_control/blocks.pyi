@@ -1,3 +1,3 @@
-from .paper.laws.table import table_of_laws
+from .paper.laws.table import laws
 
-__all__ = ["table_of_laws"]
+__all__ = ["laws"]

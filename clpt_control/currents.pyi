@@ -1,13 +1,11 @@
 from .ocean.currents.current_record import read_record
-from .ocean.currents.fit import fit_scenario, save_fit
+from .ocean.currents.fit import fit_current, save_fit
 from .ocean.currents.grid_file import read_currents, sample_currents
-from .ocean.currents.identifiability import check_separable
 from .ocean.currents.tidal_constants import tidal_basis
 from .ocean.currents.tidal_fit import fit_tides, predict
 
 __all__ = [
-    "check_separable",
-    "fit_scenario",
+    "fit_current",
     "fit_tides",
     "predict",
     "read_currents",

@@ -1,14 +1,6 @@
 from .engine.diagram.interconnection import Diagram, connect
 from .engine.diagram.linearization import linearize
 from .engine.diagram.symbolic_equations import Equations, equations
-from .plots.drawing.figure import draw, mermaid
+from .plots.drawing.figure import draw
 
-__all__ = [
-    "Diagram",
-    "Equations",
-    "connect",
-    "draw",
-    "equations",
-    "linearize",
-    "mermaid",
-]
+__all__ = ["Diagram", "Equations", "connect", "draw", "equations", "linearize"]

@@ -6,7 +6,6 @@ from .base.errors import (
     DiagramError,
     ScenarioError,
     SimulationError,
-    Uncompiled,
 )
 
 __all__ = [
@@ -17,5 +16,4 @@ __all__ = [
     "DiagramError",
     "ScenarioError",
     "SimulationError",
-    "Uncompiled",
 ]

@@ -1,4 +1,3 @@
-from .ocean.estimation.estimators import make_estimator
 from .ocean.estimation.fix_model import FixModel
 from .ocean.estimation.priors import Priors
 from .ocean.estimation.theta_from_fixes import (
@@ -7,11 +6,4 @@ from .ocean.estimation.theta_from_fixes import (
     known_flow_scenario,
 )
 
-__all__ = [
-    "FixModel",
-    "FlowEstimate",
-    "Priors",
-    "flow_estimate",
-    "known_flow_scenario",
-    "make_estimator",
-]
+__all__ = ["FixModel", "FlowEstimate", "Priors", "flow_estimate", "known_flow_scenario"]

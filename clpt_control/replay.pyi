@@ -1,4 +1,3 @@
-from .ocean.forecast.advected_dives import carried
 from .ocean.forecast.aim import aims
 from .ocean.forecast.flow_models import read_flow_model
 from .ocean.forecast.netcdf_export import replay_dataset
@@ -10,7 +9,6 @@ from .ocean.forecast.track_map import map_plot
 __all__ = [
     "Replay",
     "aims",
-    "carried",
     "clpe_rms",
     "current_plot",
     "dive_clpe_plot",

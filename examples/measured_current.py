@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.currents import fit_scenario, save_fit
+from clpt_control.currents import fit_current, save_fit
 from clpt_control.simulation import explained_variance, flow_velocity
 
 BOX = (40.9, 41.55, -69.9, -69.0)
@@ -107,7 +107,7 @@ def main(currents, folder="out"):
     """Fit, run, print and draw."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    fit = fit_scenario(
+    fit = fit_current(
         currents, BOX, rows=3, columns=3, width_km=15.0, constituents=("steady", "M2")
     )
     scenario = save_fit(fit, folder / "measured_current.toml")

@@ -28,7 +28,7 @@ def largest_error(run):
 @plt.style.context("clpt_control.data.house")
 def main(path="team.png"):
     """Run, compare, draw."""
-    team = clpt.load_team(Path(clpt.__file__).parent / "data" / "team.toml")
+    team = clpt.load_scenario(Path(clpt.__file__).parent / "data" / "team.toml")
     end, units = team.run.duration, team.first.units
     speed = f"{units.length}/{units.time}"
     run = clpt.simulate(team)

@@ -303,3 +303,27 @@ def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
     assert (
         refused("laws", "no-law") == "clpt: no-law: is no law; `clpt laws` lists them\n"
     )
+
+
+EARLIER_NAMES = [
+    "export_c",
+    "export_fmu",
+    "load_team",
+    "team_loop",
+    "error_loop",
+    "state_at",
+]
+
+
+@pytest.mark.parametrize("name", EARLIER_NAMES)
+def test_an_earlier_name_gives_the_new_one(name):
+    with pytest.raises(AttributeError, match=rf"clpt_control\.{name}: is now .*clpt\."):
+        getattr(clpt_control, name)
+
+
+def test_the_reference_has_basics_and_details():
+    page = (REFERENCE / "index.md").read_text("utf-8")
+    basics = page.partition("## Details")[0]
+    names = set(re.findall(r"`clpt\.(\w+)`", basics))
+    assert 30 <= len(names) <= 45
+    assert names <= {*dir(clpt_control)}

@@ -56,7 +56,7 @@ def team(scenarios):
 
 def test_every_port_is_one_of_a_diagram(scenarios, team):
     loops = [clpt.closed_loop(one) for one in scenarios]
-    loops += [clpt.error_loop(scenarios[0]), clpt.team_loop(team)]
+    loops += [clpt.closed_loop(scenarios[0], errors=True), clpt.closed_loop(team)]
     ports = {
         re.sub(r".*/|\[.*", "", label) for loop in loops for label in loop.output_labels
     }

@@ -62,7 +62,7 @@ EXAMPLES = {  # of arguments whose kind alone does not show how they are written
 }
 MAKERS = {  # what people make first, by a word of what is allowed
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",
-    "Team": "clpt.load_team('team.toml') reads a team's file",
+    "Team": "clpt.load_scenario('team.toml') reads a team's file",
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
     "Dataset": "clpt.simulate(scenario) makes a run, clpt.load_run('run.nc') reads one",
     "Dive": "clpt.gliders.read_dives('dives.csv')[0] is a list of dives",

@@ -29,6 +29,26 @@ PUBLIC_MODULES = {
 }
 
 
+EARLIER = {  # name of earlier versions: its replacement
+    "export_c": "clpt.export(system, 'x.c')",
+    "export_fmu": "clpt.export(system, 'x.fmu')",
+    "load_team": "clpt.load_scenario(path)",
+    "team_loop": "clpt.closed_loop(team)",
+    "error_loop": "clpt.closed_loop(scenario, errors=True)",
+    "state_at": "run.clpt.state(t)",
+    "mermaid": "clpt.draw(diagram, 'x.mmd')",
+    "fit_scenario": "clpt.currents.fit_current",
+    "percentiles": "the quantile of xarray",
+}
+
+
+def missing(module: str, name: str) -> AttributeError:
+    """Return the error of a name that a module does not have, with its replacement."""
+    if name in EARLIER:
+        return AttributeError(f"{module}.{name}: is now {EARLIER[name]}")
+    return AttributeError(f"No {module} attribute {name}")
+
+
 class PublicModule(ModuleType):
     """A module whose stub lists where its names are defined."""
 
@@ -47,7 +67,7 @@ class PublicModule(ModuleType):
     def __getattr__(self, name: str) -> Any:
         module = vars(self).get("_modules", {}).get(name)
         if module is None:
-            raise AttributeError(f"No {self.__name__} attribute {name}")
+            raise missing(self.__name__, name)
         value = getattr(import_module(module), name)
         setattr(self, name, value)
         return value

@@ -22,21 +22,6 @@ READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
 def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
     """Return percentiles over the members, column by column.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        As `run_ensemble` gives it.
-    name : str
-        A variable with the dimensions member and another.
-
-    Returns
-    -------
-    ndarray, shape (5, n)
-        5, 25, 50, 75 and 95 percent; members that did not come so far are
-        left out, NaN where none came.
-
-    Examples
-    --------
     >>> import xarray
     >>> data = xarray.Dataset({"e": (("member", "mark"), np.arange(5.0)[:, None])})
     >>> percentiles(data, "e")[:, 0]
@@ -68,21 +53,6 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
 def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     """Return an ensemble's figures, ready for JSON.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        As `run_ensemble` gives it.
-
-    Returns
-    -------
-    dict
-        ``units``, ``members``, how they ended and the first that failed, and percentiles
-        of the CLPE rms per cycle and over the run, and of the errors at the
-        last mark; None where no member came. With ``vehicle.max_speed`` also in how many members
-        the flow was faster than the vehicle, and the largest share of time.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)

@@ -1,14 +1,13 @@
 from .animation import animate
-from .c_export import export_c
 from .comparison import compare, response_plot
 from .fit_problem import Fit
 from .fitting import fit_parameters
 from .flows import explained_variance, flow_velocity
-from .fmu_export import export_fmu
-from .initial_states import initial_state, state_at
-from .integrate import sample_times, simulate
+from .initial_states import initial_state
+from .integrate import simulate
 from .loop_blocks import paper_blocks
-from .loops import closed_loop, error_loop, team_loop
+from .loops import closed_loop
+from .program_export import export
 from .run_file import load_diagram, load_run, save_run
 from .run_plots import clpe_plot, learning_plot, run_plot
 from .sensitivities import sensitivity
@@ -23,10 +22,8 @@ __all__ = [
     "closed_loop",
     "clpe_plot",
     "compare",
-    "error_loop",
     "explained_variance",
-    "export_c",
-    "export_fmu",
+    "export",
     "fit_parameters",
     "flow_velocity",
     "initial_state",
@@ -37,12 +34,9 @@ __all__ = [
     "response_plot",
     "run_and_report",
     "run_plot",
-    "sample_times",
     "save_run",
     "sensitivity",
     "simulate",
-    "state_at",
-    "team_loop",
     "team_plot",
     "track_plot",
 ]

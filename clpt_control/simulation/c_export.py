@@ -45,34 +45,9 @@ def export_c(
 ) -> str:
     """Write a diagram as one self-contained file of C99.
 
-    Parameters
-    ----------
-    system : Scenario or control.InputOutputSystem
-        A scenario, a diagram, a block or a system of python-control.
-    path : str or Path, optional
-        The file; without it nothing is written.
-    initial_state : array_like, optional
-        The state that the file has as its start; without, a scenario's own, or that of the run
-        that `load_diagram` read.
-    params : mapping, optional
-        Call-time parameters that the file has as its own.
-
-    Returns
-    -------
-    str
-        The text, which says in its head how it is called. Names of states, inputs, outputs and
-        parameters are enums; parameters are an array that the caller may change.
-
-    Raises
-    ------
-    DiagramError
-        If a function is not read, or a block jumps at times that only a function of Python knows.
-
-    Examples
-    --------
     >>> import control
     >>> import clpt_control as clpt
-    >>> text = clpt.export_c(control.tf(1, [0.5, 1], name="lag"))
+    >>> text = export_c(control.tf(1, [0.5, 1], name="lag"))
     >>> [line for line in text.splitlines() if line.startswith("void lag_step")]
     ['void lag_step(double t, double dt, double *x, const double *u, const double *p) {']
     """

@@ -72,31 +72,10 @@ def export_fmu(
 ) -> None:
     """Write a diagram as an FMU of FMI 3.0, for model exchange.
 
-    Parameters
-    ----------
-    system : Scenario or control.InputOutputSystem
-        A scenario, a diagram, a block or a system of python-control, of continuous time; sampled
-        parts are events.
-    path : str or Path
-        The file, ``"loop.fmu"``.
-    initial_state : array_like, optional
-        The start of its states, as for `export_c`.
-    params : mapping, optional
-        Call-time parameters that it has as its own; the importer may change those that no
-        function asks for their value.
-
-    Raises
-    ------
-    DiagramError
-        If a function is not read, time is discrete, or a block jumps at times that only a function
-        of Python knows.
-
-    Examples
-    --------
     >>> import control, pathlib, tempfile, zipfile
     >>> import clpt_control as clpt
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "lag.fmu"
-    >>> clpt.export_fmu(control.tf(1, [0.5, 1], name="lag"), file)
+    >>> export_fmu(control.tf(1, [0.5, 1], name="lag"), file)
     >>> sorted(zipfile.ZipFile(file).namelist())[-2:]
     ['sources/buildDescription.xml', 'sources/lag.c']
     """

@@ -129,34 +129,8 @@ def initial_state(system: Scenario | Diagram) -> np.ndarray:
     return state_of(system.origin.scenario, system.syslist, system.origin.changes.law)
 
 
-@public
 def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
-    """Return the state of a run's diagram at one of its times.
-
-    Parameters
-    ----------
-    run : xarray.Dataset
-        Of a scenario, a team or a diagram, as `simulate` gives it.
-    t : float
-        One of the run's times; at a jump the state is the one after it.
-
-    Returns
-    -------
-    ndarray, shape (nstates,)
-        To hand to ``control.linearize(loop, state, inputs, t=t)`` or on to `simulate`.
-
-    Raises
-    ------
-    DataError
-        If the run has no sample at that time, or carries no states.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> clpt.state_at(clpt.simulate(scenario), 20).shape
-    (14,)
-    """
+    """Return the state of a run's diagram at one of its times; at a jump the one after it."""
     if "states" not in run.variables:
         raise DataError("the run carries no states; one that clpt.simulate gives does")
     times = run.time.values

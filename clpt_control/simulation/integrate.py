@@ -92,8 +92,8 @@ def simulate(
         Samples at the times asked for; values at a jump are right limits. A diagram that
         `closed_loop` made has the variables of its scenario's run, and its other signals under
         the names of their ports; any other diagram has the names of its ports alone. ``states``
-        holds the diagram's state, for `state_at`. Where the flow is faster than a vehicle with
-        ``vehicle.max_speed``, the attribute ``message`` of a scenario's run says so.
+        holds the diagram's state, for `run.clpt.state(t)`. Where the flow is faster than a vehicle
+        with ``vehicle.max_speed``, the attribute ``message`` of a scenario's run says so.
 
     Raises
     ------
@@ -136,7 +136,7 @@ def simulate(
             if isinstance(system, Team):
                 raise SimulationError(
                     "initial_state, params: a team has its own; change its scenarios, or simulate "
-                    "team_loop(team)"
+                    "closed_loop(team)"
                 )
             system = closed_loop(system)
 
@@ -257,18 +257,6 @@ def request_of(
 def sample_times(duration: float, step: float) -> np.ndarray:
     """Return the multiples of `step` up to `duration`, and the end.
 
-    Parameters
-    ----------
-    duration, step : float
-        In any unit of time.
-
-    Returns
-    -------
-    ndarray
-        Increasing from 0.
-
-    Examples
-    --------
     >>> sample_times(1.0, 0.4)
     array([0. , 0.4, 0.8, 1. ])
     """

@@ -102,19 +102,21 @@ def loop_of(system: Scenario | Diagram) -> ClosedLoop:
 
 @public
 def closed_loop(
-    scenario: Scenario,
+    scenario: Scenario | Team,
     external: str | Iterable[str] = (),
     *,
     law: Block | Part | None = None,
     replace: Mapping[str, Any] | None = None,
     insert: Mapping[Any, Any] | None = None,
+    errors: bool = False,
 ) -> Diagram:
-    """Wire the paper's closed loop.
+    """Wire the paper's closed loop, a team's, or the error systems.
 
     Parameters
     ----------
-    scenario : Scenario
-        The experiment.
+    scenario : Scenario or Team
+        The experiment. A team's loop has each vehicle's blocks by name, and the consensus of
+        their laws; no other argument goes with it.
     external : str or iterable of str, optional
         Ports taken from outside in place of the blocks that make them, such
         as ``"zc"`` for step responses, ``"delta"`` for a disturbance of the flow, or ``"x"`` for
@@ -131,6 +133,9 @@ def closed_loop(
         names are more blocks, ``{"v_x": lag}`` all of them. A part of one input and one output
         stands on each signal of a wide port if it is linear. What it makes is called ``v_x_lag``,
         unless its one output has a name of its own.
+    errors : bool, optional
+        Wire the error and parameter systems, Eqs. (27)-(28), with inputs phi_x, z and zc, in
+        place of the loop; no other argument goes with it.
 
     Returns
     -------
@@ -157,38 +162,31 @@ def closed_loop(
     ['lag_x[0]', 'lag_x[1]']
     """
     external = (external,) if isinstance(external, str) else tuple(external)
+    if isinstance(scenario, Team) or errors:
+        given = {"external": external, "law": law, "replace": replace, "insert": insert}
+        wrong = [name for name, value in given.items() if value]
+        if wrong or (errors and isinstance(scenario, Team)):
+            raise DiagramError(
+                f"closed_loop: {wrong[0] if wrong else 'errors'} does not go with "
+                f"{'errors=True' if errors and wrong else 'a team'}; leave it out"
+            )
+        return (
+            team_loop(scenario) if isinstance(scenario, Team) else error_loop(scenario)
+        )
     loop = ClosedLoop(scenario, changes_of(law, replace, insert), external)
     diagram = connect(loop.blocks(), external, name="closed_loop")
     diagram.origin = loop
     return diagram
 
 
-@public
 def error_loop(scenario: Scenario) -> Diagram:
-    """Wire the error and parameter systems, Eqs. (27)-(28).
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Gives N, KD and the adaptation gain.
-
-    Returns
-    -------
-    Diagram
-        Inputs phi_x[N], z[2], zc[2]; states and outputs e[2], eta[2N], eta_3[2], eta_4[2].
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> error_loop(clpt.paper_scenario()).nstates
-    12
-    """
+    """Wire the error and parameter systems, Eqs. (27)-(28), with inputs phi_x, z and zc."""
     N = scenario.basis.N
     KD = np.array(scenario.vehicle.feedback)
     gains = scenario.learning.used_gains
     if scenario.learning.row is not LAWS["learned-flow"] or not gains.one:
         raise DiagramError(
-            'error_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
+            'closed_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
             f'the scenario has law = "{scenario.learning.law}"'
         )
     error_system = clpe.error_system(N, KD)
@@ -197,35 +195,8 @@ def error_loop(scenario: Scenario) -> Diagram:
     return connect(systems, external=("phi_x", "z", "zc"), name="error_loop")
 
 
-@public
 def team_loop(team: Team) -> Diagram:
-    """Wire the closed loop of a team.
-
-    Parameters
-    ----------
-    team : Team
-        Vehicles, graph and coupling.
-
-    Returns
-    -------
-    Diagram
-        A `control.InterconnectedSystem`; blocks and ports carry the vehicle's name, as
-        ``west/adaptation`` and ``west/alpha``; the states are those of the first vehicle's
-        `closed_loop`, then the second's.
-
-    Raises
-    ------
-    ScenarioError
-        If what is given is no team.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> paper = clpt.paper_scenario()
-    >>> team = clpt.Team(members={"west": paper, "east": paper}, coupling=0.5)
-    >>> clpt.team_loop(team).nstates
-    28
-    """
+    """Wire the closed loops of a team's vehicles, which exchange their estimates."""
     return connect(team_blocks(team), name="team")
 
 

@@ -189,7 +189,7 @@ def load_diagram(path: str | Path) -> Diagram:
         attributes = {name: str(value) for name, value in data.attrs.items()}
     text = attributes.get(file.EQUATIONS)
     if not text and "scenario" in attributes:
-        return closed_loop(file.load_scenario(path))
+        return closed_loop(file.load_vehicle_scenario(path))
     if not text:
         reason = attributes.get(file.NOT_REPEATED)
         raise DataError(f"{path}: holds no equations{f': {reason}' if reason else ''}")

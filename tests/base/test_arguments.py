@@ -26,6 +26,7 @@ import clpt_control as clpt
 from clpt_control.base.arguments import Seed, fits, kinds_of, plain, public
 from clpt_control.paper.blocks.clpe import clpe
 from clpt_control.paper.scenario.team import team_to_text
+from clpt_control.simulation.integrate import sample_times
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
 LAP = clpt.paper_scenario().with_values({"run.duration": 2000, "run.output_step": 20})
@@ -96,7 +97,7 @@ TO = {"end": (9e3, 40.01, -70.0), "through_water": (1000.0, 0.0)}
 
 # what a function of the user's own raises is its own error
 CALLED = ("progress", "inputs")
-LONG = """animate audit design_track disturbance_counterexample excitation_plot export_fmu
+LONG = """animate audit design_track disturbance_counterexample excitation_plot export
 fit_parameters prove refute report run_ensemble sensitivity tune_law"""
 LISTS = ("conformance",)  # a sentence for each failure
 OF_THE_ENGINE = {  # called at each step, and checked by no one
@@ -135,7 +136,7 @@ def right(tmp_path_factory):
     (folder / "team.toml").write_text(team_to_text(TEAM))
     clpt.gliders.write_dive_table(DIVES, folder / "sample.csv")
     currents = clpt.currents.sample_currents()
-    fit = clpt.currents.fit_scenario(currents, (40.9, 41.55, -69.9, -69.0))
+    fit = clpt.currents.fit_current(currents, (40.9, 41.55, -69.9, -69.0))
     shoals = clpt.currents.save_fit(fit, folder / "shoals.toml")
     dive = list(inspect.signature(clpt.gliders.Dive).parameters)[:11]
     tides = {
@@ -202,13 +203,12 @@ def right(tmp_path_factory):
             "gain": 1,
         },
         "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
-        "state_at": {"t": 0.0},
         **{name: {"path": folder / "run.nc"} for name in ("load_run", "load_diagram")},
-        **{name: {"path": currents} for name in ("read_currents", "fit_scenario")},
+        **{name: {"path": currents} for name in ("read_currents", "fit_current")},
         "read_flow_model": {"path": currents},
         "read_record": {"path": currents, "at": (41.2, -69.5)},
         "save_fit": {"fit": fit, "out": folder / "fit.toml"},
-        "load_team": {"path": folder / "team.toml"},
+        "load_scenario": {"path": folder / "team.toml"},
         "read_dives": {"paths": [folder / "sample.csv"]},
         "write_dive_table": {"path": folder / "dives.csv"},
         "refute": {"law": "sigma"},
@@ -225,8 +225,7 @@ def right(tmp_path_factory):
             "run": clpt.simulate(shoals),
             "window": None,
         },
-        "export_fmu": {"path": folder / "loop.fmu"},
-        "export_c": {"path": folder / "loop.c"},
+        "export": {"path": folder / "loop.fmu"},
         **{
             "save_run": {"path": folder / "other.nc"},
             "draw": {"path": folder / "loop.svg"},
@@ -355,9 +354,7 @@ def test_python_itself_says_what_lacks_or_is_too_much():
 
 
 def test_a_public_function_stays_itself():
-    assert str(inspect.signature(clpt.simulation.sample_times)).startswith(
-        "(duration: float"
-    )
+    assert str(inspect.signature(sample_times)).startswith("(duration: float")
     assert pickle.loads(pickle.dumps(clpt.simulate)) is clpt.simulate
     assert inspect.getsource(clpt.simulate).count("def simulate") == 1
     # doctest asks

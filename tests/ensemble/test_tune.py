@@ -156,10 +156,10 @@ def test_a_robust_law_is_taken_where_unmodelled_flow_is_ten_times_the_prior(pape
 
 
 def test_a_measured_current_is_taken_out(facts, tmp_path):
-    from clpt_control.currents import fit_scenario, save_fit
+    from clpt_control.currents import fit_current, save_fit
 
     field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
-    fit = fit_scenario(
+    fit = fit_current(
         field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0
     )
     scenario = save_fit(fit, tmp_path / "shoals.toml")

@@ -62,7 +62,7 @@ DIAGRAMS = {
     "closed loop": lambda: clpt.closed_loop(PAPER),
     "zc from outside": lambda: clpt.closed_loop(PAPER, ("zc",)),
     "x from outside": lambda: clpt.closed_loop(PAPER, ("x",)),
-    "error loop": lambda: clpt.error_loop(PAPER),
+    "error loop": lambda: clpt.closed_loop(PAPER, errors=True),
     "nested": nested,
     "negative": negative,
     **{f"random {seed}": (lambda seed=seed: random_diagram(seed)) for seed in range(8)},

@@ -99,7 +99,7 @@ def test_a_parameter_of_the_system_itself_counts():
 
 
 def test_c_has_the_parameters_that_systems_have():
-    text = clpt.export_c(two_of_three())
+    text = clpt.export(two_of_three())
     names = re.findall(r"diagram_p_(\w+)", text)
     assert set(names) <= {"one_a", "two_k", "two_unused"}
     assert {"one_a", "two_k"} <= set(names)

@@ -41,7 +41,7 @@ class InC:
     """A diagram's C, compiled."""
 
     def __init__(self, system, folder, **given):
-        self.text = clpt.export_c(system, folder / "made.c", **given)
+        self.text = clpt.export(system, folder / "made.c", **given)
         assert re.findall(r"#include.*", self.text) == ["#include <math.h>"]
         assert not re.search(r"\b(malloc|calloc|free|printf)\b", self.text)
         self.library = library((folder / "made.c").read_bytes(), folder)
@@ -159,7 +159,7 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     assert rates == pytest.approx([0.0, -0.8 * np.sin(0.5)])
     asking = lambda t, x, u, p: [-p["k"] * x[0] if p["n"] > 2 else -x[0]]  # noqa: E731
     params = {"k": 1.0, "n": 3.0}
-    text = clpt.export_c(
+    text = clpt.export(
         control.nlsys(asking, states=1, inputs=0, params=params, name="a")
     )
     for said in (
@@ -173,7 +173,7 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
         for a, b in ("uv", "vy")
     ]
     # each has its own three
-    assert "_np = 6" in clpt.export_c(clpt.connect(lags, external="u"))
+    assert "_np = 6" in clpt.export(clpt.connect(lags, external="u"))
 
 
 @needs_cc
@@ -211,12 +211,12 @@ ODD = clpt.Block(
 )
 def test_what_has_no_c_is_said(system, given, said):
     with pytest.raises(clpt.ClptError, match=said):
-        clpt.export_c(system, **given)
+        clpt.export(system, **given)
 
 
 def test_what_is_infinite_is_written_as_c_has_it():
-    assert "INFINITY" in clpt.export_c(clpt.parts.pid(1, 0.1))  # no limit of its own
+    assert "INFINITY" in clpt.export(clpt.parts.pid(1, 0.1))  # no limit of its own
     divides = control.nlsys(
         lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0
     )
-    assert "1.0 / x[0]" in clpt.export_c(divides)  # asked at 0, without a warning
+    assert "1.0 / x[0]" in clpt.export(divides)  # asked at 0, without a warning

@@ -108,7 +108,7 @@ EVENTS = "papers-loop", "mrac", "sampled-tank", "teeth"
 @pytest.mark.parametrize("name", EVENTS)
 def test_an_importer_gets_the_run(name, tmp_path):
     until, inputs, end = end_of(name)
-    clpt.export_fmu(MODELS[name].system, tmp_path / "model.fmu", MODELS[name].start)
+    clpt.export(MODELS[name].system, tmp_path / "model.fmu", MODELS[name].start)
     found = Importer(tmp_path / "model.fmu", tmp_path)
     following = found.initialize(**inputs)
     assert np.allclose(found.run(until, following, 5e-3), end, rtol=1e-7, atol=1e-9)
@@ -117,7 +117,7 @@ def test_an_importer_gets_the_run(name, tmp_path):
 @needs_cc
 def test_values_are_set_and_what_is_fixed_is_not(tmp_path):
     def importer(system, **given):
-        clpt.export_fmu(system, tmp_path / "lag.fmu", **given)
+        clpt.export(system, tmp_path / "lag.fmu", **given)
         return Importer(tmp_path / "lag.fmu", tmp_path)
 
     rate = lambda t, x, u, p: [-p["k"] * x[0] if p["fast"] > 0 else 0 * x[0]]  # noqa: E731
@@ -154,7 +154,7 @@ def test_where_nothing_can_be_compiled_it_holds_its_source(
     else:
         monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "none"))
     for name in ("lag.fmu", "again.fmu"):
-        clpt.export_fmu(control.tf(1, [1, 1], name="lag" * 100), tmp_path / name)
+        clpt.export(control.tf(1, [1, 1], name="lag" * 100), tmp_path / name)
     assert (tmp_path / "lag.fmu").read_bytes() == (tmp_path / "again.fmu").read_bytes()
     assert "clpt: the FMU holds its source alone" in capsys.readouterr().err
     with zipfile.ZipFile(tmp_path / "lag.fmu") as file:
@@ -166,7 +166,7 @@ def test_where_nothing_can_be_compiled_it_holds_its_source(
 
 def test_what_has_no_model_exchange_is_refused(tmp_path):
     with pytest.raises(ClptError, match="time is discrete; export_c has its step"):
-        clpt.export_fmu(discrete(), tmp_path / "model.fmu")
+        clpt.export(discrete(), tmp_path / "model.fmu")
     assert not (tmp_path / "model.fmu").exists()
 
 
@@ -178,7 +178,7 @@ def test_the_public_checker_finds_nothing(name, tmp_path):
 
     until, inputs, end = end_of(name) if name != "names" else (1.0, {}, None)
     file = str(tmp_path / "model.fmu")
-    clpt.export_fmu(MODELS[name].system, file, MODELS[name].start)
+    clpt.export(MODELS[name].system, file, MODELS[name].start)
     assert validate_fmu(file) == []
     options = {"relative_tolerance": 1e-10, "start_values": inputs}
     options["output"] = Importer(file, tmp_path).states

@@ -8,7 +8,7 @@ from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control.base.random_numbers import hash_fraction
-from clpt_control.equations import evaluate
+from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks import localization
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 

@@ -12,12 +12,12 @@ import control
 import numpy as np
 import pytest
 import xarray
+from compared_loops import lemniscate, loop
 from error_sentences import says
 from example_models import MODELS
 from file_damages import json_changed
 from random_diagrams import random_diagram
 from subprocesses import ran
-from test_compare import lemniscate, loop
 
 import clpt_control as clpt
 from clpt_control.simulation.serialization.run_record import (

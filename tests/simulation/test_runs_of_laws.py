@@ -110,7 +110,8 @@ def test_a_gain_of_zero_is_refused_where_nothing_is_without_it():
     with pytest.raises(ScenarioError, match=r"learning\.gain = 0"):
         clpt.certify(with_law("learned-flow", **{"learning.gain": 0}))
     each = PAPER.with_values({"learning.gain": None, "learning.gains": EACH})
-    says(DiagramError, r"Eqs. \(27\)-\(28\) are of law", clpt.error_loop, each)
+    with pytest.raises(DiagramError, match=r"Eqs. \(27\)-\(28\) are of law"):
+        clpt.closed_loop(each, errors=True)
 
 
 FINE = {"run.output_step": 5, "run.rtol": 1e-9, "learning.sample": 0.05}

@@ -31,7 +31,7 @@ def test_samples_at_multiples_and_the_end_or_where_asked():
     assert run.time.values.tolist() == times
     np.testing.assert_allclose(run.position.values, exact_positions(times), atol=1e-9)
     with pytest.raises(SimulationError, match="timepts: is required"):
-        clpt.simulate(clpt.error_loop(PAPER))
+        clpt.simulate(clpt.closed_loop(PAPER, errors=True))
 
 
 CONVERTER = control.nlsys(

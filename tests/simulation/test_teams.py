@@ -130,7 +130,7 @@ def test_where_nothing_is_seen_the_disagreement_falls_by_the_laplacian(
 
 def test_none_sees_the_whole_flow_yet_the_team_learns_it():
     """Issue: each smallest eigenvalue below 1e-6, all parameters to 1e-3 together."""
-    of = clpt.load_team(FILE)
+    of = clpt.load_scenario(FILE)
     theta, end = np.array(of.first.flow.parameters), of.run.duration
     run = clpt.simulate(of, [0.0, end])
     assert float(abs(run.flow_parameters_estimate[:, -1] - theta).max()) < 1e-3
@@ -146,7 +146,7 @@ def test_none_sees_the_whole_flow_yet_the_team_learns_it():
 
 def test_a_team_is_a_diagram_of_python_control():
     of = team(0.6, ROW, **DIFFERENT)
-    loop, run = clpt.team_loop(of), clpt.simulate(of, [0.0, 1.0])
+    loop, run = clpt.closed_loop(of), clpt.simulate(of, [0.0, 1.0])
     assert loop.nstates == 3 * 14
     assert "b/alpha[0]" in loop.output_labels
     start = np.concatenate([clpt.initial_state(one) for one in DIFFERENT.values()])
@@ -178,7 +178,7 @@ def test_one_vehicle_may_have_a_limit_of_speed():
         ({"initial_state": [1.0]}, "initial_state, params: a team has its own"),
         (
             {"params": {"a/adaptation.gain": 1.0}},
-            r"params: a team has its own.*team_loop\(team\)",
+            r"params: a team has its own.*closed_loop\(team\)",
         ),
     ],
 )

@@ -133,7 +133,7 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     # a scenario's is at t = 0, a diagram's at once
     moved = clpt.initial_state(later) + 0.25
     run = clpt.simulate(loop(later), [10.0, 12.0], initial_state=moved)
-    np.testing.assert_array_equal(clpt.state_at(run, 10.0), moved)
+    np.testing.assert_array_equal(run.clpt.state(10.0), moved)
     run = clpt.simulate(later, [10.0, 12.0], initial_state=moved)
     before = clpt.simulate(later, [0.0, 10.0], initial_state=moved)
     np.testing.assert_allclose(run.states[0], before.states[-1], atol=1e-6)
@@ -294,29 +294,22 @@ def test_a_loop_cut_open_is_the_controller_and_the_vehicle():
 def test_a_run_goes_on_from_its_state():
     run = clpt.simulate(PAPER, **TIGHT)
     rest = clpt.simulate(
-        clpt.closed_loop(PAPER), [20, 30], 0, clpt.state_at(run, 20), **TIGHT
+        clpt.closed_loop(PAPER), [20, 30], 0, run.clpt.state(20), **TIGHT
     )
-    np.testing.assert_allclose(
-        clpt.state_at(rest, 30), clpt.state_at(run, 30), atol=1e-8
-    )
-    np.testing.assert_array_equal(clpt.state_at(run, 0), clpt.initial_state(PAPER))
+    np.testing.assert_allclose(rest.clpt.state(30), run.clpt.state(30), atol=1e-8)
+    np.testing.assert_array_equal(run.clpt.state(0), clpt.initial_state(PAPER))
 
 
 def test_the_state_is_in_the_order_of_the_diagram():
     run, loop = clpt.simulate(PAPER), clpt.closed_loop(PAPER)
     assert run.state.values.tolist() == loop.state_labels
-    np.testing.assert_array_equal(clpt.state_at(run, 7)[:2], run.position.sel(time=7))
+    np.testing.assert_array_equal(run.clpt.state(7)[:2], run.position.sel(time=7))
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
-    assert both.state.values.tolist() == clpt.team_loop(team).state_labels
-    says(
-        ClptError,
-        "nearest of its times is 7; simulate it with timepts",
-        clpt.state_at,
-        run,
-        7.5,
-    )
-    says(DataError, "carries no states", clpt.state_at, run.drop_vars("states"), 7)
+    assert both.state.values.tolist() == clpt.closed_loop(team).state_labels
+    said = "nearest of its times is 7; simulate it with timepts"
+    says(ClptError, said, run.clpt.state, 7.5)
+    says(DataError, "carries no states", run.drop_vars("states").clpt.state, 7)
 
 
 @pytest.mark.parametrize(

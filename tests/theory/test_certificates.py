@@ -118,7 +118,10 @@ def test_more_parameters_than_samples_are_guaranteed_nothing():
 
 def test_the_axes_do_not_meet_and_the_matrices_are_the_diagram_s():
     scenario, rng = clpt.paper_scenario(), np.random.default_rng(3)
-    loop, w = clpt.error_loop(scenario), [rng.normal(size=n) for n in (3, 2, 2)]
+    loop, w = (
+        clpt.closed_loop(scenario, errors=True),
+        [rng.normal(size=n) for n in (3, 2, 2)],
+    )
     columns = [loop.dynamics(0, unit, np.concatenate(w)) for unit in np.eye(12)]
     order = [label.split("[")[0] for label in loop.state_labels]
     assert order == sorted(order)  # e, then eta

@@ -11,7 +11,7 @@ from team_scenarios import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
 from clpt_control.app.pages.results import excitation_result
-from clpt_control.equations import evaluate
+from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks.reference import circle
 from clpt_control.theory import certificate, excitation_plot, gramian, started_true
 from clpt_control.theory.excitation import certificates, regressor

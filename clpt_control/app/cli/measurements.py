@@ -62,7 +62,7 @@ def fit(
     names = tuple(name.strip() for name in (constituents or "steady,M2").split(","))
     from ...theory.excitation.gramian import not_learned
 
-    fitted = clpt.currents.fit_scenario(
+    fitted = clpt.currents.fit_current(
         currents,
         box,
         rows=rows,

@@ -124,14 +124,13 @@ def run(
         clpt run mine.toml --out run.nc --figures figures
     """
     from ...base.figures import checked_formats
-    from ...paper.scenario.team import load_either
     from ...simulation.run_file import as_written, repeats_by_equations
     from ...simulation.team_plots import run_figures
     from ...theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
     again = repeats_by_equations(scenario)
-    system: Any = clpt.load_diagram(scenario) if again else load_either(scenario)
+    system: Any = clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario)
     check_writable(out)
     if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
         raise ClptError(
@@ -177,6 +176,7 @@ def export(
         clpt export mine.toml -o loop.c
         clpt export mine.toml --drawing -o loop.svg
     """
+    from ...paper.scenario.file import load_vehicle_scenario
     from ...simulation.run_file import repeats_by_equations
 
     if drawing:
@@ -186,16 +186,20 @@ def export(
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
     check_writable(out, "a program", (".c", ".h", ".fmu"))
     again = repeats_by_equations(scenario)
-    write = clpt.export_fmu if out.suffix == ".fmu" else clpt.export_c
-    write(clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario), out)
+    load: Any = clpt.load_diagram if again else load_vehicle_scenario
+    clpt.export(load(scenario), out)
     say(f"{out}: written")
 
 
 def _draw_diagram(scenario: Path, out: Path | None) -> None:
     """Draw a scenario's block diagram into a file, or print it as Mermaid text."""
-    wired = clpt.closed_loop(clpt.load_scenario(scenario))
+    from ...paper.scenario.file import load_vehicle_scenario
+
+    wired = clpt.closed_loop(load_vehicle_scenario(scenario))
     if out is None:
-        say(clpt.diagrams.mermaid(wired))
+        from ...plots.drawing.figure import mermaid
+
+        say(mermaid(wired))
         return
     clpt.draw(wired, out)
     say(f"{out}: written")
@@ -236,9 +240,11 @@ def ensemble(
             --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
     """
     from ...ensemble.drawn_values import grid_count, read_vary
+    from ...ensemble.spread import ensemble_summary
+    from ...paper.scenario.file import load_vehicle_scenario
     from ..pages.ensemble_page import ensemble_result
 
-    experiment = clpt.load_scenario(scenario)
+    experiment = load_vehicle_scenario(scenario)
     check_out(figure, "a figure")
     if members is None:
         members, design = (
@@ -259,7 +265,7 @@ def ensemble(
             progress=report,
             dask=dask,
         )
-    summary = clpt.ensemble.ensemble_summary(data)
+    summary = ensemble_summary(data)
     draw_figure(figure, clpt.ensemble.ensemble_plot, data)
     found = ensemble_result(data, summary, experiment.title or str(scenario))
     finish([found], summary, as_json, out)
@@ -315,7 +321,9 @@ def tune(
         search = WaypointSearch(length, max_speed, area, window, start, goal, seed)
         tune_waypoints(scenario, out, search, figure, as_json)
         return
-    experiment = clpt.load_scenario(scenario)
+    from ...paper.scenario.file import load_vehicle_scenario
+
+    experiment = load_vehicle_scenario(scenario)
     check_out(out, "a scenario")
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
         tuned = clpt.ensemble.tune_law(

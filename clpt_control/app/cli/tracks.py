@@ -54,12 +54,13 @@ def excitation(
     if bounds:
         _bound_errors(scenario, radius, error, window, as_json)
         return
-    from ...paper.scenario.team import load_either
     from ...theory.excitation.excitation_report import excitation_report
     from ..pages.results import excitation_result, is_team
 
     source = (
-        clpt.load_run(scenario) if scenario.suffix == ".nc" else load_either(scenario)
+        clpt.load_run(scenario)
+        if scenario.suffix == ".nc"
+        else clpt.load_scenario(scenario)
     )
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
@@ -79,7 +80,9 @@ def _bound_errors(
     as_json: bool,
 ) -> None:
     """Print bounds on CLPE and errors for every start of the learner."""
-    experiment = clpt.load_scenario(scenario)
+    from ...paper.scenario.file import load_vehicle_scenario
+
+    experiment = load_vehicle_scenario(scenario)
     found = clpt.certify(experiment, radius, error=error, window=window)
     length, time = found.units["length"], found.units["time"]
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
@@ -122,11 +125,11 @@ def tune_waypoints(
     as_json: bool,
 ) -> None:
     """Find waypoints from which most can be learned, and write the scenario with them."""
-    from ...paper.scenario.file import scenario_to_text
+    from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
 
     if out is None:
         raise ClptError("--waypoints: needs --out. Give the scenario file to write")
-    experiment = clpt.load_scenario(scenario)
+    experiment = load_vehicle_scenario(scenario)
     check_out(out, "a scenario")
     check_out(figure, "a figure")
     with progress_bar(f"designing {scenario.name}", 1.0) as report:

@@ -15,12 +15,13 @@ import numpy as np
 
 from ... import ensemble, replay, simulation
 from ...base.arguments import check_holds, public
-from ...base.errors import DataError
+from ...base.errors import ArgumentError, DataError
 from ...base.files import beside, check_writable, write_file
 from ...engine.model.ports import ports_of
 from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import named, ports_along, signals_of
+from ...simulation.initial_states import state_at
 
 if TYPE_CHECKING:
     import pandas
@@ -30,12 +31,23 @@ if TYPE_CHECKING:
     from ...paper.scenario.team import Team
 
 
-PLOTS: dict[str, tuple[Any, str]] = {  # of a kind of dataset, the one that shows most
-    "team": (simulation, "team_plot"),
-    "ensemble": (ensemble, "ensemble_plot"),
-    "run": (simulation, "run_plot"),
-    "replay": (replay, "replay_plot"),
-    "diagram": (simulation, "response_plot"),
+# kind of dataset -> name of a plot -> module and function; "" is the plot that shows most
+PLOTS: dict[str, dict[str, tuple[Any, str]]] = {
+    "team": {"": (simulation, "team_plot")},
+    "ensemble": {"": (ensemble, "ensemble_plot")},
+    "run": {
+        "": (simulation, "run_plot"),
+        "track": (simulation, "track_plot"),
+        "clpe": (simulation, "clpe_plot"),
+        "learning": (simulation, "learning_plot"),
+    },
+    "replay": {
+        "": (replay, "replay_plot"),
+        "map": (replay, "map_plot"),
+        "clpe": (replay, "dive_clpe_plot"),
+        "current": (replay, "current_plot"),
+    },
+    "diagram": {"": (simulation, "response_plot")},
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
 
@@ -130,14 +142,29 @@ class ClptAccessor:
 
         return system_of_run(self._data)
 
-    def plot(self, *, ax: Any = None, **options: Any) -> Any:
-        """Draw a run's track, CLPE and learning; a team; a diagram's ports; percentiles; dives.
+    @public
+    def plot(self, name: str = "", *, ax: Any = None, **options: Any) -> Any:
+        """Draw a run, a team, a diagram's ports, an ensemble or a replay.
 
-        It is drawn on given axes or on a new figure; the Axes are returned.  A run takes a `label`
-        and a `color` too, as `clpt_control.compare` gives them.
+        `name` chooses one plot: "track", "clpe" or "learning" of a run, "map", "clpe" or "current"
+        of a replay.  It is drawn on given axes or on a new figure; the Axes are returned.  A run
+        takes a `label` and a `color` too, as `clpt_control.compare` gives them.
         """
-        room, plot = PLOTS[self.kind]
-        return getattr(room, plot)(self._data, ax=ax, **options)
+        plots = PLOTS[self.kind]
+        if name not in plots:
+            names = ", ".join(filter(None, plots)) or "no name"
+            raise ArgumentError(f"plot '{name}': must be {names}, for a {self.kind}")
+        module, plot = plots[name]
+        return getattr(module, plot)(self._data, ax=ax, **options)
+
+    @public
+    def state(self, t: float) -> np.ndarray:
+        """Return the state of a run's diagram at one of its times, shape (nstates,).
+
+        At a jump it is the state after it.  ``control.linearize(loop, state, inputs, t=t)`` and
+        `simulate` take it.
+        """
+        return state_at(self._data, t)
 
     def linearize(
         self,
@@ -153,13 +180,13 @@ class ClptAccessor:
         """
         from ...engine.diagram.linearization import linearize, minimal_of
 
-        at, attributes = simulation.state_at(self._data, t), self._data.attrs
+        at, attributes = state_at(self._data, t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
             what = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             raise DataError(
                 f"the dataset of a {what} does not hold its diagram; give it, and the state of "
-                "clpt.state_at(run, t), to clpt.linearize"
+                "run.clpt.state(t), to clpt.linearize"
             )
         scenario: Any = self.scenario
         whole = simulation.closed_loop(scenario)

@@ -24,7 +24,7 @@ from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
 from ...simulation.comparison import named, ports_along, response_plot, signals_of
-from ...simulation.loops import closed_loop, team_loop
+from ...simulation.loops import closed_loop
 from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot
 from ...simulation.serialization.run_record import diagram_of_text, equations_text
 from ...simulation.summary import claims
@@ -73,7 +73,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
         judged = results.claims_result(claims(numbers))
         sections.append(Section("claims", judged.title, judged))
     if not (own or parts):
-        loop = team_loop(system) if isinstance(system, Team) else closed_loop(system)
+        loop = closed_loop(system)
         sections += loop_section(loop, PAPERS_LOOP)
     unmeasured = (
         "the run had what its scenario does not hold" if changed or parts else ""

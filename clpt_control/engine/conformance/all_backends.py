@@ -57,30 +57,9 @@ def readings(
 ) -> dict[str, Backend]:
     """Return every backend of a diagram, a function of (t, x, u).
 
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        A block, or blocks and other systems, wired.
-    params : mapping, optional
-        Call-time parameters by qualified name.
-
-    Returns
-    -------
-    dict
-        Name -> ``backend(t, x, u)``, which returns the state derivative and the diagram's
-        outputs; ``backend.jump(t, x, u)`` returns the states after all blocks with jumps have
-        jumped.  A backend that cannot evaluate the diagram raises a ClptError when called.
-
-    Raises
-    ------
-    DiagramError
-        If the diagram itself is refused.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.clpe import clpe
-    >>> for name, backend in clpt.conformance.readings(clpe()).items():
+    >>> for name, backend in readings(clpe()).items():
     ...     print(name, backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
     python [2. 1.]
     control [2. 1.]

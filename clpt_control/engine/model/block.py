@@ -422,22 +422,6 @@ class Block(ReadBlock):
 def evaluate(block: Block, timepts: ArrayLike, inputs: ArrayLike) -> np.ndarray:
     """Compute a static block's outputs at many times and inputs.
 
-    Parameters
-    ----------
-    block : Block
-        Without states, such as ``basis_x``, Eq. (5), or ``true_flow`` of a gridded field.
-    timepts : array_like, shape (n,) or a number
-        In the block's unit.
-    inputs : array_like, shape (n, ninputs)
-        Such as places, in the block's unit.
-
-    Returns
-    -------
-    ndarray, shape (n, noutputs)
-        One row per sample.
-
-    Examples
-    --------
     >>> from clpt_control.paper.blocks.flow import flow_basis
     >>> p = np.zeros((1, 2)), np.ones(1), np.zeros(1), np.zeros(1)
     >>> evaluate(flow_basis("basis_x", "x", "gaussian", *p), [0, 5], [[0, 0], [1, 1]]).round(3)

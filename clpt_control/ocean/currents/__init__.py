@@ -1,5 +1,5 @@
 """Measured currents: gridded fields and records, fits to them, tides.
 
-Currents on a grid (`read_currents`, `fit_scenario`), tides of a record (`read_record`,
+Currents on a grid (`read_currents`, `fit_current`), tides of a record (`read_record`,
 `fit_tides`).
 """

@@ -34,7 +34,7 @@ from ...base.units import known
 from ...engine.model.block import evaluate
 from ...paper.scenario import tidal_periods
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.file import load_scenario, scenario_to_text
+from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
 from ..estimation.least_squares import least_squares
 from .grid_file import Box, Currents, read_currents, with_all_steps
 from .identifiability import check_nyquist, check_separable
@@ -58,7 +58,7 @@ class Fit:
 
 
 @public
-def fit_scenario(
+def fit_current(
     path: str | Path,
     box: tuple[float, float, float, float] | None = None,
     *,
@@ -118,7 +118,7 @@ def fit_scenario(
     ... }
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     xarray.Dataset({"u": flow, "v": flow}, axes).to_netcdf(f"{folder}/tide.nc")
-    ...     fit = fit_scenario(f"{folder}/tide.nc", rows=2, columns=2, width_km=60)
+    ...     fit = fit_current(f"{folder}/tide.nc", rows=2, columns=2, width_km=60)
     >>> fit.scenario.basis.N, bool(fit.report["explained_variance"] > 0.95)
     (12, True)
     """
@@ -274,7 +274,7 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
     Parameters
     ----------
     fit : Fit
-        From `fit_scenario`.
+        From `fit_current`.
     out : str or Path
         ``SCENARIO.toml``; the field becomes ``SCENARIO_field.nc``.
 
@@ -291,7 +291,7 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> fit = clpt.currents.fit_scenario("currents.nc")  # doctest: +SKIP
+    >>> fit = clpt.currents.fit_current("currents.nc")  # doctest: +SKIP
     >>> clpt.simulate(save_fit(fit, "mine.toml"))  # doctest: +SKIP
     """
     out = Path(out)
@@ -314,7 +314,7 @@ def save_fit(fit: Fit, out: str | Path) -> Scenario:
     write_together(
         {out: text, field: field_dataset(fit.field, scenario.units, attributes)}
     )
-    return load_scenario(out)
+    return load_vehicle_scenario(out)
 
 
 def _header(report: dict) -> str:

@@ -39,24 +39,6 @@ NEAR = np.array([*range(-10, 0), *range(1, 11)])
 def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     """Refuse tides that a record is too short to tell apart.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Names such as ``"M2"``, and "steady", each once.
-    hours : float
-        From the first measurement to the last, h.
-    where : str
-        The record, for the message.
-
-    Raises
-    ------
-    DataError
-        If there are such pairs; all are named, with the hours they need.
-    ScenarioError
-        If a name is unknown.
-
-    Examples
-    --------
     >>> check_separable(["steady", "M2", "S2"], 360.0, "currents.nc")
     >>> check_separable(["M2", "S2"], 24.0, "currents.nc")
     Traceback (most recent call last):

@@ -19,25 +19,6 @@ ESTIMATORS: dict[str, Callable[[FixModel], Estimator]] = {
 def make_estimator(name: str, model: FixModel) -> Estimator:
     """Make an estimator by its name.
 
-    Parameters
-    ----------
-    name : str
-        ``"gaussian-process"`` or ``"gradient"``.
-    model : FixModel
-        The parameters.
-
-    Returns
-    -------
-    Estimator
-        That has seen no dive.
-
-    Raises
-    ------
-    ScenarioError
-        If the name is unknown.
-
-    Examples
-    --------
     >>> make_estimator("gradient", FixModel()).estimate()[0].any()
     np.False_
     """

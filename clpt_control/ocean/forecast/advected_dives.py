@@ -91,21 +91,6 @@ def flow_displacement(dive: Dive, flow: Flow) -> tuple[float, float]:
 def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     """Return a dive with its displacement by a flow model.
 
-    Parameters
-    ----------
-    dive : Dive
-        Its end fix is not read, and may be NaN.
-    flow_model : FlowModel
-        As `read_flow_model` returns it, or one of your own.
-
-    Returns
-    -------
-    Dive
-        With `model_east` and `model_north`, m; None, and the reason as
-        `uncovered`, where the model does not cover the whole dive.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> from clpt_control.ocean.forecast.flow_models import FlowModel
     >>> class Stream(FlowModel):
@@ -115,7 +100,7 @@ def carried(dive: Dive, flow_model: FlowModel) -> Dive:
     ...         return lambda t, east, north: (0.1, 0.0)
     >>> fixes = (0.0, 40.0, 8.0), (9000.0, 40.0, 8.02)
     >>> dive = clpt.gliders.make_dive(1, *fixes, (500.0, 0.0))
-    >>> round(clpt.replay.carried(dive, Stream()).model_east, 6)
+    >>> round(carried(dive, Stream()).model_east, 6)
     900.0
     """
     try:

@@ -35,7 +35,7 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.units import METRES, SECONDS, seconds_since_1970
-from ...paper.scenario.file import load_scenario
+from ...paper.scenario.file import load_vehicle_scenario
 from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
 from ..currents.plane import LocalPlane
 from ..gliders.dives import Dive
@@ -120,7 +120,7 @@ class Fitted(FlowModel):
     """A basis with its parameters, of the TOML file that `clpt fit` wrote, its field beside it."""
 
     def __init__(self, path: Path) -> None:
-        self.scenario, text = load_scenario(path), ""
+        self.scenario, text = load_vehicle_scenario(path), ""
         if self.scenario.field_path is not None:
             with open_netcdf(self.scenario.field_path) as data:
                 text = data.attrs.get("fit_report", "")

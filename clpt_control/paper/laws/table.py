@@ -13,7 +13,7 @@ LAWS: dict[str, Law] = {law.name: law for law in ROWS}
 
 
 @public
-def table_of_laws() -> dict[str, Law]:
+def laws() -> dict[str, Law]:
     """Return the rows of the table of laws, by name.
 
     Returns
@@ -25,7 +25,7 @@ def table_of_laws() -> dict[str, Law]:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> laws = clpt.blocks.table_of_laws()
+    >>> laws = clpt.laws()
     >>> len(laws), laws["known-flow"].given_estimate
     (15, True)
     """

@@ -43,34 +43,8 @@ BEYOND = {  # attribute of a run -> what its scenario does not hold, and what re
 }
 
 
-@public
-def load_scenario(path: str | Path) -> Scenario:
-    """Read a scenario from a TOML file or from a run's NetCDF file.
-
-    Parameters
-    ----------
-    path : str or Path
-        A ``.toml`` file, or a ``.nc`` file that `clpt run` wrote.
-
-    Returns
-    -------
-    Scenario
-        Checked; a relative ``flow.field`` is relative to the file.
-
-    Raises
-    ------
-    ScenarioError
-        If the file is missing, is not TOML, or a key or value is not allowed.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> import tempfile, pathlib
-    >>> file = pathlib.Path(tempfile.mkdtemp()) / "paper.toml"
-    >>> clpt.save_scenario(clpt.paper_scenario(), file)
-    >>> clpt.load_scenario(file) == clpt.paper_scenario()
-    True
-    """
+def load_vehicle_scenario(path: str | Path) -> Scenario:
+    """Read a scenario of one vehicle from a TOML file or a run's file; a team is refused."""
     path = Path(path)
     return scenario_from_text(read_text(path), str(path), path.parent)
 
@@ -98,7 +72,7 @@ def scenario_from_text(text: str, name: str, folder: Path | None) -> Scenario:
     if "team" in tables:
         raise ScenarioError(
             f"{name}: has a table [team], so it is a team's; `clpt run`, `clpt excitation` "
-            "and clpt.load_team read it"
+            "and clpt.load_scenario read it"
         )
     return checked_scenario(tables, name, folder)
 

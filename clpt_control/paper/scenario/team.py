@@ -43,7 +43,7 @@ APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 
 class Team(Table):
     """Several vehicles that learn one flow over a graph.
 
-    Made by `load_team`, or from scenarios by name, the edges of the graph (pairs of names; left
+    Made by `load_scenario`, or from scenarios by name, the edges of the graph (pairs of names; left
     out, all are neighbours) and the coupling kappa, per ``units.time``, 0 or more. The scenarios
     share everything but vehicle, reference, localization and the learner's start.
 
@@ -181,40 +181,34 @@ def _without_own(tables: Nested) -> Nested:
 
 
 @public
-def load_team(path: str | Path) -> Team:
-    """Read a team from a TOML file or from its run's NetCDF file.
+def load_scenario(path: str | Path) -> Any:
+    """Read a scenario or a team from a TOML file or a run's file.
 
     Parameters
     ----------
     path : str or Path
-        A ``.toml`` file with a table ``[team]``, or a ``.nc`` file that `clpt run` wrote of it.
+        A ``.toml`` file, or a ``.nc`` file that `clpt run` wrote.
 
     Returns
     -------
-    Team
-        Checked; a relative ``flow.field`` is relative to the file.
+    Scenario or Team
+        Checked; a Team if the file has a table ``[team]``. A relative ``flow.field`` is relative
+        to the file.
 
     Raises
     ------
     ScenarioError
-        If the file is missing, is no team's, or a key or value is not allowed.
+        If the file is missing, is not TOML, or a key or value is not allowed.
 
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> clpt.load_team("team.toml").connectivity  # doctest: +SKIP
-    2.0
+    >>> import tempfile, pathlib
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "paper.toml"
+    >>> clpt.save_scenario(clpt.paper_scenario(), file)
+    >>> clpt.load_scenario(file) == clpt.paper_scenario()
+    True
     """
-    team = load_either(path)
-    if not isinstance(team, Team):
-        raise ScenarioError(
-            f"{path}: is a scenario of one vehicle; a team has a table [team]"
-        )
-    return team
-
-
-def load_either(path: str | Path) -> Scenario | Team:
-    """Read a scenario or a team from a TOML file or a run's NetCDF file."""
     path = Path(path)
     return system_from_text(file.read_text(path), str(path), path.parent)
 
@@ -291,8 +285,8 @@ def team_of_run(run: Any) -> Team:
     """Return the team that a run carries."""
     if file.TEAM not in getattr(run, "attrs", {}):
         raise DataError(
-            f"{brief(run)}: must be a Team or a team's run; clpt.load_team and clpt.load_run read "
-            "them"
+            f"{brief(run)}: must be a Team or a team's run; clpt.load_scenario and "
+            "clpt.load_run read them"
         )
     team: Any = system_of_run(run)
     return team

@@ -47,25 +47,6 @@ SPEEDS = {
 def period(constituent: str, unit: str = "h") -> float:
     """Return the period of a named tidal constituent.
 
-    Parameters
-    ----------
-    constituent : str
-        A name such as ``"M2"``, or ``"steady"``.
-    unit : str, optional
-        ``"s"``, ``"min"``, ``"h"`` or ``"d"``.
-
-    Returns
-    -------
-    float
-        The period in that unit; infinite for ``"steady"``.
-
-    Raises
-    ------
-    ScenarioError
-        If the name is unknown.
-
-    Examples
-    --------
     >>> round(period("M2"), 2)
     12.42
     """

@@ -147,25 +147,6 @@ def _size(diagram: control.InterconnectedSystem) -> str:
 def mermaid(diagram: control.NonlinearIOSystem) -> str:
     """Write a diagram as a Mermaid flowchart.
 
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        An interconnected system; blocks of nested ones are drawn one by one.
-
-    Returns
-    -------
-    str
-        Text that Mermaid, and every page that knows it, shows as a picture:
-        a box for each block with the ports that it makes, a rounded box for
-        each input of the diagram.
-
-    Raises
-    ------
-    DiagramError
-        If blocks feed each other at once in a circle.
-
-    Examples
-    --------
     >>> from clpt_control import connect
     >>> from clpt_control.paper.blocks import clpe, vehicle
     >>> loop = connect([vehicle.vehicle(), clpe.clpe()], external=["flow_x", "v_x", "z"])

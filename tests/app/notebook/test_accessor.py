@@ -98,7 +98,7 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
     run = clpt.simulate(scenario)
     made = run.clpt.linearize(10.0, input="zc", output="x", minimal=True)
     steered = clpt.closed_loop(scenario, external="zc")
-    state, desired = clpt.state_at(run, 10.0), run.reference.sel(time=10.0).values
+    state, desired = run.clpt.state(10.0), run.reference.sel(time=10.0).values
     whole = clpt.linearize(steered, state, desired, 10.0)
     x = whole.output_labels.index("x[0]")
     assert (made.nstates, made.input_labels) == (2, ["zc[0]", "zc[1]"])

@@ -14,7 +14,7 @@ from recorded_blocks import static
 from text_systems import ticking
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.equations import Block, lookup
 
 

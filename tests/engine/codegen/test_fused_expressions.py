@@ -8,8 +8,8 @@ import pytest
 import scipy.linalg
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
 from clpt_control.engine.codegen.llvm_text import print_program
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.diagram.interconnection import connect
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.equations import Block, lookup

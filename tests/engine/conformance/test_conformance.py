@@ -11,8 +11,9 @@ from error_sentences import says
 from package_blocks import BLOCKS, EACH
 from recorded_blocks import static
 
-from clpt_control.conformance import check_block, conformance, readings
+from clpt_control.conformance import check_block, conformance
 from clpt_control.engine.codegen import vectors
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import (
     differ,
     python_values,

@@ -302,7 +302,7 @@ def test_a_diagram_stays_a_diagram():
 
 def test_error_system_reproduces_the_error():
     """Eq. (27) with z eta_3, driven by the closed loop's signals, gives the closed loop's e."""
-    loop, errors = clpt.closed_loop(PAPER), clpt.error_loop(PAPER)
+    loop, errors = clpt.closed_loop(PAPER), clpt.closed_loop(PAPER, errors=True)
     taken, e = flat("phi_x 3 z 2 zc 2"), ["closed_loop.e[0]", "closed_loop.e[1]"]
     ports = {
         "connections": [

@@ -65,5 +65,5 @@ def test_a_start_where_rates_are_but_rounding_is_read(recwarn):
     run = clpt.simulate(craft, [0.0, 1.0, 2.0], 0.0, 0.0)
     assert run.attrs["engine"] == "native"
     assert np.abs(run.y.values).max() < 1e-12
-    assert "craft_rates" in clpt.export_c(craft)
+    assert "craft_rates" in clpt.export(craft)
     assert not [one for one in recwarn if "Python" in str(one.message)]

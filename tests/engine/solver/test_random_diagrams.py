@@ -10,7 +10,7 @@ from random_diagrams import random_diagram
 from rounding_bounds import rounding_of
 from sympy import Rational, sin
 
-from clpt_control.conformance import readings
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.equations import Block
 from clpt_control.errors import ClptError
 

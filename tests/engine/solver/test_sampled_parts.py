@@ -7,7 +7,7 @@ from error_sentences import says
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.conformance import readings
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.equations import Block, Sampled
 
 DT = 0.5

@@ -8,6 +8,7 @@ import pytest
 from recorded_blocks import as_it_runs, static
 
 import clpt_control as clpt
+from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.trace.arrays import Unread
 
 N = 8
@@ -304,7 +305,7 @@ def test_arrays_that_nothing_may_write_into_are_left_as_they_are():
     wires = {"inplist": ["limit.u[0]"], "outlist": ["limit.y[0]", "table"]}
     names = {"inputs": ["v"], "outputs": ["y", "r0", "r1"]}
     loop = control.interconnect([static_block, limit], **wires, **names)
-    read = clpt.conformance.readings(loop)
+    read = readings(loop)
     for u, y in ((0.7, 1.4), (0.2, 0.6), (-1.0, 3.0)):
         for name in ("python", "native"):
             assert read[name](0.0, [], [u])[1] == pytest.approx(

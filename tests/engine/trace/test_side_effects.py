@@ -124,7 +124,7 @@ def test_nothing_happens_in_any_call_that_traces(named, folder):
     assert named in str(caught[0].message)
     assert ", line " in str(caught[0].message)
     says(clpt.DiagramError, "tank.update: ", clpt.linearize, tank)
-    says(clpt.DiagramError, "tank", clpt.export_c, tank, "tank.c")
+    says(clpt.DiagramError, "tank", clpt.export, tank, "tank.c")
     says(clpt.ClptError, "tank", clpt.equations, tank)
     says(clpt.ClptError, "tank", clpt.theory.lyapunov, tank, "x[0]**2")
     with warnings.catch_warnings():

@@ -11,7 +11,8 @@ from pyproj import Proj
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.currents import fit_scenario, read_currents, sample_currents, save_fit
+from clpt_control.currents import fit_current, read_currents, sample_currents, save_fit
+from clpt_control.engine.model.block import evaluate
 from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.ocean.currents.plane import LocalPlane
 from clpt_control.paper.blocks.field import gridded_flow
@@ -74,7 +75,7 @@ def known(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def fit(known):
-    return fit_scenario(known[0], BOX, rows=2, columns=2, width_km=20.0)
+    return fit_current(known[0], BOX, rows=2, columns=2, width_km=20.0)
 
 
 def test_known_theta_is_recovered(known, fit):
@@ -87,15 +88,15 @@ def test_known_theta_is_recovered(known, fit):
 
 def test_width_and_radius_follow_the_box(known, tmp_path):
     """The kernels are as wide as their places are apart, times 0.6; the track follows the field."""
-    small = fit_scenario(known[0], BOX)
+    small = fit_current(known[0], BOX)
     assert (small.report["width"], small.report["track_radius"]) == (15.0, 12.0)
     assert small.report["functions_felt_on_the_track"] == 27
-    half = fit_scenario(known[0], (41.05, 41.4, -69.7, -69.2))
+    half = fit_current(known[0], (41.05, 41.4, -69.7, -69.2))
     assert half.report["width"] == pytest.approx(
         15 * np.sqrt(0.35 * 0.5 / (0.65 * 0.9)), rel=0.03
     )
     assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
-    narrow = fit_scenario(known[0], BOX, width_km=6.0, radius_km=1.0)
+    narrow = fit_current(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
     save_fit(narrow, tmp_path / "fit.toml")
     assert "# functions felt on the track: 3\n" in (tmp_path / "fit.toml").read_text()
@@ -108,7 +109,7 @@ def test_the_share_explained_is_about_the_mean(known, tmp_path):
     shares = []
     for more in (0.0, 5.0):
         path = write(tmp_path / "more.nc", u + more, v)
-        found = fit_scenario(path, BOX, rows=1, columns=1, width_km=3000.0)
+        found = fit_current(path, BOX, rows=1, columns=1, width_km=3000.0)
         shares.append(found.report["explained_variance"])
     assert shares[0] == pytest.approx(shares[1], abs=0.02)
     assert shares[0] < 0.6
@@ -150,7 +151,7 @@ def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
         write(tmp_path / "c.nc", u, v),
         r"in 11 h, these .* apart: steady and M2 \(12.43 h",
     )
-    refuses(said, fit_scenario, path, BOX, rows=1, columns=1, width_km=30.0)
+    refuses(said, fit_current, path, BOX, rows=1, columns=1, width_km=30.0)
 
 
 def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
@@ -162,7 +163,7 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
 
     def fitted(u, hours):
         path = write(tmp_path / "c.nc", u, u, hours.astype(float))
-        return fit_scenario(path, rows=2, columns=2)
+        return fit_current(path, rows=2, columns=2)
 
     whole, without = fitted(hole, np.arange(61)), fitted(tide[rows], rows)
     for name in ("time", "u", "v"):
@@ -222,7 +223,7 @@ def test_saved_scenario_and_field_belong_together(fit, tmp_path):
 @pytest.mark.parametrize("name", ["a\nb\x1b[2J.nc", "\udcff\u202eb.nc"])
 def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     (tmp_path / name).write_bytes(known[0].read_bytes())
-    fit = fit_scenario(tmp_path / name, BOX, rows=2, columns=2, width_km=20.0)
+    fit = fit_current(tmp_path / name, BOX, rows=2, columns=2, width_km=20.0)
     shown = ascii(name)[1:-1]
     scenario = save_fit(fit, tmp_path / "north.toml")
     assert scenario.title == f"Measured current of {shown} from 2020-06-01T00:00:00"
@@ -247,7 +248,7 @@ def test_each_mistake_is_one_sentence(known):
         ({"rows": 50, "columns": 40}, DataError, "samples for 6000 functions"),
         ({"radius_km": 60.0}, DataError, "circle of 60 km leaves the field"),
     ):
-        refuses(sentence, fit_scenario, known[0], BOX, error=error, **options)
+        refuses(sentence, fit_current, known[0], BOX, error=error, **options)
 
 
 def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp_path):
@@ -306,7 +307,7 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
 
 @pytest.fixture(scope="module")
 def nantucket(tmp_path_factory):
-    fit = fit_scenario(MARACOOS, BOX)
+    fit = fit_current(MARACOOS, BOX)
     return fit, save_fit(fit, tmp_path_factory.mktemp("nantucket") / "s.toml")
 
 
@@ -338,6 +339,6 @@ def test_nantucket_field_is_close_to_what_was_measured(nantucket):
         np.broadcast_to(w, u.shape)[kept]
         for w in (currents.time[:, None, None], x1, x2)
     )
-    field = clpt.equations.evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
+    field = evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
     error = np.hypot(field[:, 0] - u[kept], field[:, 1] - v[kept])
     assert np.sqrt(np.mean(error**2)) < 0.02  # m/s, of 0.51

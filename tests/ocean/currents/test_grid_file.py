@@ -9,8 +9,8 @@ from scipy.interpolate import make_interp_spline
 from xarray.backends.netCDF4_ import NetCDF4ArrayWrapper
 
 from clpt_control.base.files import write_file
-from clpt_control.currents import fit_scenario, read_currents, read_record
-from clpt_control.equations import evaluate
+from clpt_control.currents import fit_current, read_currents, read_record
+from clpt_control.engine.model.block import evaluate
 from clpt_control.ocean.currents import plane
 from clpt_control.ocean.currents.plane import LocalPlane, fill_gaps
 from clpt_control.paper.blocks.field import gridded_flow
@@ -53,7 +53,7 @@ def test_land_as_zeros_is_a_gap_and_is_said(tmp_path):
     assert (land.land, sea.land, (~land.measured).sum()) == (6, 0, 6 * 26)
     assert not land.measured[:, :2, :3].any()
     assert still.measured.all()  # water at rest everywhere
-    report = fit_scenario(tmp_path / "land.nc", rows=2, columns=2).report
+    report = fit_current(tmp_path / "land.nc", rows=2, columns=2).report
     assert report["cells_of_zeros_taken_as_land"] == report["cells_never_measured"] == 6
     assert "6 cells of nothing but zeros" in read_flow_model(tmp_path / "land.nc").about
     assert "zeros" not in read_flow_model(tmp_path / "sea.nc").about
@@ -69,7 +69,7 @@ def test_zarr_is_read_as_the_file_is(tmp_path, form):
     box = (41.0, 41.3, -69.8, -69.2)
     same(read_currents(tmp_path / "c.zarr", box), read_currents(tmp_path / "c.nc", box))
     assert (
-        fit_scenario(tmp_path / "c.zarr", rows=2, columns=2).report["samples"]
+        fit_current(tmp_path / "c.zarr", rows=2, columns=2).report["samples"]
         == plain.u.size
     )
     assert read_flow_model(tmp_path / "c.zarr").source == "c.zarr"
@@ -101,7 +101,7 @@ def test_files_of_one_current_are_joined(tmp_path):
         read_currents(folder, column=True),
         read_currents(tmp_path / "c.nc", column=True),
     )
-    assert fit_scenario(folder, rows=2, columns=2).report["source"] == "days"
+    assert fit_current(folder, rows=2, columns=2).report["source"] == "days"
     assert read_flow_model(folder).source == "days"
     whole.isel(lat=slice(1, None)).to_netcdf(folder / "other.nc")
     refuses(r"other\.nc has another lat than day0\.nc", read_currents, folder)

@@ -22,7 +22,7 @@ from tidal_records import (
 
 from clpt_control.currents import (
     check_separable,
-    fit_scenario,
+    fit_current,
     fit_tides,
     predict,
     read_record,
@@ -461,4 +461,4 @@ def test_a_fit_of_a_grid_refuses_a_tide_that_its_steps_miss(tmp_path):
     wave = 0.3 * np.cos(2 * np.pi * hours / 12.42)[:, None, None] * np.ones((4, 4))
     gridded_current(wave, wave, place, place, hours).to_netcdf(tmp_path / "slow.nc")
     said, slow = "steps of 8 h see no tide of 16 h or faster", tmp_path / "slow.nc"
-    refuses(said, fit_scenario, slow, rows=1, columns=1, radius_km=1.0)
+    refuses(said, fit_current, slow, rows=1, columns=1, radius_km=1.0)

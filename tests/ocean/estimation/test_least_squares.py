@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from refusals import refuses
 
-from clpt_control.equations import evaluate
+from clpt_control.engine.model.block import evaluate
 from clpt_control.ocean.estimation.least_squares import explained_share, least_squares
 from clpt_control.paper.blocks.flow import flow_basis
 

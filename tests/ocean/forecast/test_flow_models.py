@@ -13,11 +13,12 @@ from refusals import refuses
 from synthetic_vehicle import Made
 
 from clpt_control.base.geodesy import place_from
-from clpt_control.currents import fit_scenario, read_currents, save_fit
+from clpt_control.currents import fit_current, read_currents, save_fit
 from clpt_control.gliders import make_dive
 from clpt_control.ocean.currents.grid_file import missing_steps
+from clpt_control.ocean.forecast.advected_dives import carried
 from clpt_control.ocean.forecast.flow_models import depth_mean
-from clpt_control.replay import carried, read_flow_model, replay_dives, summary
+from clpt_control.replay import read_flow_model, replay_dives, summary
 
 nan = math.nan
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])
@@ -264,7 +265,7 @@ def known(tmp_path_factory):
     folder = tmp_path_factory.mktemp("known")
     u, v = turning(HOURS[::4], (len(LAT), len(LON)))
     path = write(folder / "known.nc", u + 0.2, v, hours=HOURS[::4])
-    fit = fit_scenario(path, rows=4, columns=4, width_km=60.0, radius_km=5.0)
+    fit = fit_current(path, rows=4, columns=4, width_km=60.0, radius_km=5.0)
     save_fit(fit, folder / "fit.toml")
     return fit, folder
 

@@ -347,7 +347,11 @@ def test_two_vehicles_are_refused_with_both_names():
     dives = [later(10 + k, vehicle=name) for k, name in enumerate(names)]
     assert len(usable(dives[:3])[0]) == 3
     for given in (dives, dives[::-1]):
-        refuses("are 2 vehicles in one replay; give .*clpt watch FOLDER --fleet", usable, given)
+        refuses(
+            "are 2 vehicles in one replay; give .*clpt watch FOLDER --fleet",
+            usable,
+            given,
+        )
     refuses("^rosie, sg-1: ", usable, dives)
 
 

@@ -14,6 +14,7 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.base import random_numbers
+from clpt_control.engine.model.block import evaluate
 from clpt_control.engine.model.declaration import Each, multiples
 from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import (
@@ -49,9 +50,9 @@ def test_a_block_is_asked_at_many_places_and_times(kernel):
     times, x = rng.uniform(0, 20, 50), rng.uniform(-5, 5, (50, 2))
     shape = FORMULAS[kernel](np.hypot(x[:, 0] - 1.0, x[:, 1] + 2.0))
     for t in (times, 5.0):
-        found = clpt.equations.evaluate(block, t, x)[:, 0]
+        found = evaluate(block, t, x)[:, 0]
         np.testing.assert_allclose(found, shape * np.sin(0.7 * np.array(t)), atol=1e-14)
-    assert clpt.equations.evaluate(block, 5.0, x[0]).shape == (1, 1)
+    assert evaluate(block, 5.0, x[0]).shape == (1, 1)
 
 
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------
@@ -297,9 +298,7 @@ def test_the_vehicle_steers_on_what_it_reads():
 
 def test_the_truth_is_without_noise():
     run = clpt.simulate(NOISY)
-    phi = clpt.equations.evaluate(
-        NOISY.basis_block(), run.time.values, run.position.values
-    )
+    phi = evaluate(NOISY.basis_block(), run.time.values, run.position.values)
     flow = np.einsum("ik,tk->ti", run.flow_parameters.values, phi)
     np.testing.assert_allclose(run.true_flow, flow, rtol=0, atol=1e-12)
     seen = run.measured_position - run.predicted_position

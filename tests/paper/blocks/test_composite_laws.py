@@ -133,7 +133,7 @@ def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     """MARACOOS: 27 functions, no prior knowledge of theta, defaults, as a fit writes it."""
     box, tides = (40.9, 41.55, -69.9, -69.0), ("steady", "M2")
     size = {"rows": 3, "columns": 3, "width_km": 15.0, "constituents": tides}
-    fitted = clpt.currents.fit_scenario(clpt.currents.sample_currents(), box, **size)
+    fitted = clpt.currents.fit_current(clpt.currents.sample_currents(), box, **size)
     scenario = clpt.currents.save_fit(fitted, tmp_path / "shoals.toml")
     scenario = scenario.with_values(
         {"learning.law": LAWS[0], "learning.adapt_gains": False}

@@ -102,7 +102,7 @@ def test_the_readout_of_another_start_is_refused_or_right():
     off, read = errors(run)
     assert read[-1].max() < 1e-11 < 0.1 < off[-1].max()
     late = clpt.simulate(
-        loop, t[50:], initial_state=clpt.state_at(clpt.simulate(scenario), 50.0)
+        loop, t[50:], initial_state=clpt.simulate(scenario).clpt.state(50.0)
     )
     assert errors(late)[1][-1].max() < 1e-11  # goes on
 

@@ -18,7 +18,7 @@ import clpt_control as clpt
 from clpt_control.errors import ScenarioError
 from clpt_control.paper.blocks import disturbance, flow
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.paper.scenario.file import scenario_to_text
+from clpt_control.paper.scenario.file import load_vehicle_scenario, scenario_to_text
 from clpt_control.paper.scenario.learning import KINDS, Learning
 from clpt_control.paper.scenario.quantities import CALL_TIME_NAMES
 from clpt_control.paper.scenario.tables import Disturbance, Kernel
@@ -229,7 +229,7 @@ EDGES, OWN = '[["west", "east"]]', "vehicle.position = [11, 0]"
 
 
 def test_the_example_says_what_it_says():
-    of = clpt.load_team(FILE)
+    of = clpt.load_scenario(FILE)
     west, east = of.members.values()
     assert (list(of.members), of.edges) == (["west", "east"], (("west", "east"),))
     assert (west.vehicle.position, east.reference.points[0]) == (
@@ -245,7 +245,7 @@ TITLED = team(**{name: vehicle(title=title) for name, title in TITLES.items()})
 OTHERS = team(0.25, ROW, **DIFFERENT)
 
 
-@pytest.mark.parametrize("of", [OTHERS, clpt.load_team(FILE), TITLED])
+@pytest.mark.parametrize("of", [OTHERS, clpt.load_scenario(FILE), TITLED])
 def test_a_team_comes_back_from_its_text(of, tmp_path):
     back = system_from_text(team_to_text(of), "mine", tmp_path)
     assert back == of
@@ -357,12 +357,12 @@ def test_vehicles_share_one_flow():
         )
 
 
-def test_a_scenario_is_no_team_and_a_team_none(tmp_path):
+def test_a_file_is_read_as_a_scenario_or_a_team(tmp_path):
     clpt.save_scenario(STRAIT, file := tmp_path / "one.toml")
-    says(ScenarioError, "is a scenario of one vehicle", clpt.load_team, file)
-    says(
-        ScenarioError, r"has a table \[team\].*clpt.load_team", clpt.load_scenario, FILE
-    )
+    assert clpt.load_scenario(file) == STRAIT
+    assert isinstance(clpt.load_scenario(FILE), clpt.Team)
+    said = r"has a table \[team\].*clpt.load_scenario"
+    says(ScenarioError, said, load_vehicle_scenario, FILE)
     clpt.save_run(clpt.simulate(OTHERS, [0.0, 1.0]), run := tmp_path / "run.nc")
-    assert clpt.load_team(run) == OTHERS
-    says(clpt.ClptError, "it is a team's", clpt.load_scenario, run)
+    assert clpt.load_scenario(run) == OTHERS
+    says(clpt.ClptError, "it is a team's", load_vehicle_scenario, run)
