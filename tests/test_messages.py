@@ -1,0 +1,19 @@
+"""The list of all error messages, tests/messages.md, against the package."""
+
+import runpy
+
+from paths import ROOT, TESTS
+
+LIST = runpy.run_path(str(ROOT / "tools" / "print_messages.py"))
+
+
+def test_the_list_of_messages_is_current():
+    assert (TESTS / "messages.md").read_text("utf-8") == LIST["page"]()
+
+
+def test_messages_are_sentences_without_an_end():
+    """A further sentence, the remedy, may follow; a final point is left out, as in Python."""
+    messages = [line[2:] for line in LIST["page"]().splitlines() if line[:2] == "- "]
+    assert len(messages) > 400
+    assert [text for text in messages if text.endswith((".", "!", ";", ","))] == []
+    assert [text for text in messages if "  " in text or text != text.strip()] == []
