@@ -21,7 +21,6 @@ from tidal_records import (
 )
 
 from clpt_control.currents import (
-    check_separable,
     fit_current,
     fit_tides,
     predict,
@@ -30,7 +29,7 @@ from clpt_control.currents import (
 )
 from clpt_control.errors import ScenarioError
 from clpt_control.ocean.currents.constituents import OTHER_NAMES, nodal_corrections
-from clpt_control.ocean.currents.identifiability import nyquist
+from clpt_control.ocean.currents.identifiability import check_separable, nyquist
 from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed
 
 
