@@ -9,6 +9,8 @@ from ...base.html import Result
 from ...base.units import known, percent
 from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
+MOSTLY = 0.5  # least share of the variance that functions should explain
+
 
 def fit(
     currents: Path = arg(
@@ -80,14 +82,27 @@ def fit(
         for key, value in fitted.report.items()
         if key not in ("theta", "width_units", "speed_units")
     ]
-    missing, wider = not_learned(scenario), ""
-    if (fitted.report["explained_variance"] or 0) < 0:
-        wider = "the fit is worse than the mean current alone; --width-km wider than that may do"
-    sentences = [said for said in (wider, missing) if said]
+    missing = not_learned(scenario)
+    sentences = [
+        said for said in (_explained_too_little(fitted.report), missing) if said
+    ]
     found = Result(
         f"{out}: written, with the field beside it", ["", ""], lines, sentences
     )
     finish([found], fitted.report | {"not_learnable": missing}, as_json)
+
+
+def _explained_too_little(fit: Report) -> str:
+    """Return a warning if the functions fit the current badly, with the remedy."""
+    explained = fit["explained_variance"] or 0
+    if explained < 0:
+        return "the fit is worse than the mean current alone; --width-km wider than that may do"
+    if explained < MOSTLY:
+        return (
+            f"the functions explain {percent(explained)} of the current's variance: no law learns "
+            "more of the box; more --constituents, --rows and --columns, or a smaller --box, may do"
+        )
+    return ""
 
 
 def _fit_tides(

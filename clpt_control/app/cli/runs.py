@@ -150,10 +150,8 @@ def run(
             result, fine, summary = clpt.simulation.run_and_report(system, report)
         found = run_result(summary, summary["title"] or str(scenario))
         if missing := not_learned(result):
-            found, summary["not_learnable"] = (
-                found._replace(sentences=[missing]),
-                missing,
-            )
+            found = found._replace(sentences=[*found.sentences, missing])
+            summary["not_learnable"] = missing
     drawn = {} if folder is None else run_figures(fine, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
     finish([found], summary, as_json, out)

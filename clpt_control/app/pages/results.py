@@ -19,6 +19,7 @@ from ...paper.scenario.team import Team
 from ...simulation.summary import SUMMARY, ending_of, figures_of
 
 MOST_CYCLES = 10
+REMEDY = "Try another law (`clpt tune`), held gains, or less lag in the vehicle: see docs/laws.md"
 
 
 OF_A_RUN = (  # figures that a run carries, of which pages speak
@@ -82,21 +83,39 @@ def run_result(summary: Numbers, title: str) -> Result:
     rows = [["status", summary["message"]]]
     if "vehicles" not in summary:
         rows += _achieved(summary, length, time)
-        return Result(title, ["", ""], rows)
+        return Result(title, ["", ""], rows, learning_advice({"": summary}))
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
     end, apart = list(summary["max_disagreement"].items())[-1]
     rows.append(
         [f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"]
     )
-    by_vehicle = {key: of for key, of in summary.items() if isinstance(of, dict)}
+    by_key = {key: of for key, of in summary.items() if isinstance(of, dict)}
+    by_vehicle = {}
     for name in summary["vehicles"]:
-        numbers = {key: of[name] for key, of in by_vehicle.items() if name in of}
+        numbers = {key: of[name] for key, of in by_key.items() if name in of}
+        by_vehicle[f"{name}: "] = numbers
         rows += [
             [f"{name}: {what}", value]
             for what, value in _achieved(numbers, length, time)
         ]
-    return Result(title, ["", ""], rows)
+    return Result(title, ["", ""], rows, learning_advice(by_vehicle))
+
+
+def learning_advice(by_vehicle: dict[str, Numbers]) -> list[str]:
+    """Return a sentence for each vehicle that did not learn, with the remedy."""
+    sentences = []
+    for vehicle, numbers in by_vehicle.items():
+        faults = []
+        rms = numbers.get("clpe_rms_per_cycle") or []
+        if len(rms) > 1 and rms[-1] > rms[0]:
+            faults.append("CLPE does not fall: its last cycle is above the first")
+        shares = numbers.get("explained_variance") or {}
+        if any((shares.get(where) or 0) < 0 for where in ("track", "box")):
+            faults.append("the flow learned is worse than the mean current")
+        if faults:
+            sentences.append(f"{vehicle}{'; '.join(faults)}. {REMEDY}")
+    return sentences
 
 
 def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:

@@ -211,6 +211,7 @@ def test_saved_scenario_and_field_belong_together(fit, tmp_path):
     )
     text = (moved / "north.toml").read_text()
     assert "# missing fraction: 0.30" in text
+    assert 'law = "composite-least-squares"\n# law = "learned-flow"' in text
     assert str(tmp_path) not in text
     with netCDF4.Dataset(moved / "north_field.nc") as file:
         assert json.loads(file.fit_report) == fit.report
