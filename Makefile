@@ -12,7 +12,7 @@ ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver test test-slow test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs
+.PHONY: paper solver test test-slow test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -45,9 +45,11 @@ lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run, links are followed
+docs: $(SITE)  ## the site in build/docs: warnings are errors, notebooks run
 	OPENBLAS_NUM_THREADS=1 $(BIN)/sphinx-build --fail-on-warning --keep-going --nitpicky --quiet \
 		-d build/doctrees docs build/docs
+
+linkcheck: docs  ## every link and anchor of the site, in ten minutes
 	$(BIN)/python .ci/follow_links.py
 
 dist: $(DIST)/.ready  ## sdist and wheel into dist/, checked

@@ -1,4 +1,4 @@
-"""Every link and anchor of the built site, followed by LinkChecker; `make docs` runs it.
+"""Every link and anchor of the built site, followed by LinkChecker; `make linkcheck` runs it.
 
 Its command would change root to nobody, who may not read a private folder; here it stays.
 """

@@ -1,4 +1,4 @@
-"""Which law when?  Every law of the table where the paper's assumptions hold, and where not.
+"""Choice of a law: every law of the table where the assumptions of the paper hold, and where not.
 
 On the paper's scenario each condition is an ensemble over the flow (normal, 0.2), the start and
 the seed of the noise.  K and Gamma are held at the vehicle's own, but with --adapted and in the

@@ -106,6 +106,25 @@ def test_docstrings_say_what_is_done():
     ] == []
 
 
+CLAUSES = "What Whether How Where Of Which When Why".split()
+FENCED = re.compile(r"(?ms)^(`{3,}|:{3,}).*?^\1$")
+
+
+def test_no_heading_begins_as_a_clause():
+    house = REFERENCE.parent.parent
+    for path in [*house.glob("*.md"), *house.glob("docs/**/*.md")]:
+        for title in re.findall(r"(?m)^#+ (.*)$", FENCED.sub("", path.read_text())):
+            assert title.split()[0] not in CLAUSES, f"{path.name}: {title}"
+
+
+def test_no_docstring_begins_as_a_clause():
+    for module, tree in trees().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+                first = (ast.get_docstring(node) or "-").split()[0]
+                assert first not in CLAUSES, f"{module}: {ast.get_docstring(node)}"
+
+
 def test_only_public_names_have_sections():
     """Of all others one good line is enough."""
     values = [value for _, value in public_objects()]
