@@ -106,7 +106,7 @@ def test_docstrings_say_what_is_done():
     ] == []
 
 
-CLAUSES = "What Whether How Where Of Which When Why".split()
+CLAUSES = ["What", "Whether", "How", "Where", "Of", "Which", "When", "Why"]
 FENCED = re.compile(r"(?ms)^(`{3,}|:{3,}).*?^\1$")
 
 

@@ -204,7 +204,10 @@ def right(tmp_path_factory):
         },
         "ultimate_bound": {"window": 1.0, "largest_disturbance": 1.0, "drop": 0.5},
         **{name: {"path": folder / "run.nc"} for name in ("load_run", "load_diagram")},
-        **{name: {"path": currents} for name in ("read_currents", "fit_current")},
+        **{
+            name: {"source": currents, "names": None}
+            for name in ("read_currents", "fit_current")
+        },
         "read_flow_model": {"path": currents},
         "read_record": {"path": currents, "at": (41.2, -69.5)},
         "save_fit": {"fit": fit, "out": folder / "fit.toml"},

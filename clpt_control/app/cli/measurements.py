@@ -37,6 +37,8 @@ def fit(
     units: str | None = opt(
         "UNIT", "Of u and v, such as m/s, where the file has none."
     ),
+    u: str | None = opt("NAME", "Variable of the eastward velocity; needs --v."),
+    v: str | None = opt("NAME", "Variable of the northward velocity; needs --u."),
     tides: bool = flag(
         "Fit tidal constituents to a record at one place instead.", "--tides"
     ),
@@ -54,7 +56,11 @@ def fit(
         clpt fit currents.nc --box 40.9 41.55 -69.9 -69.0 --out mine.toml
         clpt fit record.nc --tides --constituents M2,S2,K1
     """
+    if (u is None) != (v is None):
+        raise ScenarioError("--u and --v: one is missing. Give both names")
     if tides:
+        if u is not None:
+            raise ScenarioError("--u, --v: not with --tides. Name the columns u and v")
         if constituents is None:
             raise ScenarioError("--tides: needs --constituents, such as M2,S2, or auto")
         _fit_tides(currents, constituents, latitude, at, units, as_json)
@@ -72,6 +78,7 @@ def fit(
         width_km=width_km,
         constituents=names,
         units=units,
+        names=None if u is None or v is None else {"u": u, "v": v},
     )
     scenario = clpt.currents.save_fit(fitted, out)
     length, speed = fitted.report["width_units"], fitted.report["speed_units"]

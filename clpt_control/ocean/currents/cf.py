@@ -108,9 +108,19 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) ->
         raise DataError(f"has a projected grid, of x and y, and no {quantity}; {CURE}")
     kind = f"{quantity} velocity" if table is VELOCITY else quantity
     criteria = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
+    remedy = "; give --u and --v, or names=" if table is VELOCITY else ""
     raise DataError(
-        f"no {kind}: {criteria} among {', '.join(map(str, data.variables))}"
+        f"no {kind}: {criteria} among {', '.join(map(str, data.variables))}{remedy}"
     )
+
+
+def checked_name(data: xarray.Dataset, name: str) -> str:
+    """Return the name of a variable that the user chose, or refuse an unknown one."""
+    if name not in data.data_vars:
+        raise DataError(
+            f"no variable {name}; must be one of {', '.join(map(str, data.data_vars))}"
+        )
+    return name
 
 
 def find_axis(data: xarray.Dataset, velocity: str, quantity: str) -> xarray.DataArray:

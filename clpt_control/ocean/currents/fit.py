@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import xarray
 
 from ...base.arguments import Count, public
 from ...base.errors import DataError, naming
@@ -37,7 +38,7 @@ from ...paper.scenario import tidal_periods
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
 from ..estimation.least_squares import least_squares
-from .grid_file import Box, Currents, read_currents, with_all_steps
+from .grid_file import Box, Currents, read_currents, source_name, with_all_steps
 from .identifiability import check_nyquist, check_separable
 from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
 
@@ -64,7 +65,7 @@ class Fit:
 
 @public
 def fit_current(
-    path: str | Path,
+    source: str | Path | Sequence[str | Path] | xarray.Dataset,
     box: tuple[float, float, float, float] | None = None,
     *,
     rows: Count = 3,
@@ -73,13 +74,14 @@ def fit_current(
     constituents: Sequence[str] = ("steady", "M2"),
     radius_km: float | None = None,
     units: str | None = None,
+    names: dict[str, str] | None = None,
 ) -> Fit:
     """Make a scenario of a gridded current, fitted by its basis.
 
     Parameters
     ----------
-    path : str or Path
-        What `read_currents` reads: a NetCDF file, a Zarr folder, a folder of files.
+    source : str, Path, list of str or Path, or xarray.Dataset
+        Gridded current, as in `read_currents`.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1, degrees; the whole file by default.
     rows, columns : int, optional
@@ -93,6 +95,8 @@ def fit_current(
         distance to the nearest edge of the field.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
+    names : dict, optional
+        ``{"u": NAME, "v": NAME}``, names of the velocities.
 
     Returns
     -------
@@ -135,7 +139,8 @@ def fit_current(
     for option, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{option} = {value} km: must be positive and finite")
-    currents = read_currents(path, box, units=units)
+    currents = read_currents(source, box, units=units, names=names)
+    path = source_name(source)
     with naming(path):
         currents = with_all_steps(currents)
     hours = currents.time[currents.measured.any(axis=(1, 2))]
@@ -181,10 +186,12 @@ def fit_current(
     functions = zip(
         scenario.basis.constituents or (), scenario.basis.centers, strict=True
     )
-    names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in functions]
+    function_names = [f"{tide} at ({x:.3g}, {y:.3g}) km" for tide, (x, y) in functions]
     phi = evaluate(scenario.basis_block(), t, np.column_stack([s1, s2]))
     with naming(path):
-        fit = least_squares(phi, np.column_stack([u[measured], v[measured]]), names)
+        fit = least_squares(
+            phi, np.column_stack([u[measured], v[measured]]), function_names
+        )
     report = {
         "source": currents.source,
         "box": list(currents.box),

@@ -13,7 +13,7 @@ Steps are missing in an interval that is longer than 2.5 times the median of the
 the two after it, so that steps may become coarser further ahead, as forecasts have them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib import resources
@@ -38,6 +38,7 @@ SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
 Box = tuple[float, float, float, float]
+Source = str | Path | Sequence[str | Path] | xarray.Dataset
 ZARR = ("zarr.json", ".zgroup", ".zmetadata")  # one is in each folder of Zarr
 
 
@@ -94,20 +95,21 @@ class Currents:
 
 @public
 def read_currents(
-    path: str | Path,
+    source: str | Path | Sequence[str | Path] | xarray.Dataset,
     box: tuple[float, float, float, float] | None = None,
     *,
     column: bool = False,
     units: str | None = None,
+    names: dict[str, str] | None = None,
 ) -> Currents:
-    """Read a gridded current: NetCDF, Zarr or a folder of files.
+    """Read a gridded current: files, Zarr, a folder or a Dataset.
 
     Parameters
     ----------
-    path : str or Path
-        A NetCDF file, a Zarr folder or a folder of NetCDF files, with dims time,
-        latitude, longitude in any order, and perhaps a depth.
-        Files of one folder have the same grid and other steps.
+    source : str, Path, list of str or Path, or xarray.Dataset
+        A NetCDF file, a Zarr folder, a folder or list of NetCDF files, or a Dataset, with
+        dims time, latitude, longitude in any order, and perhaps a depth.
+        Files of one folder or list have the same grid and other steps.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
         read. Without it, the whole file.
@@ -116,6 +118,9 @@ def read_currents(
         nearest the surface.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
+    names : dict, optional
+        Names of the eastward and northward velocity, ``{"u": NAME, "v": NAME}``;
+        otherwise they are found by standard name, or by usual names.
 
     Returns
     -------
@@ -138,28 +143,58 @@ def read_currents(
     >>> grid = {"time": hours, "lat": [41.0, 41.1], "lon": [-69.2, -69.1]}
     >>> flow = (("time", "lat", "lon"), np.full((2, 2, 2), 25.0), {"units": "cm/s"})
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     xarray.Dataset({"u": flow, "v": flow}, grid).to_netcdf(f"{folder}/current.nc")
-    ...     currents = read_currents(f"{folder}/current.nc")
+    ...     data = xarray.Dataset({"east": flow, "north": flow}, grid)
+    ...     data.to_netcdf(f"{folder}/current.nc")
+    ...     names = {"u": "east", "v": "north"}
+    ...     currents = read_currents(f"{folder}/current.nc", names=names)
     >>> currents.start, currents.time, float(currents.u[0, 0, 0])
     ('2019-01-01T00:00:00', array([0., 1.]), 0.25)
     """
-    path, span = Path(path), None if box is None else _checked_box(box)
-    if not path.is_dir() or any((path / name).exists() for name in ZARR):
-        currents = _read(path, span, column, units, 2)
-    else:
-        files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
-        if not files:
-            raise DataError(
-                f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
-            )
-        currents = _concatenated(
-            path, [_read(file, span, column, units, 1) for file in files]
+    if names is not None and set(names) != {"u", "v"}:
+        raise DataError(
+            f"names: has {', '.join(names) or 'nothing'}; must have u and v"
         )
+    span = None if box is None else _checked_box(box)
+    files = _files_of(source)
+    if files is None:
+        one = source if isinstance(source, xarray.Dataset) else Path(str(source))
+        currents = _read(one, span, column, units, names, 2)
+    else:
+        parts = [_read(file, span, column, units, names, 1) for file in files]
+        currents = _concatenated(source_name(source), parts)
     still = ~((currents.u != 0.0) | (currents.v != 0.0)).any(axis=0)
     if still.all() or not still.any():
         return currents
     currents.u[:, still] = currents.v[:, still] = np.nan
     return replace(currents, land=int(still.sum()))
+
+
+def source_name(source: Source) -> str:
+    """Return the name of a source of currents, with which error sentences begin."""
+    if isinstance(source, xarray.Dataset):
+        return "Dataset"
+    if isinstance(source, str | Path):
+        return str(source)
+    return f"{len(source)} files"
+
+
+def _files_of(source: Source) -> list[Path] | None:
+    """Return the files of a folder or list, or None for a single file or Dataset."""
+    if isinstance(source, xarray.Dataset):
+        return None
+    if not isinstance(source, str | Path):
+        if not source:
+            raise DataError("source: an empty list; give at least one file")
+        return [Path(file) for file in source]
+    path = Path(source)
+    if not path.is_dir() or any((path / name).exists() for name in ZARR):
+        return None
+    files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
+    if not files:
+        raise DataError(
+            f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
+        )
+    return files
 
 
 def missing_steps(time: np.ndarray) -> np.ndarray:
@@ -197,8 +232,18 @@ def with_all_steps(currents: Currents) -> Currents:
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[xarray.Dataset]:
-    """Open a NetCDF file or a Zarr folder, whose values are read when used."""
+def _opened(path: Path | xarray.Dataset) -> Iterator[xarray.Dataset]:
+    """Open a NetCDF file or a Zarr folder, whose values are read when used.
+
+    A Dataset is encoded as it would be in a file, with numbers as its times.
+    """
+    if isinstance(path, xarray.Dataset):
+        variables, attributes = xarray.conventions.cf_encoder(
+            path.variables, path.attrs
+        )
+        encoded = xarray.Dataset(variables, attrs=attributes)
+        yield xarray.decode_cf(encoded, decode_times=False)
+        return
     if not path.is_dir():
         with open_netcdf(path) as data:
             yield data
@@ -216,7 +261,7 @@ def _opened(path: Path) -> Iterator[xarray.Dataset]:
         raise DataError(f"{path}: cannot be read as Zarr: {reason}") from None
 
 
-def _concatenated(path: Path, files: list[Currents]) -> Currents:
+def _concatenated(path: str, files: list[Currents]) -> Currents:
     """Return one current of several on one grid, each with steps of its own."""
     template = files[0]
     for file in files:
@@ -240,22 +285,33 @@ def _concatenated(path: Path, files: list[Currents]) -> Currents:
             f"{path}: each step of {files[k].source} is in a later file, too. Correct its times "
             f"(it begins at {files[k].start}), or remove the file"
         )
-    return replace(template, dates=steps, u=u[rows], v=v[rows], source=shown_name(path))
+    return replace(
+        template, dates=steps, u=u[rows], v=v[rows], source=shown_name(Path(path))
+    )
 
 
 def _read(
-    path: Path, span: Box | None, column: bool, units: str | None, least: int
+    path: Path | xarray.Dataset,
+    span: Box | None,
+    column: bool,
+    units: str | None,
+    given: dict[str, str] | None,
+    least: int,
 ) -> Currents:
-    """Read one file, or Zarr folder, of so many steps at least."""
-    with _opened(path) as data, naming(path):
+    """Read one file, Zarr folder or Dataset of so many steps at least."""
+    source = source_name(path)
+    with _opened(path) as data, naming(source):
         if "fit_report" in data.attrs:
             raise DataError(
                 "is the field of a fit; give the .toml file beside it as a flow model"
             )
-        names = [
-            cf.find_variable(data, cf.VELOCITY, quantity)
-            for quantity in ("eastward", "northward")
-        ]
+        if given is None:
+            names = [
+                cf.find_variable(data, cf.VELOCITY, quantity)
+                for quantity in ("eastward", "northward")
+            ]
+        else:
+            names = [cf.checked_name(data, given[key]) for key in ("u", "v")]
         lat, lon, when = (
             cf.find_axis(data, names[0], quantity)
             for quantity in ("latitude", "longitude", "time")
@@ -301,7 +357,7 @@ def _read(
             u, v = u[:, None], v[:, None]
         lat0, lat1, lon0, lon1 = map(float, limits)
         of_grid = latitudes[rows], longitudes[columns], depth, dates[steps], u, v
-        return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(path))
+        return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(Path(source)))
 
 
 def _checked_box(box: Any) -> Box:

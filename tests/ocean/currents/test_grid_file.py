@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray
 from gridded_currents import gridded_current
 from pyproj import Geod
 from refusals import refuses
@@ -303,3 +304,48 @@ def test_field_block_equals_scipys_interpolating_spline():
             for axis, at in ((field.time, t[k]), (field.x2, x2[k]), (field.x1, x1[k])):
                 values = make_interp_spline(axis, values, k=3)(at)
             assert mine[k, component] == pytest.approx(float(values), abs=1e-10)
+
+
+def test_a_dataset_and_a_list_are_read_as_their_files(tmp_path):
+    data = current(land=True)
+    data.to_netcdf(tmp_path / "whole.nc")
+    whole = read_currents(tmp_path / "whole.nc")
+    with xarray.open_dataset(tmp_path / "whole.nc") as opened:
+        read = read_currents(opened)
+    same(whole, read)
+    assert (whole.land, whole.source) == (read.land, "whole.nc")
+    files = []
+    for k, part in enumerate((slice(0, 10), slice(10, None))):
+        files.append(tmp_path / f"part{k}.nc")
+        data.isel(time=part).to_netcdf(files[-1])
+    parts = read_currents(files[::-1])
+    same(whole, parts)
+    assert (read.source, parts.source) == ("Dataset", "2 files")
+    assert fit_current(data, rows=2, columns=2).report["source"] == "Dataset"
+
+
+def test_packed_values_and_masks_of_a_dataset(tmp_path):
+    data = current()
+    packing = {"dtype": "int16", "scale_factor": 1e-4, "_FillValue": -32768}
+    data.u[3, 2, 2] = np.nan
+    data.to_netcdf(tmp_path / "packed.nc", encoding={"u": packing, "v": packing})
+    from_file = read_currents(tmp_path / "packed.nc")
+    with xarray.open_dataset(tmp_path / "packed.nc") as opened:
+        same(from_file, read_currents(opened))
+    assert np.isnan(from_file.u[3, 2, 2])
+
+
+def test_velocities_by_the_names_of_the_user(tmp_path):
+    data = current().rename(u="speed_x", v="speed_y")
+    for name in ("speed_x", "speed_y"):
+        data[name].attrs.pop("standard_name", None)
+    data.to_netcdf(tmp_path / "own.nc")
+    names = {"u": "speed_x", "v": "speed_y"}
+    same(read_currents(current()), read_currents(tmp_path / "own.nc", names=names))
+    swapped = read_currents(data, names={"u": "speed_y", "v": "speed_x"})
+    np.testing.assert_array_equal(swapped.u, read_currents(data, names=names).v)
+    refuses("give --u and --v, or names=", read_currents, data)
+    said = "Dataset: no variable w; must be one of speed_x, speed_y"
+    refuses(said, read_currents, data, names=names | {"u": "w"})
+    refuses("names: has u; must have u and v", read_currents, data, names={"u": "w"})
+    refuses("an empty list; give at least one file", read_currents, [])
