@@ -38,7 +38,10 @@ FENCE = re.compile(r"^(`{3,})([^\n`]*)\n(.*?)^\1[ ]*$", re.M | re.S)
 FILE = re.compile(r"# ([\w.-]+\.(?:py|toml|csv))\n")
 LEFT_OUT = re.compile(r"# not run by the tests: \S.*\n")
 NUMBER = re.compile(r"-?\d+\.\d+(?=[\],])")
-LANGUAGES = {"python", "sh", "console", "toml", "text", "csv", "mermaid", "c", "matlab"}
+LANGUAGES = {
+    *("python", "sh", "console", "toml", "text", "csv", "mermaid", "c", "matlab"),
+    "bibtex",
+}
 
 
 class Block(NamedTuple):
