@@ -26,7 +26,7 @@ import numpy as np
 from ..base.arguments import Seed, public
 from ..base.errors import ClptError, DataError, ScenarioError, SimulationError, needed
 from ..base.files import check_writable
-from ..base.progress import interrupt, warn
+from ..base.progress import interrupt, progress_shown, warn
 from ..base.progress.processes import processes
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
@@ -68,7 +68,7 @@ def run_ensemble(
     trajectories: bool = False,
     chunk: int | None = None,
     times: Sequence[float] | None = None,
-    progress: Callable[[int], None] | None = None,
+    progress: bool | Callable[[int], None] | None = None,
     dask: str | None = None,
 ) -> "xarray.Dataset":
     """Run many members of one scenario, or of any diagram.
@@ -107,8 +107,9 @@ def run_ensemble(
         Members written at once; memory grows with it, not with `members`.
     times : sequence of float, optional
         Of a scenario: when errors are kept; 41 evenly spaced times without.
-    progress : callable, optional
-        Called with the number of members done.
+    progress : bool or callable, optional
+        True prints a progress bar on standard error; a function is called with the number
+        of members done.
     dask : str, optional
         Address of a Dask scheduler, or ``"local"``; needs `out`.
 
@@ -209,18 +210,18 @@ def run_ensemble(
                 f"{out} holds {stored} of {members} members; "
                 "the same command goes on from there"
             )
-        if progress is not None:
-            progress(done)
+        shown(done)
 
     count = threads or available_threads()
     try:
-        there = members - store.count(missing)
-        report(there, there)
-        if dask is None:
-            _run_here(ensemble, store, missing, count, report)
-        elif missing:
-            work = recipe, ensemble.code, str(path)
-            _run_elsewhere(work, store, missing, dask, count, report)
+        with progress_shown(progress, "ensemble", members) as shown:
+            there = members - store.count(missing)
+            report(there, there)
+            if dask is None:
+                _run_here(ensemble, store, missing, count, report)
+            elif missing:
+                work = recipe, ensemble.code, str(path)
+                _run_elsewhere(work, store, missing, dask, count, report)
     except BaseException:
         if dask in (None, "local"):  # far workers may still write
             remove_empty(store)

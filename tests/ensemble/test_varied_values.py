@@ -273,3 +273,14 @@ def test_an_interrupt_waits_for_one_member_that_python_runs():
     ):
         clpt.run_ensemble(system(rate, params={"k": 2.0}), "k=1:2", 200, **given)
     assert len(begun) < 20  # those that are tried before, and one or two
+
+
+def test_progress_is_a_bar_on_standard_error(monkeypatch, capsys):
+    monkeypatch.setattr("clpt_control.base.progress.PATIENCE", 0)
+    lag = system(lambda t, x, u, p: [-p["k"] * x[0]], params={"k": 2.0})
+    given = {"timepts": TIMES, "threads": 1}
+    clpt.run_ensemble(lag, "k=1:2", 4, progress=True, **given)
+    assert "of 4 members" in capsys.readouterr().err
+    for quiet in (None, False):
+        clpt.run_ensemble(lag, "k=1:2", 4, progress=quiet, **given)
+    assert capsys.readouterr().err == ""

@@ -72,6 +72,18 @@ def progress_bar(
             tell("", CLEARED)
 
 
+@contextmanager
+def progress_shown(
+    progress: bool | Callable[[int], None] | None, title: str, members: int
+) -> Iterator[Callable[[int], None]]:
+    """Yield a function of the number of members done: a progress bar, the caller's, or none."""
+    if progress is True:
+        with progress_bar(title, members, "members") as report:
+            yield report
+    else:
+        yield progress or (lambda done: None)
+
+
 def note(sentence: str) -> None:
     """Print a sentence of clpt on standard error, such as why work takes longer than usual."""
     tell(f"clpt: {sentence}")
