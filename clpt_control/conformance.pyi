@@ -1,3 +1,3 @@
-from .engine.conformance.checks import ConformanceReport, check_block, conformance
+from .engine.conformance.checks import ConformanceReport, check
 
-__all__ = ["ConformanceReport", "check_block", "conformance"]
+__all__ = ["ConformanceReport", "check"]

@@ -331,6 +331,7 @@ EARLIER_NAMES = [
     "team_loop",
     "error_loop",
     "state_at",
+    "check_block",
 ]
 
 

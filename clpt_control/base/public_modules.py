@@ -38,6 +38,8 @@ EARLIER = {  # name of earlier versions: its replacement
     "state_at": "run.clpt.state(t)",
     "mermaid": "clpt.draw(diagram, 'x.mmd')",
     "fit_scenario": "clpt.currents.fit_current",
+    "check_block": "clpt.conformance.check(block)",
+    "conformance": "clpt.conformance.check(block)",
     "percentiles": "the quantile of xarray",
 }
 

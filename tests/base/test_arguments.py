@@ -99,7 +99,7 @@ TO = {"end": (9e3, 40.01, -70.0), "through_water": (1000.0, 0.0)}
 CALLED = ("progress", "inputs")
 LONG = """animate audit design_track disturbance_counterexample excitation_plot export
 fit_parameters prove refute report run_ensemble sensitivity tune_law"""
-LISTS = ("conformance",)  # a sentence for each failure
+LISTS = ("check",)  # a sentence for each failure
 OF_THE_ENGINE = {  # called at each step, and checked by no one
     "Block": ("values", "parameters_at", "interval_at", "with_params"),
     "FixModel": ("regressor", "noise", "rotation"),

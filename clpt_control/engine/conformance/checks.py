@@ -1,4 +1,4 @@
-"""Conformance checks of a block: `clpt.conformance.conformance(my_block)`.
+"""Conformance checks of a block: `clpt.conformance.check(my_block)`.
 
 A block that passes can be wired, compiled, proved, pickled, linearized and integrated like the
 blocks of this package.  Each check is a generator that takes random arguments and yields one
@@ -312,7 +312,7 @@ class ConformanceReport(NamedTuple):
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.vehicle import vehicle
-    >>> clpt.conformance.check_block(vehicle()).ok
+    >>> clpt.conformance.check(vehicle()).ok
     True
     """
 
@@ -338,43 +338,13 @@ class ConformanceReport(NamedTuple):
 
 
 @public
-def conformance(
-    block: Block,
-    seed: Seed = 0,
-    samples: int = 20,
-    units: Mapping[str, str] | None = None,
-) -> None:
-    """Raise an error unless a block conforms.
-
-    Parameters
-    ----------
-    block, seed, samples, units
-        As `check_block` takes them.
-
-    Raises
-    ------
-    BlockError
-        With every failure, a sentence each.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> from clpt_control.paper.blocks.vehicle import vehicle
-    >>> clpt.conformance.conformance(vehicle())
-    """
-    report = check_block(block, seed, samples, units)
-    if not report.ok:
-        raise BlockError(str(report))
-
-
-@public
-def check_block(
+def check(
     block: Block,
     seed: Seed = 0,
     samples: int = 20,
     units: Mapping[str, str] | None = None,
 ) -> ConformanceReport:
-    """Check a block and return a report.
+    """Compare all backends of a block; raise an error if they differ.
 
     Parameters
     ----------
@@ -385,22 +355,40 @@ def check_block(
     samples : int, optional
         Number of random arguments.
     units : mapping of str to str, optional
-        Unit of each port and each parameter that is no whole number, such as
+        Unit of each port and each parameter that is not a whole number, such as
         ``{"e": "m", "gain": "1/s"}``, and of the time ``t``, ``"s"`` by default. The equations
-        are then tried in other units, in which they must hold alike.
+        are then tested in other units, too.
 
     Returns
     -------
     ConformanceReport
-        The checks and the failures.
+        The checks that the block passed.
+
+    Raises
+    ------
+    BlockError
+        With every failure, a sentence each.
 
     Examples
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.vehicle import vehicle
-    >>> print(clpt.conformance.check_block(vehicle()))
+    >>> print(clpt.conformance.check(vehicle()))
     vehicle: conforms (6 checks)
     """
+    report = check_block(block, seed, samples, units)
+    if not report.ok:
+        raise BlockError(str(report))
+    return report
+
+
+def check_block(
+    block: Block,
+    seed: int = 0,
+    samples: int = 20,
+    units: Mapping[str, str] | None = None,
+) -> ConformanceReport:
+    """Compare all backends of a block; return the checks and the failures."""
     block.read_anew()
     drawn = random_samples(block, seed, max(samples, 4))
     checks = [*CHECKS, *([] if units is None else [unit_check(units)])]

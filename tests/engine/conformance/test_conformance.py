@@ -11,10 +11,11 @@ from error_sentences import says
 from package_blocks import BLOCKS, EACH
 from recorded_blocks import static
 
-from clpt_control.conformance import check_block, conformance
+from clpt_control.conformance import check
 from clpt_control.engine.codegen import vectors
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import (
+    check_block,
     differ,
     python_values,
     random_samples,
@@ -29,7 +30,7 @@ from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 @pytest.mark.parametrize("block", EACH)
 def test_package_block_conforms(block):
-    conformance(block, samples=8)
+    check(block, samples=8)
 
 
 def test_docstrings_name_the_equation():
@@ -53,7 +54,7 @@ def test_a_report_counts_its_checks_and_repeats():
     assert (report.ok, report.failures, len(report.checks)) == (True, (), 6)
     assert str(report) == "clpe: conforms (6 checks)"
     assert check_block(static(root, 1), seed=3) == check_block(static(root, 1), seed=3)
-    says(ArgumentError, "block = 3: must be a Block", check_block, 3)
+    says(ArgumentError, "block = 3: must be a Block", check, 3)
 
 
 # --- blocks of a user, each with one mistake ---------------------------------------------------
@@ -101,7 +102,7 @@ def failures(block):
         True,
     )
     with pytest.raises(BlockError) as caught:
-        conformance(block)
+        check(block)
     assert all(sentence in str(caught.value) for sentence in report.failures)
     return told
 
@@ -191,7 +192,7 @@ def made_leaky(update=leaky):
 
 def test_units_that_fit_pass():
     assert len(check_block(made_leaky(), units=LEAKY).checks) == 7
-    conformance(made_leaky(), units=LEAKY)
+    check(made_leaky(), units=LEAKY)
     hours = {
         "t": "h",
         "e": "km",
@@ -200,7 +201,7 @@ def test_units_that_fit_pass():
         "leak": "1/h",
         "centre": "km",
     }
-    conformance(made_leaky(), units=hours)
+    check(made_leaky(), units=hours)
 
 
 SMALLER = [
@@ -234,7 +235,7 @@ def test_one_gain_for_all_is_of_no_unit():
         "gain_K": "m-2 s-2",
         "gain_Gamma": "m-2 s-2",
     }
-    conformance(LAW.of(3, gain=0.7, gain_K=0.4, gain_Gamma=1.3), units=units)
+    check(LAW.of(3, gain=0.7, gain_K=0.4, gain_Gamma=1.3), units=units)
     del units["gain_K"], units["gain_Gamma"]
     one = check_block(LAW.of(3, gain=0.7), units=units)
     assert "adaptation.update: K is not of the unit '1/s'" in one.failures[0]
@@ -247,7 +248,7 @@ def bare(t, x, u, p):
 @pytest.mark.parametrize("output", [bare, root, large_constant])
 def test_good_user_blocks_pass(output):
     """Without a docstring, finite for half of the random inputs, of 2^70 too."""
-    conformance(static(output, 1, parameters={"k": 2.0}))
+    check(static(output, 1, parameters={"k": 2.0}))
 
 
 def test_a_block_too_large_for_sympy_is_told_so():

@@ -203,7 +203,7 @@ def test_a_wire_carries_no_minus_zero_into_a_state(engine):
 
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(read, inputs={"r": 1})
-    clpt.conformance.conformance(block)
+    clpt.conformance.check(block)
     for twin in (
         pickle.loads(pickle.dumps(block)),
         copy.deepcopy(block),

@@ -8,6 +8,7 @@ from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control.engine.conformance.all_backends import readings
+from clpt_control.engine.conformance.checks import check_block
 from clpt_control.equations import Block, Sampled
 
 DT = 0.5
@@ -282,7 +283,7 @@ def test_euler_of_constant_rates_and_of_time(engine):
 def test_conformance_holds():
     """By itself a block holds what it is given."""
     for block in loop_of(limited(), pid("w")).syslist[1:3]:
-        report = clpt.conformance.check_block(block)
+        report = check_block(block)
         assert not report.failures, report
 
 
