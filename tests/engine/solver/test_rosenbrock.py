@@ -291,16 +291,16 @@ def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
     def ended(*gains):
         return ensemble.run(ensemble.members({"learning.gain": np.array(gains)}), times)
 
-    found = ended(0.01, 1e6, 0.02, 3e5)
+    found = ended(0.01, 1e7, 0.02, 3e5)
     assert list(found.status) == [Status.FINISHED] * 4
     np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
     # others, each stiff in its time
-    beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e6)
+    beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e7)
     np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
     np.testing.assert_array_equal(
-        ended(*[1e6] * 8).states, np.tile(found.states[1], (8, 1, 1))
+        ended(*[1e7] * 8).states, np.tile(found.states[1], (8, 1, 1))
     )
-    runner, start = loop_of({**values, "learning.gain": 1e6})
+    runner, start = loop_of({**values, "learning.gain": 1e7})
     whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
     assert "Rodas5P" in whole.method
     # lanes sum in another order, so that errors are others
