@@ -257,7 +257,7 @@ class Scenario(tables.Table):
 
     @property
     def field_path(self) -> Path | None:
-        """The file of the gridded field; None if the true flow has parameters theta."""
+        """The file of the gridded field; None with parameters theta."""
         return None if self.flow.field is None else self._folder / self.flow.field
 
     @public
