@@ -60,7 +60,7 @@ def naming(file: object) -> Iterator[None]:
         raise DataError(f"{file}: {error}") from None
 
 
-def needed(module: str) -> types.ModuleType:
+def import_optional(module: str) -> types.ModuleType:
     """Import a module of an optional package, or raise an error with the command to install it."""
     try:
         return import_module(module)

@@ -11,12 +11,12 @@ from functools import cache
 from math import atan2, cos, degrees, hypot, isfinite, nan, radians, sin
 from typing import Any
 
-from .errors import needed
+from .errors import import_optional
 
 
 @cache
 def _ellipsoid() -> Any:
-    return needed("pyproj").Geod(ellps="WGS84")
+    return import_optional("pyproj").Geod(ellps="WGS84")
 
 
 def is_place(lat: Any, lon: Any) -> Any:
@@ -63,10 +63,10 @@ def place_from(
     return lat2, lon2
 
 
-def near(lon: Any, reference: Any) -> Any:
+def angle_near(lon: Any, reference: Any) -> Any:
     """Return an angle plus full turns that is within 180 degrees of a reference.
 
-    >>> near(-179.5, 179.0)
+    >>> angle_near(-179.5, 179.0)
     180.5
     """
     return reference + (lon - reference + 180.0) % 360.0 - 180.0

@@ -43,7 +43,7 @@ WORDS = {  # also in the plural
 }
 
 
-def known(value: Any) -> Any:
+def finite_or_none(value: Any) -> Any:
     """Return None for a number that is not finite, which JSON cannot express."""
     return None if isinstance(value, float) and not isfinite(value) else value
 

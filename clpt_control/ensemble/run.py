@@ -23,7 +23,13 @@ import control
 import numpy as np
 
 from ..base.arguments import Seed, public
-from ..base.errors import ClptError, DataError, ScenarioError, SimulationError, needed
+from ..base.errors import (
+    ClptError,
+    DataError,
+    ScenarioError,
+    SimulationError,
+    import_optional,
+)
 from ..base.files import check_writable
 from ..base.progress import interrupt, progress_shown, warn
 from ..base.progress.processes import processes
@@ -152,7 +158,7 @@ def run_ensemble(
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
-        needed(module)
+        import_optional(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
     if path is not None and not os.path.lexists(path):

@@ -21,8 +21,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..base.errors import DataError, needed
-from ..base.files import beside
+from ..base.errors import DataError, import_optional
+from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from .members import Values
 from .summaries import Arrays, StoredArray
@@ -208,7 +208,7 @@ def create_store(
 
     `arguments` identify the ensemble; chunks fill the arrays that have no values.
     """
-    zarr = needed("zarr")
+    zarr = import_optional("zarr")
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     target: Any = path or zarr.storage.MemoryStore()
@@ -217,7 +217,7 @@ def create_store(
     checksums = StoredArray(
         ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}
     )
-    with beside(path, folder=True) if path else nullcontext(target) as folder:
+    with atomic_path(path, folder=True) if path else nullcontext(target) as folder:
         group = zarr.create_group(folder)
         group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
         for name, stored in {**arrays, DONE: checksums}.items():
@@ -253,7 +253,7 @@ def remove_empty(store: Store) -> None:
 
 def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     """Open a store to write the missing chunks, or with "r" to read it."""
-    zarr = needed("zarr")
+    zarr = import_optional("zarr")
     if not path.exists():
         raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
     if not path.is_dir():

@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..base.arguments import public
-from ..base.errors import ClptError, ScenarioError, needed
-from ..base.units import known
+from ..base.errors import ClptError, ScenarioError, import_optional
+from ..base.units import finite_or_none
 from ..paper.laws.law import Law
 from ..paper.laws.table import LAWS
 from ..paper.scenario.experiment import Scenario
@@ -139,7 +139,7 @@ def tune_law(
             raise ScenarioError(
                 f"{word} = {value}: must be a whole number, {least} to {most}"
             )
-    needed("zarr")
+    import_optional("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)
     tested, skipped = laws_to_try(names)
     if not tested:
@@ -273,7 +273,11 @@ def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
 def as_json(score: Score) -> dict[str, Any]:
     """Return a score as JSON values; None for infinite numbers."""
     values = score.candidate._asdict() | score._asdict()
-    return {k: known(v) for k, v in values.items() if k not in ("values", "candidate")}
+    return {
+        k: finite_or_none(v)
+        for k, v in values.items()
+        if k not in ("values", "candidate")
+    }
 
 
 def because(report: dict[str, Any], named: str) -> str:

@@ -37,7 +37,7 @@ PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")
 
 
 @contextmanager
-def beside(path: AnyPath, folder: bool = False) -> Iterator[Path]:
+def atomic_path(path: AnyPath, folder: bool = False) -> Iterator[Path]:
     """Make a hidden empty file or folder next to a path, and rename it to the path at the end.
 
     Its name is ``.NAME.MACHINE-PROCESS-CHANCE.part``.  It is removed if the work fails.  Files of
@@ -127,7 +127,7 @@ def write_together(
         for path in results:
             check_writable(path)
         for path, result in results.items():
-            _write(result, renamed.enter_context(beside(path)), Path(path))
+            _write(result, renamed.enter_context(atomic_path(path)), Path(path))
 
 
 def _write(result: Any, partial: Path, path: Path) -> None:
@@ -298,7 +298,7 @@ def write_cached(path: Path, data: bytes, most: int) -> None:
     """
     with suppress(DataError, OSError), _through_folder(path) as safe:
         safe.unlink(missing_ok=True)  # its mode may differ
-        with beside(safe) as partial:
+        with atomic_path(safe) as partial:
             partial.chmod(0o600)
             partial.write_bytes(data)
     with suppress(OSError):

@@ -22,7 +22,7 @@ from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
-from ..errors import DataError, needed
+from ..errors import DataError, import_optional
 
 if TYPE_CHECKING:
     import xarray
@@ -132,7 +132,7 @@ def zarr_store(folder: Path, read_only: bool = True) -> Any:
 
     Links, pipes and devices in the folder, at any depth, are refused: Zarr would follow them.
     """
-    needed("zarr")
+    import_optional("zarr")
     from zarr.storage import LocalStore
 
     for parent, folders, files in os.walk(folder):
@@ -226,7 +226,7 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
     if start == b"CDF\x05":
         raise DataError(f"{path}: is of 64-bit data; `nccopy -k nc4` makes it NetCDF-4")
     if start[:3] != b"CDF":
-        needed("netCDF4")
+        import_optional("netCDF4")
         raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
         for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
             _check_heap(raw, heap.end(), path)
