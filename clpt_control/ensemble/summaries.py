@@ -26,7 +26,7 @@ from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
 from ..simulation.loop_blocks import units_of_ports
 from ..simulation.mean_squares import nearest, samples_for_means, starts_of_rounds
-from .members import Ensemble, Members, States, Values
+from .members import Ensemble, Members, States, Values, member_count
 
 MOST_SAMPLES = 20_000  # of a member, but at least a tenth of the samples of `clpt run`
 MARKS = 41  # default number of times of errors
@@ -108,7 +108,8 @@ class Arrays(dict[str, StoredArray]):
     """The arrays of a store by name: summaries of members, and fixed arrays with values."""
 
     def __init__(self, values: Values, sizes: Mapping[str, int]):
-        self.members, self.sizes = len(next(iter(values.values()))), sizes
+        self.members = member_count(values)
+        self.sizes = sizes
 
     def add(
         self,
@@ -225,18 +226,15 @@ def _add_coordinates(arrays: Arrays, varied: Any) -> None:
         if dim in used and numbers.size:
             arrays.add_fixed(dim, (dim,), numbers, long_name=long_name, **attrs)
 
-    def count(number: int) -> np.ndarray:
-        return np.arange(1, number + 1)
-
     time = scenario.units.time
     marks, samples = times.union[times.marks], times.union[times.output]
-    cycles = count(len(times.starts) - 1)
+    cycles = np.arange(1, len(times.starts))
     add("cycle", cycles, "round of the waypoints", length=scenario.cycle)
     add("mark", marks, "time of an error", units=time)
     add("time", samples, "time since the start of the run", units=time)
-    add("axis", count(2), "axis of the plane, x1 and x2")
-    add("basis", count(scenario.basis.N), "flow basis function")
-    add("waypoint", count(len(scenario.waypoints)), "waypoint")
+    add("axis", np.array([1, 2]), "axis of the plane, x1 and x2")
+    add("basis", 1 + np.arange(scenario.basis.N), "flow basis function")
+    add("waypoint", 1 + np.arange(len(scenario.waypoints)), "waypoint")
 
 
 def followed(varied: Any) -> list[str]:
@@ -294,8 +292,8 @@ def summarise(
         )
     # 3. flow faster than the vehicle, termination, trajectories
     if varied.needs_signals:
-        share = _faster_flow(varied, ensemble, members, values, run)
-        summaries["share_in_faster_flow"] = share
+        shares = _faster_flow(varied, ensemble, members, values, run)
+        summaries["share_in_faster_flow"] = shares
     summaries |= ends_of(run, times.union)
     for name in followed(varied):
         trajectory = states[VARIABLES[name][0]][:, times.output]
