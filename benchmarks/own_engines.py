@@ -45,7 +45,7 @@ def simulate(case: Case):
 def members(scenario):
     """Prepare an ensemble: eight members at once where the processor allows it."""
     from clpt_control.ensemble.members import Ensemble
-    from clpt_control.ensemble.of_scenarios import VariedScenario
+    from clpt_control.ensemble.varied_scenario import VariedScenario
 
     N, run = scenario.basis.N, scenario.run
     keys = ("flow.parameters", "learning.gain", "vehicle.position", "learning.position")

@@ -37,9 +37,9 @@ NAMES = {
     },
 }
 PROSE = re.compile(
-    r"\b(where|with|and|as|the|between|Eqs?|at all|from|in place|what|beside|both|whatever)\b"
+    r"\b(where|with|and|as|the|between|Eqs?|at all|from|in place|if|dissipative|both)\b"
 )
-SPLIT = re.compile(r"\s{2,}|(?=- what)|(?<=,) (?=where)| (?=between)|(?=: the)")
+SPLIT = re.compile(r"\s{2,}|(?=- dissipative)|(?<=,) (?=where)| (?=between)|(?=: the)")
 SIGNS = {
     "+=": "+=",
     "-=": "-=",

@@ -1,1 +1,1 @@
-"""Helpers without a subject of the field: public names, random numbers."""
+"""General helpers: arguments, errors, files, progress, figures, HTML, units, random numbers."""

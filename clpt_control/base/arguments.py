@@ -1,9 +1,9 @@
-"""Arguments of public functions: each call checks them against the annotations.
+"""Checks of the arguments of public functions against their annotations.
 
-`@public` on a function or class reads its annotations.  An argument of another kind is an
-`ArgumentError` of one sentence: the function, the argument, its value, what is allowed, what to
-try.  A few values are made plain: an array of no dimension becomes its number, an iterator a list,
-and a list an array or a tuple where the annotation has one.
+`@public` on a function or class reads its annotations.  An argument of another kind raises an
+`ArgumentError` with one sentence: the function, the argument, its value, the allowed kinds and a
+remedy.  Some values are converted: an array without dimensions becomes its number, an iterator a
+list, and a list an array or a tuple if the annotation has one.
 """
 
 import difflib
@@ -25,13 +25,13 @@ from numpy.typing import ArrayLike
 from .errors import ArgumentError
 
 Public = TypeVar("Public", bound=Callable)
-Kinds = tuple[Any, ...]  # an argument may be of any of them
+Kinds = tuple[Any, ...]  # alternatives for one argument
 OrNaN = Annotated[float, "NaN where it is not known"]
 Seed = Annotated[int, "0 or more"]
 Count = Annotated[int, "1 or more"]
 Positive = Annotated[float, "positive and finite"]
 LISTS = (Sequence, Iterable, list)
-MOST_MEMBERS = 100  # of a list that is searched for masked arrays
+MOST_MEMBERS = 100  # longer lists are not searched for masked arrays
 PLAIN = (str, bytes, bool, int, float, complex, list, tuple, set, dict)
 SIMPLE = {float, int, str, bool, NoneType}
 EMPTY = np.dtype("V")
@@ -51,16 +51,16 @@ NOUNS = {
     "Path": "a path",
     "PathLike": "a path",
 }
-# of annotations
+# parts of annotations that messages leave out
 NO_WORDS = re.compile(r"\w+\.|ForwardRef\('|'\)|Annotated\[|, '[^']* [^']*'\]")
-EXAMPLES = {  # of arguments whose kind alone does not show how they are written
+EXAMPLES = {  # argument -> example for its message
     "inputs": "{'e': 2}",
     "params": "{'adaptation.gain': 2.0}",
     "vary": "'learning.gain=0.2:2.0'",
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
 }
-MAKERS = {  # what people make first, by a word of what is allowed
+MAKERS = {  # word of the allowed kinds -> remedy
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",
     "Team": "clpt.load_scenario('team.toml') reads a team's file",
     "diagram": "clpt.closed_loop, clpt.connect or control.ss makes one",
@@ -73,11 +73,11 @@ MAKERS = {  # what people make first, by a word of what is allowed
 def public(target: Public) -> Public:
     """Return a function or class that refuses arguments which its annotations do not allow."""
     if not isinstance(target, type):
-        for one, kind in target.__annotations__.items():
-            if kind == ArrayLike:  # help() writes ten lines of what it may be
-                target.__annotations__[one] = "ArrayLike"
+        for argument, kind in target.__annotations__.items():
+            if kind == ArrayLike:  # help() would print its ten lines
+                target.__annotations__[argument] = "ArrayLike"
         call = _checking(target, target.__qualname__)
-        # with the globals of its own module, in which doctest looks for it
+        # with the globals of the target's module, in which doctest looks for it
         function = FunctionType(
             call.__code__, target.__globals__, closure=call.__closure__
         )
@@ -92,16 +92,16 @@ def public(target: Public) -> Public:
 def _checking(function: Any, name: str) -> Any:
     """Return a function that checks its arguments before it calls another."""
     code = function.__code__
-    places = code.co_varnames[: code.co_argcount]
-    known = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
+    positional = code.co_varnames[: code.co_argcount]
+    names = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
     any_name = bool(code.co_flags & CO_VARKEYWORDS)
     kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
         value = without_mask(value)
         if not kinds_by:  # at the first call, when all names are known
-            for one, kind in function.__annotations__.items():
-                kinds_by[one] = kinds_of(kind, function.__globals__)
+            for name_of_argument, kind in function.__annotations__.items():
+                kinds_by[name_of_argument] = kinds_of(kind, function.__globals__)
         kinds = kinds_by.get(argument, (Any,))
         if Any in kinds or (
             type(value) in SIMPLE and type(value) in kinds and value == value
@@ -116,11 +116,11 @@ def _checking(function: Any, name: str) -> Any:
             )
         return value
 
-    def call(*given: Any, **named: Any) -> Any:
-        if len(given) > len(places) or not (any_name or known.issuperset(named)):
-            return function(*given, **named)  # Python itself says what is too much
+    def call(*values: Any, **named: Any) -> Any:
+        if len(values) > len(positional) or not (any_name or names.issuperset(named)):
+            return function(*values, **named)  # Python itself says what is too much
         return function(
-            *map(checked, places, given),
+            *map(checked, positional, values),
             **{argument: checked(argument, value) for argument, value in named.items()},
         )
 
@@ -147,25 +147,27 @@ def without_mask(value: Any) -> Any:
 
 
 def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
-    """Return the kinds of an annotation; what only type checkers import stays its name."""
+    """Return the kinds of an annotation; a name that only type checkers import stays a name."""
     if isinstance(kind, ForwardRef):
         kind = kind.__forward_arg__
     if isinstance(kind, str):
         try:
             kind = eval(kind, dict(names))
         except (NameError, AttributeError):
-            parts = kind.split(" | ")
+            alternatives = kind.split(" | ")
             return (
-                sum((kinds_of(part, names) for part in parts), ())
-                if parts[1:]
+                sum((kinds_of(alternative, names) for alternative in alternatives), ())
+                if alternatives[1:]
                 else (kind,)
             )
-    if kind == ArrayLike:  # the function says what its array holds
+    if kind == ArrayLike:  # the function checks its array
         return (Any,)
     if kind == OrNaN:
         return (float, OrNaN)
     if get_origin(kind) in (Union, UnionType):
-        return tuple(inner for one in get_args(kind) for inner in kinds_of(one, names))
+        return tuple(
+            inner for member in get_args(kind) for inner in kinds_of(member, names)
+        )
     return (NoneType if kind is None else kind,)
 
 
@@ -190,15 +192,15 @@ def plain(value: Any, kinds: Kinds) -> Any:
 
 
 def fits(value: Any, kinds: Kinds) -> bool:
-    """Return whether a value is of one of some kinds; NaN is none but Any and `OrNaN`."""
+    """Return True if a value has one of the kinds; NaN has only the kinds Any and `OrNaN`."""
     if isinstance(value, Real) and value != value:
         return Any in kinds or OrNaN in kinds
-    return any(_is(value, kind) for kind in kinds)
+    return any(_has_kind(value, kind) for kind in kinds)
 
 
-def _is(value: Any, kind: Any) -> bool:
-    own, inner = _parts(kind)
-    if own is Any:
+def _has_kind(value: Any, kind: Any) -> bool:
+    origin, inner = _origin_and_arguments(kind)
+    if origin is Any:
         return True
     if kind in (Seed, Count):
         least = 0 if kind == Seed else 1
@@ -208,38 +210,40 @@ def _is(value: Any, kind: Any) -> bool:
             and int(value) >= least
         )
     if kind == Positive:
-        return _is(value, float) and 0 < value < np.inf
-    if own in (float, int):
-        return isinstance(value, Real if own is float else Integral) and not isinstance(
-            value, bool
+        return _has_kind(value, float) and 0 < value < np.inf
+    if origin in (float, int):
+        return isinstance(
+            value, Real if origin is float else Integral
+        ) and not isinstance(value, bool)
+    if origin is np.ndarray:  # of numbers
+        return (
+            isinstance(value, origin) and value.ndim > 0 and value.dtype.kind in "iuf"
         )
-    if own is np.ndarray:  # of numbers
-        return isinstance(value, own) and value.ndim > 0 and value.dtype.kind in "iuf"
-    if isinstance(own, str):
+    if isinstance(origin, str):
         # such as "xarray.Dataset", of a module that may not be imported
-        *module, name = own.split(".")
-        same = [
-            one.__module__.split(".")
-            for one in type(value).__mro__
-            if one.__name__ == name
+        *module, name = origin.split(".")
+        modules = [
+            parent.__module__.split(".")
+            for parent in type(value).__mro__
+            if parent.__name__ == name
         ]
-        return any(one[: len(module)] == module for one in same)
-    if own in LISTS or (own is tuple and inner[-1] is Ellipsis):
-        return _is_list(value, own, inner)
-    if own is tuple:
+        return any(path[: len(module)] == module for path in modules)
+    if origin in LISTS or (origin is tuple and inner[-1] is Ellipsis):
+        return _is_list_of(value, origin, inner)
+    if origin is tuple:
         listed = isinstance(value, tuple | list) or getattr(value, "ndim", 0) == 1
         return listed and len(value) == len(inner) and all(map(_inner, value, inner))
-    if own in (Mapping, dict) and inner and isinstance(value, own):
+    if origin in (Mapping, dict) and inner and isinstance(value, origin):
         return all(
-            _inner(one, k)
+            _inner(item, k)
             for pair in value.items()
-            for one, k in zip(pair, inner, strict=True)
+            for item, k in zip(pair, inner, strict=True)
         )
-    return isinstance(value, own)
+    return isinstance(value, origin)
 
 
 @cache
-def _parts(kind: Any) -> tuple[Any, tuple[Any, ...]]:
+def _origin_and_arguments(kind: Any) -> tuple[Any, tuple[Any, ...]]:
     """Return Sequence and (str,) for Sequence[str]."""
     if get_origin(kind) is Annotated:
         kind = get_args(kind)[0]
@@ -255,8 +259,8 @@ def _inner_kinds(kind: Any) -> Kinds:
     return kinds_of(kind, {})
 
 
-def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
-    """Return whether a value is a list, or what is as good, of what the kind names."""
+def _is_list_of(value: Any, origin: Any, inner: Kinds) -> bool:
+    """Return True if a value is a list or another sequence whose members have the inner kind."""
     if (
         isinstance(value, str | bytes | os.PathLike | Mapping)
         or getattr(value, "ndim", 1) == 0
@@ -264,7 +268,7 @@ def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
         return False
     if not all(hasattr(value, name) for name in ("__iter__", "__len__")):
         return False
-    if own is not Iterable and not hasattr(value, "__getitem__"):
+    if origin is not Iterable and not hasattr(value, "__getitem__"):
         return False
     if inner[:1] == (float,):  # thousands of times are asked at once
         try:
@@ -272,11 +276,11 @@ def _is_list(value: Any, own: Any, inner: Kinds) -> bool:
         except (TypeError, ValueError):
             return False
         return numbers.ndim == 1 and (numbers.dtype.kind in "iuf" or not len(numbers))
-    return all(_inner(one, inner[0]) for one in value)
+    return all(_inner(member, inner[0]) for member in value)
 
 
 def words(kinds: Kinds) -> str:
-    """Return what is allowed: "a number or None"."""
+    """Return kinds as words: "a number or None"."""
     *many, last = dict.fromkeys(map(_noun, kinds))
     return f"{', '.join(many)} or {last}" if many else last
 
@@ -284,8 +288,10 @@ def words(kinds: Kinds) -> str:
 def _noun(kind: Any) -> str:
     if kind in (Seed, Count, Positive):
         return f"{NOUNS[get_args(kind)[0].__name__]}, {get_args(kind)[1]}"
-    own, inner = _parts(kind)
-    name = own if isinstance(own, str) else getattr(own, "__name__", str(own))
+    origin, inner = _origin_and_arguments(kind)
+    name = (
+        origin if isinstance(origin, str) else getattr(origin, "__name__", str(origin))
+    )
     if inner and name not in NOUNS:
         return NO_WORDS.sub("", str(kind))  # Sequence[str | Path], as it is written
     return NOUNS.get(name) or f"{'an' if name[0] in 'AEIOUaeioux' else 'a'} {name}"
@@ -304,7 +310,7 @@ def brief(value: Any) -> str:
 
 
 def hint(argument: str, value: Any, allowed: str) -> str:
-    """Return what to try, or nothing."""
+    """Return a remedy for the message, or ""."""
     if argument in EXAMPLES:
         return f", such as {EXAMPLES[argument]}"
     if isinstance(value, str) and "[str" in allowed:
@@ -323,28 +329,29 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     with suppress(TypeError, ValueError):
         if getattr(getattr(value, "dtype", None), "kind", "-") in "cmM":
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
-        found = np.asarray([] if value is None else value, dtype=float)
-        sizes = found.shape[max(found.ndim - len(last), 0) :]
+        array = np.asarray([] if value is None else value, dtype=float)
+        sizes = array.shape[max(array.ndim - len(last), 0) :]
         if all(
-            one in (None, size) for one, size in zip_longest(last, sizes, fillvalue=-1)
+            required in (None, size)
+            for required, size in zip_longest(last, sizes, fillvalue=-1)
         ):
-            return found
-    shape = f" of shape (..., {', '.join('n' if one is None else str(one) for one in last)})"
+            return array
+    shape = f" of shape (..., {', '.join('n' if n is None else str(n) for n in last)})"
     raise ArgumentError(
         f"{argument} = {brief(value)}: must be an array of numbers{shape if last else ''}"
     )
 
 
-def check_holds(argument: str, given: Any, names: Iterable[str], cure: str) -> None:
-    """Refuse a Dataset or dict that lacks one of some names."""
+def check_holds(argument: str, data: Any, names: Iterable[str], cure: str) -> None:
+    """Refuse a Dataset or dict without one of some names."""
     for name in names:
-        if name not in given:
-            raise ArgumentError(f"{argument} = {brief(given)}: has no '{name}'; {cure}")
+        if name not in data:
+            raise ArgumentError(f"{argument} = {brief(data)}: has no '{name}'; {cure}")
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """Return the known name that was meant, without the block before it too, or ""."""
-    own, last = [*known], name.rpartition(".")[2]
-    if last in own:
+def nearest(name: str, names: Iterable[str]) -> str:
+    """Return the most similar name, also without the block before it, or ""."""
+    candidates, last = [*names], name.rpartition(".")[2]
+    if last in candidates:
         return last
-    return next(iter(difflib.get_close_matches(name, own, n=1)), "")
+    return next(iter(difflib.get_close_matches(name, candidates, n=1)), "")

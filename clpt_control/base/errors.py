@@ -1,8 +1,8 @@
 """Errors that a user can cause, each with one sentence.
 
-Every error that a user can cause is a `ClptError`: its text names what was
-given, where, what is allowed and what to try.  The command line prints that
-sentence and ends with status 2, or with 1 where a run was under way.
+Every error that a user can cause is a `ClptError`.  Its text names the file or argument, its value,
+what is allowed and what to try.  The command line prints that sentence and ends with status 2, or
+with status 1 if a run failed.
 """
 
 import types
@@ -10,16 +10,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
 
-# all others: sea
+# package -> extra; all other packages: sea
 EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}
 
 
 class ClptError(Exception):
-    """Base of every error this package raises on purpose."""
+    """Base of every error that this package raises on purpose."""
 
 
 class ArgumentError(ClptError, TypeError, ValueError):
-    """A function is given an argument of another kind than it takes."""
+    """An argument of a function has a kind that is not allowed."""
 
 
 class BlockError(ClptError, ValueError):
@@ -31,19 +31,19 @@ class DiagramError(ClptError, ValueError):
 
 
 class Uncompiled(DiagramError):
-    """A diagram of which no machine code is made; Python runs it."""
+    """A diagram that cannot be compiled; Python runs it."""
 
 
 class ScenarioError(ClptError, ValueError):
-    """A scenario holds a key or a value that is not allowed."""
+    """A scenario has a key or a value that is not allowed."""
 
 
 class DataError(ClptError, ValueError):
-    """A data file is missing, damaged or holds something else."""
+    """A data file is missing, damaged or has other content."""
 
 
 class SimulationError(ClptError, RuntimeError):
-    """A run that was under way could not go on."""
+    """A run failed before its end."""
 
 
 # users catch them as clpt_control.errors.DataError
@@ -53,15 +53,15 @@ for _error in (ClptError, *ClptError.__subclasses__(), Uncompiled):
 
 @contextmanager
 def naming(file: object) -> Iterator[None]:
-    """Begin the sentence of what is wrong with the name of the file that it is about."""
+    """Add the name of a file to the messages of errors."""
     try:
         yield
     except ClptError as error:
         raise DataError(f"{file}: {error}") from None
 
 
-def needed(module: str) -> types.ModuleType:
-    """Import a module of a package that is not always there, or say what installs it."""
+def import_optional(module: str) -> types.ModuleType:
+    """Import a module of an optional package, or raise an error with the command to install it."""
     try:
         return import_module(module)
     except ImportError:

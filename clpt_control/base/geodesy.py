@@ -11,17 +11,17 @@ from functools import cache
 from math import atan2, cos, degrees, hypot, isfinite, nan, radians, sin
 from typing import Any
 
-from .errors import needed
+from .errors import import_optional
 
 
 @cache
 def _ellipsoid() -> Any:
-    return needed("pyproj").Geod(ellps="WGS84")
+    return import_optional("pyproj").Geod(ellps="WGS84")
 
 
 def is_place(lat: Any, lon: Any) -> Any:
-    """Return whether two numbers, or many, are a place on Earth, degrees."""
-    return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False where not a number
+    """Return True for latitudes and longitudes that are a place on Earth, degrees."""
+    return (abs(lat) <= 90.0) & (abs(lon) <= 360.0)  # False for NaN
 
 
 def displacement(
@@ -29,7 +29,7 @@ def displacement(
 ) -> tuple[float, float]:
     """Return the displacement east and north (m) between two places (degrees).
 
-    It is resolved at the first; NaN where one is no place on Earth.
+    East and north are those at the first place; NaN if one is no place on Earth.
 
     >>> east, north = displacement(-43.0, 8.0, -42.9, 8.0)
     >>> round(east, 6) + 0.0, round(north, 1)
@@ -42,7 +42,7 @@ def displacement(
 
 
 def distance(lat1: float, lon1: float, lat2: float, lon2: float) -> float:
-    """Return the length (m) of the geodesic between two places (degrees), NaN where one is none."""
+    """Return the length (m) of the geodesic between two places (degrees); NaN if one is none."""
     return hypot(*displacement(lat1, lon1, lat2, lon2))
 
 
@@ -51,7 +51,7 @@ def place_from(
 ) -> tuple[float, float]:
     """Return the place (degrees) at the end of a displacement (m) from a place.
 
-    NaN where anything is not finite.
+    NaN if a number is not finite.
 
     >>> round(place_from(-43.0, 8.0, *displacement(-43.0, 8.0, -42.9, 8.1))[1], 9)
     8.1
@@ -63,10 +63,10 @@ def place_from(
     return lat2, lon2
 
 
-def near(lon: Any, other: Any) -> Any:
-    """Return an angle, counted on so that it lies within 180 degrees of another.
+def angle_near(lon: Any, reference: Any) -> Any:
+    """Return an angle plus full turns that is within 180 degrees of a reference.
 
-    >>> near(-179.5, 179.0)
+    >>> angle_near(-179.5, 179.0)
     180.5
     """
-    return other + (lon - other + 180.0) % 360.0 - 180.0
+    return reference + (lon - reference + 180.0) % 360.0 - 180.0

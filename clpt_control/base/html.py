@@ -1,8 +1,8 @@
-"""A page as one HTML file, text as it may hold it, and the few elements that pages are made of.
+"""Pages as single HTML files: escaped text, elements, documents, and fragments for notebooks.
 
-Nothing is fetched: style and script are in the file, and its Content-Security-Policy allows these
-alone.  A notebook shows a thing by a fragment: a little HTML on somebody else's page, which takes
-the colour of the text around it, so that it reads on light and on dark.
+Nothing is fetched: style and script are in the file, and its Content-Security-Policy allows only
+them.  A fragment is the HTML of an object in a notebook; its colours follow the notebook's text, so
+that it is readable on light and dark backgrounds.
 """
 
 import re
@@ -38,7 +38,7 @@ def plain(text: object) -> str:
 
 
 def safe(text: object) -> str:
-    """Return a text as HTML shows it: nothing of it is markup.
+    """Return a text with its markup escaped for HTML.
 
     >>> safe("<b> & 'c'")
     '&lt;b&gt; &amp; &#x27;c&#x27;'
@@ -49,11 +49,11 @@ def safe(text: object) -> str:
 def paragraphs(sentences: Sequence[str], style: str = "") -> str:
     """Return a paragraph for each sentence."""
     kind = f' class="{style}"' if style else ""
-    return "\n".join(f"<p{kind}>{safe(one)}</p>" for one in sentences)
+    return "\n".join(f"<p{kind}>{safe(sentence)}</p>" for sentence in sentences)
 
 
 def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Return a table whose first column names the rows; a wide one is moved sideways."""
+    """Return a table whose first column names the rows; wide tables scroll horizontally."""
     styles = [
         "" if all(map(_is_number, cells)) else WORDS
         for cells in zip(*rows, strict=True)
@@ -65,12 +65,12 @@ def table(caption: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -
     )
     heads = f"<thead><tr>{heads}</tr></thead>" if any(columns) else ""
     lines = []
-    for first, *rest in rows:
+    for name, *values in rows:
         cells = "".join(
             f"<td{style}>{safe(cell)}</td>"
-            for cell, style in zip(rest, styles[1:], strict=True)
+            for cell, style in zip(values, styles[1:], strict=True)
         )
-        lines.append(f'<tr><th scope="row">{safe(first)}</th>{cells}</tr>')
+        lines.append(f'<tr><th scope="row">{safe(name)}</th>{cells}</tr>')
     return (
         f'<div class="table" role="region" aria-label="{safe(caption)}" tabindex="0"><table>'
         f"<caption>{safe(caption)}</caption>{heads}"
@@ -83,12 +83,12 @@ def _is_number(cell: str) -> bool:
 
 
 def folded(title: str, inner: str) -> str:
-    """Return what the reader may unfold; on paper it is open."""
+    """Return a collapsed section; on paper it is open."""
     return f"<details><summary>{safe(title)}</summary>{inner}</details>"
 
 
 def listing(text: str) -> str:
-    """Return a text as it is typed."""
+    """Return a text as preformatted code."""
     return f"<pre><code>{safe(text)}</code></pre>"
 
 
@@ -126,32 +126,32 @@ def _hash(text: str) -> str:
     return f"'sha256-{b64encode(sha256(text.encode()).digest()).decode()}'"
 
 
-def fragment(kind: str, name: object, *pieces: str) -> str:
-    """Return what a notebook shows of a thing: its kind, its name, and pieces of HTML."""
+def fragment(kind: str, name: object, *contents: str) -> str:
+    """Return the HTML of an object in a notebook: its kind, its name, and contents."""
     head = (
         f"<div><strong>{safe(kind)}</strong> {safe(shortened(name))}</div>"
         if kind
         else ""
     )
     style = _asset("notebook.css").replace("\n", "")
-    return f'<div class="clpt"><style>{style}</style>{head}{"".join(pieces)}</div>'
+    return f'<div class="clpt"><style>{style}</style>{head}{"".join(contents)}</div>'
 
 
 def facts(rows: Iterable[Sequence[object]], columns: Sequence[str] = ()) -> str:
     """Return a table whose first column names its rows; long cells are shortened."""
-    top = "".join(f"<th>{safe(name)}</th>" for name in columns)
-    lines = [f"<thead><tr>{top}</tr></thead>"] if columns else []
+    heads = "".join(f"<th>{safe(name)}</th>" for name in columns)
+    lines = [f"<thead><tr>{heads}</tr></thead>"] if columns else []
     for name, *cells in rows:
-        rest = "".join(f"<td>{safe(shortened(cell))}</td>" for cell in cells)
-        lines.append(f"<tr><th>{safe(shortened(name))}</th>{rest}</tr>")
+        row = "".join(f"<td>{safe(shortened(cell))}</td>" for cell in cells)
+        lines.append(f"<tr><th>{safe(shortened(name))}</th>{row}</tr>")
     return f"<table>{''.join(lines)}</table>"
 
 
 def shortened(text: object, most: int = LONGEST) -> str:
-    """Return a text that is not too long.
+    """Return a text of at most `most` characters.
 
     >>> shortened("abcdefghij", 5)
     'ab...'
     """
-    whole = str(text)
-    return whole if len(whole) <= most else f"{whole[: most - 3]}..."
+    string = str(text)
+    return string if len(string) <= most else f"{string[: most - 3]}..."

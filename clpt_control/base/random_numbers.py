@@ -1,4 +1,4 @@
-"""Random numbers as a hash of whole numbers: no state, so in any order and in any backend.
+"""Random numbers as a hash of integers: no state, so in any order and in any backend.
 
 h -> h^2 + c h + key  modulo a prime, in exact double arithmetic
 n = sqrt(-2 log a) cos(2 pi b),  a and b uniform     (Box and Muller, 1958)
@@ -20,13 +20,13 @@ def hash_fraction(seed, k, axis, stream):
     Rounds of h -> h^2 + c h + key modulo a prime, in exact double arithmetic.
     """
     h = remainder(remainder(seed) + 40503.0)
-    which = axis * 2.0 + stream
+    series = axis * 2.0 + stream
     for i in range(4):
         h = remainder(h * h + 1299709.0 + 15485863.0 * i)
         h = (
             h * 31415821.0
             + remainder(k) * (2.0 * i + 3.0)
-            + which * (7919.0 + 104729.0 * i)
+            + series * (7919.0 + 104729.0 * i)
         )
         h = remainder(h)
     return (h + 0.5) / MODULUS

@@ -1,4 +1,4 @@
-"""Units of length, time and speed, and dates, as scenarios and files write them."""
+"""Units of length, time and speed, numbers as text, and dates, for scenarios and files."""
 
 import re
 from datetime import UTC, datetime
@@ -43,19 +43,21 @@ WORDS = {  # also in the plural
 }
 
 
-def known(value: Any) -> Any:
-    """Return None for a number that is not finite, which JSON has no word for."""
+def finite_or_none(value: Any) -> Any:
+    """Return None for a number that is not finite, which JSON cannot express."""
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def percent(share: float) -> str:
-    """Return a share in percent, in three digits; near 100 what is left has one.
+    """Return a share in percent with three digits; near 100 the remainder has one digit.
 
     >>> [percent(share) for share in (0.1234, 0.99996, 1.0, 4e-5, -0.5)]
     ['12.3 %', '99.996 %', '100 %', '0.004 %', '-50 %']
     """
-    left = float(f"{100 * (1 - share):.1g}")
-    return f"{100 - left:.12g} %" if 0 < left < 0.1 else f"{100 * share:z.3g} %"
+    remainder = float(f"{100 * (1 - share):.1g}")
+    return (
+        f"{100 - remainder:.12g} %" if 0 < remainder < 0.1 else f"{100 * share:z.3g} %"
+    )
 
 
 def at_most(bound: float, digits: int = 4) -> str:
@@ -69,7 +71,7 @@ def at_most(bound: float, digits: int = 4) -> str:
 
 
 def _short(word: str) -> str:
-    """Return the symbol of a unit that is written out."""
+    """Return the symbol of a unit by its name or symbol."""
     word = word.strip().lower()
     single = word.removesuffix("s") if len(word) > 2 else word
     return WORDS.get(word) or WORDS.get(single, single)
@@ -90,7 +92,7 @@ def length_in_metres(unit: str, where: str) -> float:
 
 
 def time_in_seconds(unit: str, where: str) -> float:
-    """Return the size of a unit of time in s, whatever date it counts from.
+    """Return the size of a unit of time in s, without its reference date.
 
     >>> time_in_seconds("hours since 2019-01-01", "time")
     3600.0
@@ -111,9 +113,9 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     """
     if _short(unit) == "knot":
         return KNOT
-    found = SPEED.fullmatch(unit)
+    match = SPEED.fullmatch(unit)
     length, time = (
-        (_short(word) for word in found.groups() if word) if found else ("", "")
+        (_short(word) for word in match.groups() if word) if match else ("", "")
     )
     if length in METRES and time in SECONDS:
         return METRES[length] / SECONDS[time]
@@ -123,7 +125,7 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
 
 
 def seconds_since_1970(date: str) -> float:
-    """Return a date of ISO 8601, UTC unless it says, in s; a ValueError where it is none.
+    """Return a date of ISO 8601, UTC by default, in s; raise a ValueError for other texts.
 
     >>> seconds_since_1970("1970-01-01T02:00:00+01:00")
     3600.0

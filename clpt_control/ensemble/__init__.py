@@ -1,4 +1,4 @@
-"""Many runs of one scenario: designed, run on threads or a cluster, kept in Zarr."""
+"""Ensembles: many runs with sampled parameters, on threads or a cluster, stored in Zarr."""
 
 import lazy_loader
 

@@ -1,15 +1,14 @@
-"""Many runs of one diagram that differ in numbers, not in shape: a scenario's, or any other.
+"""Members of an ensemble: many runs of one diagram that differ in numbers, not in shapes.
 
-A member is the diagram with some values changed.  Most values have known places in P and in the
-initial state, and fill whole columns for all members.  Members are made one by one of values from
-which others are computed (frequencies from periods), of those that move breakpoints, and of inputs.
-What cannot be compiled runs in Python, one member after the other; so does discrete time.
+A member is the diagram with some values changed.  Most values have a location in P and in the
+initial state, and are written as columns for all members.  Members are made one by one if a value
+changes others (frequencies follow from periods), moves breakpoints or is an input.  Diagrams that
+cannot be compiled, and those in discrete time, run in Python, one member after the other.
 
-What is varied, a `VariedScenario` or a `VariedDiagram`, says of each key whether it may vary, where
-its value lies and whether members are made one by one of it (`why_not`, `check`, `place`,
-`one_by_one`); makes one `member` of values; and knows the `arrays` of its summaries and how it is
-summarised (`summarise`).  It travels pickled: a thread and a far machine run and summarise members
-in the same way.
+The varied system is a `VariedScenario` or a `VariedDiagram`.  Its methods per key: `why_not`,
+`check`, `location`, `one_by_one`.  Its method `member` makes one member, `arrays` and `summarise`
+are the layout and the values of the summaries.  It is pickled for workers: threads and other
+machines run and summarise members in the same way.
 """
 
 import hashlib
@@ -36,12 +35,12 @@ from ..engine.solver.schedule import Schedule
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import STUCK, sampled_start
 
-BATCH_BYTES = 64_000_000  # states in flight, a thread
-MOST_MEMBERS = 512  # a batch
-TRIED = 5  # members whose records are compared with Python, before any runs
-# what varies, or summaries, each with a row for each member
+BATCH_BYTES = 64_000_000  # states of a batch, for each thread
+MOST_MEMBERS = 512  # of a batch
+TRIED = 5  # members whose records are compared with Python before the run
+# sampled parameters or summaries by name; a row for each member
 Values = dict[str, np.ndarray]
-# parameters of all blocks, start, inputs
+# parameters of all blocks, initial state, inputs
 Member = tuple[Sequence[Any], np.ndarray, Any]
 Varied = Any  # a `VariedScenario` or a `VariedDiagram`
 
@@ -54,63 +53,65 @@ class Members:
     x0: np.ndarray  # (m, nstates)
     group: np.ndarray  # (m,), the number of a member's schedule
     schedules: list[Schedule]
-    runners: list[tuple[PythonDiagram, Any]]  # what runs each by itself, and its inputs
+    runners: list[tuple[PythonDiagram, Any]]  # runner and inputs of each member
 
     def schedule(self, m: int) -> Schedule:
-        """Return the pieces of time of a member."""
+        """Return the integration segments of a member."""
         return self.schedules[self.group[m]]
 
 
 @dataclass(frozen=True)
 class States:
-    """States of m runs, and how each ended."""
+    """States and termination of m runs."""
 
     states: np.ndarray  # (m, ntimes, nstates), NaN after the last sample reached
-    status: np.ndarray  # (m,), as the solver numbers it
+    status: np.ndarray  # (m,), values of the solver's `Status`
     reached: np.ndarray  # (m,), samples reached
     counts: np.ndarray  # (m, 4): steps, evaluations, restarts, rejected steps
 
 
 class Ensemble:
-    """A varied system, ready to make and run members.
+    """A varied system that makes and runs members.
 
-    `keys` are the names of what varies; `lanes` members run at once, eight where that is quicker.
+    `keys` are the names of the sampled parameters; `lanes` members run at once, eight if faster.
     """
 
     def __init__(self, varied: Varied, keys: Iterable[str], engine: str | None = None):
-        self.varied, self.places = varied, {key: varied.place(key) for key in keys}
+        self.varied = varied
+        self.locations = {key: varied.location(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
         self.lanes = self.native.lanes(LANES)
         one_by_one = varied.one_by_one if self.compiled else lambda key: True
-        self.one_by_one = [key for key in self.places if one_by_one(key)]
+        self.one_by_one = [key for key in self.locations if one_by_one(key)]
         self._lock = threading.Lock()
 
     def _runner(self, engine: str | None) -> Any:
-        """Return what runs it; fields that a key varies have places of their own."""
-        varied, apart = self.varied, dict[tuple[int, str], tuple[str, ...]]()
-        for key, place in self.places.items():
-            for one in place.fields:
-                apart[one] = (*apart.get(one, ()), key)
+        """Return the runner; each field that a key varies has a separate column of P."""
+        varied = self.varied
+        keys_of_field: dict[tuple[int, str], tuple[str, ...]] = {}
+        for key, location in self.locations.items():
+            for field in location.fields:
+                keys_of_field[field] = (*keys_of_field.get(field, ()), key)
         system = varied.wiring, varied.params
-        runner = make_runner(*system, engine, varied.name, apart)
-        for (k, name), keys in apart.items() if runner.engine == "native" else ():
+        runner = make_runner(*system, engine, varied.name, keys_of_field)
+        if runner.engine != "native":
+            return runner
+        for (k, name), keys in keys_of_field.items():
             node = varied.wiring.nodes[k]
             if role := read_as_number(node.system, name):
-                warn_python(
-                    varied.name,
-                    f"{node.name}.{role} is read for one value of {keys[-1]}",
-                )
+                reason = f"{node.name}.{role} is read for one value of {keys[-1]}"
+                warn_python(varied.name, reason)
                 return make_runner(*system, "python")
         return runner
 
     @cached_property
     def recipe(self) -> bytes:
-        """Bytes of which another process makes the same; they hold a script's own equations."""
+        """Pickled arguments, with the equations of a script, for `ensemble_of` in a worker."""
         from distributed.protocol.pickle import dumps
 
         try:
-            return bytes(dumps((self.varied, [*self.places], self.native.engine)))
+            return bytes(dumps((self.varied, [*self.locations], self.native.engine)))
         except (pickle.PicklingError, AttributeError, TypeError):
             raise DiagramError(
                 f"{self.varied.name}: cannot be sent to workers; define equations and parameters "
@@ -119,139 +120,147 @@ class Ensemble:
 
     @cached_property
     def code(self) -> str:
-        """A hash of the code and the versions that make the numbers."""
+        """A hash of the code and the versions that compute the numbers."""
         code = getattr(self.native, "code", None)
-        parts = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
-        parts += [repr(code and code.program), repr(processor())]
-        return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
+        facts = [version(name) for name in ("clpt-control", "llvmlite", "numpy")]
+        facts += [repr(code and code.program), repr(processor())]
+        return hashlib.sha256("\n".join(facts).encode()).hexdigest()[:16]
 
-    # --- members made of values -----------------------------------------------------------
+    # --- members from values --------------------------------------------------------------
 
     def members(self, values: Values) -> Members:
-        """Make members of values."""
-        varied, count = self.varied, len(next(iter(values.values())))
-        P, x0 = (
-            np.tile(self.native.parameters(), (count, 1)),
-            np.tile(varied.start, (count, 1)),
+        """Return the members with these values of the sampled parameters."""
+        varied, count = self.varied, member_count(values)
+        members = Members(
+            P=np.tile(self.native.parameters(), (count, 1)),
+            x0=np.tile(varied.start, (count, 1)),
+            group=np.zeros(count, dtype=np.int64),
+            schedules=[self.native.schedule(varied.state_times, varied.inputs)],
+            runners=[(self.native, varied.inputs)] * count,
         )
-        pieces = self.native.schedule(varied.state_times, varied.inputs)
-        runners = [(self.native, varied.inputs)] * count
-        members = Members(P, x0, np.zeros(count, dtype=np.int64), [pieces], runners)
-        known = dict[tuple, int]()
-        for m in range(count if self.one_by_one else 0):
-            own = {key: values[key][m] for key in self.one_by_one}
-            parameters, x0[m], inputs = varied.member(own)
-            one = self.native.with_parameters(parameters)
-            P[m] = one.parameters()
-            pieces = one.schedule(varied.state_times, inputs)
-            name = (pieces.edges.tobytes(), pieces.values.tobytes())
-            if name not in known:
-                known[name] = len(members.schedules)
-                members.schedules.append(pieces)
-            members.group[m] = known[name]
-            members.runners[m] = self.native if self.compiled else one, inputs
-        for key in self.places.keys() - set(self.one_by_one):
-            flat, place = np.reshape(values[key], (count, -1)), self.places[key]
-            for first in {self._column(one, place.element) for one in place.fields}:
-                P[:, first : first + flat.shape[1]] = flat
-            x0[:, list(place.states)] = flat[:, : len(place.states)]
+        if self.one_by_one:
+            self._make_one_by_one(members, values)
+        for key in self.locations.keys() - set(self.one_by_one):
+            location = self.locations[key]
+            flat = np.reshape(values[key], (count, -1))
+            for field in location.fields:
+                column = self._column(field, location.element)
+                members.P[:, column : column + flat.shape[1]] = flat
+            members.x0[:, list(location.states)] = flat[:, : len(location.states)]
         if members.schedules[0].begins:
-            for m in range(count):
-                callee, begin = self._callee(members, m), float(varied.state_times[0])
-                x0[m] = sampled_start(callee, x0[m], begin, members.schedule(m), P[m])
+            begin = float(varied.state_times[0])
+            for m, x0 in enumerate(members.x0):
+                callee = self._callee(members, m)
+                schedule = members.schedule(m)
+                x0[:] = sampled_start(callee, x0, begin, schedule, members.P[m])
         return members
 
-    def _column(self, place: tuple[int, str], element: Any) -> int:
+    def _make_one_by_one(self, members: Members, values: Values) -> None:
+        """Fill in each member from the values that have no location of their own."""
+        times = self.varied.state_times
+        numbers: dict[tuple, int] = {}
+        for m in range(len(members.x0)):
+            member_values = {key: values[key][m] for key in self.one_by_one}
+            parameters, members.x0[m], inputs = self.varied.member(member_values)
+            runner = self.native.with_parameters(parameters)
+            members.P[m] = runner.parameters()
+            members.runners[m] = self.native if self.compiled else runner, inputs
+            # members with equal breakpoints share a schedule
+            schedule = runner.schedule(times, inputs)
+            name = (schedule.edges.tobytes(), schedule.values.tobytes())
+            if name not in numbers:
+                numbers[name] = len(members.schedules)
+                members.schedules.append(schedule)
+            members.group[m] = numbers[name]
+
+    def _column(self, field: tuple[int, str], element: Any) -> int:
         """Return the column of P at which a value begins."""
-        shape = np.shape(getattr(self.native.sweep.parameters[place[0]], place[1]))
-        within = (
-            0
-            if element is ... or not shape
-            else int(np.ravel_multi_index(element, shape))
-        )
-        return int(self.native.layout.slots[place].offset) + within
+        column = int(self.native.layout.slots[field].offset)
+        shape = np.shape(getattr(self.native.sweep.parameters[field[0]], field[1]))
+        if element is ... or not shape:
+            return column
+        return column + int(np.ravel_multi_index(element, shape))
 
     def _callee(self, members: Members, m: int) -> Callee:
-        """Return the callee of one member by itself."""
+        """Return the callee of one member."""
         runner, inputs = members.runners[m]
         return runner.callee(1, inputs)
 
-    # --- run and summarised ---------------------------------------------------------------
+    # --- runs and summaries ---------------------------------------------------------------
 
     def run(self, members: Members, times: np.ndarray) -> States:
-        """Run members, each by itself, in the calling thread, at times up to their end."""
-        rtol, atol, method = (
-            self.varied.options[name] for name in ("rtol", "atol", "method")
-        )
-        by = self.native.method_number(method)
-        count, nt = len(members.x0), len(times)
-        if not self.native.nstates:
-            nothing, counts = (
-                np.zeros((count, nt, 0)),
-                np.zeros((count, 4), dtype=np.int64),
-            )
-            return States(
-                nothing, np.full(count, Status.FINISHED), np.full(count, nt), counts
-            )
-
-        def run(
-            runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None
-        ) -> Batch:
-            batch = Batch(runner.callee(lanes, inputs, by), *runs)
-            implicit = partial(runner.implicit, inputs) if method == "auto" else None
-            batch.adaptive(rtol, atol, implicit=implicit)
-            return batch
+        """Run members in the calling thread; return their states at times up to their end."""
 
         def rows(m: Any) -> tuple:
-            return (
-                members.x0[m],
-                members.P[m],
-                times,
-                members.schedules,
-                members.group[m],
+            x0, P, group = members.x0[m], members.P[m], members.group[m]
+            return x0, P, times, members.schedules, group
+
+        count = len(members.x0)
+        if not self.native.nstates:
+            return States(
+                states=np.zeros((count, len(times), 0)),
+                status=np.full(count, Status.FINISHED),
+                reached=np.full(count, len(times)),
+                counts=np.zeros((count, 4), dtype=np.int64),
             )
-
-        def alone(
-            of: PythonDiagram, P: Any, start: Any, at: Any, pieces: Schedule
-        ) -> Batch:
-            return run(of, (start[None], P[None], at, [pieces]))
-
         if not self.compiled:
-            each = enumerate(members.runners)
             results = [
-                run(of, rows([m]), inputs=inputs).results for m, (of, inputs) in each
+                self._solve(runner, rows([m]), inputs=inputs).results
+                for m, (runner, inputs) in enumerate(members.runners)
             ]
             return States(*map(np.concatenate, zip(*results, strict=True)))
-        lanes = 1 if by == layout.RODAS5P else self.lanes
-        result = run(self.native, rows(slice(None)), lanes).results
-
-        def put(m: Any, batch: Batch) -> None:
-            for array, found in zip(result, batch.results, strict=True):
-                array[m] = found
-
+        # 1. all members, in lanes
+        runs = rows(slice(None))
+        result = self._solve(self.native, runs, self.lanes).results
+        # 2. members that were stopped by a locked switch, without locks
         stuck = np.flatnonzero(np.isin(result[1], STUCK))
         if self.native.code.program.decided and len(stuck):
-            put(stuck, run(self.native.unlocked(), rows(stuck)))
+            batch = self._solve(self.native.unlocked(), rows(stuck))
+            replace_rows(result, stuck, batch)
+        # 3. members that slide along a switch
         for m in np.flatnonzero(result[1] == Status.CHATTERING).tolist():
-            one = members.P[m], members.x0[m], times, members.schedule(m)
-            continue_on_switch(self.native, batch := alone(self.native, *one), alone)
-            put([m], batch)
+            run = members.P[m], members.x0[m], times, members.schedule(m)
+            batch = self._solve_one(self.native, *run)
+            continue_on_switch(self.native, batch, self._solve_one)
+            replace_rows(result, [m], batch)
         return States(*result)
 
+    def _solve(
+        self, runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None
+    ) -> Batch:
+        """Integrate runs, the arguments of a `Batch`, up to their end."""
+        options = self.varied.options
+        method = self.native.method_number(options["method"])
+        if method == layout.RODAS5P:
+            lanes = 1
+        batch = Batch(runner.callee(lanes, inputs, method), *runs)
+        may_switch = options["method"] == "auto"
+        implicit = partial(runner.implicit, inputs) if may_switch else None
+        batch.adaptive(options["rtol"], options["atol"], implicit=implicit)
+        return batch
+
+    def _solve_one(
+        self, runner: PythonDiagram, P: Any, start: Any, times: Any, schedule: Schedule
+    ) -> Batch:
+        return self._solve(runner, (start[None], P[None], times, [schedule]))
+
     def signals(self, members: Members, run: States, m: int) -> np.ndarray:
-        """Return all signals of one member, at the times of its states that it reached."""
+        """Return all signals of one member at the times that it reached."""
         reached = slice(run.reached[m])
-        at = self.varied.state_times[reached], run.states[m, reached]
-        points = *at, members.schedule(m), members.P[m]
         return self._callee(members, m).evaluate(
-            layout.SIGNALS, *points, self.native.nsignals
+            layout.SIGNALS,
+            self.varied.state_times[reached],
+            run.states[m, reached],
+            members.schedule(m),
+            members.P[m],
+            self.native.nsignals,
         )
 
     @property
     def batch(self) -> int:
         """Number of members whose states fit into a thread's memory; one in Python.
 
-        An interrupt waits for the batches that run.
+        An interrupt waits for the running batches.
         """
         if not self.compiled:
             return 1
@@ -260,67 +269,79 @@ class Ensemble:
         return max(8, min(MOST_MEMBERS, fit // 8 * 8))
 
     def summaries(self, values: Values) -> Values:
-        """Run members together, at most a batch, and return their summaries."""
+        """Run the members of a batch and return their summaries."""
         varied = self.varied
-        with self._lock:  # one evaluator makes all members; compile once
+        with self._lock:  # members use one evaluator; compile it once
             members = self.members(values)
             for lanes in {self.lanes, 1 if varied.needs_signals else self.lanes}:
                 self.native.callee(lanes)
         states = self.run(members, varied.state_times)
-        with np.errstate(all="ignore"):  # a member that failed may hold anything
+        with np.errstate(all="ignore"):  # failed members may have any values
             return varied.summarise(self, members, values, states)
 
     def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
-        """Return what runs a member by itself, and what its `run` takes."""
-        given, start, inputs = self.varied.member(
-            {key: own[m] for key, own in values.items()}
-        )
+        """Return the runner of one member, and the arguments of its `run`."""
+        member_values = {key: column[m] for key, column in values.items()}
+        parameters, start, inputs = self.varied.member(member_values)
         options = {} if self.native.wiring.dt else self.varied.options
-        runner = self.native.with_parameters(given)
+        runner = self.native.with_parameters(parameters)
         return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
 
 
-def checked_ensemble(varied: Varied, values: Values) -> Ensemble:
-    """Return an ensemble; in Python where machine code runs some of its members otherwise."""
-    ensemble, count = Ensemble(varied, values), len(next(iter(values.values())))
-    known = all(node.system.of_package for node in varied.wiring.nodes)
-    for m in sorted(
-        {k * (count - 1) // (TRIED - 1) for k in range(0 if known else TRIED)}
-    ):
+def replace_rows(result: Sequence[np.ndarray], members: Any, batch: Batch) -> None:
+    """Write the results of a batch into the rows of its members."""
+    for array, rows in zip(result, batch.results, strict=True):
+        array[members] = rows
+
+
+def verified_ensemble(varied: Varied, values: Values) -> Ensemble:
+    """Return an ensemble; in Python if machine code runs a sample of its members differently."""
+    ensemble = Ensemble(varied, values)
+    if all(node.system.of_package for node in varied.wiring.nodes):
+        return ensemble
+    count = member_count(values)
+    for m in sorted({k * (count - 1) // (TRIED - 1) for k in range(TRIED)}):
         if not ensemble.compiled:
             break
-        runner, at, options = ensemble.single(values, m)
+        runner, arguments, options = ensemble.single(values, m)
         try:
-            _, why = run_compared(runner, *at, **options)
-        except SimulationError:  # the member fails; its status will say so
+            _, reason = run_compared(runner, *arguments, **options)
+        except SimulationError:  # the member fails, as its status will tell
             continue
-        if why:
-            warn_python(varied.name, why)
+        if reason:
+            warn_python(varied.name, reason)
             return Ensemble(varied, values, "python")
     return ensemble
 
 
-def hash_of(wiring: Wiring, given: Iterable[Any], *more: Any) -> str:
-    """Return a hash of a diagram, of its parameters and of more that makes the numbers."""
-    parts: list[Any] = [(n.name, n.wires, n.system.records) for n in wiring.nodes]
-    parts += [wiring.outputs, wiring.dt]
-    for one in (*(number for own in given for number in own), *more):
-        parts.append(one.tolist() if isinstance(one, np.ndarray) else one)
-    return hashlib.sha256(repr(parts).encode()).hexdigest()[:16]
+def hash_of(wiring: Wiring, parameters: Iterable[Any], *extras: Any) -> str:
+    """Return a hash of a diagram, its parameters and others that determine the numbers."""
+    facts: list[Any] = [(n.name, n.wires, n.system.records) for n in wiring.nodes]
+    facts += [wiring.outputs, wiring.dt]
+    for value in (*(number for numbers in parameters for number in numbers), *extras):
+        facts.append(value.tolist() if isinstance(value, np.ndarray) else value)
+    return hashlib.sha256(repr(facts).encode()).hexdigest()[:16]
+
+
+def member_count(values: Values) -> int:
+    """Return the number of members with these values."""
+    return len(next(iter(values.values())))
 
 
 def cut(values: Values, size: int) -> Iterator[Values]:
-    """Yield the values of so many members at a time."""
-    for first in range(0, len(next(iter(values.values()))), size):
-        yield {name: array[first : first + size] for name, array in values.items()}
+    """Yield values in batches of at most `size` members."""
+    for begin in range(0, member_count(values), size):
+        yield {name: array[begin : begin + size] for name, array in values.items()}
 
 
-def concatenated(parts: list[Values]) -> Values:
-    """Return the summaries of batches one after the other."""
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+def concatenated(batches: list[Values]) -> Values:
+    """Return the summaries of batches, concatenated."""
+    return {
+        name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]
+    }
 
 
 @lru_cache(maxsize=4)
 def ensemble_of(recipe: bytes) -> Ensemble:
-    """Return the ensemble of a recipe; a process makes it once."""
+    """Return the ensemble of a recipe, cached in each process."""
     return Ensemble(*pickle.loads(recipe))

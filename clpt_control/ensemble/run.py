@@ -1,15 +1,13 @@
-"""Run an ensemble on the threads of one machine, on other processes of it, or on a cluster.
-
-What is run many times is a scenario (`of_scenarios`), or any diagram (`of_diagrams`).
+"""Run an ensemble of a scenario or a diagram on threads, on other processes, or on a cluster.
 
 All arguments are checked, and the store is made or opened, before a member runs.  Compiled
-members need no interpreter, so threads run side by side.  A chunk is
-cut into batches, each a task; batches differ with threads and memory, results do
-not: every member is integrated and summarised by itself.
+members run without the interpreter, so threads run in parallel.  A chunk is divided into batches,
+each a task.  The size of batches depends on threads and memory, the results do not: every member
+is integrated and summarised by itself.
 
-Workers of other processes receive what varies and a chunk's number; they read its members'
-values from the store, which they must be able to reach, and write the chunk
-straight into it.  The chunk of a cluster's worker that is lost is given to another one.
+Workers in other processes receive the pickled ensemble and the number of a chunk.  They read the
+values of its members from the store, which they must be able to reach, and write the chunk into
+it.  If a worker of a cluster is lost, another worker runs its chunk.
 """
 
 import os
@@ -17,6 +15,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent import futures
 from contextlib import contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,28 +23,36 @@ import control
 import numpy as np
 
 from ..base.arguments import Seed, public
-from ..base.errors import ClptError, DataError, ScenarioError, SimulationError, needed
+from ..base.errors import (
+    ClptError,
+    DataError,
+    ScenarioError,
+    SimulationError,
+    import_optional,
+)
 from ..base.files import check_writable
 from ..base.progress import interrupt, progress_shown, warn
 from ..base.progress.processes import processes
 from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
-from .drawn_values import check_varies, draw_members, grid_count, read_varies
-from .members import Ensemble, checked_ensemble, concatenated, cut, ensemble_of
-from .of_diagrams import VariedDiagram
-from .of_scenarios import VariedScenario
+from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
+from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
 from .store import Store, begun_or_made, open_store, remove_empty
 from .summaries import STATUS, Arrays
+from .varied_diagram import VariedDiagram
+from .varied_scenario import VariedScenario
 
 if TYPE_CHECKING:
     import xarray
 
-CHUNK = 1000  # members, where no trajectories are kept
+CHUNK = 1000  # members without trajectories
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
-RETRIES = 3  # times a chunk is given to a worker again
+RETRIES = 3  # of a chunk whose worker was lost
 STORED = "what is done is kept"
-Report = Callable[[int, int], None]  # of how many more members are done, and are stored
+Report = Callable[
+    [int, int], None
+]  # called with numbers of newly done and stored members
 
 
 @public
@@ -73,40 +80,39 @@ def run_ensemble(
 ) -> "xarray.Dataset":
     """Run many members of one scenario, or of any diagram.
 
-    The result does not depend, to the last bit, on threads, cluster, chunks
-    or interruptions. Where `out` holds the same ensemble, only the chunks
-    that are missing are run.
+    The result does not depend, to the last bit, on threads, cluster, chunks or interruptions. If
+    `out` has the same ensemble, only the missing chunks are run.
 
     Parameters
     ----------
     system : Scenario or control.InputOutputSystem
-        The base: a scenario, or its `closed_loop` with blocks and linear systems of your own, which
-        other processes get pickled; with `timepts` any diagram that `simulate` takes.
+        A scenario, or its `closed_loop` with blocks and linear systems of your own, which are
+        pickled for other processes; with `timepts` any diagram that `simulate` runs.
     vary : dict, str or several
         ``{"plant.m": np.linspace(1, 2, 5), "c.k": "0.2:2.0", "d": scipy.stats.norm(0, 1)}``:
         a list of values, a range, a distribution; or ``"learning.gain=0.2:2.0"``,
-        ``"flow.parameters~normal:0.1"``, ``"learning.gain=[0.5, 1, 2]"``. Of a scenario its keys;
-        of a diagram parameters as `params` calls them, one of a block, ``"plant.m"``, an element,
-        ``"c.K[0]"``, an initial state by its label, an input, which is held at its value.
+        ``"flow.parameters~normal:0.1"``, ``"learning.gain=[0.5, 1, 2]"``. Keys of a scenario; of a
+        diagram the names of parameters in `params`, a parameter of a block, ``"plant.m"``, an
+        element, ``"c.K[0]"``, an initial state by its label, or an input, which is constant.
     members : int, optional
-        How many; where `vary` has lists alone, every combination of them without.
+        Number of members. Default: every combination, if `vary` has only lists.
     design : str, optional
-        ``"lhs"``, ``"grid"`` or ``"random"``; a grid where `vary` is a dict of lists or `members`
-        is not given, else lhs.
+        ``"lhs"``, ``"grid"`` or ``"random"``. Default: a grid if `vary` is a dict of lists or
+        `members` is not given, otherwise lhs.
     seed : int, optional
-        Of the design.
+        Seed of the design.
     out : str or Path, optional
-        Folder of a Zarr store; in memory without.
+        Folder of a Zarr store. Default: in memory.
     timepts, inputs, initial_state, params, rtol, atol, method : optional
-        Of a diagram, as `simulate` takes them.
+        Of a diagram, as in `simulate`.
     threads : int, optional
-        At most so many at once; all processors without.
+        Number of threads. Default: all processors.
     trajectories : bool, optional
-        Keep the states at the scenario's own samples too; of a diagram its outputs at `timepts`.
+        Store the states at the scenario's samples too; of a diagram its outputs at `timepts`.
     chunk : int, optional
         Members written at once; memory grows with it, not with `members`.
     times : sequence of float, optional
-        Of a scenario: when errors are kept; 41 evenly spaced times without.
+        Times of the errors of a scenario. Default: 41 evenly spaced times.
     progress : bool or callable, optional
         True prints a progress bar on standard error; a function is called with the number
         of members done.
@@ -116,20 +122,21 @@ def run_ensemble(
     Returns
     -------
     xarray.Dataset
-        Summaries and, if asked for, trajectories; what varies are coordinates, of a grid of
-        numbers its index, so that `unstack` makes them dimensions. Read from `out` when used. Of
-        each output y of a diagram ``y_final``, ``y_rms`` and ``y_max``, at `timepts`.
+        Summaries and, if requested, trajectories. Sampled parameters are coordinates; those of a
+        grid of numbers are its index, so that `unstack` makes them dimensions. Arrays are read from
+        `out` when used. A diagram has ``y_final``, ``y_rms`` and ``y_max`` of each output y, at
+        `timepts`.
 
     Raises
     ------
     ScenarioError
-        If an argument is not allowed; a member is named.
+        If an argument is not allowed; the message names a member.
     DataError
-        If `out` cannot be written or holds another ensemble.
+        If `out` cannot be written or has another ensemble.
     DiagramError
-        If a part does not fit or cannot be pickled.
+        If a block does not fit or cannot be pickled.
     SimulationError
-        If a cluster gives up on a chunk.
+        If a cluster could not run a chunk.
 
     Examples
     --------
@@ -145,17 +152,18 @@ def run_ensemble(
     >>> data.unstack()["y_final"].values.round(3)
     array([0.865, 0.632, 0.393])
     """
+    # 1. check arguments
     if threads is not None and threads < 1:
         raise ScenarioError(f"threads = {threads}: must be a whole number, at least 1")
     if dask is not None and out is None:
         raise ScenarioError("dask: needs out, a folder that all workers can reach")
     for module in ("zarr", *(["distributed"] if dask is not None else [])):
-        needed(module)
+        import_optional(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
     if path is not None and not os.path.lexists(path):
         check_writable(path)
-    of_diagram = {
+    run_options = {
         "inputs": inputs,
         "initial_state": initial_state,
         "params": params,
@@ -164,7 +172,7 @@ def run_ensemble(
         "atol": atol,
     }
     if timepts is None or isinstance(system, Scenario):
-        _refuse("is for a diagram, with timepts", timepts=timepts, **of_diagram)
+        _refuse("is for a diagram, with timepts", timepts=timepts, **run_options)
         loop = getattr(system, "origin", None)
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
@@ -172,27 +180,25 @@ def run_ensemble(
         varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
         _refuse("is for a scenario; a diagram has timepts", times=times)
-        varied = VariedDiagram(
-            system, varies, timepts, trajectories=trajectories, **of_diagram
-        )
+        run_options["trajectories"] = trajectories
+        varied = VariedDiagram(system, varies, timepts, **run_options)
     check_varies(varied, varies)
+    # 2. sample the parameters
     if design is None:
-        listed = all(one.kind == "levels" for one in varies)
-        design = (
-            "grid"
-            if members is None or (listed and isinstance(vary, Mapping))
-            else "lhs"
-        )
+        has_lists = all(item.kind == "levels" for item in varies)
+        is_grid = members is None or (has_lists and isinstance(vary, Mapping))
+        design = "grid" if is_grid else "lhs"
     members = grid_count(varies) if members is None else members
     values = draw_members(varied, varies, members, design, seed)
-    of_system = varied.arguments(path)
-    ensemble = checked_ensemble(varied, values)
+    # 3. compile, and make or open the store
+    identity = varied.arguments(path)
+    ensemble = verified_ensemble(varied, values)
     recipe = b"" if dask is None else ensemble.recipe
     arrays = varied.arrays(values)
     arguments = {
-        **of_system,
-        "vary": [one.text for one in varies],
-        "keys": [one.key for one in varies],
+        **identity,
+        "vary": [item.text for item in varies],
+        "keys": [item.key for item in varies],
         "members": members,
         "design": design,
         "seed": seed,
@@ -200,58 +206,77 @@ def run_ensemble(
         "trajectories": trajectories,
     }
     store = begun_or_made(path, varied.title, ensemble.code, arguments, arrays)
-    missing, done, stored = store.missing(), 0, 0
-
-    def report(more: int, written: int) -> None:
-        nonlocal done, stored
-        done, stored = done + more, stored + written
-        if stored and out is not None:
-            interrupt.resume_hint = (
-                f"{out} holds {stored} of {members} members; "
-                "the same command goes on from there"
-            )
-        shown(done)
-
+    # 4. run the missing chunks
+    missing = store.missing()
     count = threads or available_threads()
     try:
-        with progress_shown(progress, "ensemble", members) as shown:
-            there = members - store.count(missing)
-            report(there, there)
+        with progress_shown(progress, "ensemble", members) as show:
+            report = _reporter(out, members, show)
+            present = members - store.count(missing)
+            report(present, present)
             if dask is None:
                 _run_here(ensemble, store, missing, count, report)
             elif missing:
                 work = recipe, ensemble.code, str(path)
                 _run_elsewhere(work, store, missing, dask, count, report)
     except BaseException:
-        if dask in (None, "local"):  # far workers may still write
+        if dask in (None, "local"):  # workers of a cluster may still write
             remove_empty(store)
         raise
     store.finish()
     data = store.dataset()
     data.encoding = {**varied.encoding, **data.encoding}
+    # 5. warn of failed members
     failed = np.flatnonzero(data["status"].values != 1)
     if len(failed) and isinstance(varied, VariedDiagram):
-        first = int(failed[0])
-        why = status = STATUS[int(data["status"][first])].replace("_", " ")
-        runner, at, options = ensemble.single(values, first)
-        try:
-            runner.signals(runner.run(*at, **options), options["inputs"])
-        except SimulationError as error:
-            why = str(error) if str(error).startswith(status) else f"{status}: {error}"
-        some = f"{len(failed)} of {members} members did not finish"
-        warn(f"{some}; the first is member {first}: {why}")
+        m = int(failed[0])
+        reason = _failure(ensemble, values, m, int(data["status"][m]))
+        warn(
+            f"{len(failed)} of {members} members did not finish; "
+            f"the first is member {m}: {reason}"
+        )
     return data
 
 
-def _refuse(why: str, **unused: Any) -> None:
-    """Refuse arguments that are of no use here."""
+def _reporter(out: Any, members: int, show: Callable[[int], None]) -> Report:
+    """Return a function that counts members, shows progress and sets the hint to resume."""
+    completed = stored = 0
+
+    def report(newly_done: int, newly_stored: int) -> None:
+        nonlocal completed, stored
+        completed += newly_done
+        stored += newly_stored
+        if stored and out is not None:
+            interrupt.resume_hint = (
+                f"{out} holds {stored} of {members} members; "
+                "the same command goes on from there"
+            )
+        show(completed)
+
+    return report
+
+
+def _failure(ensemble: Ensemble, values: Values, m: int, number: int) -> str:
+    """Run a failed member again and return the reason, which begins with its status."""
+    status = STATUS[number].replace("_", " ")
+    runner, arguments, options = ensemble.single(values, m)
+    try:
+        runner.signals(runner.run(*arguments, **options), options["inputs"])
+    except SimulationError as error:
+        reason = str(error)
+        return reason if reason.startswith(status) else f"{status}: {reason}"
+    return status
+
+
+def _refuse(reason: str, **unused: Any) -> None:
+    """Refuse arguments that have no effect here."""
     for name, value in unused.items():
         if value is not None:
-            raise ScenarioError(f"{name}: {why}; leave it out")
+            raise ScenarioError(f"{name}: {reason}; leave it out")
 
 
 def available_threads() -> int:
-    """Return the number of processors this process may use."""
+    """Return the number of processors that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -260,38 +285,43 @@ def available_threads() -> int:
 def _run_here(
     ensemble: Ensemble, store: Store, missing: list[int], threads: int, report: Report
 ) -> None:
-    spread = -(-store.count(missing) // (4 * threads))  # some batches for every thread
-    size = min(ensemble.batch, max(8, -(-spread // 8) * 8))
+    """Run the missing chunks on threads, and write each chunk when its batches are done."""
+    share = -(-store.count(missing) // (4 * threads))  # some batches for every thread
+    size = min(ensemble.batch, max(8, -(-share // 8) * 8))
     batches = (
-        (index, part) for index in missing for part in cut(store.values(index), size)
+        (index, values)
+        for index in missing
+        for values in cut(store.values(index), size)
     )
     running: deque[tuple[int, futures.Future]] = deque()
-    parts = []  # of the first chunk that runs
+    summaries: list[Values] = []  # of the oldest chunk that is running
     pool = futures.ThreadPoolExecutor(threads)
     try:
         while True:
-            while (
-                len(running) < 2 * threads
-                and (batch := next(batches, None)) is not None
-            ):
-                running.append((batch[0], pool.submit(ensemble.summaries, batch[1])))
+            # 1. keep two batches for each thread
+            for index, values in islice(batches, 2 * threads - len(running)):
+                running.append((index, pool.submit(ensemble.summaries, values)))
             if not running:
                 return
+            # 2. wait for the oldest batch
             index, future = running.popleft()
             while not futures.wait([future], timeout=interrupt.SLICE).done:
                 interrupt.check()
             interrupt.check()
-            parts.append(future.result())
-            done, written = sum(len(part["status"]) for part in parts), 0
-            if done == store.count([index]):
-                store.write(index, concatenated(parts))
-                parts, written = [], done
-            report(len(future.result()["status"]), written)
+            batch = future.result()
+            summaries.append(batch)
+            # 3. write its chunk after the last batch
+            completed = sum(len(summary["status"]) for summary in summaries)
+            written = 0
+            if completed == store.count([index]):
+                store.write(index, concatenated(summaries))
+                summaries, written = [], completed
+            report(len(batch["status"]), written)
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-# --- by other processes --------------------------------------------------------------------------
+# --- other processes -----------------------------------------------------------------------------
 
 
 @contextmanager
@@ -336,8 +366,10 @@ def _run_elsewhere(
             for future in futures.as_completed(indices):
                 interrupt.check()
                 future.result()
-                index = indices[future]  # ask the store: the worker may be lost by now
-                if not store.is_whole(index):
+                index = indices[
+                    future
+                ]  # check the store: the worker may be lost by now
+                if not store.is_complete(index):
                     raise SimulationError(
                         f"dask: chunk {index} did not reach {store.path}"
                     )
@@ -363,21 +395,17 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
             "another Python; its numbers might differ in the last bit"
         )
     store = open_store(Path(path))
-    if not store.is_whole(index):  # else its worker was lost after writing it
-        parts = cut(store.values(index), ensemble.batch)
-        store.write(index, concatenated([*map(ensemble.summaries, parts)]))
-
-
-# --- before it runs -------------------------------------------------------------------------------
+    if not store.is_complete(index):  # a worker may be lost after writing
+        batches = cut(store.values(index), ensemble.batch)
+        store.write(index, concatenated([*map(ensemble.summaries, batches)]))
 
 
 def _chunk(chunk: int | None, arrays: Arrays) -> int:
-    """Return how many members are written at once."""
+    """Return the number of members of a chunk."""
     if chunk is None:
-        each = sum(
-            8 * int(np.prod(v.shape[1:])) for v in arrays.values() if "time" in v.dims
-        )
-        chunk = max(1, min(CHUNK, CHUNK_BYTES // each)) if each else CHUNK
+        trajectories = (array for array in arrays.values() if "time" in array.dims)
+        size = sum(8 * int(np.prod(array.shape[1:])) for array in trajectories)
+        chunk = max(1, min(CHUNK, CHUNK_BYTES // size)) if size else CHUNK
     if chunk < 1:
         raise ScenarioError(f"chunk = {chunk}: must be a whole number, at least 1")
     return chunk

@@ -1,12 +1,11 @@
 """The store of an ensemble: a Zarr folder, written chunk by chunk.
 
-A chunk is a fixed range of members.  Its arrays are written first, their checksum
-last, in `done`.  A chunk without a checksum, or with one that
-does not fit, is run again; so an ensemble may be killed at any time and started
-again.  The folder itself appears whole or not at all.
+A chunk is a fixed range of members.  Its arrays are written first, their checksum last, in `done`.
+A chunk without a checksum, or with a wrong one, is run again, so an ensemble may be killed at any
+time and continued.  The folder is created under a temporary name and renamed when it is complete.
 
-All but what chunks fill, the attributes, layouts and coordinates, has a digest.  A store that is
-not as it was made, or holds more, is refused before anything is written into it or displayed.
+Attributes, layouts and coordinates have digests.  A store that was changed, or has more files, is
+refused before anything is written into it or displayed.
 """
 
 import hashlib
@@ -22,8 +21,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..base.errors import DataError, needed
-from ..base.files import beside
+from ..base.errors import DataError, import_optional
+from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
 from .members import Values
 from .summaries import Arrays, StoredArray
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
     import xarray
 
 ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
-REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are attributes too
+REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are also attributes
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
 
 
@@ -44,29 +43,29 @@ class Store:
         self.arguments: dict[str, Any] = json.loads(group.attrs[ARGUMENTS])
         self.members, self.chunk = self.arguments["members"], self.arguments["chunk"]
         with warnings.catch_warnings():
-            # of what is no array: the digest has its name
+            # files that are not arrays are found by their digest
             warnings.simplefilter("ignore")
             self.names = {name for name, _ in group.members()}
             self.arrays = {
-                name.replace(SLASH, "/"): one for name, one in group.arrays()
+                name.replace(SLASH, "/"): array for name, array in group.arrays()
             }
         dims = {
-            name: one.metadata.dimension_names or ()
-            for name, one in self.arrays.items()
+            name: array.metadata.dimension_names or ()
+            for name, array in self.arrays.items()
         }
-        given = {"member", *self.arguments["keys"]}
-        self.per_member = sorted(k for k in dims.keys() - given if "member" in dims[k])
+        summaries = dims.keys() - {"member", *self.arguments["keys"]}
+        self.per_member = sorted(name for name in summaries if "member" in dims[name])
 
     def rows(self, index: int) -> slice:
         """Return the members of a chunk."""
         return slice(index * self.chunk, min((index + 1) * self.chunk, self.members))
 
     def count(self, indices: Iterable[int]) -> int:
-        """Return how many members some chunks have."""
+        """Return the number of members of some chunks."""
         return sum(rows.stop - rows.start for rows in map(self.rows, indices))
 
     def values(self, index: int) -> Values:
-        """Return the values of what varies, for the members of a chunk."""
+        """Return the sampled parameters of the members of a chunk."""
         return {
             key: self.arrays[key][self.rows(index)] for key in self.arguments["keys"]
         }
@@ -79,8 +78,8 @@ class Store:
                     self.arrays[name][self.rows(index)] = arrays[name]
             self.group[DONE][index] = self.checksum(arrays)
         except OSError as error:
-            place, reason = error.filename2 or self.path, error.strerror or error
-            raise DataError(f"{place}: cannot be written: {reason}") from None
+            path, reason = error.filename2 or self.path, error.strerror or error
+            raise DataError(f"{path}: cannot be written: {reason}") from None
 
     def checksum(self, arrays: Values) -> int:
         """Return a checksum of a chunk, above zero."""
@@ -90,31 +89,35 @@ class Store:
         return check + 1
 
     def digests(self) -> dict[str, str]:
-        """Return a hash of the attributes, and of each array but for what chunks fill."""
+        """Return a hash of the attributes, and of each array without the values of chunks."""
         attributes = {
-            name: one for name, one in self.group.attrs.items() if name != DIGESTS
+            name: value for name, value in self.group.attrs.items() if name != DIGESTS
         }
-        parts: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
+        contents: dict[str, Any] = {"zarr.json": sorted(attributes.items())}
         for name in sorted(self.names):
-            parts[name] = one = self.group[name]
+            contents[name] = value = self.group[name]
             with suppress(Exception):  # a damaged file can raise anything
                 filled = name.replace(SLASH, "/") in (*self.per_member, DONE)
-                much = one.nbytes > LARGEST or one.nchunks > max(1, self.members)
-                numbers = None if filled or much else zlib.crc32(one[:].tobytes())
-                parts[name] = one.metadata.to_dict(), numbers
+                too_large = value.nbytes > LARGEST or value.nchunks > max(
+                    1, self.members
+                )
+                numbers = (
+                    None if filled or too_large else zlib.crc32(value[:].tobytes())
+                )
+                contents[name] = value.metadata.to_dict(), numbers
         return {
-            k: hashlib.sha256(repr(one).encode()).hexdigest()[:16]
-            for k, one in parts.items()
+            k: hashlib.sha256(repr(value).encode()).hexdigest()[:16]
+            for k, value in contents.items()
         }
 
     def missing(self) -> list[int]:
-        """List the chunks without a checksum, or with one that does not fit."""
+        """List the chunks without a checksum, or with a wrong one."""
         return [
-            k for k in range(-(-self.members // self.chunk)) if not self.is_whole(k)
+            k for k in range(-(-self.members // self.chunk)) if not self.is_complete(k)
         ]
 
-    def is_whole(self, index: int) -> bool:
-        """Return whether a chunk is there and its checksum fits."""
+    def is_complete(self, index: int) -> bool:
+        """Return True if a chunk has been written and its checksum is right."""
         try:
             checksum = int(self.group[DONE][index])
             if not checksum:
@@ -127,18 +130,18 @@ class Store:
         return self.checksum(read) == checksum
 
     def finish(self) -> None:
-        """Check that every chunk is there; remove what killed writers left beside files."""
+        """Check that every chunk has been written; remove temporary files of killed writers."""
         lost = np.flatnonzero(self.group[DONE][:] == 0)
         if len(lost):
             raise DataError(
                 f"{self.path}: chunk {lost[0]} is missing; run the ensemble again"
             )
         if self.path is not None:
-            for left in self.path.rglob("*.partial"):
-                left.unlink(missing_ok=True)
+            for temporary in self.path.rglob("*.partial"):
+                temporary.unlink(missing_ok=True)
 
     def dataset(self) -> "xarray.Dataset":
-        """Return the whole ensemble; a folder's arrays are read when used."""
+        """Return the ensemble; a folder's arrays are read when used."""
         import xarray
 
         data = xarray.open_zarr(
@@ -155,17 +158,15 @@ class Store:
             data.load()
         else:
             data.encoding["folder"] = str(self.path.absolute().parent)
-        if self.arguments["design"] == "grid" and all(
-            data[key].ndim == 1 for key in keys
-        ):
-            data = data.drop_vars("member").set_xindex(
-                keys, xarray.indexes.PandasMultiIndex
-            )
+        scalars = all(data[key].ndim == 1 for key in keys)
+        if self.arguments["design"] == "grid" and scalars:
+            index = xarray.indexes.PandasMultiIndex
+            data = data.drop_vars("member").set_xindex(keys, index)
         return data
 
 
 def software() -> str:
-    """Return the versions of the packages that make an ensemble."""
+    """Return the versions of the packages that compute an ensemble."""
     return ", ".join(f"{name} {version(name)}" for name in SOFTWARE)
 
 
@@ -176,7 +177,7 @@ def begun_or_made(
     arguments: Mapping[str, Any],
     arrays: Arrays,
 ) -> Store:
-    """Open the store of the same ensemble that the same `code` began, or make it."""
+    """Open the store of the same ensemble, begun by the same `code`, or make a store."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
         attrs = {
             "Conventions": "CF-1.11",
@@ -207,50 +208,52 @@ def create_store(
 
     `arguments` identify the ensemble; chunks fill the arrays that have no values.
     """
-    zarr = needed("zarr")
+    zarr = import_optional("zarr")
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
-    place: Any = path or zarr.storage.MemoryStore()
-    chunk, count = arguments["chunk"], -(-arguments["members"] // arguments["chunk"])
-    done = StoredArray(
+    target: Any = path or zarr.storage.MemoryStore()
+    chunk = arguments["chunk"]
+    count = -(-arguments["members"] // chunk)
+    checksums = StoredArray(
         ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}
     )
-    with beside(path, folder=True) if path else nullcontext(place) as part:
-        group = zarr.create_group(part)
+    with atomic_path(path, folder=True) if path else nullcontext(target) as folder:
+        group = zarr.create_group(folder)
         group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
-        for name, one in {**arrays, DONE: done}.items():
+        for name, stored in {**arrays, DONE: checksums}.items():
             if not name or "\\" in name:
                 raise DataError(
                     f"Zarr has no name {name!r}; call that signal otherwise, without a \\"
                 )
-            first = {"member": chunk, "chunk": 1}.get(one.dims[0], one.shape[0])
+            size, *inner_sizes = stored.shape
+            rows = {"member": chunk, "chunk": 1}.get(stored.dims[0], size)
             array = group.create_array(
                 name.replace("/", SLASH),
-                shape=one.shape,
-                dtype=one.dtype,
-                chunks=tuple(
-                    max(1, n) for n in (min(first, one.shape[0]), *one.shape[1:])
-                ),
-                attributes=one.attrs,
-                dimension_names=[dim.replace("/", SLASH) for dim in one.dims],
-                fill_value=np.nan if np.dtype(one.dtype).kind == "f" else 0,
+                shape=stored.shape,
+                dtype=stored.dtype,
+                chunks=tuple(max(1, n) for n in (min(rows, size), *inner_sizes)),
+                attributes=stored.attrs,
+                dimension_names=[dim.replace("/", SLASH) for dim in stored.dims],
+                fill_value=np.nan if np.dtype(stored.dtype).kind == "f" else 0,
                 compressors=(ZstdCodec(level=1), Crc32cCodec()),
             )
-            if one.values is not None and one.values.size:
-                array[:] = one.values
-        group.attrs[DIGESTS] = json.dumps(Store(zarr.open_group(part), None).digests())
-    return Store(zarr.open_group(place, mode="r+"), path)
+            if stored.values is not None and stored.values.size:
+                array[:] = stored.values
+        group.attrs[DIGESTS] = json.dumps(
+            Store(zarr.open_group(folder), None).digests()
+        )
+    return Store(zarr.open_group(target, mode="r+"), path)
 
 
 def remove_empty(store: Store) -> None:
-    """Remove a store without any chunk, as where memory did not suffice."""
+    """Remove a store without any chunk, for example after a lack of memory."""
     if store.path is not None and not np.any(store.group[DONE][:]):
         shutil.rmtree(store.path, ignore_errors=True)
 
 
 def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
-    """Open a store to write the rest of it, or with "r" to read it."""
-    zarr = needed("zarr")
+    """Open a store to write the missing chunks, or with "r" to read it."""
+    zarr = import_optional("zarr")
     if not path.exists():
         raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
     if not path.is_dir():
@@ -260,16 +263,18 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
-        made: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
+        recorded: dict[str, str] = json.loads(store.group.attrs[DIGESTS])
         now = store.digests()
         wrong = [
-            name for name in sorted({*made, *now}) if made.get(name) != now.get(name)
+            name
+            for name in sorted({*recorded, *now})
+            if recorded.get(name) != now.get(name)
         ]
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is no ensemble or is damaged; give another name or remove it"
         ) from None
-    if wrong and wrong[0] not in made:
+    if wrong and wrong[0] not in recorded:
         raise DataError(
             f"{path}: holds {wrong[0]}, which is no part of it; take it out"
         )
@@ -291,7 +296,7 @@ def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
 
 
 def open_ensemble(path: Path) -> "xarray.Dataset":
-    """Return the ensemble of a folder, whole or begun, checked; trajectories are read when used."""
+    """Return the ensemble of a folder, complete or not; trajectories are read when used."""
     store = open_store(path, mode="r")
     if "diagram" in store.arguments:
         raise DataError(
@@ -302,12 +307,12 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
         for array in data.variables.values():
             if "time" not in array.dims:
                 array.load()
-        done = np.flatnonzero(store.group[DONE][:]).tolist()
+        written = np.flatnonzero(store.group[DONE][:]).tolist()
     except Exception:  # a damaged file can raise anything
         raise DataError(
             f"{path}: is damaged: a part of it cannot be read; run the ensemble again"
         ) from None
-    if lost := [chunk for chunk in done if not store.is_whole(chunk)]:
+    if lost := [chunk for chunk in written if not store.is_complete(chunk)]:
         raise DataError(
             f"{path}: is damaged: chunk {lost[0]} is not as written; run the ensemble again"
         )

@@ -1,13 +1,13 @@
-"""The summaries of each member of a scenario, and the times of its samples.
+"""Summaries of the members of a scenario, and the times of their samples.
 
     clpe_rms                rms of |e| over each full cycle of the waypoints
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
-    gain_error              max |gain - true gain| at the marks, where gains adapt
-    share_in_faster_flow    of time, of a vehicle whose speed is limited
-    status, end             how the run ended and the last time it reached
+    gain_error              max |gain - true gain| at the marks, if gains adapt
+    share_in_faster_flow    share of time, for a vehicle with a speed limit
+    status, end             termination of the run, and the last time that it reached
 
-They are computed for all members of a chunk at once, from their states.
+They are computed from the states, for all members of a batch at once.
 """
 
 import itertools
@@ -26,10 +26,10 @@ from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
 from ..simulation.loop_blocks import units_of_ports
 from ..simulation.mean_squares import nearest, samples_for_means, starts_of_rounds
-from .members import Ensemble, Members, States, Values
+from .members import Ensemble, Members, States, Values, member_count
 
-MOST_SAMPLES = 20_000  # a member, but at least a tenth of those of `clpt run`
-MARKS = 41  # times of errors, unless they are given
+MOST_SAMPLES = 20_000  # of a member, but at least a tenth of the samples of `clpt run`
+MARKS = 41  # default number of times of errors
 TRAJECTORIES = (
     "position",
     "predicted_position",
@@ -37,35 +37,34 @@ TRAJECTORIES = (
     "feedback_gain",
     "feedforward_gain",
 )
-# a member goes on by itself where it is stiff
+# stiff members are continued by an implicit method and end otherwise
 STATUS = tuple(status.label for status in Status if status != Status.STIFF)
 
 
 class SampleTimes(NamedTuple):
-    """Times of the states, and the numbers of those for each purpose."""
+    """Times of the states, and indices of the times for each purpose."""
 
-    all: np.ndarray  # increasing, from 0 to the end
-    # where in `fine` each full cycle starts, and where the last one ends
-    starts: np.ndarray
+    union: np.ndarray  # all times, increasing, from 0 to the end
+    starts: (
+        np.ndarray
+    )  # offsets in `fine` of the starts of full cycles and the last end
     fine: np.ndarray  # evenly spaced, for mean squares
     marks: np.ndarray  # of errors
-    own: np.ndarray  # the scenario's own, for trajectories; empty without them
+    output: np.ndarray  # of the scenario's output, for trajectories; empty without them
 
 
 def samples_per_cycle(scenario: Scenario) -> int:
-    """Return the number of samples a cycle, or a run that is shorter, for mean squares.
+    """Return the number of samples of a cycle, or of a shorter run, for mean squares.
 
-    As in `clpt run` where a run has 20,000 at most; fewer in others, but at least a tenth.
+    The number of `clpt run` if a run has at most 20,000; fewer otherwise, but at least a tenth.
     """
-    usual, cycles = (
-        samples_for_means(scenario),
-        max(1.0, scenario.run.duration / scenario.cycle),
-    )
+    usual = samples_for_means(scenario)
+    cycles = max(1.0, scenario.run.duration / scenario.cycle)
     return min(usual, max(usual // 10, int(MOST_SAMPLES / cycles)))
 
 
 def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, ...]:
-    """Return the times of errors, increasing; the end is one."""
+    """Return the times of errors, increasing, including the end."""
     end = scenario.run.duration
     if times is None:
         return tuple(np.linspace(0.0, end, MARKS).tolist())
@@ -80,22 +79,23 @@ def marks_of(scenario: Scenario, times: Sequence[float] | None) -> tuple[float, 
 def sample_times_of(
     scenario: Scenario, marks: Sequence[float], trajectories: bool
 ) -> SampleTimes:
-    """Return all times of samples; those that differ by rounding are one."""
+    """Return all times of samples; times that differ by rounding are merged."""
     end, cycle = scenario.run.duration, scenario.cycle
     fine = sample_times(end, min(cycle, end) / samples_per_cycle(scenario))
-    own = sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
-    wanted = fine, np.array(marks, dtype=float), own
-    every = np.sort(np.concatenate(wanted))
-    slack = 1e-9 * max(1.0, end)
-    merged = every[np.append(True, np.diff(every) > slack)]
-    merged[-1] = end
-    return SampleTimes(
-        merged, starts_of_rounds(fine, cycle), *(nearest(merged, t) for t in wanted)
+    output = (
+        sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
     )
+    groups = fine, np.array(marks, dtype=float), output
+    times = np.sort(np.concatenate(groups))
+    tolerance = 1e-9 * max(1.0, end)
+    union = times[np.append(True, np.diff(times) > tolerance)]
+    union[-1] = end
+    indices = (nearest(union, group) for group in groups)
+    return SampleTimes(union, starts_of_rounds(fine, cycle), *indices)
 
 
 class StoredArray(NamedTuple):
-    """An array of the store; without values it is filled member by member."""
+    """An array of the store; chunks fill an array without values."""
 
     dims: tuple[str, ...]
     shape: tuple[int, ...]
@@ -105,10 +105,11 @@ class StoredArray(NamedTuple):
 
 
 class Arrays(dict[str, StoredArray]):
-    """The arrays of a store by name: the summaries of members, made of values, and fixed ones."""
+    """The arrays of a store by name: summaries of members, and fixed arrays with values."""
 
     def __init__(self, values: Values, sizes: Mapping[str, int]):
-        self.members, self.sizes = len(next(iter(values.values()))), sizes
+        self.members = member_count(values)
+        self.sizes = sizes
 
     def add(
         self,
@@ -118,15 +119,14 @@ class Arrays(dict[str, StoredArray]):
         dtype: str = "float64",
         **attrs: Any,
     ) -> None:
-        """Add an array that summaries fill, the first dimension the member."""
+        """Add an array of summaries; its first dimension is the member."""
         dims = tuple(dims)
         shape = (self.members, *(self.sizes[dim] for dim in dims))
-        self._put(
-            name, ("member", *dims), shape, dtype, {"long_name": long_name, **attrs}
-        )
+        attrs = {"long_name": long_name, **attrs}
+        self._put(name, ("member", *dims), shape, dtype, attrs)
 
     def add_members(self, **of_time: str) -> None:
-        """Add the number of each member, how it ended, and when."""
+        """Add the number, the status and the last time of each member."""
         flags = {
             "flag_values": list(range(len(STATUS))),
             "flag_meanings": " ".join(STATUS),
@@ -153,7 +153,7 @@ class Arrays(dict[str, StoredArray]):
 
 
 def ends_of(run: States, times: np.ndarray) -> Values:
-    """Return how members ended, and when."""
+    """Return the status and the last time of members."""
     end = times[np.clip(run.reached - 1, 0, None)]
     return {"status": run.status.astype("int8"), "end": end}
 
@@ -164,11 +164,32 @@ def ends_of(run: States, times: np.ndarray) -> Values:
 def arrays_of(varied: Any, values: Values) -> Arrays:
     """Return all arrays of an ensemble: summaries, the members' values, and coordinates."""
     scenario, times = varied.scenario, varied.times
+    sizes = {
+        "cycle": len(times.starts) - 1,
+        "mark": len(times.marks),
+        "axis": 2,
+        "basis": scenario.basis.N,
+        "time": len(times.output),
+    }
+    arrays = Arrays(values, sizes)
+    _add_summaries(arrays, varied)
+    units = {"time": scenario.units.time, **units_of_ports(scenario.units)}
+    for key, array in values.items():
+        quantity = QUANTITIES.get(key, Quantity())
+        dims = quantity.axes.split() or ["axis", "basis"][: array.ndim - 1]
+        port = quantity.unit or quantity.state
+        attrs = {"long_name": f"{key}, which varies"}
+        if port in units:
+            attrs["units"] = units[port]
+        arrays.add_fixed(key, ("member", *dims), array, **attrs)
+    _add_coordinates(arrays, varied)
+    return arrays
+
+
+def _add_summaries(arrays: Arrays, varied: Any) -> None:
+    scenario = varied.scenario
     length, time = scenario.units.length, scenario.units.time
-    units = {"time": time, **units_of_ports(scenario.units)}
-    rate, N, cycles = f"{time}-1", scenario.basis.N, len(times.starts) - 1
-    sizes = {"cycle": cycles, "mark": len(times.marks), "axis": 2, "basis": N}
-    arrays = Arrays(values, sizes | {"time": len(times.own)})
+    rate = f"{time}-1"
 
     def add(name: str, dims: str, long_name: str, units: str) -> None:
         arrays.add(name, dims.split(), long_name, units=units)
@@ -189,45 +210,35 @@ def arrays_of(varied: Any, values: Values) -> Arrays:
             "1",
         )
     arrays.add_members(units=time)
+    units = units_of_ports(scenario.units)
     for name in followed(varied):
         port, long_name, *_ = VARIABLES[name]
         dims = "time axis basis" if port == "alpha" else "time axis"
         add(name, dims, long_name, units[port])
-    for key, array in values.items():
-        one = QUANTITIES.get(key, Quantity())
-        axes_of_key = one.axes.split() or ["axis", "basis"][: array.ndim - 1]
-        attrs = (
-            {"units": units[port]} if (port := one.unit or one.state) in units else {}
-        )
-        long_name = f"{key}, which varies"
-        arrays.add_fixed(
-            key, ("member", *axes_of_key), array, long_name=long_name, **attrs
-        )
+
+
+def _add_coordinates(arrays: Arrays, varied: Any) -> None:
+    """Add the coordinates of the dimensions that arrays have."""
+    scenario, times = varied.scenario, varied.times
     used = {dim for array in arrays.values() for dim in array.dims}
-    axes = {
-        "cycle": (
-            np.arange(1, cycles + 1),
-            "round of the waypoints",
-            {"length": scenario.cycle},
-        ),
-        "mark": (times.all[times.marks], "time of an error", {"units": time}),
-        "time": (
-            times.all[times.own],
-            "time since the start of the run",
-            {"units": time},
-        ),
-        "axis": (np.array([1, 2]), "axis of the plane, x1 and x2", {}),
-        "basis": (np.arange(1, N + 1), "flow basis function", {}),
-        "waypoint": (np.arange(1, len(scenario.waypoints) + 1), "waypoint", {}),
-    }
-    for dim, (numbers, long_name, attributes) in axes.items():
+
+    def add(dim: str, numbers: np.ndarray, long_name: str, **attrs: Any) -> None:
         if dim in used and numbers.size:
-            arrays.add_fixed(dim, (dim,), numbers, long_name=long_name, **attributes)
-    return arrays
+            arrays.add_fixed(dim, (dim,), numbers, long_name=long_name, **attrs)
+
+    time = scenario.units.time
+    marks, samples = times.union[times.marks], times.union[times.output]
+    cycles = np.arange(1, len(times.starts))
+    add("cycle", cycles, "round of the waypoints", length=scenario.cycle)
+    add("mark", marks, "time of an error", units=time)
+    add("time", samples, "time since the start of the run", units=time)
+    add("axis", np.array([1, 2]), "axis of the plane, x1 and x2")
+    add("basis", 1 + np.arange(scenario.basis.N), "flow basis function")
+    add("waypoint", 1 + np.arange(len(scenario.waypoints)), "waypoint")
 
 
 def followed(varied: Any) -> list[str]:
-    """Return the names of the states that are stored at the scenario's own samples."""
+    """Return the names of the states that are stored at the scenario's output samples."""
     row = varied.scenario.learning.row
     absent = {"alpha"} if row.alpha_is_constant else set()
     absent |= {"feedback_gain", "feedforward_gain"} if row.at_fixes else set()
@@ -237,74 +248,77 @@ def followed(varied: Any) -> list[str]:
 def summarise(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> Values:
-    """Return the summaries of members; NaN after the end of one that failed."""
+    """Return the summaries of members; NaN after the end of a failed run."""
     scenario, times, y = varied.scenario, varied.times, run.states
-    row, m, N = scenario.learning.row, len(run.states), scenario.basis.N
-    at = {port: y[..., column] for port, column in varied.columns.items()}
+    m, N = len(run.states), scenario.basis.N
+    states = {port: y[..., column] for port, column in varied.columns.items()}
+
+    def at_marks(port: str) -> np.ndarray:
+        return states[port][:, times.marks]
 
     def value(key: str) -> np.ndarray:
-        return np.asarray(values.get(key, varied.values[key]))
+        """Return the value of a key for each member, (m or 1, 1, numbers)."""
+        value = np.asarray(values.get(key, varied.values[key]))
+        return value.reshape(-1, 1, varied.values[key].size)
 
-    fine = slice(None) if len(times.fine) == len(times.all) else times.fine
+    # 1. CLPE
+    fine = slice(None) if len(times.fine) == len(times.union) else times.fine
     squares = np.zeros((m, len(times.fine)))
     for i in range(2):
-        squares += np.square(at["x"][:, fine, i] - at["z"][:, fine, i])
+        squares += np.square(states["x"][:, fine, i] - states["z"][:, fine, i])
     rounds = itertools.pairwise(times.starts)
-    means = [np.mean(squares[:, first:last], axis=1) for first, last in rounds]
+    means = [np.mean(squares[:, begin:end], axis=1) for begin, end in rounds]
     summaries = {
         "clpe_rms": np.sqrt(np.array(means).reshape(-1, m).T),
         "clpe_rms_whole": np.sqrt(np.mean(squares, axis=1)),
     }
+    # 2. errors of the flow parameters and the gains
     if varied.knows_flow:
-        if row.given_estimate:
-            estimate = value("learning.theta_estimate").reshape(-1, 1, 2 * N)
-        elif row.makes_estimate:
-            estimate = at["theta_hat"][:, times.marks]
+        law = scenario.learning.row
+        if law.given_estimate:
+            estimate = value("learning.theta_estimate")
         else:
-            estimate = -at["alpha"][:, times.marks]
-        error = np.abs(estimate - value("flow.parameters").reshape(-1, 1, 2 * N)).max(
-            axis=2
-        )
-        alive = np.isfinite(y[:, times.marks, 0])
-        summaries["flow_parameter_error"] = np.where(alive, error, np.nan)
+            estimate = (
+                at_marks("theta_hat") if law.makes_estimate else -at_marks("alpha")
+            )
+        error = np.abs(estimate - value("flow.parameters")).max(axis=2)
+        running = np.isfinite(y[:, times.marks, 0])
+        summaries["flow_parameter_error"] = np.where(running, error, np.nan)
     if varied.knows_gains:
-        errors = [
-            np.abs(
-                at[port][:, times.marks] - value(f"vehicle.{key}").reshape(-1, 1, 2)
-            ).max(axis=2)
-            for port, key in (("K", "feedback"), ("Gamma", "feedforward"))
-        ]
-        summaries["gain_error"] = np.maximum(*errors)
-    if varied.needs_signals:
-        summaries["share_in_faster_flow"] = _faster_flow(
-            varied, ensemble, members, values, run
+        K_error = np.abs(at_marks("K") - value("vehicle.feedback"))
+        Gamma_error = np.abs(at_marks("Gamma") - value("vehicle.feedforward"))
+        summaries["gain_error"] = np.maximum(
+            K_error.max(axis=2), Gamma_error.max(axis=2)
         )
-    summaries |= ends_of(run, times.all)
+    # 3. flow faster than the vehicle, termination, trajectories
+    if varied.needs_signals:
+        shares = _faster_flow(varied, ensemble, members, values, run)
+        summaries["share_in_faster_flow"] = shares
+    summaries |= ends_of(run, times.union)
     for name in followed(varied):
-        own = at[VARIABLES[name][0]][:, times.own]
-        summaries[name] = own.reshape(m, -1, 2, N) if name == "alpha" else own
+        trajectory = states[VARIABLES[name][0]][:, times.output]
+        summaries[name] = (
+            trajectory.reshape(m, -1, 2, N) if name == "alpha" else trajectory
+        )
     return summaries
 
 
 def _faster_flow(
     varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
 ) -> np.ndarray:
-    """Return the share of time in a flow faster than each member, by the samples it reached."""
-    shares, times = np.full(len(run.states), np.nan), varied.state_times
-    limits = values.get(
-        "vehicle.max_speed", itertools.repeat(varied.scenario.vehicle.max_speed)
-    )
-    every = [
-        label for node in varied.wiring.nodes for label in node.system.output_labels
-    ]
-    ports = ports_of(every)
-    for m, limit in zip(range(len(shares)), limits, strict=False):
-        if run.reached[m] < 2:
-            continue
+    """Return the share of time that each member spent in a flow faster than the vehicle."""
+    count = len(run.states)
+    shares = np.full(count, np.nan)
+    limits = values.get("vehicle.max_speed")
+    if limits is None:
+        limits = np.full(count, varied.scenario.vehicle.max_speed)
+    nodes = varied.wiring.nodes
+    ports = ports_of([label for node in nodes for label in node.system.output_labels])
+    for m in np.flatnonzero(run.reached >= 2).tolist():
         signals = ensemble.signals(members, run, m)
         velocities = (signals[:, ports[port]] for port in ("v_c", "flow_x"))
-        faster = speed_figures(float(limit), times[: run.reached[m]], *velocities)[
-            "faster_flow"
-        ]
+        times = varied.state_times[: run.reached[m]]
+        figures = speed_figures(float(limits[m]), times, *velocities)
+        faster = figures["faster_flow"]
         shares[m] = faster["share"] if faster else 0.0
     return shares

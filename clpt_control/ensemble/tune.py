@@ -1,14 +1,14 @@
-"""Choose law, gains and filter by an ensemble of flows that nobody was told.
+"""Choice of law, gains and filter by an ensemble of sampled flows.
 
-missed   median of the largest flow-parameter error at the end, over that at the start
-astray   median CLPE rms over the last cycle, over prior/k, how far a flow of that size drives
-score    (missed astray)^(1/2);  time: median until the error stays below a tenth of the first
+missed   median of the largest flow-parameter error at the end, relative to that at the start
+astray   median CLPE rms over the last cycle, relative to prior/k, the drift by a flow of that size
+score    (missed astray)^(1/2);  time: median until the error stays below a tenth of its start
 
-Of the candidates whose runs all reach the end, those count as equal whose score is within a
-fifth of the best; the quickest of them is taken, then the one with the better score.
+Only candidates whose runs all reach the end are compared.  Scores within a fifth of the best are
+equally good; of these the fastest candidate is chosen, then the one with the better score.
 
-What the track shows: a parameter error of length 1 is a flow of rms (kappa_1/T)^(1/2) at least
-along a window T, kappa_1 being the smallest eigenvalue of the joint Gramian over it.
+Identifiability on the track: a parameter error of length 1 is a flow of rms (kappa_1/T)^(1/2) at
+least along a window T, where kappa_1 is the smallest eigenvalue of the joint Gramian over T.
 """
 
 from collections.abc import Callable, Iterable
@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..base.arguments import public
-from ..base.errors import ClptError, ScenarioError, needed
-from ..base.units import known
+from ..base.errors import ClptError, ScenarioError, import_optional
+from ..base.units import finite_or_none
 from ..paper.laws.law import Law
 from ..paper.laws.table import LAWS
 from ..paper.scenario.experiment import Scenario
@@ -37,12 +37,14 @@ from .candidates import (
 )
 from .run import run_ensemble
 
-NEAR = 1.2  # times the best score: as good
+NEAR = 1.2  # times the best score: equally good
 FINALISTS = 3  # laws whose gain and filter are varied
-ENOUGH = 1e-3  # less needs not be
-TENTH = 0.1  # of the first error: it ends the learning time
-MARKS = 200  # times at which errors are looked at
-HIDDEN = 1e-3  # a track that shows less of an error hides it
+ENOUGH = 1e-3  # smaller missed or astray is not better
+TENTH = 0.1  # share of the initial error that ends the learning time
+MARKS = 200  # times of errors
+HIDDEN = (
+    1e-3  # smaller share of an error that is visible: the track hides the parameter
+)
 
 
 class Score(NamedTuple):
@@ -80,28 +82,27 @@ def tune_law(
 ) -> Tuned:
     """Choose law, gains and filter for a flow that is not known.
 
-    Flow parameters are drawn about what the learner believes, the scenario's noise anew for each
-    draw, and every candidate runs on the same draws. The scenario's own theta or field is taken
-    out first.
+    Flow parameters are sampled about the learner's initial estimate, with new noise for each
+    sample, and every candidate runs on the same samples. The scenario's theta or field is not used.
 
     Parameters
     ----------
     scenario : Scenario
         Vehicle, track, basis, disturbance and noise to expect.
     members : int, optional
-        How many flows are drawn.
+        Number of sampled flows.
     prior : float, optional
-        Standard deviation of each flow parameter, length per time; 0.3 k R without, k the mean
+        Standard deviation of each flow parameter, length per time. Default: 0.3 k R, k the mean
         feedback and R the reach of the track.
     unmodelled : float, optional
-        Rms of a flow beside the basis, length per time, held for a dwell; the scenario's
-        disturbance without.
+        Rms of a flow outside the basis, length per time, constant for a dwell. Default: the
+        scenario's disturbance.
     laws : iterable of str, optional
-        Laws to compare; all of the table without.
+        Laws to compare. Default: all laws.
     seed : int, optional
-        Of the draws.
+        Seed of the samples.
     progress : callable, optional
-        Called with the share of the work done.
+        Called with the completed share of the work.
 
     Returns
     -------
@@ -138,37 +139,40 @@ def tune_law(
             raise ScenarioError(
                 f"{word} = {value}: must be a whole number, {least} to {most}"
             )
-    needed("zarr")
+    import_optional("zarr")
     unknown = unknown_of(scenario, prior, unmodelled, members)
-    tried, skipped = laws_to_try(names)
-    if not tried:
+    tested, skipped = laws_to_try(names)
+    if not tested:
         raise ScenarioError(
             f"laws: none of {', '.join(names)} learns the flow; name another"
         )
     report = progress or (lambda share: None)
     scores: list[Score] = []
 
-    def score(law: Law, held: bool, *factors: float) -> None:
+    def test(law: Law, gains_fixed: bool, *factors: float) -> None:
         name = law.name
         try:
-            one = candidate(scenario, law, held, *factors)
-            name = one.text
-            scores.append(score_of(unknown, one, members, seed))
+            design = candidate(scenario, law, gains_fixed, *factors)
+            name = design.text
+            scores.append(score_of(unknown, design, members, seed))
         except ClptError as error:
             skipped[name] = str(error).removeprefix("scenario: ")
 
-    for k, law in enumerate(tried):
-        report(0.5 * k / len(tried))
-        for held in (False, True):
-            score(law, held)
+    # 1. each law with its defaults
+    for k, law in enumerate(tested):
+        report(0.5 * k / len(tested))
+        for gains_fixed in (False, True):
+            test(law, gains_fixed)
+    # 2. the best laws on a grid of gains and filters
     finalists: dict[str, Candidate] = {}  # the best of each law
-    for each in ranked(scores):
-        finalists.setdefault(each.candidate.law, each.candidate)
-    few = list(finalists.values())[:FINALISTS]
-    grid = [(best, factors) for best in few for factors in factors_of(best)]
+    for score in ranked(scores):
+        finalists.setdefault(score.candidate.law, score.candidate)
+    best_few = list(finalists.values())[:FINALISTS]
+    grid = [(best, factors) for best in best_few for factors in factors_of(best)]
     for k, (best, factors) in enumerate(grid):
         report(0.5 + 0.5 * k / len(grid))
-        score(LAWS[best.law], best.held, *factors)
+        test(LAWS[best.law], best.held, *factors)
+    # 3. the choice
     order = ranked(scores)
     if not order:
         reasons = "; ".join(f"{name}: {why}" for name, why in list(skipped.items())[:2])
@@ -177,10 +181,10 @@ def tune_law(
             "smaller prior or a shorter run"
         )
     report(1.0)
-    chosen, enough = order[0], NEAR * min(one.score for one in order)
-    failed = sorted(
-        (one for one in scores if one.failed), key=lambda one: one.candidate.text
-    )
+    chosen = order[0]
+    enough = NEAR * min(score.score for score in order)
+    failed = [score for score in scores if score.failed]
+    failed.sort(key=lambda score: score.candidate.text)
     summary = {
         "title": scenario.title,
         "units": scenario.units.model_dump(),
@@ -192,8 +196,8 @@ def tune_law(
         "noise": unknown.noise,
         **excitation_of_track(unknown.scenario),
         "chosen": as_json(chosen),
-        "as_good": sum(one.score <= enough for one in order),
-        "candidates": [as_json(one) for one in (*order, *failed)],
+        "as_good": sum(score.score <= enough for score in order),
+        "candidates": [as_json(score) for score in (*order, *failed)],
         "skipped": skipped,
     }
     summary["because"] = because(summary, chosen.candidate.text)
@@ -201,23 +205,25 @@ def tune_law(
 
 
 def ranked(scores: list[Score]) -> list[Score]:
-    """Return scores without a failed member, the one to take first."""
-    whole = [one for one in scores if not one.failed and np.isfinite(one.score)]
-    enough = NEAR * min((one.score for one in whole), default=0.0)
+    """Return the scores without failed members, best first."""
+    finished = [
+        score for score in scores if not score.failed and np.isfinite(score.score)
+    ]
+    enough = NEAR * min((score.score for score in finished), default=0.0)
 
-    def place(one: Score) -> tuple[Any, ...]:
-        near = one.score <= enough
-        time = one.learning_time if near else 0.0
-        return not near, time, one.score, one.error * one.clpe_rms
+    def sort_key(score: Score) -> tuple[Any, ...]:
+        is_good = score.score <= enough
+        time = score.learning_time if is_good else 0.0
+        return not is_good, time, score.score, score.error * score.clpe_rms
 
-    return sorted(whole, key=place)
+    return sorted(finished, key=sort_key)
 
 
-# --- how well a candidate learns flows that it was not told: medians over an ensemble ------------
+# --- score of a candidate: medians over an ensemble ----------------------------------------------
 
 
 def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) -> Score:
-    """Run a candidate on flows that are drawn, the same for every candidate."""
+    """Run a candidate on the sampled flows, the same for every candidate, and return its score."""
     scenario = unknown.scenario.with_values(candidate.values)
     marks = np.linspace(0.0, scenario.run.duration, MARKS + 1)
     data = run_ensemble(
@@ -227,76 +233,83 @@ def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) ->
     error = data["flow_parameter_error"].values
     cycles = data["clpe_rms"].values
     clpe = cycles[:, -1] if cycles.shape[1] else data["clpe_rms_whole"].values
-    last = np.where(np.isfinite(error[:, -1]), error[:, -1], np.inf)
-    astray = np.where(np.isfinite(clpe), clpe, np.inf)
+    final_error = np.where(np.isfinite(error[:, -1]), error[:, -1], np.inf)
+    final_clpe = np.where(np.isfinite(clpe), clpe, np.inf)
     times = [time_below(data["mark"].values, row, TENTH * row[0]) for row in error]
     k = float(np.mean(scenario.vehicle.feedback))
-    middle, rms = _middle(last), _middle(astray)
-    shares = (middle / max(_middle(error[:, 0]), 1e-300), rms * k / unknown.prior)
+    error_median, rms = _quantile(final_error), _quantile(final_clpe)
+    shares = (
+        error_median / max(_quantile(error[:, 0]), 1e-300),
+        rms * k / unknown.prior,
+    )
     return Score(
         candidate,
-        middle,
-        _middle(last, 0.95),
+        error_median,
+        _quantile(final_error, 0.95),
         rms,
-        _middle(np.array([np.inf if one is None else one for one in times])),
+        _quantile(np.array([np.inf if time is None else time for time in times])),
         float(np.sqrt(np.prod(np.maximum(shares, ENOUGH)))),
         failed,
     )
 
 
-def _middle(values: np.ndarray, share: float = 0.5) -> float:
+def _quantile(values: np.ndarray, share: float = 0.5) -> float:
     """Return a quantile of values that may be infinite."""
-    return float(
-        np.sort(values)[min(len(values) - 1, int(np.ceil(share * len(values)) - 1))]
-    )
+    index = int(np.ceil(share * len(values)) - 1)
+    return float(np.sort(values)[min(len(values) - 1, index)])
 
 
-# --- why a law was chosen -------------------------------------------------------------------------
+# --- report ---------------------------------------------------------------------------------------
 
 
 def excitation_of_track(scenario: Scenario) -> dict[str, Any]:
     """Return the smallest eigenvalue over the second cycle, in the scenario's flow."""
     window, start = span = checked_window(scenario, None, None)
-    least, _ = Tracks(scenario, span, scenario.run.duration, 3, 1e-8)(
-        scenario.waypoints[None]
-    )
+    tracks = Tracks(scenario, span, scenario.run.duration, 3, 1e-8)
+    least, _ = tracks(scenario.waypoints[None])
     return {"window": window, "start": start, "smallest_eigenvalue": float(least.min())}
 
 
-def as_json(one: Score) -> dict[str, Any]:
-    """Return a score ready for JSON; None for what is infinite."""
-    values = one.candidate._asdict() | one._asdict()
-    return {k: known(v) for k, v in values.items() if k not in ("values", "candidate")}
+def as_json(score: Score) -> dict[str, Any]:
+    """Return a score as JSON values; None for infinite numbers."""
+    values = score.candidate._asdict() | score._asdict()
+    return {
+        k: finite_or_none(v)
+        for k, v in values.items()
+        if k not in ("values", "candidate")
+    }
 
 
 def because(report: dict[str, Any], named: str) -> str:
-    """Return in a sentence why the choice was made, with its numbers."""
+    """Return a sentence on the reasons for the choice, with its numbers."""
     unit, time = report["units"]["length"], report["units"]["time"]
     speed, chosen = f"{unit}/{time}", report["chosen"]
     least = report["smallest_eigenvalue"]
     share = (least / report["window"]) ** 0.5
     shows = "shows every parameter" if share > HIDDEN else "hides some parameters"
-    strange, noise = report["unmodelled"], report["noise"]
+    unmodelled, noise = report["unmodelled"], report["noise"]
     flow = (
-        f"unmodelled flow of {strange:.3g} {speed}" if strange else "no unmodelled flow"
+        f"unmodelled flow of {unmodelled:.3g} {speed}"
+        if unmodelled
+        else "no unmodelled flow"
     )
     fixes = (
         f"positions with noise of {noise:.3g} {unit}" if noise else "exact positions"
     )
-    soon = chosen["learning_time"]
-    came = (
+    learning_time = chosen["learning_time"]
+    falls = (
         "does not fall to a tenth"
-        if soon is None
-        else f"is a tenth after {soon:.4g} {time}"
+        if learning_time is None
+        else f"is a tenth after {learning_time:.4g} {time}"
     )
-    first = (
+    quickest = (
         ""
         if report["as_good"] == 1
         else f"the quickest of {report['as_good']} as good, "
     )
     return (
-        f"{named}: {first}because the track {shows} (smallest eigenvalue {least:.3g} over "
+        f"{named}: {quickest}because the track {shows} (smallest eigenvalue {least:.3g} over "
         f"{report['window']:g} {time}: {share:.1g} of an error is seen), and with {flow} and "
-        f"{fixes} the error of {report['members']} drawn flows, in the middle, {came} and ends at "
+        f"{fixes} the error of {report['members']} drawn flows, in the middle, {falls} and ends at "
         f"{chosen['error']:.2g} {speed}, CLPE rms at {chosen['clpe_rms']:.2g} {unit}"
     )

@@ -184,7 +184,7 @@ def error_loop(scenario: Scenario) -> Diagram:
     N = scenario.basis.N
     KD = np.array(scenario.vehicle.feedback)
     gains = scenario.learning.used_gains
-    if scenario.learning.row is not LAWS["learned-flow"] or not gains.one:
+    if scenario.learning.row is not LAWS["learned-flow"] or not gains.shared:
         raise DiagramError(
             'closed_loop: Eqs. (27)-(28) are of law = "learned-flow" with one gain for all; '
             f'the scenario has law = "{scenario.learning.law}"'

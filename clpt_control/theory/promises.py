@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from ..paper.laws.law import Law, Truth
-from ..paper.laws.robust import beyond
+from ..paper.laws.robust import outside_zone
 from ..paper.scenario.experiment import Scenario
 from ..simulation.flows import flow_velocity
 from ..simulation.integrate import simulate
@@ -182,7 +182,7 @@ CHECKS: dict[str, tuple[str, Callable[[LawRun], float]]] = {
     ),
     "zone": (
         "CLPE comes to the zone",
-        lambda law: law.dissipation(beyond(law.e, law.p.zone), law.V[0]),
+        lambda law: law.dissipation(outside_zone(law.e, law.p.zone), law.V[0]),
     ),
     "exponential": (
         "V falls exponentially, at the rate that the memories have reached, for good",
@@ -256,16 +256,16 @@ CONDITIONS: dict[str, tuple[str, Callable[[Scenario], bool]]] = {
 
 def what_it_promises(row: Law) -> str:
     """Return the promises of a law without conditions."""
-    return "; ".join(CHECKS[promise.what][0] for promise in row.promises)
+    return "; ".join(CHECKS[promise.claim][0] for promise in row.promises)
 
 
 def promises_in_words(row: Law) -> dict[str, str]:
     """Return each promise of a law as text, with its conditions."""
     texts = {}
     for promise in row.promises:
-        conditions = "; ".join(CONDITIONS[name][0] for name in promise.where)
-        words = CHECKS[promise.what][0]
-        texts[promise.what] = f"{words}, where: {conditions}" if conditions else words
+        conditions = "; ".join(CONDITIONS[name][0] for name in promise.conditions)
+        words = CHECKS[promise.claim][0]
+        texts[promise.claim] = f"{words}, where: {conditions}" if conditions else words
     return texts
 
 
@@ -285,9 +285,9 @@ def truth_of(scenario: Scenario) -> Truth:
 def checked_promises(scenario: Scenario, **solver: Any) -> dict[str, float]:
     """Return the ratio of each promise whose conditions a scenario meets, above 1 if broken."""
     names = [
-        promise.what
+        promise.claim
         for promise in scenario.learning.row.promises
-        if all(CONDITIONS[condition][1](scenario) for condition in promise.where)
+        if all(CONDITIONS[condition][1](scenario) for condition in promise.conditions)
     ]
     if not names:
         return {}

@@ -18,7 +18,7 @@ from subprocesses import ran
 import clpt_control
 from clpt_control import DataError
 from clpt_control.base.figures import new_figure
-from clpt_control.base.files import beside, make_folder, write_file, write_together
+from clpt_control.base.files import atomic_path, make_folder, write_file, write_together
 from clpt_control.base.files.reading import open_netcdf, zarr_store
 from clpt_control.base.progress import interrupt
 from clpt_control.ocean.gliders.dive_files import read_dive_file
@@ -36,7 +36,7 @@ def names(folder):
 @pytest.mark.parametrize("fails", [False, True])
 def test_what_is_made_beside_is_seen_at_the_end_if_at_all(tmp_path, folder, fails):
     place = tmp_path / "made"
-    with suppress(ZeroDivisionError), beside(place, folder) as made:
+    with suppress(ZeroDivisionError), atomic_path(place, folder) as made:
         assert (made.parent, made.is_dir()) == (tmp_path, folder)
         inner(made).write_text("whole")
         assert not place.exists()
@@ -51,7 +51,7 @@ def test_a_folder_takes_the_place_of_no_other(tmp_path):
     (taken := tmp_path / "taken").mkdir()
     inner(taken).write_text("before")
     said = "taken: cannot be written: another command made"
-    with pytest.raises(DataError, match=said), beside(taken, folder=True) as made:
+    with pytest.raises(DataError, match=said), atomic_path(taken, folder=True) as made:
         inner(made).write_text("after")
     assert (inner(taken).read_text(), names(tmp_path)) == ("before", {"taken"})
 
@@ -76,7 +76,7 @@ POSIX = pytest.mark.skipif(os.name != "posix", reason="no such modes and process
 
 @POSIX
 def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_path):
-    with beside(tmp_path / "replay.nc") as made:
+    with atomic_path(tmp_path / "replay.nc") as made:
         here = made.name
     ended = ran(sys.executable, "-c", "import os; print(os.getpid())").stdout.strip()
     dead = re.sub(r"-\d+-", f"-{ended}-", here)
@@ -86,7 +86,7 @@ def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_pat
     for name in {dead, *kept}:
         (tmp_path / name).write_text("half")
     (tmp_path / dead.replace(".nc", ".zarr")).mkdir()
-    with beside(tmp_path / "replay.zarr", folder=True):
+    with atomic_path(tmp_path / "replay.zarr", folder=True):
         pass
     write_together({tmp_path / "replay.nc": "whole"})
     assert names(tmp_path) == {*kept, "replay.nc", "replay.zarr"}
@@ -120,7 +120,7 @@ def test_modes_are_those_of_the_umask_or_of_what_is_replaced(
     before = os.umask(umask)
     try:
         write_together({tmp_path / "new": "text", closed: "after"})
-        with beside(tmp_path / "made", folder=True):
+        with atomic_path(tmp_path / "made", folder=True):
             pass
     finally:
         os.umask(before)

@@ -25,11 +25,11 @@ from subprocesses import CLPT, GUARD, await_line, listening, started, without_pr
 import clpt_control as clpt
 from clpt_control.engine.codegen.directional_derivatives import place_of
 from clpt_control.engine.model.ports import ports_of
-from clpt_control.ensemble.drawn_values import read_varies
 from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.of_diagrams import VariedDiagram
 from clpt_control.ensemble.run import run_ensemble
+from clpt_control.ensemble.sampled_parameters import read_varies
 from clpt_control.ensemble.store import open_store
+from clpt_control.ensemble.varied_diagram import VariedDiagram
 from clpt_control.errors import (
     ClptError,
     DataError,
@@ -101,7 +101,7 @@ def drawn(seed):
     diagram = random_diagram(draw)
     varied = VariedDiagram(diagram, (), TIMES[:5], 0.1)
     names = sorted(name for name in varied.names if varied.why_not(name))
-    places = {n: place_of(n, varied.names, varied.given) for n in names}
+    places = {n: place_of(n, varied.names, varied.parameters) for n in names}
     free = [n for n, at in places.items() if at and np.ndim(varied._value(at)) == 0]
     picked = draw.sample(free, min(3, len(free)))
     return diagram, dict.fromkeys(picked, "0.5:0.9")
@@ -140,7 +140,9 @@ def test_members_are_what_python_runs_block_by_block(seed):
     diagram, given = random_diagram(draw := random.Random(seed)), (TIMES[:5], 0.1, 0.2)
     first = VariedDiagram(diagram, (), *given)
     names = [
-        name for name in sorted(first.names) if place_of(name, first.names, first.given)
+        name
+        for name in sorted(first.names)
+        if place_of(name, first.names, first.parameters)
     ]
     # "v" of all blocks and "system0.v" are one number
     names = [

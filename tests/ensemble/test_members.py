@@ -7,10 +7,10 @@ from law_blocks import HELD
 import clpt_control as clpt
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.solver_layout import Status
+from clpt_control.ensemble.ensemble_statistics import ensemble_summary
 from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.of_scenarios import VariedScenario
-from clpt_control.ensemble.spread import ensemble_summary
 from clpt_control.ensemble.summaries import STATUS
+from clpt_control.ensemble.varied_scenario import VariedScenario
 from clpt_control.simulation.summary import run_and_report
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 

@@ -23,10 +23,10 @@ from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 GAINS = {  # of alpha, K and Gamma, by the number of functions
-    1: Gains(0.7, 0.4, 1.3, one=False),
-    2: Gains(0.7, 0.0, 0.0, one=False),
-    3: Gains(0.7, 0.7, 0.7, one=True),
-    5: Gains(0.7, 0.4, 1.3, one=False),
+    1: Gains(0.7, 0.4, 1.3, shared=False),
+    2: Gains(0.7, 0.0, 0.0, shared=False),
+    3: Gains(0.7, 0.7, 0.7, shared=True),
+    5: Gains(0.7, 0.4, 1.3, shared=False),
 }
 
 

@@ -43,7 +43,7 @@ def with_law(name):
 @pytest.mark.parametrize("name", LAWS)
 def test_a_law_keeps_its_promises_on_the_papers_scenario(name):
     found = checked_promises(with_law(name))
-    assert set(found) == {promise.what for promise in LAWS[name].promises}
+    assert set(found) == {promise.claim for promise in LAWS[name].promises}
     assert max(found.values()) <= BROKEN
     assert all(promises_in_words(LAWS[name]).values())
 
@@ -61,8 +61,10 @@ def test_what_is_not_known_of_the_flow_may_cost_what_v_does_not_hold():
 def test_each_promise_has_a_predicate_and_conditions():
     promises = [promise for law in LAWS.values() for promise in law.promises]
     assert all(law.promises for law in LAWS.values())
-    assert {promise.what for promise in promises} == set(CHECKS)
-    assert {name for promise in promises for name in promise.where} == set(CONDITIONS)
+    assert {promise.claim for promise in promises} == set(CHECKS)
+    assert {name for promise in promises for name in promise.conditions} == set(
+        CONDITIONS
+    )
 
 
 ASKED = [

@@ -13,8 +13,8 @@ from user_laws import LEARNED, N, V_of, beside, formula
 import clpt_control as clpt
 from clpt_control.errors import DiagramError
 from clpt_control.paper.laws import regressions
-from clpt_control.paper.laws.remembering import CONCURRENT as LAW
-from clpt_control.paper.laws.remembering import next_window
+from clpt_control.paper.laws.memory_laws import CONCURRENT as LAW
+from clpt_control.paper.laws.memory_laws import next_window
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proofs import all_proofs, fixes, invariant_loop

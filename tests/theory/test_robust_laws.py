@@ -37,7 +37,9 @@ LAWS = {
 def law_of(name, N=2, gain=0.5):
     """Return a law of the table with the settings above."""
     known = theorem_scenario(N, name).known_to_law
-    known = known._replace(gains=Gains(gain, gain, gain, one=True), settings=LAWS[name])
+    known = known._replace(
+        gains=Gains(gain, gain, gain, shared=True), settings=LAWS[name]
+    )
     return TABLE[name].block(known)
 
 

@@ -6,7 +6,7 @@ import clpt_control as clpt
 
 from ...base.errors import DataError, ScenarioError
 from ...base.html import Result
-from ...base.units import known, percent
+from ...base.units import finite_or_none, percent
 from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 MOSTLY = 0.5  # least share of the variance that functions should explain
@@ -217,7 +217,7 @@ def estimate(
         "fixes": len(found.misses) + 1,
         "theta": found.theta.tolist(),
         "standard_deviation": sd.tolist(),
-        "condition_number": known(found.condition_number),
+        "condition_number": finite_or_none(found.condition_number),
         "rms_of_misses_left": float(np.sqrt(np.mean(np.sum(found.misses**2, axis=1)))),
         "steps": len(found.steps),
     }

@@ -237,8 +237,8 @@ def ensemble(
         clpt ensemble mine.toml --members 1000 --vary learning.gain=0.2:2.0 \
             --vary vehicle.position~normal:0.5 --out e.zarr --figure e.png
     """
-    from ...ensemble.drawn_values import grid_count, read_vary
-    from ...ensemble.spread import ensemble_summary
+    from ...ensemble.ensemble_statistics import ensemble_summary
+    from ...ensemble.sampled_parameters import grid_count, read_vary
     from ...paper.scenario.file import load_vehicle_scenario
     from ..pages.ensemble_page import ensemble_result
 

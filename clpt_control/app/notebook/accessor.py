@@ -16,7 +16,7 @@ import numpy as np
 from ... import ensemble, replay, simulation
 from ...base.arguments import check_holds, public
 from ...base.errors import ArgumentError, DataError
-from ...base.files import beside, check_writable, write_file
+from ...base.files import atomic_path, check_writable, write_file
 from ...engine.model.ports import ports_of
 from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
@@ -99,7 +99,7 @@ def write_mat(run: "xarray.Dataset", path: Path) -> None:
         arrays[name] = np.column_stack([*signals.values()])
         arrays["units"][name] = str(run[port].attrs.get("units", ""))
         arrays["signals"][name] = np.array([*signals], dtype=object)
-    with beside(path) as made:
+    with atomic_path(path) as made:
         savemat(made, arrays, appendmat=False, long_field_names=True)
 
 

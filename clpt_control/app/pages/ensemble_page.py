@@ -8,7 +8,7 @@ from xarray import Dataset
 
 from ...base.html import Result, folded, listing
 from ...base.units import percent
-from ...ensemble.spread import ensemble_plot, ensemble_summary, unit_of
+from ...ensemble.ensemble_statistics import ensemble_plot, ensemble_summary, unit_of
 from .page import Page, Section, drawn, versions_section
 from .results import Numbers
 

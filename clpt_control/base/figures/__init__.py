@@ -1,14 +1,14 @@
-"""The house style of figures, and the axes on which a plot draws.
+"""The house style of figures, the axes on which a plot draws, and figures in pages.
 
-Colours are those of Okabe and Ito, told apart by the colour-blind; line styles tell them
-apart in black and white.  A function `*_plot` draws on the axes that it is given, or on those
-of a new figure of pyplot's, which a notebook or a window shows; `figure_of` draws the same
-for a file or a page, unknown to pyplot.
+Colours are those of Okabe and Ito, which colour-blind readers distinguish; line styles distinguish
+lines in black and white.  A function `*_plot` draws on the given axes, or on those of a new figure
+of pyplot, which a notebook or a window displays.  `figure_of` returns the same figure for a file
+or a page, without pyplot.
 
-`inline_svg` gives a figure as SVG inside a page.  Its texts stay texts.  Colours of the house
-become those of the page's style, so that it is read in light, in dark and on paper.  Style
-attributes, which the page's policy refuses, become attributes; identifiers begin with the figure's
-name, so that a page may hold many.
+`inline_svg` returns a figure as SVG for a page.  Texts stay texts.  House colours become variables
+of the page's style, for light and dark screens and paper.  Style attributes, which the page's
+policy forbids, become attributes.  Identifiers begin with the figure's name, so that a page may
+have many figures.
 """
 
 import re
@@ -60,8 +60,8 @@ THEME = {  # colour -> the page's
     PURPLE: "var(--purple)",
     COLOURS[-1]: "var(--sky)",
 }
-ENLARGED = 1.45  # px per point, where there is room
-HUGE = 1500.0  # px; a wider one is moved sideways on every screen
+ENLARGED = 1.45  # px per point, if the page is wide enough
+HUGE = 1500.0  # px; wider figures scroll horizontally on every screen
 DROPPED = re.compile(  # of matplotlib's: what it tells of itself, names of groups, fonts, line ends
     r"<metadata>.*?</metadata>|<defs>\s*<style.*?</defs>|(?<=<g) id=\"[^\"]*\"|"
     r"(?:font-family|white-space|stroke-miterlimit): [^;\"]*;? ?|(?<=>)\s+(?=<)",
@@ -89,17 +89,17 @@ def styled(axes: Any) -> Any:
 
 
 def line_style(k: int) -> dict[str, Any]:
-    """Return colour and style of the line k of several."""
+    """Return colour and style of line k of several lines."""
     return {"color": COLOURS[k % 6], "linestyle": STYLES[k % 6]}
 
 
 def axes_for(
     ax: Any, width: float, height: float, mosaic: Any = None, **subplots: Any
 ) -> Any:
-    """Return the axes that a plot draws on: those given, or of a new figure (inches).
+    """Return the axes that a plot draws on: the given axes, or those of a new figure (inches).
 
-    They have the shape of ``pyplot.subplots(**subplots)``, or are those of a `mosaic` in a row.
-    Given ones may come in any shape, and are refused where they are too few or too many.
+    Their shape is that of ``pyplot.subplots(**subplots)``, or the axes of a `mosaic` in a row.
+    Given axes may have any shape, but the number must be right.
     """
     if ax is None:
         figure = (
@@ -117,24 +117,24 @@ def axes_for(
 
 
 def _checked_axes(ax: Any, shape: tuple[int, ...]) -> Any:
-    """Return given axes in a shape; refuse what is none, and another number of them."""
+    """Return given axes in a shape; refuse other objects and a wrong number of axes."""
     from matplotlib.axes import Axes
 
-    listed = isinstance(ax, list | tuple | np.ndarray)
-    several = np.ravel(np.asarray(ax, dtype=object)).tolist() if listed else [ax]
+    is_list = isinstance(ax, list | tuple | np.ndarray)
+    items = np.ravel(np.asarray(ax, dtype=object)).tolist() if is_list else [ax]
     count = int(np.prod(shape))
-    for one in several:
-        if not isinstance(one, Axes):
+    for item in items:
+        if not isinstance(item, Axes):
             raise ArgumentError(
-                f"ax = {brief(one)}: must be matplotlib Axes, as pyplot.subplots makes"
+                f"ax = {brief(item)}: must be matplotlib Axes, as pyplot.subplots makes"
             )
-    if len(several) != count:
+    if len(items) != count:
         size = ", ".join(map(str, shape)) or "1"
         raise ClptError(
-            f"ax: has {len(several)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
+            f"ax: has {len(items)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
             "makes"
         )
-    return np.reshape(several, shape) if shape else several[0]
+    return np.reshape(items, shape) if shape else items[0]
 
 
 def _bare(width: float, height: float) -> "Figure":
@@ -144,17 +144,17 @@ def _bare(width: float, height: float) -> "Figure":
 
 
 def _displayed(width: float, height: float) -> "Figure":
-    """Return a new figure of pyplot's, or one alone where pyplot's backend cannot start."""
+    """Return a new figure of pyplot, or one without pyplot if its backend cannot start."""
     try:
         from matplotlib import pyplot
 
         return pyplot.figure(figsize=(width, height), layout="constrained")
-    except ImportError:  # a window where there is no screen
+    except ImportError:  # a backend with windows, without a screen
         return _bare(width, height)
 
 
 def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
-    """Return the figure that a plot draws, unknown to pyplot: for a file or a page."""
+    """Return the figure that a plot draws, without pyplot, for a file or a page."""
     from matplotlib import rc_context
 
     token = _for_a_file.set(True)
@@ -168,7 +168,7 @@ def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Fi
 
 
 def literal(text: str) -> str:
-    r"""Return a text that is no formula; characters that cannot be printed are replaced.
+    r"""Return a text without formulas; characters that cannot be printed are replaced.
 
     >>> print(literal("$x$\u2028"))
     \$x\$�
@@ -186,16 +186,20 @@ def printable(text: str) -> str:
 
 
 def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
-    """Put a legend so many points below axes, under their label."""
+    """Place a legend some points below axes, under their label."""
     from matplotlib.transforms import ScaledTranslation
 
-    down = ax.transAxes + ScaledTranslation(0, -points / 72, ax.figure.dpi_scale_trans)
-    place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0), "bbox_transform": down}
-    ax.legend(ncols=columns, fontsize=8, frameon=False, **place)
+    below = ax.transAxes + ScaledTranslation(0, -points / 72, ax.figure.dpi_scale_trans)
+    position = {
+        "loc": "upper center",
+        "bbox_to_anchor": (0.5, 0),
+        "bbox_transform": below,
+    }
+    ax.legend(ncols=columns, fontsize=8, frameon=False, **position)
 
 
 def checked_formats(formats: Sequence[str]) -> tuple[str, ...]:
-    """Return formats of figures, each once; refuse those that are none of `FORMATS`."""
+    """Return formats of figures without duplicates; refuse others than `FORMATS`."""
     for kind in formats:
         if kind not in FORMATS:
             raise ClptError(f"format {kind!r:.40}: must be one of {', '.join(FORMATS)}")
@@ -211,20 +215,17 @@ def save_figure(
     with rc_context(SAME):
         try:
             figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
-        except (
-            ValueError,
-            ArithmeticError,
-        ) as error:  # of axes whose ends are no doubles
+        except (ValueError, ArithmeticError) as error:  # limits of axes overflow
             raise ClptError(
                 f"a figure cannot be drawn: {error}; numbers above 1e307 are too large for axes"
             ) from None
 
 
-# --- inside a page -------------------------------------------------------------------------------
+# --- figures in pages ----------------------------------------------------------------------------
 
 
 def inline_svg(figure: "Figure", name: str, words: str) -> str:
-    """Return a figure as an element of a page; a screen reader reads the `words`."""
+    """Return a figure as an element of a page; `words` are its text for screen readers."""
     content = BytesIO()
     save_figure(figure, content, "svg", transparent=True)
     text = re.sub(DROPPED, "", plain(content.getvalue().decode()))
@@ -251,7 +252,7 @@ def _as_attributes(style: re.Match[str]) -> str:
 
 
 def _with_short_numbers(attribute: re.Match[str]) -> str:
-    short = NUMBER.sub(
-        lambda one: f"{float(one[0]):.2f}".rstrip("0").rstrip("."), attribute[0]
+    text = NUMBER.sub(
+        lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), attribute[0]
     )
-    return " " + " ".join(short.split())
+    return " " + " ".join(text.split())

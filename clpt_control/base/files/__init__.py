@@ -1,7 +1,7 @@
-"""Files: written whole or not at all, and the user's cache.
+"""Atomic writing of files, and the user's cache.
 
-A file is written beside its place first and renamed there, so that an interrupt leaves the old
-file or none.  `files.reading` opens files.
+A file is written under a temporary name in its folder and renamed, so that an interrupt leaves the
+old file or none.  `files.reading` opens files.
 """
 
 import errno
@@ -26,82 +26,86 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-CACHE = "CLPT_CONTROL_CACHE"  # environment variable that names another folder for it
-LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, with room for what is written beside
+CACHE = "CLPT_CONTROL_CACHE"  # environment variable with another folder for the cache
+LONGEST_NAME, LONGEST_PATH = 200, 3000  # bytes, less the length of the temporary suffix
 NETCDF_NAME = re.compile(
     r"[^\x00-/:-@\[-^`{-\x7f][^\x00-\x1f/\x7f]{,200}(?<! )"
 ).fullmatch
 HERE = f"{zlib.crc32(platform.node().encode()):08x}"  # this machine
-# of a process here
+# temporary name: name of the file, process of this machine
 PART = re.compile(rf"\.(.+)\.{HERE}-(\d{{1,7}})-[0-9a-f]{{8}}\.part")
 
 
 @contextmanager
-def beside(path: AnyPath, folder: bool = False) -> Iterator[Path]:
-    """Make a hidden empty file, or folder, beside a place, and rename it there at the end.
+def atomic_path(path: AnyPath, folder: bool = False) -> Iterator[Path]:
+    """Make a hidden empty file or folder next to a path, and rename it to the path at the end.
 
-    Its name is ``.NAME.MACHINE-PROCESS-CHANCE.part``.  It is removed where the work fails; the next
-    one removes what a killed process of this machine left.  It has the mode of the file that it
-    replaces, or that of a new file by the umask; a link is followed.
+    Its name is ``.NAME.MACHINE-PROCESS-CHANCE.part``.  It is removed if the work fails.  Files of
+    killed processes of this machine are removed by the next call.  The mode is that of the replaced
+    file, or of a new file by the umask; a link is followed.
     """
-    place, mode = _place(path)
-    part = (
-        place.parent / f".{place.name}.{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
-    )
+    target, mode = _target(path)
+    suffix = f"{HERE}-{os.getpid()}-{secrets.token_hex(4)}.part"
+    partial = target.parent / f".{target.name}.{suffix}"
     try:
-        readable = os.access(place.parent, os.R_OK)
-        for left in os.listdir(place.parent) if readable else ():  # noqa: PTH208  paths are slow
-            found = PART.fullmatch(left) if left.startswith(".") else None
-            if found and found[1] == place.name and _is_dead(int(found[2])):
-                remove(place.with_name(left))
-        unfinished.add(part)
+        _remove_abandoned(target)
+        unfinished.add(partial)
         if folder:
-            part.mkdir()
+            partial.mkdir()
         else:
-            new = 0o666 if mode is None else 0o600  # less what the umask takes
-            os.close(os.open(part, os.O_CREAT | os.O_EXCL | os.O_WRONLY, new))
-        yield part
-        check()  # an interrupt that was dropped may have changed what was written
+            new_mode = 0o666 if mode is None else 0o600  # the umask is applied
+            os.close(os.open(partial, os.O_CREAT | os.O_EXCL | os.O_WRONLY, new_mode))
+        yield partial
+        check()  # after a dropped interrupt the file may be incomplete
         if mode is not None and not folder:
-            part.chmod(mode)
-        part.replace(place)
+            partial.chmod(mode)
+        partial.replace(target)
     except OSError as error:
-        why = error.strerror or error
+        reason = error.strerror or error
         if error.errno in (errno.ENOTEMPTY, errno.EEXIST):
-            why = "another command made that folder meanwhile; let it end, or give another name"
-        raise DataError(f"{path}: cannot be written: {why}") from None
+            reason = "another command made that folder meanwhile; let it end, or give another name"
+        raise DataError(f"{path}: cannot be written: {reason}") from None
     finally:
-        remove(part)
-        unfinished.discard(part)
+        remove(partial)
+        unfinished.discard(partial)
 
 
-def _place(path: AnyPath) -> tuple[Path, int | None]:
-    """Return where a file is to be written, and the mode of the one that stands there.
+def _remove_abandoned(target: Path) -> None:
+    """Remove temporary files for a target that killed processes of this machine left."""
+    readable = os.access(target.parent, os.R_OK)
+    for name in os.listdir(target.parent) if readable else ():  # noqa: PTH208  paths are slow
+        match = PART.fullmatch(name) if name.startswith(".") else None
+        if match and match[1] == target.name and _is_dead(int(match[2])):
+            remove(target.with_name(name))
 
-    A device, a pipe or a socket is refused: it would be replaced by a file.
+
+def _target(path: AnyPath) -> tuple[Path, int | None]:
+    """Return the path of a file to write, links resolved, and the mode of the present file.
+
+    A device, a pipe or a socket is refused: a file would replace it.
     """
     path = Path(path)
     check_name(path)
-    place = Path(os.path.realpath(path)) if path.is_symlink() else path
-    if not place.parent.is_dir():
+    target = Path(os.path.realpath(path)) if path.is_symlink() else path
+    if not target.parent.is_dir():
         raise DataError(
-            f"{path}: cannot be written: the folder {place.parent} does not exist"
+            f"{path}: cannot be written: the folder {target.parent} does not exist"
         )
     try:
-        mode = place.stat().st_mode
+        mode = target.stat().st_mode
     except FileNotFoundError:
-        return place, None
+        return target, None
     except OSError as error:
         raise DataError(
             f"{path}: cannot be written: {error.strerror or error}"
         ) from None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
         raise DataError(f"{path}: is no regular file; give the name of one")
-    return place, stat.S_IMODE(mode)
+    return target, stat.S_IMODE(mode)
 
 
 def _is_dead(process: int) -> bool:
-    """Return whether a process of this machine has ended; on Windows it may not be asked."""
+    """Return True if a process of this machine has ended; False on Windows, without a test."""
     if os.name != "posix":
         return False
     try:
@@ -114,26 +118,26 @@ def _is_dead(process: int) -> bool:
 def write_together(
     results: "Mapping[Path, str | bytes | xarray.Dataset | Figure]",
 ) -> None:
-    """Write files beside their places, then rename them; none where one cannot be written.
+    """Write files under temporary names, then rename them; none if one cannot be written.
 
-    Each is a text, bytes, a dataset, whose variables with NaN get them as _FillValue, or a
-    figure.  The first is renamed last: where it is new, all are.
+    A result is a text, bytes, a figure, or a dataset, whose variables with NaN get NaN as
+    _FillValue.  The first file is renamed last: if it is new, all files are new.
     """
     with ExitStack() as renamed:
         for path in results:
             check_writable(path)
         for path, result in results.items():
-            _put(result, renamed.enter_context(beside(path)), Path(path))
+            _write(result, renamed.enter_context(atomic_path(path)), Path(path))
 
 
-def _put(result: Any, part: Path, path: Path) -> None:
+def _write(result: Any, partial: Path, path: Path) -> None:
     if isinstance(result, str | bytes):
-        part.write_bytes(result.encode() if isinstance(result, str) else result)
+        partial.write_bytes(result.encode() if isinstance(result, str) else result)
         return
     if hasattr(result, "savefig"):
         from ..figures import save_figure
 
-        save_figure(result, part, path.suffix[1:].lower())
+        save_figure(result, partial, path.suffix[1:].lower())
         return
     engine, encoding = netcdf_engine(), {}
     result = renamed(result, "/", SLASH)
@@ -145,20 +149,18 @@ def _put(result: Any, part: Path, path: Path) -> None:
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
-            encoding[name]["fletcher32"] = (
-                True  # a checksum that the library asks when it reads
-            )
+            encoding[name]["fletcher32"] = True  # checksum, verified on reading
     try:
-        with _no_cluster(), part.open("rb") as held:
-            # its library takes a \\ for a folder
-            place = opened_name(held.fileno(), part)
-            result.to_netcdf(place, engine=engine, encoding=encoding)
+        with _no_cluster(), partial.open("rb") as file:
+            # the library would read a \\ of the path as a folder
+            name = opened_name(file.fileno(), partial)
+            result.to_netcdf(name, engine=engine, encoding=encoding)
     except (
         RuntimeError,
         PermissionError,
         UnicodeError,
     ) as error:  # of a full disk, too
-        full = shutil.disk_usage(part.parent).free < 2**20
+        full = shutil.disk_usage(partial.parent).free < 2**20
         reason = getattr(error, "strerror", None) or str(error)
         if isinstance(error, UnicodeError):
             reason = (
@@ -170,9 +172,9 @@ def _put(result: Any, part: Path, path: Path) -> None:
 
 @contextmanager
 def _no_cluster() -> Iterator[None]:
-    """Keep xarray from importing dask's cluster, to ask whether one writes too.
+    """Keep xarray from importing `distributed` to look for a cluster that writes.
 
-    No cluster writes where nobody has imported it.
+    Without an import of it by the user there is no cluster.
     """
     sys.modules.setdefault("distributed", None)  # type: ignore[arg-type]
     try:
@@ -183,14 +185,16 @@ def _no_cluster() -> Iterator[None]:
 
 
 def write_file(path: AnyPath, result: "str | bytes | xarray.Dataset | Figure") -> None:
-    """Write one file, whole or not at all."""
+    """Write one file atomically."""
     write_together({Path(path): result})
 
 
 def check_name(path: AnyPath) -> None:
-    """Refuse a name that is too long or no text: nothing can be written under it."""
+    """Refuse a name that is too long or not text."""
     try:
-        longest = max((len(part.encode()) for part in Path(path).parts), default=0)
+        longest = max(
+            (len(component.encode()) for component in Path(path).parts), default=0
+        )
     except UnicodeEncodeError:
         raise DataError(f"{path}: its name holds bytes that are no text") from None
     if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
@@ -198,7 +202,7 @@ def check_name(path: AnyPath) -> None:
 
 
 def make_folder(path: AnyPath) -> Path:
-    """Make a folder for results; a command removes it if it stays empty."""
+    """Create a folder for results; a command removes it if it stays empty."""
     path = Path(path)
     check_name(path)
     new = [folder for folder in (path, *path.parents) if not os.path.lexists(folder)]
@@ -212,31 +216,31 @@ def make_folder(path: AnyPath) -> Path:
     return path
 
 
-def check_writable(path: AnyPath, what: str = "", endings: Sequence[str] = ()) -> None:
+def check_writable(path: AnyPath, kind: str = "", endings: Sequence[str] = ()) -> None:
     """Refuse, before work begins, a file that could not be written: no folder, or read-only.
 
-    Its name must have one of the `endings`, if there are any; `what` is what it is to be, such as
-    "a figure".
+    The name must have one of the `endings`, if any; `kind` is the kind of file, such as
+    "a figure", for the message.
     """
-    place, _ = _place(path)
-    if place.is_dir():
+    target, _ = _target(path)
+    if target.is_dir():
         raise DataError(f"{path}: is a folder; give another name, or move it away")
-    if not os.access(place.parent, os.W_OK):
+    if not os.access(target.parent, os.W_OK):
         raise DataError(
-            f"{path}: cannot be written: the folder {place.parent} is read-only"
+            f"{path}: cannot be written: the folder {target.parent} is read-only"
         )
     if endings and Path(path).suffix.lower() not in endings:
         allowed = " or ".join(", ".join(endings).rsplit(", ", 1))
-        raise DataError(f"{path}: {what}'s name must end in {allowed}")
+        raise DataError(f"{path}: {kind}'s name must end in {allowed}")
 
 
 # --- the user's cache: compiled code, verdicts ---------------------------------------------------
 
 
 def cache_folder() -> Path | None:
-    """Return the cache's folder; make it if need be.
+    """Return the cache's folder, created if necessary.
 
-    Return None where it cannot be written to, or another user could have put something there.
+    Return None if it is not writable, or another user could have written into it.
     """
     try:
         caches = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
@@ -248,19 +252,19 @@ def cache_folder() -> Path | None:
 
 
 def trusted(state: os.stat_result) -> bool:
-    """Return whether a folder or a file is the user's own and others may not write to it."""
+    """Return True if a folder or file belongs to the user and others may not write to it."""
     if not hasattr(os, "getuid"):
         return True  # Windows: the user's profile is closed to others
-    others = state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    return state.st_uid in (os.getuid(), 0) and not others
+    writable = state.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return state.st_uid in (os.getuid(), 0) and not writable
 
 
 @contextmanager
 def _through_folder(path: Path) -> Iterator[Path]:
-    """Yield a path to a file of the cache that begins at its opened folder, which is checked.
+    """Yield a path to a file of the cache through the descriptor of its checked folder.
 
-    Others may rename its parents meanwhile: so the folder that is checked is the one that is used.
-    Where a system has no ``/proc``, `cache_folder` has checked it by its name.
+    Other users may rename parents of the folder meanwhile; the descriptor stays the checked folder.
+    On a system without ``/proc`` only the check by name in `cache_folder` remains.
     """
     if not os.path.isdir(OPENED):  # noqa: PTH112
         yield path
@@ -275,7 +279,7 @@ def _through_folder(path: Path) -> Iterator[Path]:
 
 
 def read_cached(path: Path) -> bytes | None:
-    """Return what a file of the cache holds; None where it is not there, or not the user's own."""
+    """Return the content of a file of the cache; None if it is missing or not the user's."""
     with (
         suppress(DataError, OSError),
         _through_folder(path) as safe,
@@ -287,23 +291,24 @@ def read_cached(path: Path) -> bytes | None:
 
 
 def write_cached(path: Path, data: bytes, most: int) -> None:
-    """Write a file of the cache for the user alone; where that fails, go on without.
+    """Write a file of the cache, readable only by the user; failures are ignored.
 
-    Of files FAMILY-NAME with its ending the newest `most` stay, or a few less: so that not each
-    file that is written asks for the times of all.
+    Of the files FAMILY-NAME with the same ending about the newest `most` are kept.  When there are
+    more, a sixteenth is removed at once, so that few writes sort all files.
     """
     with suppress(DataError, OSError), _through_folder(path) as safe:
-        safe.unlink(missing_ok=True)  # its mode may be another
-        with beside(safe) as part:
-            part.chmod(0o600)
-            part.write_bytes(data)
+        safe.unlink(missing_ok=True)  # its mode may differ
+        with atomic_path(safe) as partial:
+            partial.chmod(0o600)
+            partial.write_bytes(data)
     with suppress(OSError):
         family, ending = path.stem.rpartition("-")[0], path.suffix
         names = (name for name in os.listdir(path.parent) if name.endswith(ending))  # noqa: PTH208
-        own = [name for name in names if name.rpartition("-")[0] == family]
-        if len(own) > most:
+        family_names = [name for name in names if name.rpartition("-")[0] == family]
+        if len(family_names) > most:
             files = sorted(
-                map(path.with_name, own), key=lambda file: -file.stat().st_mtime
+                map(path.with_name, family_names),
+                key=lambda file: -file.stat().st_mtime,
             )
             for file in files[most - most // 16 :]:
                 file.unlink(missing_ok=True)

@@ -1,12 +1,12 @@
 """Readers of text, NetCDF and Zarr files.
 
-A file is opened once, without waiting, and checked through its descriptor: it is a regular file of
-bounded size, and all else, a pipe too, is refused in a sentence.  A library that opens by name
-(NetCDF) gets a name of the descriptor, where the system has one; Zarr, which lists a folder itself,
-gets paths that are opened in this way.
+A file is opened once, without waiting, and checked through its descriptor: it must be a regular
+file of bounded size; pipes and devices are refused.  A library that opens files by name (NetCDF)
+gets the name of the descriptor, if the system has one.  Zarr, which lists folders itself, gets
+paths whose files are opened in this way.
 
-Text is UTF-8, with or without a byte order mark; a few stray bytes are let
-through, for they stand in comments and notes.
+Text is UTF-8, with or without a byte order mark; a few invalid bytes are allowed, because comments
+and notes have them.
 """
 
 import os
@@ -22,19 +22,19 @@ from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Literal
 
-from ..errors import DataError, needed
+from ..errors import DataError, import_optional
 
 if TYPE_CHECKING:
     import xarray
 
 AnyPath = str | Path
 STRAY = 0.05  # largest share of characters that are no UTF-8 text
-LARGEST = 2 * 10**8  # bytes of a file that is read whole
-# the folder in which a system names the descriptors of a process
+LARGEST = 2 * 10**8  # bytes of a file that is read into memory
+# folder of the names of a process's descriptors
 OPENED = "/proc/self/fd"
 NETCDF = (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")  # first bytes
 DECODED_BY = {"scale_factor", "add_offset", "_Encoding"}  # attributes of a variable
-# in a file, for a / of a name, which NetCDF and Zarr take for a folder
+# replaces the / of a name in a file, which NetCDF and Zarr would read as a folder
 SLASH = "\N{DIVISION SLASH}"
 
 
@@ -42,7 +42,7 @@ SLASH = "\N{DIVISION SLASH}"
 def opened(
     path: AnyPath, most: float = LARGEST, hint: str = "give the name of a file"
 ) -> Iterator[BinaryIO]:
-    """Open a file of at most so many bytes; `hint` ends the sentence where there is none."""
+    """Open a file of at most so many bytes; `hint` ends the message for a missing file."""
     try:
         with open(path, "rb", opener=at_once) as file:
             _check(file, path, most)
@@ -56,7 +56,7 @@ def opened(
 
 
 def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
-    """Refuse what was opened where it is no regular file, or is too large."""
+    """Refuse an opened file that is not a regular file, or is too large."""
     state = os.fstat(file.fileno())
     if not stat.S_ISREG(state.st_mode):
         raise DataError(f"{path}: is no regular file; give one")
@@ -65,21 +65,24 @@ def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
 
 
 def shown_name(path: Path) -> str:
-    r"""Return the name of a file as a line of text, which any file can hold.
+    r"""Return the name of a file as one line of printable text.
 
     >>> shown_name(Path("a\n\udcff.nc"))
     'a\\n\\udcff.nc'
     """
-    return "".join(one if one.isprintable() else ascii(one)[1:-1] for one in path.name)
+    return "".join(
+        character if character.isprintable() else ascii(character)[1:-1]
+        for character in path.name
+    )
 
 
-def at_once(name: str, flags: int, more: int = 0) -> int:
-    """Open as the opener of `open`, but do not wait for a writer of a pipe."""
-    return os.open(name, flags | more | getattr(os, "O_NONBLOCK", 0))
+def at_once(name: str, flags: int, extra_flags: int = 0) -> int:
+    """Open a file (an opener of `open`) without waiting for the writer of a pipe."""
+    return os.open(name, flags | extra_flags | getattr(os, "O_NONBLOCK", 0))
 
 
 def opened_name(number: int, path: AnyPath) -> str:
-    """Return a name of a descriptor, whatever its path means by now; the path elsewhere."""
+    """Return the name of a descriptor, valid if its path changes; the path on other systems."""
     return f"{OPENED}/{number}" if os.path.isdir(OPENED) else str(path)  # noqa: PTH112
 
 
@@ -91,65 +94,64 @@ def _too_large(path: AnyPath, most: float) -> str:
 
 def read_bytes(
     path: AnyPath,
-    other: tuple[bytes, ...] = (),
+    signatures: tuple[bytes, ...] = (),
     hint: str = "give the name of a file",
     most: int | None = None,
 ) -> bytes:
     """Read a file; `most` is `LARGEST` by default.
 
-    Of a file that begins with one of `other`, 4 bytes each, only these are read.
+    If a file begins with one of `signatures`, 4 bytes each, only those bytes are read.
     """
     most = most or LARGEST
-    with opened(path, inf if other else most, hint) as file:
+    with opened(path, inf if signatures else most, hint) as file:
         raw = file.read(4)
-        if raw not in other:
+        if raw not in signatures:
             raw += file.read(most)
     if len(raw) > most:
         raise DataError(_too_large(path, most))
     return raw
 
 
-class _Inner(type(Path())):  # type: ignore[misc]
-    """A path within a folder, whose file is no link and is checked when it is opened to read."""
+class _CheckedPath(type(Path())):  # type: ignore[misc]
+    """A path within a folder; a file that is opened to read is checked and must not be a link."""
 
-    def open(self, mode: str = "r", *how: Any, **more: Any) -> Any:
-        """Open the file; check it where it is to be read."""
+    def open(self, mode: str = "r", *arguments: Any, **options: Any) -> Any:
+        """Open the file; check it if it is opened to read."""
         if mode != "rb":
-            return super().open(mode, *how, **more)
-        with ExitStack() as refused:
-            opener = partial(at_once, more=getattr(os, "O_NOFOLLOW", 0))
-            file = refused.enter_context(open(self, "rb", opener=opener))
+            return super().open(mode, *arguments, **options)
+        with ExitStack() as stack:
+            opener = partial(at_once, extra_flags=getattr(os, "O_NOFOLLOW", 0))
+            file = stack.enter_context(open(self, "rb", opener=opener))
             _check(file, self, inf)
-            refused.pop_all()
+            stack.pop_all()
         return file
 
 
 def zarr_store(folder: Path, read_only: bool = True) -> Any:
-    """Return a folder as Zarr reads it, and writes it unless it is `read_only`.
+    """Return a folder as a store of Zarr.
 
-    Anything in it, at any depth, that is neither a file nor a folder is refused: Zarr would follow
-    it elsewhere.
+    Links, pipes and devices in the folder, at any depth, are refused: Zarr would follow them.
     """
-    needed("zarr")
+    import_optional("zarr")
     from zarr.storage import LocalStore
 
-    for place, folders, files in os.walk(folder):
+    for parent, folders, files in os.walk(folder):
         for name in (*folders, *files):
-            mode = os.lstat(path := Path(place, name)).st_mode
+            mode = os.lstat(path := Path(parent, name)).st_mode
             if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
                 raise DataError(
                     f"{path}: is no regular file; {folder} must hold files alone"
                 )
-    return LocalStore(_Inner(folder), read_only=read_only)
+    return LocalStore(_CheckedPath(folder), read_only=read_only)
 
 
 def read_text(path: AnyPath, no_text: str, most: int | None = None) -> str:
-    """Read a file that must be text; where it is none, the error is its name and `no_text`."""
+    """Read a text file; the message for other files is the name and `no_text`."""
     return text_of(read_bytes(path, most=most), path, no_text)
 
 
 def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
-    """Return a whole file's bytes as text, those that are no UTF-8 as U+FFFD."""
+    """Return the bytes of a file as text, with U+FFFD for bytes that are not UTF-8."""
     text = raw.decode("utf-8-sig", "replace")
     if "\0" in text or text.count("\ufffd") > STRAY * len(text):
         raise DataError(f"{path}: {no_text}")
@@ -161,11 +163,11 @@ def text_of(raw: bytes, path: AnyPath, no_text: str) -> str:
 
 @contextmanager
 def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
-    """Open a NetCDF file with xarray, or raise one sentence that says why not.
+    """Open a NetCDF file with xarray, or raise a `DataError` with the reason.
 
-    Times stay numbers, and values are read when they are used: a damaged variable is a
-    `DataError` there too.  A small file may claim to hold much: all variables together are at most
-    so many bytes.
+    Times stay numbers.  Values are read when they are used; a damaged variable then raises a
+    `DataError` too.  The variables together must have at most `most` bytes: a small file may
+    declare large arrays.
     """
     import xarray
 
@@ -174,9 +176,9 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
         name, engine = opened_name(file.fileno(), path), netcdf_engine()
         try:
             data = xarray.open_dataset(name, decode_times=False, engine=engine)
-            for one in data.variables.values():
-                if DECODED_BY & one.encoding.keys():  # which may say anything
-                    one[dict.fromkeys(one.dims, slice(1))].load()
+            for variable in data.variables.values():
+                if DECODED_BY & variable.encoding.keys():  # they may have any value
+                    variable[dict.fromkeys(variable.dims, slice(1))].load()
         except Exception as error:  # a damaged file can raise anything
             raise DataError(
                 f"{path}: cannot be read as NetCDF: {_reason(error)}"
@@ -197,7 +199,7 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
 
 
 def renamed(data: "xarray.Dataset", old: str, new: str) -> "xarray.Dataset":
-    """Return a dataset with one letter for another in the names of variables and dimensions."""
+    """Return a dataset with a letter replaced in the names of variables and dimensions."""
     names = {str(name) for name in (*data.variables, *data.dims) if old in str(name)}
     return (
         data.rename({name: name.replace(old, new) for name in names}) if names else data
@@ -205,7 +207,7 @@ def renamed(data: "xarray.Dataset", old: str, new: str) -> "xarray.Dataset":
 
 
 def netcdf_engine() -> Literal["netcdf4", "scipy"]:
-    """Return the library for NetCDF: netCDF4, or without it SciPy, for classic files alone."""
+    """Return the library for NetCDF: netCDF4, or SciPy, which reads only classic files."""
     return "netcdf4" if find_spec("netCDF4") else "scipy"
 
 
@@ -215,16 +217,16 @@ def _reason(error: Exception) -> str:
 
 
 def _check_header(file: BinaryIO, path: AnyPath) -> None:
-    """Refuse a damaged file that a library takes for whole, or never finishes to read.
+    """Refuse a damaged file that a library reads without an error, or reads for ever.
 
-    SciPy fills a classic file that was cut with zeros.  HDF5 walks a global heap object by object,
-    for ever where a free one (number 0) has no size; files above `LARGEST` are not searched.
+    SciPy pads a truncated classic file with zeros.  HDF5 walks a global heap object by object, for
+    ever if a free object (number 0) has no size; files above `LARGEST` are not searched.
     """
     start = file.read(4)
     if start == b"CDF\x05":
         raise DataError(f"{path}: is of 64-bit data; `nccopy -k nc4` makes it NetCDF-4")
     if start[:3] != b"CDF":
-        needed("netCDF4")
+        import_optional("netCDF4")
         raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
         for heap in re.finditer(rb"GCOL\x01\0{3}", raw):
             _check_heap(raw, heap.end(), path)
@@ -236,17 +238,18 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
         try:
             return netcdf_file(opened_name(file.fileno(), path), mmap=True).close()
         except Exception:  # a damaged header can raise anything
-            pass  # what was opened ends here, not with an error that keeps it open
+            pass  # raise outside: the error of SciPy would keep the file open
     raise DataError(f"{path}: damaged or cut short: less than its header says")
 
 
-def _check_heap(raw: bytes, at: int, path: AnyPath) -> None:
-    """Refuse a global heap, from its size on, whose objects do not lead to its end."""
-    end, at = at - 8 + int.from_bytes(raw[at : at + 8], "little"), at + 8
-    while at + 16 <= min(end, len(raw)):
-        number, size = struct.unpack_from("<H6xQ", raw, at)
+def _check_heap(raw: bytes, offset: int, path: AnyPath) -> None:
+    """Refuse a global heap whose objects do not reach its end; `offset` is that of its size."""
+    end = offset - 8 + int.from_bytes(raw[offset : offset + 8], "little")
+    offset += 8
+    while offset + 16 <= min(end, len(raw)):
+        number, size = struct.unpack_from("<H6xQ", raw, offset)
         if not (number or size):
             raise DataError(
                 f"{path}: damaged: a heap of its HDF5 does not end; fetch it again"
             )
-        at += 16 + -(-size // 8) * 8 if number else size
+        offset += 16 + -(-size // 8) * 8 if number else size

@@ -1,7 +1,8 @@
-"""The progress of work that lasts over two seconds, on standard error.
+"""Progress bars, notes and warnings on standard error.
 
-One line on a terminal, written anew; a line now and then elsewhere; a note on what happens once.
-A line that cannot be printed is dropped and the work goes on; control characters are escaped.
+Work of more than two seconds shows its progress: one line of a terminal, which is overwritten, or a
+line every ten seconds in a log.  A line that cannot be printed is dropped and the work goes on;
+control characters are escaped.
 """
 
 import os
@@ -16,11 +17,11 @@ from traceback import walk_stack
 from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the first line
-LOG_EVERY = 10.0  # seconds between lines where there is no terminal
-# the rest of a terminal's line goes, and the next is written over it
+LOG_EVERY = 10.0  # seconds between lines without a terminal
+# clears the rest of a terminal's line and returns to its start
 CLEARED = "\x1b[K\r"
 CONTROLS = (
-    re.compile(  # all but tab and newline, and marks that reverse the direction of text
+    re.compile(  # except tab and newline; with marks that reverse the direction of text
         r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]"
     )
 )
@@ -28,12 +29,12 @@ CONTROLS = (
 
 @contextmanager
 def progress_bar(
-    what: str, total: float, counted: str = ""
+    title: str, total: float, counted: str = ""
 ) -> Iterator[Callable[[float], None]]:
-    """Print percent and time left, or, where things are counted, how many a second.
+    """Print percent and time left, or the number of `counted` things and their rate.
 
-    Yield ``report(done)``, to be called as often as you like; its first call tells how much
-    an earlier run had done.
+    Yield ``report(done)``, which may be called often; its first call has the number that an
+    earlier run had done.
 
     >>> with progress_bar("running", 10, "members") as report:
     ...     report(5)
@@ -43,27 +44,29 @@ def progress_bar(
     earlier = None
     printed = float("-inf")
 
-    def report(done: float) -> None:
+    def report(count: float) -> None:
         nonlocal printed, earlier
         now = time.monotonic()
         if earlier is None:
-            earlier = done
-            if counted and done:
-                note(f"{what}: {done} of {total} {counted} were there already")
+            earlier = count
+            if counted and count:
+                note(f"{title}: {count} of {total} {counted} were there already")
         if now - start < PATIENCE or now - printed < (0.1 if terminal else LOG_EVERY):
             return
         printed = now
-        rate = (done - earlier) / (now - start)
+        rate = (count - earlier) / (now - start)
         state = (
-            f"{done} of {total} {counted}" if counted else f"{100 * done / total:.0f} %"
+            f"{count} of {total} {counted}"
+            if counted
+            else f"{100 * count / total:.0f} %"
         )
         if rate > 0:
             state += f", {rate:.4g} a second" if counted else ""
-            state += f", {clock((total - done) / rate)} left"
+            state += f", {clock((total - count) / rate)} left"
         if terminal:
-            tell(f"{what}: {state}"[: get_terminal_size().columns - 1], CLEARED)
+            tell(f"{title}: {state}"[: get_terminal_size().columns - 1], CLEARED)
         else:
-            tell(f"{what}: {state}")
+            tell(f"{title}: {state}")
 
     try:
         yield report
@@ -85,12 +88,12 @@ def progress_shown(
 
 
 def note(sentence: str) -> None:
-    """Print a sentence of clpt on standard error, such as why work takes longer than usual."""
+    """Print a sentence of clpt on standard error, such as the reason for a delay."""
     tell(f"clpt: {sentence}")
 
 
 def tell(line: str, end: str = "\n") -> None:
-    """Print a line on standard error; drop it where that fails."""
+    """Print a line on standard error; drop it if that fails."""
     try:
         print(escaped(line), end=end, file=sys.stderr, flush=True)
     except (OSError, ValueError):
@@ -103,11 +106,11 @@ def escaped(text: str) -> str:
     >>> escaped("a title\x1b[2J") == r"a title\x1b[2J"
     True
     """
-    return CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
+    return CONTROLS.sub(lambda match: ascii(match[0])[1:-1], text)
 
 
 def discard(stream: TextIO) -> None:
-    """Send the rest of a standard stream that takes no more to nowhere."""
+    """Redirect a broken standard stream to the null device."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
@@ -122,11 +125,15 @@ def warn(sentence: str) -> None:
 
 
 def clock(seconds: float) -> str:
-    """Return seconds as a clock shows them.
+    """Return seconds in the form h:mm:ss or m:ss.
 
     >>> clock(200.0), clock(7265.0)
     ('3:20', '2:01:05')
     """
-    minutes, rest = divmod(round(seconds), 60)
+    minutes, remainder = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
+    return (
+        f"{hours}:{minutes:02d}:{remainder:02d}"
+        if hours
+        else f"{minutes}:{remainder:02d}"
+    )

@@ -1,11 +1,10 @@
-"""Interrupts that cannot be lost.
+"""Reliable handling of interrupts (Ctrl-C).
 
-Python makes a KeyboardInterrupt of Ctrl-C, in the main thread, between two of its
-own instructions.  In a callback of compiled code that exception is dropped, in an
-import it may come out as an ImportError, and within one long call of compiled code it
-is not raised at all.  So the handler here also sets a flag; every loop that waits
-or runs long calls `check`, which looks at it.  On POSIX the system also writes the signal
-into a pipe: a thread reads it and ends a process that still lives some seconds later.
+Python raises a KeyboardInterrupt in the main thread, between two of its instructions.  In a
+callback of compiled code the exception is dropped, in an import it may become an ImportError, and
+in a long call of compiled code it is not raised.  Therefore the handler here also sets a flag, and
+loops that wait or make long calls test it by `check`.  On POSIX the system also writes the signal
+into a pipe; a thread reads it and ends a process that is still running some seconds later.
 """
 
 import atexit
@@ -23,37 +22,36 @@ from typing import Any, NoReturn
 
 from . import CLEARED, escaped, tell
 
-# ends the sentence where there is no `resume_hint`
+# end of the message without a `resume_hint`
 NOTHING = "nothing half-written was left"
-PATIENCE = 3.0  # seconds that an interrupted process may take to end by itself
-SLICE = 0.5  # seconds of a wait between two looks at the flag
-SIGNALS = (signal.SIGINT, signal.SIGTERM)  # those that may interrupt
-ANSWERED = b"\0"  # to the thread: the interrupt was dealt with
+PATIENCE = 3.0  # seconds until an interrupted process is killed
+SLICE = 0.5  # seconds of a wait between two tests of the flag
+SIGNALS = (signal.SIGINT, signal.SIGTERM)  # signals that interrupt
+ANSWERED = b"\0"  # to the thread: the interrupt was handled
 
-unfinished: set[Path] = set()  # files being written, removed where the process is ended
-folders: list[
-    Path
-] = []  # made for results, the outermost first; removed where they stay empty
-# ends the sentence: what is stored by now, and how to go on; work sets it
+unfinished: set[Path] = set()  # files being written, removed if the process is ended
+# folders created for results, the outermost first; removed if they stay empty
+folders: list[Path] = []
+# end of the message: what has been stored, and how to resume; set by the work
 resume_hint = ""
 
-_pending = False  # whether an interrupt waits for its answer
-_ended = False  # whether the command has ended: an interrupt changes nothing any more
-_printed = False  # whether the sentence was printed
-_writer = -1  # the descriptor by which the thread hears; -1 where there is none
+_pending = False  # True if an interrupt was not handled yet
+_ended = False  # True if the command has ended: an interrupt has no effect
+_printed = False  # True if the message was printed
+_writer = -1  # the thread's descriptor to write to; -1 without a thread
 
 
 def listen(before: Any) -> None:
-    """Take interrupts from here on, from the handler `before`.
+    """Install the handler for interrupts in place of the handler `before`.
 
-    A process that was started with interrupts ignored goes on ignoring them.
+    A process that was started with interrupts ignored continues to ignore them.
     """
     global _pending, _ended, _printed, _writer, resume_hint
     _pending = _ended = _printed = False
     resume_hint = ""
     if signal.getsignal(signal.SIGINT) is not before:
         return
-    atexit.register(_last)
+    atexit.register(_exit_as_interrupted)
     sys.excepthook, sys.unraisablehook = _uncaught, _dropped
     signal.signal(signal.SIGINT, _on_signal)
     if os.name == "posix":
@@ -64,7 +62,7 @@ def listen(before: Any) -> None:
 
 
 def pending() -> bool:
-    """Return whether an interrupt came and has no answer yet."""
+    """Return True if an interrupt came and was not handled yet."""
     return _pending
 
 
@@ -75,16 +73,16 @@ def check() -> None:
 
 
 def wait(seconds: float) -> None:
-    """Sleep so many seconds, or raise a KeyboardInterrupt once an interrupt comes."""
+    """Sleep for some seconds, or raise a KeyboardInterrupt after an interrupt."""
     end = time.monotonic() + seconds
     check()
-    while (left := end - time.monotonic()) > 0:
-        time.sleep(min(SLICE, left))
+    while (remaining := end - time.monotonic()) > 0:
+        time.sleep(min(SLICE, remaining))
         check()
 
 
 def answer() -> None:
-    """Take the interrupt for the end of a wait, and go on."""
+    """Handle an interrupt as the end of a wait, and go on."""
     global _pending
     _pending = False
     if _writer >= 0:
@@ -92,14 +90,14 @@ def answer() -> None:
 
 
 def end() -> None:
-    """End the command: an interrupt that comes now changes nothing any more."""
+    """End the command: later interrupts have no effect."""
     global _ended
     _ended = True
     _tidy()
 
 
 def say() -> None:
-    """Print on standard error, once, that the process was interrupted."""
+    """Print the message of an interrupted process on standard error, once."""
     global _printed
     if not _printed:
         _printed = True
@@ -111,7 +109,7 @@ def _sentence() -> str:
 
 
 def _tidy() -> None:
-    """Remove what is half-written, and folders in which nothing is."""
+    """Remove unfinished files and empty folders."""
     for path in list(unfinished):
         with suppress(OSError):
             remove(path)
@@ -121,7 +119,7 @@ def _tidy() -> None:
 
 
 def remove(path: Path) -> None:
-    """Remove a file or a folder with all that is in it, if it is there."""
+    """Remove a file, or a folder with its content, if it exists."""
     if path.is_dir():
         shutil.rmtree(path, ignore_errors=True)
     else:
@@ -129,7 +127,7 @@ def remove(path: Path) -> None:
 
 
 def leave() -> NoReturn:
-    """End the process here and now, without half-written files."""
+    """End the process at once, and remove unfinished files."""
     global _printed
     _tidy()
     with suppress(OSError):
@@ -143,7 +141,7 @@ def leave() -> NoReturn:
 
 @contextmanager
 def terminated() -> Iterator[None]:
-    """Take SIGTERM, sent by a machine that stops, for an interrupt."""
+    """Handle SIGTERM, which a machine sends at its shutdown, as an interrupt."""
     before = signal.signal(signal.SIGTERM, _on_signal)
     try:
         yield
@@ -153,13 +151,13 @@ def terminated() -> Iterator[None]:
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
     global _pending
-    first, _pending = not _pending, True
-    if first and not _ended:
+    is_new, _pending = not _pending, True
+    if is_new and not _ended:
         raise KeyboardInterrupt
 
 
 def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -> None:
-    """End by an interrupt that nothing has caught."""
+    """End the process after an interrupt that was not caught."""
     if not issubclass(kind, KeyboardInterrupt):
         sys.__excepthook__(kind, error, traceback)
         return
@@ -168,16 +166,16 @@ def _uncaught(kind: type[BaseException], error: BaseException, traceback: Any) -
 
 
 def _dropped(problem: Any) -> None:
-    """Ignore the error where a callback dropped an interrupt: the flag is set."""
+    """Ignore an interrupt that a callback dropped: the flag is set."""
     if not (_pending and isinstance(problem.exc_value, KeyboardInterrupt)):
         sys.__unraisablehook__(problem)
 
 
-def _last() -> None:
-    """End with the status of an interrupt, after all else that Python calls at its end.
+def _exit_as_interrupted() -> None:
+    """Exit with the status of an interrupt, as the last function that Python calls at its end.
 
-    Python would take back the handler next, and end by the signal where code that it
-    ran from text, as that of a named tuple, had seen the interrupt.
+    Python would restore the default handler next, and end by the signal if code that it compiled
+    from a text, such as that of a named tuple, was interrupted.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if _printed:
@@ -185,16 +183,16 @@ def _last() -> None:
 
 
 def _watch(reader: int) -> None:
-    """End the process where an interrupt is not answered in time."""
+    """End the process if an interrupt is not handled in time."""
     from select import select
 
-    last = None
+    deadline = None
     while True:
-        left = None if last is None else max(0.0, last - time.monotonic())
-        if not select([reader], [], [], left)[0]:
+        remaining = None if deadline is None else max(0.0, deadline - time.monotonic())
+        if not select([reader], [], [], remaining)[0]:
             leave()
         for byte in os.read(reader, 64):
             if byte == ANSWERED[0]:
-                last = None
-            elif byte in SIGNALS and last is None:
-                last = time.monotonic() + PATIENCE
+                deadline = None
+            elif byte in SIGNALS and deadline is None:
+                deadline = time.monotonic() + PATIENCE

@@ -1,6 +1,6 @@
-"""Worker processes: they speak through pipes alone, print nothing, and end with their parent.
+"""Worker processes that use pipes only, print nothing, and end with their parent.
 
-No socket is opened, so that no other program can reach them.
+No socket is opened, so other programs cannot connect to them.
 """
 
 import gc
@@ -20,16 +20,16 @@ from multiprocessing import (
 from types import ModuleType
 from typing import Any
 
-QUIET = "ignore:resource_tracker"  # no warning that multiprocessing tidies after an interrupt
+QUIET = "ignore:resource_tracker"  # multiprocessing would warn of its cleanup after an interrupt
 
 
 class Pool(ProcessPoolExecutor):
-    """Processes that ignore Ctrl-C: their parent takes it, and ends them."""
+    """Processes that ignore Ctrl-C: their parent handles it and ends them."""
 
     def submit(self, *work: Any, **named: Any) -> Future:
-        """Submit a function of the package; a process that is started inherits what is blocked."""
+        """Submit a function of the package; a started process inherits blocked signals."""
         main = sys.modules["__main__"]
-        # else it would run the user's script
+        # with the user's module a started process would run the user's script
         sys.modules["__main__"] = ModuleType("__main__")
         try:
             return self._submit(*work, **named)
@@ -39,7 +39,7 @@ class Pool(ProcessPoolExecutor):
     def _submit(self, *work: Any, **named: Any) -> Future:
         if not hasattr(signal, "pthread_sigmask"):
             return super().submit(*work, **named)
-        resource_tracker.ensure_running()  # else it would unblock the signal
+        resource_tracker.ensure_running()  # started later, it would unblock the signal
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*work, **named)
@@ -49,30 +49,30 @@ class Pool(ProcessPoolExecutor):
 
 @contextmanager
 def processes(count: int) -> Iterator[Pool]:
-    """Yield a pool of so many processes, which are killed at the end."""
+    """Yield a pool of processes, which are killed at the end."""
     if QUIET not in sys.warnoptions:
         sys.warnoptions.append(QUIET)
-    pool = Pool(count, get_context("spawn"), _begin)
+    pool = Pool(count, get_context("spawn"), _start_worker)
     before = active_children()
     try:
         yield pool
     finally:
-        for one in set(active_children()) - set(before):
-            one.kill()
+        for process in set(active_children()) - set(before):
+            process.kill()
         # its thread must not outlive the pipes that it reads
         pool.shutdown(cancel_futures=True)
 
 
-def _begin() -> None:
-    """Make ready another process."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # where it cannot be blocked
+def _start_worker() -> None:
+    """Initialize a worker process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # for systems that cannot block it
     gc.set_threshold(200_000, 50, 50)  # as in `clpt`: expressions are many objects
     os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-    threading.Thread(target=_end, daemon=True).start()
+    threading.Thread(target=_exit_with_parent, daemon=True).start()
 
 
-def _end() -> None:
+def _exit_with_parent() -> None:
     parent = parent_process()
     if parent is not None:
         parent.join()
-    os._exit(0)  # also amid a piece of work
+    os._exit(0)  # also during work

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ...base.arguments import brief
-from ...base.errors import DataError, ScenarioError, needed
+from ...base.errors import DataError, ScenarioError, import_optional
 
 OTHER_NAMES = {"M1": "NO1"}  # Schureman's name and UTide's, where they differ
 DAYS_TO_1970 = 719163  # of the proleptic calendar whose first day is 0001-01-01
@@ -28,7 +28,7 @@ YEARS = (1700, 2200)
 
 def utide_names(constituents: Sequence[str]) -> list[str]:
     """Return UTide's names of constituents, which may be those of `tidal_periods.SPEEDS`."""
-    names_of_utide = needed("utide").constit_index_dict
+    names_of_utide = import_optional("utide").constit_index_dict
     names = [OTHER_NAMES.get(name, name) for name in constituents]
     for name in names:
         if name not in names_of_utide or name == "Z0":
@@ -50,7 +50,7 @@ def nodal_corrections(
     (array([[0.965]]), array([[-0.6]]))
     """
     names = utide_names(constituents)
-    utide = needed("utide")
+    utide = import_optional("utide")
     indices = np.array([utide.constit_index_dict[name] for name in names])
     days = checked_times(time).astype(float) / 86400e3 + DAYS_TO_1970
     exact = [False] * 4  # nodal corrections and arguments at each time, none linearized

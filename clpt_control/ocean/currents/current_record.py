@@ -24,7 +24,7 @@ import xarray
 from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import open_netcdf, shown_name
-from ...base.geodesy import near
+from ...base.geodesy import angle_near
 from . import cf
 from .constituents import check_increasing, checked_latitude
 from .text_table import is_table, read_table
@@ -142,7 +142,9 @@ def _from_netcdf(
 
 def _nearest(axis: np.ndarray, degrees: float, quantity: str) -> int:
     """Return the cell nearest to a place that lies in the grid."""
-    distance = near(axis - degrees, 0.0) if quantity == "longitude" else axis - degrees
+    distance = (
+        angle_near(axis - degrees, 0.0) if quantity == "longitude" else axis - degrees
+    )
     k = int(np.argmin(np.abs(distance)))
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if not abs(distance[k]) <= cell:  # also where not finite

@@ -32,7 +32,7 @@ import xarray
 from ...base.arguments import Count, public
 from ...base.errors import DataError, naming
 from ...base.files import check_writable, write_together
-from ...base.units import known
+from ...base.units import finite_or_none
 from ...engine.model.block import evaluate
 from ...paper.scenario import tidal_periods
 from ...paper.scenario.experiment import Scenario
@@ -208,7 +208,7 @@ def fit_current(
         "missing_fraction": float(1 - measured.mean()),
         "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
-        "explained_variance": known(fit.explained_variance),
+        "explained_variance": finite_or_none(fit.explained_variance),
         "residual_rms": fit.residual_rms,
         "residual_max": fit.residual_max,
         "speed_units": SPEED,

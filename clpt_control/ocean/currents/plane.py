@@ -38,9 +38,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base.errors import DataError, naming, needed
+from ...base.errors import DataError, import_optional, naming
 from ...base.files.reading import open_netcdf
-from ...base.geodesy import near
+from ...base.geodesy import angle_near
 from ...base.units import (
     METRES,
     SECONDS,
@@ -73,7 +73,7 @@ class LocalPlane:
             )
         self.lat, self.lon = lat, lon
         aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
-        self._projection = needed("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
+        self._projection = import_optional("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
 
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
@@ -94,7 +94,7 @@ class LocalPlane:
         """
         x1, x2 = np.broadcast_arrays(x1, x2)
         lon, lat = self._projection(x1, x2, inverse=True)
-        return lat, near(lon, self.lon)
+        return lat, angle_near(lon, self.lon)
 
     def rotate(
         self, lat: Any, lon: Any, u: Any, v: Any

@@ -16,7 +16,7 @@ import numpy as np
 
 from ...base.arguments import public
 from ...base.errors import DataError
-from ...base.units import known, speed_in_metres_per_second
+from ...base.units import finite_or_none, speed_in_metres_per_second
 from ...paper.scenario.tidal_periods import SPEEDS
 from .constituents import checked_times, nodal_corrections
 from .tidal_fit import NUMBERS, TidalFit
@@ -38,9 +38,9 @@ def tides_report(fit: TidalFit) -> dict[str, Any]:
         "latitude": fit.latitude,
         "constituents": {
             constituent.name: {
-                **{key: known(getattr(constituent, key)) for key in NUMBERS},
+                **{key: finite_or_none(getattr(constituent, key)) for key in NUMBERS},
                 "standard_errors": {
-                    key: known(constituent.errors[key]) for key in NUMBERS
+                    key: finite_or_none(constituent.errors[key]) for key in NUMBERS
                 },
             }
             for constituent in fit.constituents

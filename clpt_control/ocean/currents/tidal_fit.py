@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...base.arguments import public
-from ...base.errors import DataError, ScenarioError, needed
+from ...base.errors import DataError, ScenarioError, import_optional
 from ...base.units import percent
 from ..estimation.least_squares import explained_share
 from . import constituents as tidal
@@ -155,7 +155,7 @@ def fit_tides(
     >>> tide.name, round(tide.east, 3), round(tide.north, 3), round(tide.inclination, 1)
     ('S2', 0.5, 0.2, 21.8)
     """
-    utide = needed("utide")
+    utide = import_optional("utide")
     times, flow = _measured(time, u, v, where)
     hours = (times - times[0]).astype(float) / 3.6e6
     names = _names(constituents, hours, where)
@@ -219,7 +219,9 @@ def predict(fit: TidalFit, time: ArrayLike) -> np.ndarray:
 
 
 def _predicted(coefficients: Any, times: np.ndarray) -> np.ndarray:
-    out = needed("utide").reconstruct(times, coefficients, min_SNR=0, verbose=False)
+    out = import_optional("utide").reconstruct(
+        times, coefficients, min_SNR=0, verbose=False
+    )
     return out.u + 1j * out.v
 
 
@@ -247,7 +249,7 @@ def _names(
     constituents: Sequence[str] | str, hours: np.ndarray, where: str
 ) -> tuple[str, ...]:
     if constituents in ("auto", ["auto"], ("auto",)):
-        const = needed(
+        const = import_optional(
             "utide"
         ).ut_constants.const  # df: cycles per hour to the next greater tide
         fastest = identifiability.nyquist(hours)

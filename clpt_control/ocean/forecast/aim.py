@@ -28,8 +28,8 @@ import numpy as np
 
 from ...base.arguments import public
 from ...base.errors import ScenarioError
-from ...base.geodesy import displacement, distance, is_place, near
-from ...base.units import known
+from ...base.geodesy import angle_near, displacement, distance, is_place
+from ...base.units import finite_or_none
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
 from .geographic import Place, direction, in_minutes, placed, utc, vector
@@ -78,7 +78,7 @@ class Aim:
         self.heading = direction(plan.dr_east, plan.dr_north)
         self.crab: float | None = None
         if self.heading is not None and self.bearing is not None:
-            self.crab = near(self.heading - self.bearing, 0.0)
+            self.crab = angle_near(self.heading - self.bearing, 0.0)
         self.speed, self.speed_expected = V, s / T
         self.current = float(c[0]) / T, float(c[1]) / T
         self.through_water, self.through_water_full = (
@@ -211,9 +211,9 @@ def aims(
     legs: list[Aim] = []
     for target in targets:
         leg = aim(replay, start_fix, target, V, T)
-        stated = (known(value) for value in (variation, last.magvar))
+        stated = (finite_or_none(value) for value in (variation, last.magvar))
         east = next((value for value in stated if value is not None), None)
-        east = known(igrf(*start_fix)) if east is None else east
+        east = finite_or_none(igrf(*start_fix)) if east is None else east
         if leg.heading is not None and east is not None:
             leg.magnetic_variation = east
             leg.heading_magnetic = (leg.heading - east) % 360.0

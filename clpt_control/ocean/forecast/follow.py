@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from ...base.arguments import public
-from ...base.errors import DataError, needed
+from ...base.errors import DataError, import_optional
 from ...base.files import check_name, make_folder, write_file
 from ...base.files.reading import at_once, read_bytes
 from ...base.progress.interrupt import check
@@ -236,7 +236,7 @@ def following(folder: Path, out: Path) -> Iterator[Follower]:
                 f"--out {out}: results would lie in the followed folder {folder} and count as new "
                 "files there; give another folder, or leave --out out"
             )
-    filelock = needed("filelock")
+    filelock = import_optional("filelock")
     state = make_folder(out / "state")
     with ExitStack() as locked:
         try:  # the lock of a killed process is free

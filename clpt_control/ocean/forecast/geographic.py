@@ -8,7 +8,7 @@ A direction is where something goes to, clockwise from true north, [0, 360).
 from datetime import UTC, datetime
 from math import atan2, degrees, hypot
 
-from ...base.geodesy import near
+from ...base.geodesy import angle_near
 
 Place = tuple[float, float]  # degrees north and east
 
@@ -70,7 +70,7 @@ def east_of(lon: float) -> float:
     >>> east_of(190.0), east_of(-180.0), east_of(180.0), east_of(-540.0)
     (-170.0, -180.0, 180.0, -180.0)
     """
-    return lon if -180.0 <= lon <= 180.0 else near(lon, 0.0)
+    return lon if -180.0 <= lon <= 180.0 else angle_near(lon, 0.0)
 
 
 def in_degrees(lat: float, lon: float) -> str:

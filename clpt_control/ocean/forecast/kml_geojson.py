@@ -26,7 +26,7 @@ import json
 from math import cos, radians, sin
 from typing import Any
 
-from ...base.geodesy import near, place_from
+from ...base.geodesy import angle_near, place_from
 from ...base.html import safe
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
@@ -63,7 +63,7 @@ def _points(layer: Layer) -> list[list[float]]:
     """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
     first_longitude = east_of(layer.places[0][1])
     return [
-        [round(near(lon, first_longitude), DIGITS), round(lat, DIGITS)]
+        [round(angle_near(lon, first_longitude), DIGITS), round(lat, DIGITS)]
         for lat, lon in layer.places
     ]
 

@@ -30,7 +30,7 @@ from ...base.arguments import public
 from ...base.geodesy import place_from
 from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
-from ...base.units import known
+from ...base.units import finite_or_none
 from ..currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import make_estimator
@@ -278,7 +278,7 @@ class Replay:
         )
         if self.flow_model is not None:
             modelled = np.array([dive.model_east, dive.model_north], float)
-            clpe[FLOW_MODEL] = known(_size(y - modelled))
+            clpe[FLOW_MODEL] = finite_or_none(_size(y - modelled))
         self._learner.update(dive)
         inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
         step = Step(

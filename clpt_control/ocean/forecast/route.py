@@ -26,7 +26,7 @@ import numpy as np
 
 from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
-from ...base.geodesy import distance, is_place, near, place_from
+from ...base.geodesy import angle_near, distance, is_place, place_from
 from ...base.progress.interrupt import check
 from ..gliders.dives import Fix, make_dive
 from .aim import ARRIVED, aim, usual
@@ -204,7 +204,7 @@ def _meets(start: Place, end: Place, ring: np.ndarray) -> bool:
     from matplotlib.path import Path
 
     area, line = (
-        Path(np.column_stack([points[:, 0], near(points[:, 1], start[1])]))
+        Path(np.column_stack([points[:, 0], angle_near(points[:, 1], start[1])]))
         for points in (ring, np.array([start, end]))
     )
     return bool(area.intersects_path(line, filled=True))

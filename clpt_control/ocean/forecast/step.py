@@ -17,7 +17,7 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import place_from
-from ...base.units import known
+from ...base.units import finite_or_none
 from ..estimation.estimator import Estimator
 from ..gliders.dives import Dive
 from .dive_statistics import Way
@@ -149,7 +149,7 @@ class Step:
             "depth_max": dive.depth_max,
             "notes": list(dive.notes),
         }
-        return {key: known(value) for key, value in row.items()}
+        return {key: finite_or_none(value) for key, value in row.items()}
 
 
 def _headline(

@@ -28,7 +28,7 @@ from ...base.figures import (
     legend_below,
     literal,
 )
-from ...base.geodesy import distance, near
+from ...base.geodesy import angle_near, distance
 from ...base.html import plain
 from .geographic import Place, clock, degrees_minutes, east_of
 from .map_layers import layers_of
@@ -154,7 +154,7 @@ def _drawn(
             point for points_of in several for point in (*points_of, (np.nan, np.nan))
         ]
         lat, lon = np.transpose(ends)
-        return np.array([near(lon, reference), lat])
+        return np.array([angle_near(lon, reference), lat])
 
     outline = [
         point for kind in FAR for points_of in of.get(kind, []) for point in points_of

@@ -36,7 +36,7 @@ import pandas
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
-from ...base.units import known
+from ...base.units import finite_or_none
 from ..currents.cf import number
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
@@ -183,7 +183,9 @@ def dive_between(
     )
     fields = {"track": through.track, "turned": through.turned, **gps1}
     for key, value in optional.items():
-        fields[key] = known(float(value)) if isinstance(value, float) else value
+        fields[key] = (
+            finite_or_none(float(value)) if isinstance(value, float) else value
+        )
     return with_dac_note(make_dive(number, fixes[1], fixes[2], through.total, **fields))
 
 

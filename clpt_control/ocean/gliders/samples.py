@@ -26,7 +26,7 @@ import numpy as np
 import xarray
 from numpy.typing import ArrayLike
 
-from ...base.errors import DataError, needed
+from ...base.errors import DataError, import_optional
 from ...base.units import length_in_metres, speed_in_metres_per_second
 from ..currents.cf import decoded, number, said
 from ..estimation.dive import Dive, ThroughWater, Track
@@ -255,7 +255,7 @@ def variation(time: float, lat: float, lon: float) -> float:
     if not (earliest <= time <= latest and isfinite(lat) and isfinite(lon)):
         return nan
     when = datetime.fromtimestamp(time, UTC).replace(tzinfo=None)
-    igrf = needed("ppigrf").igrf  # it reads pandas
+    igrf = import_optional("ppigrf").igrf  # it reads pandas
     east, north, _ = igrf(lon, np.clip(lat, -NEAREST, NEAREST), 0.0, when)
     return np.degrees(np.arctan2(east, north)).item()
 

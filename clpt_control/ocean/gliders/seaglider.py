@@ -30,7 +30,7 @@ import numpy as np
 import xarray
 
 from ...base.errors import DataError
-from ...base.units import known
+from ...base.units import finite_or_none
 from ..estimation.dive import Dive, Fix, ThroughWater
 from . import samples
 from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_number
@@ -152,7 +152,7 @@ def _variation(data: xarray.Dataset) -> float | None:
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
     degrees, _ = samples.within(np.array(stated), samples.VARIATIONS)
-    return known(float(degrees))
+    return finite_or_none(float(degrees))
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:

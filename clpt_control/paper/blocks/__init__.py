@@ -1,1 +1,1 @@
-"""The paper's diagram, a page for each block, and its laws."""
+"""The blocks of the paper's diagram, one file for each."""

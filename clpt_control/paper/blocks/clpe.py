@@ -4,14 +4,14 @@
     e'   = -KD e + W^T eta                        Eq. (27)
     eta' = -gamma W e                             Eq. (28), lower rows
 
-e is true position minus predicted position (length).  In the wired diagram its dynamics, the lines
-that follow in Eq. (10), follow from x' and z'; they are not written again.
+e is true position minus predicted position (length).  In the wired diagram e' follows from x' and
+z'; the other lines of Eq. (10) are not repeated here.
 
-In the error system and the parameter system, axis by axis, eta = [theta + alpha (row by row),
-K - KD, GammaD - Gamma], the last two in the
-ports eta_3 and eta_4, and the regressor W whose column i holds phi(x) in row block i, z_i and zc_i.
-The print of Eq. (27) has x where Eqs. (28) and (31) need z, and the lower rows
-of A in Eq. (28) lack their transposes; the corrected forms stand here.
+In the error system and the parameter system, eta = [theta + alpha (row by row), K - KD,
+GammaD - Gamma] for each axis; the last two are the ports eta_3 and eta_4.  Column i of the
+regressor W is phi(x) in row block i, z_i and zc_i.  The print of Eq. (27) has x where Eqs. (28)
+and (31) need z, and the lower rows of A in Eq. (28) miss their transposes; these are the
+corrected forms.
 
 Ports: x[2], z[2] (length) -> e[2] (length);
 phi_x[N], z[2], zc[2] (length), eta[2N], eta_3[2], eta_4[2] -> e[2] (length), a state;

@@ -5,11 +5,10 @@
     constant   Delta = a
     sine       Delta = a sin(2 pi t / T)
     square     Delta = +a on the first half period, -a on the second
-    noise      Delta = a * n, n standard normal, held for T
+    noise      Delta = a * n, n standard normal, constant for T
 
-a is the amplitude of each axis (length per time), T the period (time).  The
-noise is a hash of (seed, interval, axis): it has no state, so it can be computed
-at any time, in any order.
+a is the amplitude of each axis (length per time), T the period (time).  The noise is a hash of
+(seed, interval, axis).  It has no state, so it can be computed at any time, in any order.
 
 Ports: none -> delta[2] (length per time).
 """
@@ -59,14 +58,14 @@ def disturbance(
 ) -> Block:
     """Make the disturbance, Delta of Eq. (32): amplitude of each axis, period in time.
 
-    Of noise the amplitude is the standard deviation, and the seed is a whole number.
+    For noise the amplitude is the standard deviation, and the seed is an integer.
     """
     output, breakpoints = KINDS[kind]
-    given = {"amplitude": amplitude, "period": period, "seed": seed}
+    parameters = {"amplitude": amplitude, "period": period, "seed": seed}
     return paper_block(
         "disturbance",
         "-> delta",
-        given,
+        parameters,
         output=output,
         opaque=True,
         breakpoints=breakpoints,

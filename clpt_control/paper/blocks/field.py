@@ -2,13 +2,12 @@
 
     F_R(x, t) = sum_{m, j, i} c_{m j i} B(t - t_m) B(x2 - y_j) B(x1 - x_i) + Delta
 
-B is the cubic B-spline of the grid's step, c the coefficients that make the
-sum go through the grid's values: twice continuously differentiable in space
-and time, as an integrator of high order needs it, and right to the fourth power
-of the step up to the edges.  Outside the grid the value at its edge is held; the
-block's guard says what a run does there.
+B is the cubic B-spline of the grid's step; the coefficients c make the sum interpolate the
+grid's values.  The flow is twice continuously differentiable in space and time, as integrators
+of high order need, with an error of fourth order in the step up to the edges.  Outside the grid
+the flow is that at the nearest edge; the block's guard decides if a run may go on there.
 
-Ports: x[2] (length), delta[2] where disturbed -> flow_x[2] (length per time).
+Ports: x[2] (length), delta[2] if disturbed -> flow_x[2] (length per time).
 """
 
 from functools import partial
@@ -20,13 +19,14 @@ from ...engine.model.declaration import Guard
 from ...engine.trace.interpolators import lookup
 from .ports import paper_block
 
-# what a scenario may say
+# last words of the guard's message
 ADVICE = 'flow.outside = "clip" or "stop" goes on or ends there'
-FOUR = np.arange(4.0)  # the coefficients of a spline at a place
+# at a point, four splines of each axis are not zero: offsets of their coefficients
+OFFSETS = np.arange(4.0)
 
 
-def place(t, u, p):
-    """Return the place on the grid: steps in time, along x2 and along x1."""
+def grid_coordinates(t, u, p):
+    """Return the position on the grid: steps in time, along x2 and along x1."""
     return (np.stack([t, u[1], u[0]]) - p.start) / p.step
 
 
@@ -36,30 +36,32 @@ def spline(d):
 
 
 def gridded(t, x, u, p):
-    """F_R from the grid, in place of Eq. (3), with Delta, where it is taken, Eq. (32)."""
-    here = np.clip(place(t, u, p), 0.0, p.shape - 1)
-    cell = np.minimum(np.floor(here), p.shape - 2)
-    m, j, i = cell[:, None] + FOUR
-    wm, wj, wi = spline(np.abs(here[:, None] - (cell[:, None] + FOUR - 1)))
-    row = (m[:, None, None] * (p.shape[1] + 2) + j[:, None]) * (p.shape[2] + 2) + i
-    weight = wm[:, None, None] * wj[:, None] * wi
-    flow = np.stack(
-        [np.sum(weight * lookup(p.u, row)), np.sum(weight * lookup(p.v, row))]
-    )
+    """F_R from the grid, in place of Eq. (3), plus Delta of Eq. (32) if disturbed."""
+    point = np.clip(grid_coordinates(t, u, p), 0.0, p.shape - 1)
+    cell = np.minimum(np.floor(point), p.shape - 2)
+    indices = cell[:, None] + OFFSETS
+    m, j, i = indices
+    b_t, b_2, b_1 = spline(np.abs(point[:, None] - (indices - 1)))
+    weight = b_t[:, None, None] * b_2[:, None] * b_1
+    row = m[:, None, None] * (p.shape[1] + 2) + j[:, None]
+    index = row * (p.shape[2] + 2) + i
+    u_1 = np.sum(weight * lookup(p.u, index))
+    u_2 = np.sum(weight * lookup(p.v, index))
+    flow = np.stack([u_1, u_2])
     delta = getattr(u, "delta", None)
     return flow if delta is None else flow + delta
 
 
 def inside(t, x, u, p):
     """Grid steps to the edge of the field, negative outside, Eq. (3)."""
-    here = place(t, u, p)
-    return np.min(np.minimum(here, p.shape - 1 - here))
+    point = grid_coordinates(t, u, p)
+    return np.min(np.minimum(point, p.shape - 1 - point))
 
 
 def spline_coefficients(values: np.ndarray) -> np.ndarray:
-    """Return the flat coefficients whose spline meets values of shape (nt, n2, n1).
+    """Return the flat coefficients of the spline through values of shape (nt, n2, n1).
 
-    Along each axis c = f - f''/6 of the spline f, one polynomial over the outer two steps.
+    Along each axis c = f - f''/6 of the interpolating spline f (not-a-knot).
     """
     from scipy.interpolate import CubicSpline
 
@@ -80,7 +82,7 @@ def gridded_flow(
 ) -> Block:
     """Make the true flow of a gridded current (`currents.plane.GriddedField`).
 
-    Outside of it ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` holds the edge's value.
+    Outside the grid ``"raise"`` fails a run, ``"stop"`` ends it, ``"clip"`` uses the edge's value.
     `units` are named in the message; `position` is the port of the true position.
     """
     axes = (grid.time, grid.x2, grid.x1)
@@ -91,10 +93,10 @@ def gridded_flow(
         f"{position} delta -> flow_x" if disturbed else f"{position} -> flow_x",
         {
             "shape": [len(axis) for axis in axes],  # grid points in time, x2 and x1
-            "start": [axis[0] for axis in axes],  # the first of them
+            "start": [axis[0] for axis in axes],  # the first grid point
             "step": [(axis[-1] - axis[0]) / (len(axis) - 1) for axis in axes],
-            # coefficients of the flow along x1 and x2, length per time, flat with time slowest,
-            # (nt + 2) (n2 + 2) (n1 + 2) of them, one more on each side
+            # spline coefficients of the flow along x1 and x2, length per time, flat with time
+            # slowest: (nt + 2) (n2 + 2) (n1 + 2), one outside each edge
             "u": spline_coefficients(grid.u),
             "v": spline_coefficients(grid.v),
         },
@@ -105,7 +107,7 @@ def gridded_flow(
 
 
 def left_the_field(length, time, t, u, p) -> str:
-    """Return where and when a vehicle left the field, and its bounds, in names of units."""
+    """Return the message for a vehicle that left the field: position, time, and the bounds."""
     end = p.start + p.step * (p.shape - 1)
     return (
         f"the vehicle left the field at position ({u[0]:.6g}, {u[1]:.6g}) {length}, "

@@ -13,10 +13,10 @@ d = |x - c_i| and s = sigma_i:
     "gaussian-sigma"  exp(-d^2 / s)
 
 A steady function has omega_i = 0; a sine has phase_i = -pi/2.  Velocities are lengths per time,
-phi has no unit.  `blocks.field` has a measured current as the true flow.
+phi has no unit.  In `blocks.field` the true flow is a gridded current.
 
 Ports: x[2] -> phi_x[N], or z[2] -> phi_z[N] (positions: length);
-phi_x[N], delta[2] where disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
+phi_x[N], delta[2] if disturbed -> flow_x[2]; phi_z[N] -> flow_z[2].
 """
 
 from typing import Any
@@ -25,11 +25,11 @@ import numpy as np
 
 from ...engine.model.block import Block
 from ...engine.model.ports import renamed
-from .ports import among, paper_block
+from .ports import paper_block, shapes_of
 
 
 def squared_distance(u, p):
-    """Return |x - c_i|^2, length squared; the position is the one input."""
+    """Return |x - c_i|^2, length squared; the position is the only input."""
     return np.sum((u[:2] - p.centers) ** 2, axis=1)
 
 
@@ -73,7 +73,7 @@ def flow_basis(
 
     Centres of shape (N, 2) and widths are lengths, frequencies rad per time, phases rad.
     """
-    given = {
+    parameters = {
         "centers": centers,
         "widths": widths,
         "frequencies": frequencies,
@@ -83,13 +83,16 @@ def flow_basis(
         "inputs": {position: 2},
         "outputs": {f"phi_{position}": "N"},
     }
-    shapes = among(given)
-    return Block(name, output=KERNELS[kernel], **ports, parameters=given, shapes=shapes)
+    shapes = shapes_of(parameters)
+    return Block(
+        name, output=KERNELS[kernel], **ports, parameters=parameters, shapes=shapes
+    )
 
 
 def true(t, x, u, p):
-    """F_R = theta phi(x), Eq. (3), with Delta, where it is taken, Eq. (32)."""
-    flow, delta = p.theta @ u.phi_x, getattr(u, "delta", None)
+    """F_R = theta phi(x), Eq. (3), plus Delta of Eq. (32) if disturbed."""
+    flow = p.theta @ u.phi_x
+    delta = getattr(u, "delta", None)
     return flow if delta is None else flow + delta
 
 
@@ -107,7 +110,7 @@ def true_flow(theta: Any, disturbed: bool = False, position: str = "x") -> Block
 
 
 def at_position(block: Block, position: str) -> Block:
-    """Return a block at another position than x, and of phi there."""
+    """Return a block whose ports x and phi_x are renamed to another position's."""
     ports = {"x": position, "phi_x": f"phi_{position}"}
     return block if position == "x" else renamed(block, block.name, ports, ports)
 

@@ -7,11 +7,10 @@
     Psi = -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z)          Eq. (20)
 
 Eq. (2) with Eqs. (4) and (6) is the learner's closed loop, Eq. (8).
-z is the predicted position (length); Eq. (13) belongs to the known-flow law,
-Eq. (20) to the learned-flow law, where alpha is driven to -theta.  In Eqs.
-(12)-(13) the estimate theta_hat stands where the print lost the hat; it is given, or comes
-from a law that estimates it.  d is what the vehicle could not fly of its commanded velocity
-(`speed_limit`).
+z is the predicted position (length).  The known-flow law uses Eq. (13), the learned-flow law
+Eq. (20), where alpha converges to -theta.  The print of Eqs. (12)-(13) lost the hat of the
+estimate theta_hat, which is given or estimated by a law.  With hedging, d is the commanded
+velocity minus the flown velocity (`speed_limit`).
 
 | block | inputs | output |
 |---|---|---|
@@ -27,8 +26,9 @@ from .ports import paper_block
 
 
 def model(t, x, u, p):
-    """z' = F_M + v, Eq. (2), less d where it is hedged."""
-    rate, unflown = u.flow_z + u.v_z, getattr(u, "unflown", None)
+    """z' = F_M + v, Eq. (2), minus d if hedged."""
+    rate = u.flow_z + u.v_z
+    unflown = getattr(u, "unflown", None)
     return rate if unflown is None else rate - unflown
 
 
@@ -38,9 +38,10 @@ def controller(t, x, u, p):
 
 
 def known_flow_psi(t, x, u, p):
-    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13); the estimate is given, or a signal."""
+    """Psi = (theta_hat - alpha_M) phi(x), Eq. (13); theta_hat is a signal or a parameter."""
     estimate = getattr(u, "theta_hat", None)
-    estimate = p.theta_hat if estimate is None else estimate
+    if estimate is None:
+        estimate = p.theta_hat
     return (estimate - p.alpha_M) @ u.phi_x
 
 
@@ -50,7 +51,7 @@ def learned_flow_psi(t, x, u, p):
 
 
 def learning_model(hedged: bool = False) -> Block:
-    """Make the learning model, Eq. (2), or with the input unflown, hedged."""
+    """Make the learning model, Eq. (2); with hedging it has the input unflown."""
     ports = "flow_z v_z unflown -> z" if hedged else "flow_z v_z -> z"
     return paper_block("learning_model", ports, update=model)
 
@@ -62,16 +63,17 @@ def learning_controller(N: int) -> Block:
 
 
 def known_flow_injection(alpha_M: Any, theta_hat: Any = None) -> Block:
-    """Make the injection of a given estimate, or of one that a law makes, Eq. (13)."""
-    given, ports = {"alpha_M": alpha_M}, "phi_x theta_hat -> psi"
+    """Make the injection of Eq. (13) of a given estimate, or of the signal theta_hat."""
+    parameters = {"alpha_M": alpha_M}
+    ports = "phi_x theta_hat -> psi"
     if theta_hat is not None:
-        given, ports = {**given, "theta_hat": theta_hat}, "phi_x phi_z alpha -> psi"
-    return paper_block("injection", ports, given, output=known_flow_psi)
+        parameters["theta_hat"] = theta_hat
+        ports = "phi_x phi_z alpha -> psi"
+    return paper_block("injection", ports, parameters, output=known_flow_psi)
 
 
 def learned_flow_injection(alpha_M: Any) -> Block:
     """Make the injection of the learned-flow law, Eq. (20)."""
-    given = {"alpha_M": alpha_M}
-    return paper_block(
-        "injection", "phi_x phi_z alpha -> psi", given, output=learned_flow_psi
-    )
+    ports = "phi_x phi_z alpha -> psi"
+    parameters = {"alpha_M": alpha_M}
+    return paper_block("injection", ports, parameters, output=learned_flow_psi)

@@ -1,4 +1,4 @@
-"""The ports of the paper's diagram: the shape of each quantity, once; a law declares its own.
+"""Ports of the paper's diagram: the shape of each quantity.  A law declares its states' shapes.
 
     paper_block("vehicle_controller", "x zc phi_x -> v_x", parameters, output=controller)
 
@@ -31,8 +31,8 @@ SHAPES: dict[str, Any] = {
 }
 
 
-def among(names: Iterable[str]) -> dict[str, Any]:
-    """Return the shapes of those quantities that have any."""
+def shapes_of(names: Iterable[str]) -> dict[str, Any]:
+    """Return the shapes of the quantities that have one."""
     return {name: SHAPES[name] for name in names if name in SHAPES}
 
 
@@ -41,23 +41,27 @@ def paper_block(
     ports: str,
     parameters: Mapping[str, Any] = {},
     N: int | None = None,
-    **more: Any,
+    **options: Any,
 ) -> Block:
     """Make a block; `ports` are its inputs, "->" and its outputs, or its states without `output`.
 
-    N tells the number of basis functions where no parameter does.  One with `breakpoints` has the
-    parameter `interval`, which the integrator sets.
+    N is the number of basis functions if no parameter has that size.  A block with `breakpoints`
+    has the parameter `interval`, which the integrator sets.
     """
     inputs, outputs = (
         {port: SHAPES[port] for port in s.split()} for s in ports.split("->")
     )
-    more["outputs" if "output" in more else "states"] = outputs
-    given = {**parameters, "interval": -1.0} if "breakpoints" in more else parameters
-    values = {key: np.asarray(value, dtype=float)[()] for key, value in given.items()}
-    shapes, sizes = (
-        among(parameters) | more.pop("shapes", {}),
-        {} if N is None else {"N": N},
-    )
+    options["outputs" if "output" in options else "states"] = outputs
+    numbers = dict(parameters)
+    if "breakpoints" in options:
+        numbers["interval"] = -1.0
     return Block(
-        name, inputs=inputs, parameters=values, shapes=shapes, sizes=sizes, **more
+        name,
+        inputs=inputs,
+        parameters={
+            key: np.asarray(value, dtype=float)[()] for key, value in numbers.items()
+        },
+        shapes=shapes_of(parameters) | options.pop("shapes", {}),
+        sizes={} if N is None else {"N": N},
+        **options,
     )

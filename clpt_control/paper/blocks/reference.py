@@ -3,9 +3,9 @@
     zc(t) = w_{j mod n},   j tau <= t < (j + 1) tau
     circle: w_j = r [cos(2 pi j / n), sin(2 pi j / n)]
 
-n waypoints are visited in turn, each for the dwell tau, and start again after
-the last.  The block jumps at j tau; it reads j from its parameter `interval`,
-never from t.  zc is bounded (Remark 3.1): it takes n values.
+n waypoints are visited in turn, each for the dwell time tau, again and again.  The block jumps at
+j tau and reads j from its parameter `interval`, never from t.  zc has n values, so it is bounded
+(Remark 3.1).
 
 Ports: none -> zc[2] (length).
 """
@@ -35,11 +35,11 @@ def circle(radius: float, count: int) -> np.ndarray:
 def reference(points: Any, dwell: float) -> Block:
     """Make the reference: waypoints of shape (n, 2) in turn, each for the time `dwell`."""
     x1, x2 = np.transpose(points)
-    given = {"x1": x1, "x2": x2, "dwell": dwell}
+    parameters = {"x1": x1, "x2": x2, "dwell": dwell}
     return paper_block(
         "reference",
         "-> zc",
-        given,
+        parameters,
         output=waypoint,
         opaque=True,
         breakpoints=Each("dwell"),

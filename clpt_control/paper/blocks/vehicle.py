@@ -4,19 +4,19 @@
     v = -alpha_M phi(x, t) - KD x + GammaD zc               Eq. (7)
 
 x is the true position (length), F_R the true flow and v the through-water
-velocity (length per time).  KD and GammaD are diagonal.  Where the speed is limited, Eq. (7) gives
+velocity (length per time).  KD and GammaD are diagonal.  With a speed limit, Eq. (7) gives
 v_c, the commanded velocity, and
 
     v   = v_c v_max / max(|v_c|, v_max)       flown: as commanded, or v_max in its direction
     d   = v_c - v                             not flown; 0 up to v_max
 
-The learning model takes d off its own velocity (hedging), z' = F_M + v_z - d, and so e' of
-Eq. (10) does not know of the limit.
+The learning model subtracts d from its velocity (hedging), z' = F_M + v_z - d, so that e' of
+Eq. (10) does not depend on the limit.
 Source: Johnson and Calise 2003, Journal of Guidance, Control, and Dynamics 26(6), hedging.
 
-Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state, or x_true[2] where the
-vehicle does not read it as it is (`localization`);
-x[2] or z[2], zc[2] (length), phi_x[N] or phi_z[N] -> v_x[2], or v_c[2] where the speed is limited.
+Ports: flow_x[2], v_x[2] (length per time) -> x[2] (length), a state, or x_true[2] if the
+position is measured with noise (`localization`);
+x[2] or z[2], zc[2] (length), phi_x[N] or phi_z[N] -> v_x[2], or v_c[2] with a speed limit.
 v_c[2] -> v_x[2]; v_c[2], v_x[2] -> unflown[2], d.
 """
 
@@ -48,25 +48,26 @@ def vehicle(position: str = "x") -> Block:
     """Make the vehicle, Eq. (1); its position is the port ``"x"`` or ``"x_true"``."""
     if position == "x":
         return paper_block("vehicle", "flow_x v_x -> x", update=kinematics)
-    own: dict[str, Any] = {
-        "update": kinematics,
-        "output": true_position,
-        "states": {"x": 2},
-    }
-    return paper_block("vehicle", f"flow_x v_x -> {position}", **own)
+    return paper_block(
+        "vehicle",
+        f"flow_x v_x -> {position}",
+        update=kinematics,
+        output=true_position,
+        states={"x": 2},
+    )
 
 
 def vehicle_controller(
     alpha_M: Any, KD: Any, GammaD: Any, limited: bool = False, position: str = "x"
 ) -> Block:
-    """Make the vehicle controller, Eq. (7); its velocity is v_c where the speed is limited.
+    """Make the vehicle controller, Eq. (7); with a speed limit its output is v_c.
 
-    The gains KD and GammaD are per time; it steers on the port `position`: ``"x"``, or ``"z"``
-    between fixes.
+    The gains KD and GammaD are per time.  The controller reads the port `position`: ``"x"``, or
+    ``"z"`` between fixes.
     """
     ports = "x zc phi_x -> v_c" if limited else "x zc phi_x -> v_x"
-    given = {"alpha_M": alpha_M, "KD": KD, "GammaD": GammaD}
-    block = paper_block("vehicle_controller", ports, given, output=controller)
+    parameters = {"alpha_M": alpha_M, "KD": KD, "GammaD": GammaD}
+    block = paper_block("vehicle_controller", ports, parameters, output=controller)
     return at_position(block, position)
 
 
@@ -82,10 +83,10 @@ def difference(t, x, u, p):
 
 def speed_limit(max_speed: float) -> Block:
     """Make the limit of the vehicle's speed, length per time."""
-    given = {"max_speed": max_speed}
-    return paper_block("speed_limit", "v_c -> v_x", given, output=limited)
+    parameters = {"max_speed": max_speed}
+    return paper_block("speed_limit", "v_c -> v_x", parameters, output=limited)
 
 
 def hedging() -> Block:
-    """Make the block that tells the learner what could not be flown."""
+    """Make the block of the unflown velocity d, an input of the learning model."""
     return paper_block("hedging", "v_c v_x -> unflown", output=difference)

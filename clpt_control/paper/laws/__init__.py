@@ -1,5 +1,6 @@
-"""The adaptive laws by family, and the table of them.
+"""The adaptive laws by family, and the table of laws.
 
-`law` says what a row of the `table` is and adapts K and Gamma for every law.  A family holds its
-laws' rates, whose docstrings are their pages, their V and their rows, `LAWS`.
+`law` defines a row of the table and the rates of K and Gamma.  Each family (`paper`, `robust`,
+`least_squares`, `memory_laws`) has the rates of its laws, whose docstrings are the laws' pages,
+their V, and their rows, `LAWS`.
 """

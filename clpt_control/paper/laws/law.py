@@ -4,15 +4,14 @@
     Gamma' =  gamma_Gamma zc e                    Eq. (15), Eq. (23)
 
 z and zc are diagonal matrices in the paper, so each axis i has its own e_i, z_i, zc_i; there
-gamma is one number for all.  A gain of 0 holds what it adapts.
+gamma is one number for all.  A parameter whose gain is 0 is fixed.
 
-A row declares parameters, states, what the law takes, its rates and V; the block, its
-parameters, V's block and starts follow from it.
+A row (`Law`) declares parameters, states, inputs, rates and V.  The block of the law, its
+parameters, the block of V and the initial states follow from the row.  A law computes its
+parameters from the facts in `LawContext`, never from theta; V measures the distance to `Truth`.
 
-What a law may know of an experiment, the truth that V measures to, and a law's settings.
-
-A setting that is left out is made of two scales: k, the mean of KD, per time; R, how far the track
-reaches, length.
+The default of a setting is a factor times two scales: k, the mean of KD, per time, and R, the
+largest distance of the track from the waypoints' mean, length.
 """
 
 import inspect
@@ -27,29 +26,29 @@ from ...base.errors import ScenarioError
 from ...engine.model.block import Block
 from ...engine.model.declaration import Parameters
 from ..blocks.lyapunov import BY_GAINS, known_flow_V, learned_flow_V, weighted
-from ..blocks.ports import among
+from ..blocks.ports import shapes_of
 
-# --- what is known ----------------------------------------------------------------------------
+# --- facts of the experiment ------------------------------------------------------------------
 
 
 class Gains(NamedTuple):
-    """The gains with which a law adapts; 0 holds K or Gamma."""
+    """The gains with which a law adapts; with a gain of 0, K or Gamma is fixed."""
 
     parameters: float  # gamma of alpha, per time squared
     feedback: float  # gamma of K, per length squared per time squared
     feedforward: float  # gamma of Gamma, per length squared per time squared
-    one: bool  # whether they are one number, as in the paper
+    shared: bool  # True if they are one number, as in the paper
 
 
 class Fixes(NamedTuple):
     """Times and noise of position fixes."""
 
-    between: float  # from one fix to the next, time
-    latency: float  # from a fix to its arrival, time; below `between`
+    interval: float  # from one fix to the next, time
+    latency: float  # from a fix to its arrival, time; below the interval
     noise: float  # standard deviation of each axis, length
 
 
-class Known(NamedTuple):
+class LawContext(NamedTuple):
     """Facts of the experiment that a law may use: never theta."""
 
     N: int  # number of basis functions
@@ -65,7 +64,7 @@ class Known(NamedTuple):
     settings: Mapping[str, Any]
     GammaD: np.ndarray  # shape (2,), feedforward gains of the vehicle, per time
     fixes: Fixes | None = None  # None: the position is read at all times
-    # whether the vehicle's speed is limited: v_c of Eq. (7) is not v_x
+    # True if the vehicle's speed is limited: v_c of Eq. (7) is not v_x
     limited: bool = False
 
     @property
@@ -86,23 +85,23 @@ class Known(NamedTuple):
     @property
     def R(self) -> float:
         """Largest distance of start and waypoints from the waypoints' mean: the scale of length."""
-        places = np.vstack([self.waypoints, self.position])
-        R = float(np.max(np.linalg.norm(places - self.waypoints.mean(axis=0), axis=1)))
+        points = np.vstack([self.waypoints, self.position])
+        R = float(np.max(np.linalg.norm(points - self.waypoints.mean(axis=0), axis=1)))
         if R == 0:
-            place = "start and waypoints lie at one place"
             raise ScenarioError(
-                f"reference: {place}; give prior and noise in the law's own table"
+                "reference: start and waypoints lie at one place; give prior and noise "
+                "in the law's own table"
             )
         return R
 
     @property
     def prior(self) -> float:
-        """The standard deviation of each parameter, as given or the usual one."""
+        """The standard deviation of each parameter, as set or the default."""
         return PRIOR.of(self, "prior")
 
 
 class Truth(NamedTuple):
-    """The true parameters, from which V is a distance."""
+    """The true parameters; V measures the distance to them."""
 
     theta: np.ndarray  # shape (2, N), length per time
     KD: np.ndarray  # shape (2,), feedback gains of the vehicle, per time
@@ -112,8 +111,8 @@ class Truth(NamedTuple):
 class Setting(NamedTuple):
     """A key of a law's own table of the scenario."""
 
-    meaning: str  # what it is, with its unit
-    usual: Any  # where it is left out: a number, or what makes it of what is known
+    meaning: str  # with its unit
+    usual: Any  # the default: a number, or a function of the context
     # "below 1" and "at most 1" are positive too
     allowed: Literal["positive", "not negative", "below 1", "at most 1", "row"] = (
         "positive"
@@ -121,18 +120,18 @@ class Setting(NamedTuple):
 
     @property
     def default(self) -> Any:
-        """A number; None where it is made of what is known."""
+        """The default if it is a number; None if it is a function of the context."""
         return None if callable(self.usual) else self.usual
 
-    def of(self, known: Known, key: str) -> Any:
-        """Return what the scenario gives for a key, or what is usual."""
-        given = known.settings[key]
-        return self.usual(known) if given is None and callable(self.usual) else given
+    def of(self, context: LawContext, key: str) -> Any:
+        """Return the scenario's value of a key, or the default."""
+        value = context.settings[key]
+        return self.usual(context) if value is None and callable(self.usual) else value
 
 
 def scaled(factor: float, k: float = 1, R: int = 0) -> Any:
-    """Return a function of what is known: factor times the scale of time^k, of length^R."""
-    return lambda known: factor * known.k**k * (known.R**R if R else 1)
+    """Return a function of the context: factor times k^k times R^R."""
+    return lambda context: factor * context.k**k * (context.R**R if R else 1)
 
 
 PRIOR = Setting(
@@ -157,16 +156,17 @@ class State(NamedTuple):
     """A state of a law."""
 
     shape: Any  # of numbers and "N"
-    start: Any = None  # a number, or made of what is known and the parameters; None: 0, or a key's
+    # a number, or a function of context and parameters; None: 0, or the value of a scenario's key
+    start: Any = None
 
 
 PAPER = {"e": 2, "phi_x": "N", "z": 2, "zc": 2}  # the inputs of Eqs. (21)-(23)
-# and of laws that read where the vehicle was carried
+# inputs of laws that learn from the vehicle's motion
 MOVING = {**PAPER, "x": 2, "v_x": 2}
-BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # of V by P
+BY_P = ("e", "alpha", "K", "Gamma", "weighted")  # inputs of V with a covariance P
 # the outputs of a law
 LEARNED = {"alpha": State((2, "N")), "K": State(2), "Gamma": State(2)}
-# gamma of K and Gamma, per length squared per time squared; 0 holds K or Gamma
+# gamma of K and Gamma, per length squared per time squared; 0 fixes K or Gamma
 K_GAMMA = {"gain_K": "gains.feedback", "gain_Gamma": "gains.feedforward"}
 GAINS = {"gain": "gains.parameters", **K_GAMMA}  # gamma > 0 of alpha, per time squared
 Part = dict[str, Any]  # fields of a row that laws share
@@ -176,20 +176,20 @@ MAPPINGS = ("keys", "parameters", "states", "inputs")  # fields that are merged
 def output_and_states(
     output: Any, states: tuple[str, ...], t: Any, x: Any, u: Any, p: Any
 ) -> Any:
-    """Return the outputs of a law that has more than its states, by port."""
+    """Return the outputs of a law by port: those of `output`, and its states."""
     return {**output(t, x, u, p), **{name: getattr(x, name) for name in states}}
 
 
 class Promise(NamedTuple):
     """A promise of a law, which `theory.promises` describes and checks along runs."""
 
-    what: str  # a predicate
-    where: tuple[str, ...]  # its conditions
+    claim: str  # a key of `theory.promises.CHECKS`
+    conditions: tuple[str, ...]  # keys of `theory.promises.CONDITIONS`
 
 
-def promised(where: str, *what: str) -> tuple[Promise, ...]:
+def promised(conditions: str, *claims: str) -> tuple[Promise, ...]:
     """Return promises of the same conditions."""
-    return tuple(Promise(one, tuple(where.split())) for one in what)
+    return tuple(Promise(claim, tuple(conditions.split())) for claim in claims)
 
 
 class Law(NamedTuple):
@@ -197,68 +197,73 @@ class Law(NamedTuple):
 
     name: str  # learning.law; its own table is learning.NAME, with _ for -
     rates: Callable[..., Any]  # the rates of its states; their docstring is its page
-    # whose docstring is the page of several laws
+    # a function whose docstring is the page of several laws
     family: Callable[..., Any] | None = None
     needs: str = ""  # one line
-    # a key of its own table; the name of what is known, as it is; or what makes it of what is known
+    # parameter -> `Setting` of its own table, name of a context's attribute, or function of the
+    # context
     parameters: Mapping[str, Any] = GAINS
-    one_gain: bool = False  # whether one gain for all is one parameter, as in the paper
-    keys: Mapping[str, Setting] = {}  # of its own table, that are no parameters
-    inputs: Mapping[str, Any] = PAPER  # v_c where the speed is limited
+    one_gain: bool = False  # True if one gain for all is one parameter, as in the paper
+    keys: Mapping[str, Setting] = {}  # keys of its own table that are not parameters
+    inputs: Mapping[str, Any] = PAPER  # v_c only if the speed is limited
     states: Mapping[str, State] = LEARNED
-    output: Callable[..., Any] | None = None  # of the `outputs` that are no states
+    output: Callable[..., Any] | None = None  # computes `outputs`, which are not states
     outputs: Mapping[str, Any] = {}
     jump: Callable[..., Any] | None = None  # at its breakpoints
     breakpoints: Callable[..., np.ndarray] | None = None
-    candidate: Callable[..., Any] | None = None  # V, where it is not Eq. (17) or (24)
+    candidate: Callable[..., Any] | None = None  # V, if it is not Eq. (17) or (24)
     V_inputs: tuple[str, ...] = ("e", "alpha", "K", "Gamma")  # e and outputs of the law
     # the gain of alpha in V
     V_gain: Callable[[Any], float] = lambda p: p.get("gain", 1.0)
-    # raises where it cannot run
-    check: Callable[[Any, Known], None] = lambda law, known: None
-    # for the proof, of (states, parameters, truth): state -> what it is in the others, at all times
+    # raises an error if the law cannot run in this context
+    check: Callable[[Any, LawContext], None] = lambda law, context: None
+    # of (states, parameters, truth): state -> its value in terms of the other states, at all times
     invariants: Callable[..., dict[str, Any]] | None = None
     semidefinite: tuple[str, ...] = ()  # states that are matrices M = M^T >= 0
-    # what V' loses beyond e^T KD e where they hold: products of factors that are not negative
+    # dissipative terms of V' in addition to e^T KD e: products of non-negative factors
     losses: Callable[..., list[tuple]] = lambda states, p, truth: []
-    # what V' has beside, which bounds the law
+    # term of V' of either sign, which bounds the law
     perturbation: Callable[..., Any] | None = None
-    # eta P^-1, of a law with a covariance P
+    # eta P^-1 of a law with a covariance P
     weighted_error: Callable[..., Any] | None = None
-    # V of such a law of its input eta P^-1, which is what it is anywhere, not as the invariants say
+    # V of a law with a covariance P from the input eta P^-1, without the invariants
     candidate_by_P: Callable[..., Any] | None = None
-    # of a law that makes an estimate: (d P^-1 d^T)', d = theta_hat - theta; its states have d P^-1
-    # too, shape (2, N)
+    # (d P^-1 d^T)' of a law that estimates theta, d = theta_hat - theta; its states include d P^-1,
+    # shape (2, N)
     error_growth: Callable[..., Any] = lambda states, p, truth: 0
-    # a state w: every parameter's error is w times its first, and w' <= 0
+    # a state w with w' <= 0: the error of each parameter is w times its initial error
     error_left: str = ""
     readout: str = ""  # an output that is theta once w has fallen
-    V_rate: str = ""  # V' in words
+    V_rate: str = ""  # V' as text
     promises: tuple[Promise, ...] = ()
-    # why it need not keep its promise
+    # a reason for which the law may break its promise, or ""
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""
-    # of V, of the largest disturbance
+    # ultimate bound on V, given the largest disturbance
     level: Callable[[Any, Truth, float], float] | None = None
 
     @property
     def table(self) -> str:
-        """The name of its own table within [learning]."""
+        """The name of the law's table within [learning]."""
         return self.name.replace("-", "_")
 
     @property
     def page(self) -> str:
-        """Its page: equations, V, V' and source."""
+        """The law's page: equations, V, V' and source."""
         return inspect.cleandoc(str((self.family or self.rates).__doc__))
 
     @property
     def settings(self) -> dict[str, Setting]:
-        """The keys of its own table."""
-        whole = {**self.keys, **self.parameters}
-        return {key: one for key, one in whole.items() if isinstance(one, Setting)}
+        """The keys of the law's table in the scenario."""
+        sources = {**self.keys, **self.parameters}
+        return {
+            key: source
+            for key, source in sources.items()
+            if isinstance(source, Setting)
+        }
 
     @property
     def gain(self) -> float | None:
-        """learning.gain where it is left out; required of laws that learn by CLPE alone."""
+        """Default of learning.gain; None (required) for laws that learn from CLPE alone."""
         return 1.0 if "x" in self.inputs else None
 
     @property
@@ -268,7 +273,7 @@ class Law(NamedTuple):
 
     @property
     def at_fixes(self) -> bool:
-        """True if it learns at fixes; z is then a state of it, and K and Gamma are true."""
+        """True if it learns at fixes; z is then one of its states, and K and Gamma are true."""
         return "fix" in self.inputs
 
     @property
@@ -286,27 +291,28 @@ class Law(NamedTuple):
         """True if theta_hat of Eq. (13) is given."""
         return self.alpha_is_constant and not self.makes_estimate
 
-    def with_parts(self, *parts: Part) -> "Law":
-        """Return the row with the fields of its parts; semidefinite states are symmetric."""
-        whole = (self._asdict(), *parts)
+    def with_parts(self, *shared_fields: Part) -> "Law":
+        """Return the row merged with shared fields; semidefinite states are symmetric."""
+        groups = (self._asdict(), *shared_fields)
 
-        def every(field: str) -> list[Any]:
-            return [part[field] for part in whole if part.get(field)]
+        def values_of(field: str) -> list[Any]:
+            return [group[field] for group in groups if group.get(field)]
 
         def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
             symmetric = {name: (s[name] + s[name].T) / 2 for name in semidefinite}
-            relations = (
-                one({**s, **symmetric}, p, truth) for one in every("invariants")
-            )
+            states = {**s, **symmetric}
+            relations = (rule(states, p, truth) for rule in values_of("invariants"))
             return merged([symmetric, *relations])
 
         def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-            return [product for one in every("losses") for product in one(s, p, truth)]
+            terms = (rule(s, p, truth) for rule in values_of("losses"))
+            return [product for products in terms for product in products]
 
         semidefinite = tuple(
-            sorted(name for names in every("semidefinite") for name in names)
+            sorted(name for names in values_of("semidefinite") for name in names)
         )
-        fields = merged(parts) | {field: merged(every(field)) for field in MAPPINGS}
+        fields = merged(shared_fields)
+        fields |= {field: merged(values_of(field)) for field in MAPPINGS}
         fields |= {
             "invariants": invariants,
             "losses": losses,
@@ -314,59 +320,57 @@ class Law(NamedTuple):
         }
         return self._replace(**fields)
 
-    def parameters_of(self, known: Known) -> Parameters:
-        """Return the parameters that follow from what is known."""
-        self.check(self, known)
+    def parameters_of(self, context: LawContext) -> Parameters:
+        """Return the parameters that follow from the context."""
+        self.check(self, context)
         values: dict[str, Any] = {}
         for name, source in self.parameters.items():
             make = attrgetter(source) if isinstance(source, str) else source
             values[name] = (
-                make.of(known, name) if isinstance(make, Setting) else make(known)
+                make.of(context, name) if isinstance(make, Setting) else make(context)
             )
-        if self.one_gain and known.gains.one:
-            rest = {name: value for name, value in values.items() if name not in GAINS}
-            values = {"gain": known.gains.feedback} | rest
+        if self.one_gain and context.gains.shared:
+            settings = {name: values[name] for name in values if name not in GAINS}
+            values = {"gain": context.gains.feedback} | settings
         return Parameters(**values)
 
-    def block(self, known: Known) -> Block:
+    def block(self, context: LawContext) -> Block:
         """Make the law: a block "adaptation" with alpha[2N], K[2] and Gamma[2]."""
-        return self.of(known.N, known.limited, **self.parameters_of(known)._asdict())
+        parameters = self.parameters_of(context)._asdict()
+        return self.of(context.N, context.limited, **parameters)
 
     def of(self, N: int, limited: bool = False, **parameters: Any) -> Block:
-        """Make the law of its parameters."""
+        """Make the law from its parameters."""
         states = {name: state.shape for name, state in self.states.items()}
-        whole = partial(output_and_states, self.output, tuple(states))
+        full_output = partial(output_and_states, self.output, tuple(states))
         return Block(
             "adaptation",
             update=self.rates,
-            output=update_wrapper(whole, self.output) if self.output else None,
+            output=update_wrapper(full_output, self.output) if self.output else None,
             inputs={
                 port: n for port, n in self.inputs.items() if port != "v_c" or limited
             },
             outputs={**self.outputs, **states},
             states=states,
             parameters=parameters | ({"interval": -1.0} if self.breakpoints else {}),
-            shapes=among(parameters),
+            shapes=shapes_of(parameters),
             sizes={"N": N},
             jump=self.jump,
             breakpoints=self.breakpoints,
         )
 
-    def starts(self, known: Known) -> dict[str, Any]:
-        """Return where its own states are at t = 0; the others are zero."""
-        p = self.parameters_of(known)
-        starts = {
-            name: one.start
-            for name, one in self.states.items()
-            if one.start is not None
-        }
+    def starts(self, context: LawContext) -> dict[str, Any]:
+        """Return the values of its states at t = 0; states that are left out are zero."""
+        p = self.parameters_of(context)
+        starts = {name: state.start for name, state in self.states.items()}
         return {
-            name: one(known, p) if callable(one) else one
-            for name, one in starts.items()
+            name: start(context, p) if callable(start) else start
+            for name, start in starts.items()
+            if start is not None
         }
 
     def V(self, p: Any, truth: Truth, along_run: bool = False) -> Block:
-        """Make V of its parameters; along a run eta P^-1, `weighted`, is an input of its own."""
+        """Make the block of V; along a run eta P^-1 is the separate input `weighted`."""
         values = weighted((self.V_gain(p), *gains_of(p)), *truth)._asdict()
         values |= {
             name: getattr(p, name) for name in self.parameters if name not in values
@@ -383,19 +387,19 @@ class Law(NamedTuple):
             inputs={port: ports[port] for port in (BY_P if by_P else self.V_inputs)},
             outputs={"V": 1},
             parameters=values,
-            shapes=among(values) | BY_GAINS,
+            shapes=shapes_of(values) | BY_GAINS,
         )
 
 
 def merged(mappings: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
-    """Return mappings as one."""
+    """Return all mappings merged into one dict."""
     return {name: value for mapping in mappings for name, value in mapping.items()}
 
 
 def gains_of(p: Any) -> tuple[Any, Any]:
-    """Return gamma of K and of Gamma; 1 where a law adapts neither."""
-    one = p.get("gain", 1.0)
-    return p.get("gain_K", one), p.get("gain_Gamma", one)
+    """Return gamma of K and of Gamma; 1 if a law adapts neither."""
+    gain = p.get("gain", 1.0)
+    return p.get("gain_K", gain), p.get("gain_Gamma", gain)
 
 
 def adapt_gains(p, e, u):

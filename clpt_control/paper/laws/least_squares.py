@@ -1,6 +1,6 @@
 """Laws of the filtered regression: its gradient, least squares, and least squares with CLPE.
 
-phi_f, eps, P, rho, and what K and Gamma lose are those of `regressions`.
+phi_f, eps, P, rho, and the dissipative terms of K and Gamma are those of `regressions`.
 """
 
 from typing import Any
@@ -23,18 +23,19 @@ from .regressions import (
 
 
 def normalised_gradient(t, x, u, p):
-    """The normalised gradient: CLPE and the filtered regression of now drive one estimate.
+    """The normalised gradient: CLPE and the present filtered regression drive one estimate.
 
         theta_hat' = gamma phi e^T + gamma_n phi_f eps^T / (1 + |phi_f|^2)
         theta_hat = -alpha^T    for Eq. (21)
 
-    phi_f and eps are those of `regressions`.  However large the regressor, the second term takes
-    eps away at a rate of at most gamma_n.  It remembers nothing: what the track does not show now
-    is not learned now.  K and Gamma are those of `regressions`, or are held.
-    Sources: Ioannou and Sun 1996, section 4.3; beside CLPE, Slotine and Li 1989.
+    phi_f and eps are those of `regressions`.  The second term reduces eps at a rate of at most
+    gamma_n for any regressor.  It has no memory: only the present motion teaches.  K and Gamma are
+    those of `regressions`, or are fixed.
+    Sources: Ioannou and Sun 1996, section 4.3; with CLPE, Slotine and Li 1989.
 
-    V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
-        V' = -e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2)) - what K and Gamma lose
+    V of Eq. (24), each error weighted by its own gain, has with eta = theta + alpha
+        V' = -e^T KD e - gamma_n |eta phi_f|^2/(gamma (1 + |phi_f|^2))
+             - dissipative terms of K and Gamma
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
     per time), K[2], Gamma[2] (per time) and the states of `regressions`.
@@ -72,16 +73,16 @@ def least_squares(t, x, u, p):
         theta_hat' = P phi_f eps^T / r^2,    theta_hat = -alpha^T    for Eq. (21)
 
     phi_f and eps are those of `regressions`, P that of `covariance`.  The flow is learned from
-    where the vehicle was carried, not from CLPE; K and Gamma, of `regressions`, or held, bring
-    CLPE down beside it.  With eta = theta + alpha and theta, alpha at t = 0 in eta(0),
+    the motion of the vehicle, not from CLPE; K and Gamma are those of `regressions` and reduce
+    CLPE, or are fixed.  With eta = theta + alpha and theta, alpha at t = 0 in eta(0),
 
         eta P^-1 = rho eta(0) P(0)^-1                                             at all times
         2 V = |e|^2 + r^2 tr(eta P^-1 eta^T)/k + |K - KD|^2/gamma_K + |Gamma - GammaD|^2/gamma_Gamma
         V' = -e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)
-             - what K and Gamma lose
+             - dissipative terms of K and Gamma
 
-    tr(eta P^-1 eta^T) never rises, so eta is bounded, and in the mean |e| is at most |eta phi| over
-    the least of KD: CLPE is as small as the flow is well learned.
+    tr(eta P^-1 eta^T) is non-increasing, so eta is bounded, and the mean-square CLPE is at most
+    |eta phi| over the least of KD: CLPE is as small as the error of the learned flow.
     Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
@@ -119,7 +120,7 @@ LEAST_SQUARES = Law(
         "forgetting": Setting(
             "lambda_0 of P, 1/time; 0.02 k", scaled(0.02), "not negative"
         ),
-        "alpha_0": lambda known: known.alpha,
+        "alpha_0": lambda context: context.alpha,
     },
     candidate=least_squares_level,
     V_inputs=("e", "alpha", "K", "Gamma", "rho"),
@@ -141,20 +142,22 @@ def composite_least_squares(t, x, u, p):
 
     phi_f and eps = F_f - theta_hat phi_f are those of `regressions`, P, lambda and rho those of
     `covariance`, gamma = w/r^2 with a weight w.  P^-1 is never formed: s, the impulse of CLPE, with
-    s(0) = alpha(0) P(0)^-1 keeps s + rho theta P(0)^-1 = eta P^-1, eta = theta + alpha.  K and
-    Gamma are those of `regressions`, or are held.
+    s(0) = alpha(0) P(0)^-1 satisfies s + rho theta P(0)^-1 = eta P^-1, eta = theta + alpha.  K and
+    Gamma are those of `regressions`, or are fixed.
     Source: Slotine and Li 1989, Automatica 25(4), Composite adaptive control of robot manipulators.
 
         2 V = |e|^2 + tr(eta P^-1 eta^T)/gamma + |K - KD|^2/gamma_K + |Gamma - GammaD|^2/gamma_Gamma
         V' = -e^T KD e - |eta phi_f|^2/(2 w) - lambda tr(eta P^-1 eta^T)/(2 gamma)
-             - what K and Gamma lose,    where each held parameter is true
+             - dissipative terms of K and Gamma,    if each fixed parameter is true
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
     per time), K[2], Gamma[2] (per time), the states of `regressions` and of `covariance`, and
     impulse[2N] (s, time per length).
     """
-    gamma, P_phi = p.weight / p.noise**2, x.P @ x.phi_f
-    by_error, by_flow = gamma * u.e, unexplained(x, u, p) / p.noise**2
+    gamma = p.weight / p.noise**2
+    P_phi = x.P @ x.phi_f
+    by_error = gamma * u.e
+    by_flow = unexplained(x, u, p) / p.noise**2
     return {
         "alpha": -np.outer(by_error, x.P @ u.phi_x) - np.outer(by_flow, P_phi),
         "impulse": -np.outer(by_error, u.phi_x) - forgetting(x, p) * x.impulse,
@@ -197,7 +200,7 @@ COMPOSITE_LEAST_SQUARES = Law(
     covariance(errors_by_impulse, "weight"),
     {
         "states": {
-            "impulse": State((2, "N"), lambda known, p: known.alpha * p.information)
+            "impulse": State((2, "N"), lambda context, p: context.alpha * p.information)
         }
     },
 )

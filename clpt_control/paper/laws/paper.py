@@ -1,4 +1,4 @@
-"""The laws of the paper: learned flow, known flow, and a known flow that a filter finds."""
+"""Laws of the paper: learned flow, known flow, and known flow with a Kalman filter (Remark 3.2)."""
 
 from typing import Any
 
@@ -27,8 +27,8 @@ def learned_flow(t, x, u, p):
         K'     = -gamma z e                           Eq. (22)
         Gamma' =  gamma zc e                          Eq. (23)
 
-    alpha is driven to -theta where the track excites.  V of Eq. (24) has V' = -e^T KD e, so e goes
-    to zero, Theorem 3.2.  Source: Cho, Zhang, Edwards 2016, section III.
+    alpha converges to -theta if the track excites the flow.  V of Eq. (24) has V' = -e^T KD e, so e
+    goes to zero, Theorem 3.2.  Source: Cho, Zhang, Edwards 2016, section III.
 
     Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per time), K[2],
     Gamma[2] (per time), the states.  gamma is one number in the paper, or one each.
@@ -57,7 +57,7 @@ LEARNED_FLOW = Law(
 
 
 def known_flow(t, x, u, p):
-    """The known-flow law, Eqs. (14)-(15): K and Gamma adapt, the flow is known by other means.
+    """The known-flow law, Eqs. (14)-(15): K and Gamma adapt, an estimate of the flow is given.
 
         alpha  = alpha_M
         K'     = -gamma z e                           Eq. (14)
@@ -66,7 +66,7 @@ def known_flow(t, x, u, p):
     With alpha = alpha_M the rate of CLPE is Eq. (11).  theta_hat, the estimate of theta, is given
     to the injection, Eq. (13); CLPE is as small as theta_hat is good (Remark 3.3).  V of Eq. (17)
     has V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1: in the mean square |e| is at most
-    |(theta - theta_hat) phi| over the least of KD, and goes to zero where theta_hat is theta.
+    |(theta - theta_hat) phi| over the least of KD, and e goes to zero if theta_hat = theta.
     Source: Cho, Zhang, Edwards 2016, section III.
 
     Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> K[2], Gamma[2] (per time), the states,
@@ -76,7 +76,7 @@ def known_flow(t, x, u, p):
 
 
 def known_flow_output(t, x, u, p):
-    """alpha = alpha_M, beside K and Gamma of Eqs. (14)-(15)."""
+    """alpha = alpha_M, in addition to K and Gamma of Eqs. (14)-(15)."""
     return {"alpha": p.alpha_M}
 
 
@@ -93,7 +93,7 @@ KNOWN_FLOW = Law(
 )
 
 
-# --- known flow, found by a filter -----------------------------------------------------------
+# --- known flow, estimated by a filter -------------------------------------------------------
 
 
 def kalman_flow(t, x, u, p):
@@ -103,22 +103,23 @@ def kalman_flow(t, x, u, p):
         P'         = w^2 I - P phi_f phi_f^T P / r^2
         alpha = alpha_M,  K' = -gamma z e,  Gamma' = gamma zc e         Eqs. (14)-(15)
 
-    phi_f and F_f are phi and the flow through one filter (`regressions`), made of positions and the
-    commanded velocity.  theta_hat goes to the injection, Eq. (13).  P is N x N, symmetric, one for
-    both axes: it starts at the prior variance, and w is the walk of each parameter, 0 for a flow
-    whose parameters stay.  The filter never sees CLPE.
+    phi_f and F_f are phi and the flow through one filter (`regressions`), computed from positions
+    and the commanded velocity.  theta_hat goes to the injection, Eq. (13).  P is N x N, symmetric,
+    one for both axes: it starts at the prior variance, and w is the random walk of each parameter,
+    0 for constant parameters.  CLPE is no input of the filter.
     Source: Kalman and Bucy 1961, New results in linear filtering and prediction theory, Journal of
     Basic Engineering 83(1).
 
-    V of Eq. (17) has V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1; the estimate's
-    error d = theta_hat - theta never grows in the norm that P weighs it by:
+    V of Eq. (17) has V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1.  The norm of the
+    estimate's error d = theta_hat - theta weighted by P^-1 is non-increasing:
         (d P^-1 d^T)' = -|d phi_f|^2/r^2 - w^2 |d P^-1|^2
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N],
     constant, theta_hat[2N] (length per time), K[2], Gamma[2] (per time), P[N*N] (length per time,
     squared), phi_f[N], q[2] (length per time), the states.
     """
-    P_phi, eps = x.P @ x.phi_f, filtered_flow(x, u, p) - x.theta_hat @ x.phi_f
+    P_phi = x.P @ x.phi_f
+    eps = filtered_flow(x, u, p) - x.theta_hat @ x.phi_f
     return {
         **adapt_gains(p, u.e, u),
         "theta_hat": np.outer(eps, P_phi) / p.noise**2,
@@ -143,7 +144,7 @@ KALMAN_FLOW = Law(
         "noise": NOISE,
         "walk": Setting(
             "w of each theta, length/time^1.5; 0.03 of prior, times k^0.5",
-            lambda known: 0.03 * known.prior * np.sqrt(known.k),
+            lambda context: 0.03 * context.prior * np.sqrt(context.k),
             "not negative",
         ),
     },
@@ -151,8 +152,8 @@ KALMAN_FLOW = Law(
     states={
         "K": State(2),
         "Gamma": State(2),
-        "theta_hat": State((2, "N"), lambda known, p: known.theta_estimate),
-        "P": State(("N", "N"), lambda known, p: known.prior**2 * np.eye(known.N)),
+        "theta_hat": State((2, "N"), lambda context, p: context.theta_estimate),
+        "P": State(("N", "N"), lambda context, p: context.prior**2 * np.eye(context.N)),
     },
     output=known_flow_output,
     outputs={"alpha": (2, "N")},

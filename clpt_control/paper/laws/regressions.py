@@ -1,56 +1,58 @@
-"""Regressions y = kappa w that need no derivative: the flow through a filter, and a memory of any.
+"""Regressions y = kappa w without derivatives, shared by laws: filtered flow, memory, covariance.
 
 The flow and the basis go through one filter l/(s + l):
 
     phi_f' = l (phi(x) - phi_f),    q' = l (l x + v - q),    F_f = l x - q
 
-By Eq. (1), x' - v = F, so F_f' = l (F - F_f): F_f is the flow through the filter, made of the
-position x and the velocity v through the water alone.  With phi_f(0) = 0 and q(0) = l x(0) it is
-theta phi_f at all times, whatever theta is, and eps = F_f - theta_hat phi_f = (theta + alpha)
+By Eq. (1), x' - v = F, so F_f' = l (F - F_f): F_f is the filtered flow, computed from the
+position x and the velocity v through the water.  With phi_f(0) = 0 and q(0) = l x(0),
+F_f = theta phi_f at all times for any theta, and eps = F_f - theta_hat phi_f = (theta + alpha)
 phi_f.
 Source: Slotine and Li 1989, Automatica 25(4), composite adaptive control.
 
-A memory keeps what w has shown:
+A memory stores the information of w:
 
     n = w - m Q w,    Q' = n n^T/size,    b' = (y - m b w) n^T/size
 
-From Q = 0, b = 0 on, b = kappa Q and Q = M (1 + m M)^-1 with M = int w w^T/size: Q is symmetric,
-not negative and below 1/m, and never falls, nor does its least eigenvalue.  What has been seen is
-kept, and what is known well takes in less.  A law that adds gamma_c (b - kappa_hat Q) to the rate
-of kappa_hat pulls it to kappa, in the end at the rate gamma_c/m.
+With Q(0) = 0 and b(0) = 0, b = kappa Q and Q = M (1 + m M)^-1 with M = int w w^T/size: Q is
+symmetric, not negative, below 1/m and non-decreasing, and so is its least eigenvalue.  No
+information is lost, and well known directions grow more slowly.  A law that adds
+gamma_c (b - kappa_hat Q) to the rate of kappa_hat pulls it to kappa, in the end at the rate
+gamma_c/m.
 Sources: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
 with exponential rate of convergence (the pull); Pan and Yu 2018, Automatica 89, Composite learning
 robot control with guaranteed parameter convergence (a memory that does not fall).
 
-The laws that learn so have K and Gamma from CLPE, as in the paper, and from the commanded
-velocity, with memory.  By Eq. (7), y = v + alpha_M phi(x) = -KD x + GammaD zc is known where v is:
-for each axis i a regression on w = (-x_i, zc_i), which no flow disturbs, for kappa = (K_i,
-Gamma_i).
+Laws with a regression adapt K and Gamma by CLPE, as in the paper, and by a memory of the commanded
+velocity.  By Eq. (7), y = v + alpha_M phi(x) = -KD x + GammaD zc is known if v is known: a
+regression of each axis i on w = (-x_i, zc_i) for kappa = (K_i, Gamma_i), which no flow disturbs.
 
     Q_i'     = n n^T / (1 + w^T G w),   b_i' = (y_i - m b_i^T G w) n / (1 + w^T G w)
     K_i'     = -gamma_K z_i e_i      + gamma_K (b_i - Q_i kappa)_1
     Gamma_i' =  gamma_Gamma zc_i e_i + gamma_Gamma (b_i - Q_i kappa)_2
 
 are Eqs. (22)-(23) with a memory, n = w - m Q_i G w, G = diag(gamma_K,
-gamma_Gamma)/k^2, m = 0.1 k.  From Q_i = 0 and b_i = 0 on, b_i = Q_i kappa_D, and V' loses the sum
-of (kappa - kappa_D)^T Q_i (kappa - kappa_D); Q_i never falls.  By CLPE alone K and Gamma come
-slowly, and alpha meanwhile takes up what they lack.  A gain of 0 holds what it adapts.
+gamma_Gamma)/k^2, m = 0.1 k.  With Q_i(0) = 0 and b_i(0) = 0, b_i = Q_i kappa_D, and V' has the
+dissipative terms (kappa - kappa_D)^T Q_i (kappa - kappa_D); Q_i is non-decreasing.  By CLPE alone K
+and Gamma converge slowly, and alpha compensates their error meanwhile.  A gain of 0 fixes K or
+Gamma.
 Source: Kreisselmeier 1977, as the memory.
 
 `covariance` is P of least squares, forgetting with bounded gain:
 
     P'   = lambda P - P phi_f phi_f^T P / r^2,    lambda = lambda_0 (1 - tr P/k_0),  k_0 = tr P(0)
-    rho' = -lambda rho,                           rho(0) = 1: the share of the prior still held
+    rho' = -lambda rho,                           rho(0) = 1: the share of the prior that is left
 
-P is N x N, symmetric, one for both axes.  P(0) holds the prior variances; a function whose prior
-is 0 keeps its parameter.  tr P, a norm of matrices P >= 0, never passes k_0, so forgetting ends
-where P would wind up, and lambda >= 0; with lambda_0 = 0 nothing is forgotten.  Then
+P is N x N, symmetric, one for both axes.  P(0) is the diagonal of prior variances; the parameter
+of a function whose prior is 0 is fixed.  tr P, a norm of matrices P >= 0, is at most k_0.
+Therefore lambda >= 0, and forgetting stops before P winds up; with lambda_0 = 0 nothing is
+forgotten.  Then
 
     (P(0)^-1 + int phi_f phi_f^T/r^2)^-1 <= P <= P(0)/rho  and  P <= k_0 I
 
 Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.6 (bounded-gain forgetting).
 
-Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2], and v_c[2] where the speed is limited
+Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2], and v_c[2] with a speed limit
 (length per time); states phi_f[N], q[2] (length per time), K[2], Gamma[2] (per time), Q_1[4],
 Q_2[4] (length squared times time), b_v[4] (length squared), P[N*N] (length per time, squared),
 rho[1].
@@ -68,8 +70,8 @@ from .law import (
     MOVING,
     NOISE,
     PRIOR,
-    Known,
     Law,
+    LawContext,
     Part,
     Setting,
     State,
@@ -105,7 +107,7 @@ def unexplained_square(s: Any, p: Any, truth: Truth) -> Any:
 FILTERED_FLOW: Part = {
     "states": {
         "phi_f": State("N"),
-        "q": State(2, lambda known, p: p.filter * known.position),
+        "q": State(2, lambda context, p: p.filter * context.position),
     },
     "inputs": MOVING,
     "parameters": {"filter": FILTER},
@@ -115,16 +117,16 @@ FILTERED_FLOW: Part = {
 }
 
 
-def remembered(Q, b, y, w, m_w, size):
+def memory_rates(Q, b, y, w, m_w, size):
     """Return Q' and b' of a memory of w; `m_w` is m w."""
-    new = w - Q @ m_w
-    return np.outer(new, new) / size, np.outer(y - b @ m_w, new) / size
+    n = w - Q @ m_w
+    return np.outer(n, n) / size, np.outer(y - b @ m_w, n) / size
 
 
 def memory(Q: str, b: str) -> Part:
-    """Make a memory of the flow, b = theta Q, of states with these names."""
+    """Return the fields of a memory of the flow, b = theta Q; Q and b are names of states."""
     return {
-        "states": {Q: State(("N", "N")), b: State((2, "N"))},  # empty at first
+        "states": {Q: State(("N", "N")), b: State((2, "N"))},  # zero at t = 0
         "inputs": MOVING,
         "invariants": lambda s, p, truth: {b: truth.theta @ s[Q]},
         "semidefinite": (Q,),
@@ -132,7 +134,7 @@ def memory(Q: str, b: str) -> Part:
 
 
 def pulling_memory(Q: str, b: str) -> Part:
-    """Make a memory that pulls alpha, by which V' loses gamma_c tr(eta Q eta^T)/gamma."""
+    """Return the fields of a memory that pulls alpha: V' has -gamma_c tr(eta Q eta^T)/gamma."""
 
     def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
         eta = truth.theta + s["alpha"]
@@ -151,17 +153,19 @@ def pulling_memory(Q: str, b: str) -> Part:
 def gain_rates(x, u, p):
     """Return K', Gamma', Q_1', Q_2' and b_v'; v is that of Eq. (7)."""
     y = getattr(u, "v_c", u.v_x) + p.alpha_M @ u.phi_x
-    # a row for each axis
-    w, kappa = (np.stack([-u.x, u.zc]).T, np.stack([x.K, x.Gamma]).T)
+    # w, kappa and what follows have a row for each axis
+    w = np.stack([-u.x, u.zc]).T
+    kappa = np.stack([x.K, x.Gamma]).T
     G_w = w * np.stack([p.gain_K, p.gain_Gamma]) / p.rate**2
-    size, m_w = 1 + np.sum(G_w * w, axis=1), 0.1 * p.rate * G_w
-    Q_1, b_1 = remembered(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])
-    Q_2, b_2 = remembered(x.Q_2, x.b_v[1], y[1], w[1], m_w[1], size[1])
-    missed = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
+    size = 1 + np.sum(G_w * w, axis=1)
+    m_w = 0.1 * p.rate * G_w
+    Q_1, b_1 = memory_rates(x.Q_1, x.b_v[0], y[0], w[0], m_w[0], size[0])
+    Q_2, b_2 = memory_rates(x.Q_2, x.b_v[1], y[1], w[1], m_w[1], size[1])
+    pull = x.b_v - np.stack([x.Q_1 @ kappa[0], x.Q_2 @ kappa[1]])
     by_error = adapt_gains(p, u.e, u)
     return {
-        "K": by_error["K"] + p.gain_K * missed[:, 0],
-        "Gamma": by_error["Gamma"] + p.gain_Gamma * missed[:, 1],
+        "K": by_error["K"] + p.gain_K * pull[:, 0],
+        "Gamma": by_error["Gamma"] + p.gain_Gamma * pull[:, 1],
         "Q_1": Q_1,
         "Q_2": Q_2,
         "b_v": np.concatenate([b_1, b_2]),
@@ -169,20 +173,20 @@ def gain_rates(x, u, p):
 
 
 def gain_invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-    """Return what the states are at all times: b_i = Q_i kappa_D."""
+    """Return the invariant b_i = Q_i kappa_D."""
     kappa = np.stack([truth.KD, truth.GammaD]).T
     return {"b_v": np.stack([s["Q_1"] @ kappa[0], s["Q_2"] @ kappa[1]])}
 
 
 def gain_losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
-    """Return what V' loses: (kappa - kappa_D)^T Q_i (kappa - kappa_D), where they adapt."""
-    off = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
-    return [(off[0] @ s["Q_1"] @ off[0],), (off[1] @ s["Q_2"] @ off[1],)]
+    """Return the dissipative terms (kappa - kappa_D)^T Q_i (kappa - kappa_D) of adapted gains."""
+    error = np.stack([s["K"] - truth.KD, s["Gamma"] - truth.GammaD]).T
+    return [(error[0] @ s["Q_1"] @ error[0],), (error[1] @ s["Q_2"] @ error[1],)]
 
 
 COMMANDED_GAINS: Part = {
     "needs": "the commanded velocity",
-    "states": dict.fromkeys(("Q_1", "Q_2", "b_v"), State((2, 2))),  # empty at first
+    "states": dict.fromkeys(("Q_1", "Q_2", "b_v"), State((2, 2))),  # zero at t = 0
     "inputs": {**MOVING, "v_c": 2},
     "parameters": {"alpha_M": "alpha_M", "rate": "k"},
     "invariants": gain_invariants,
@@ -200,7 +204,7 @@ def forgetting(x, p):
 
 
 def covariance_rates(x, p, P_phi):
-    """Return P' and rho', of P phi_f."""
+    """Return P' and rho', given P phi_f."""
     forgotten = forgetting(x, p)
     return {
         "P": forgotten * x.P - np.outer(P_phi, P_phi) / p.noise**2,
@@ -210,58 +214,61 @@ def covariance_rates(x, p, P_phi):
 
 def level_by_P(u, p, weighted, w):
     """Return V of Eq. (24) with r^2 tr(eta P^-1 eta^T)/w for |eta|^2; eta P^-1 is `weighted`."""
-    return {
-        "V": level(u.e, u, p)
-        + p.noise**2 / (2 * w) * np.sum((p.theta + u.alpha) * weighted)
-    }
+    eta_P_eta = np.sum((p.theta + u.alpha) * weighted)
+    return {"V": level(u.e, u, p) + p.noise**2 / (2 * w) * eta_P_eta}
 
 
 def error_by_P(p: Any, alpha: np.ndarray, P: np.ndarray) -> np.ndarray:
-    """Return eta P^-1 along a run, shape (time, 2, N); 0 of what is held."""
+    """Return eta P^-1 along a run, shape (time, 2, N); 0 for fixed parameters."""
     free = np.flatnonzero(p.information)
     eta = np.swapaxes(p.theta + alpha, 1, 2)[:, free]
+    free_P = P[:, free][..., free]
     weighted = np.zeros_like(alpha)
-    weighted[..., free] = np.swapaxes(np.linalg.solve(P[:, free][..., free], eta), 1, 2)
+    weighted[..., free] = np.swapaxes(np.linalg.solve(free_P, eta), 1, 2)
     return weighted
 
 
-def priors(known: Known) -> np.ndarray:
+def priors(context: LawContext) -> np.ndarray:
     """Return the prior standard deviation of each parameter, shape (N,), length per time."""
-    each = known.settings["priors"]
-    return (
-        np.full(known.N, known.prior) if each is None else np.asarray(each, dtype=float)
-    )
+    per_function = context.settings["priors"]
+    if per_function is None:
+        return np.full(context.N, context.prior)
+    return np.asarray(per_function, dtype=float)
 
 
-def check_priors(law: Law, known: Known) -> None:
+def check_priors(law: Law, context: LawContext) -> None:
     """Refuse priors that do not fit the functions."""
-    one, each = known.settings["prior"], known.settings["priors"]
-    if each is not None and (one is not None or len(each) != known.N or not any(each)):
-        wanted = (
-            f"{known.N} numbers, one for each function, not all 0, in place of prior"
+    prior, per_function = context.settings["prior"], context.settings["priors"]
+    if per_function is None:
+        return
+    fits = prior is None and len(per_function) == context.N
+    if not fits or not any(per_function):
+        raise ScenarioError(
+            f"learning.{law.table}.priors: must be {context.N} numbers, one for each function, "
+            "not all 0, in place of prior"
         )
-        raise ScenarioError(f"learning.{law.table}.priors: must be {wanted}")
 
 
-def information(known: Known) -> np.ndarray:
-    """Return P(0)^-1, 0 for what is held, (time per length) squared."""
-    return np.array([1 / one**2 if one > 0 else 0.0 for one in priors(known)])
+def information(context: LawContext) -> np.ndarray:
+    """Return P(0)^-1, (time per length) squared; 0 for fixed parameters."""
+    return np.array([1 / s**2 if s > 0 else 0.0 for s in priors(context)])
 
 
 def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
-    """Make the part of a law with this P, of its eta P^-1 and the parameter that is w."""
+    """Return the fields of a law with this P, given its eta P^-1 and the parameter that is w."""
 
     def invariants(s: Any, p: Any, truth: Truth) -> dict[str, Any]:
-        """Return alpha of eta P^-1."""
+        """Return alpha computed from eta P^-1."""
         return {"alpha": weighted_error(s, p, truth) @ s["P"] - truth.theta}
 
     def losses(s: Any, p: Any, truth: Truth) -> list[tuple]:
         """Return |eta phi_f|^2/(2 w) and r^2 lambda tr(eta P^-1 eta^T)/(2 w)."""
         w, weighted = getattr(p, weight), weighted_error(s, p, truth)
-        forgotten = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
+        rate = (p.forgetting, 1 - np.trace(s["P"]) / p.largest)
+        eta_P_eta = np.sum((weighted @ s["P"]) * weighted)
         return [
             (unexplained_square(s, p, truth), 1 / (2 * w)),
-            (*forgotten, np.sum((weighted @ s["P"]) * weighted), p.noise**2 / (2 * w)),
+            (*rate, eta_P_eta, p.noise**2 / (2 * w)),
         ]
 
     return {
@@ -273,11 +280,13 @@ def covariance(weighted_error: Callable[..., Any], weight: str) -> Part:
         },
         "parameters": {
             "noise": NOISE,
-            "largest": lambda known: float(np.sum(priors(known) ** 2)),  # k_0 = tr P(0)
+            "largest": lambda context: float(
+                np.sum(priors(context) ** 2)
+            ),  # k_0 = tr P(0)
             "information": information,
         },
         "states": {
-            "P": State(("N", "N"), lambda known, p: np.diag(priors(known) ** 2)),
+            "P": State(("N", "N"), lambda context, p: np.diag(priors(context) ** 2)),
             "rho": State(1, 1.0),
         },
         "check": check_priors,

@@ -1,25 +1,25 @@
-"""Laws that withstand disturbances: what is learned leaks, stops in a zone, stays in a ball."""
+"""Robust laws: leakage (sigma, switching sigma, e-modification), dead zone, and projection."""
 
 from typing import Any
 
 import numpy as np
 
 from ..blocks import lyapunov
-from .law import GAINS, Known, Law, Setting, Truth, promised
+from .law import GAINS, Law, LawContext, Setting, Truth, promised
 from .paper import driven_by, learned_flow
 
 # --- leaks -----------------------------------------------------------------------------------
 
 
 def leaking(t, x, u, p, s_1, s_2, s_3):
-    """Laws that forget: sigma, switching sigma and e-modification.
+    """Laws with leakage: sigma, switching sigma and e-modification.
 
         alpha' = -gamma e phi^T - gamma s_1 alpha
         K'     = -gamma z e     - gamma s_2 K
         Gamma' =  gamma zc e    - gamma s_3 Gamma
 
-    are Eqs. (21)-(23) with a leak, theta_hat = -alpha.  It pulls all that is learned to zero, the
-    initial values of the paper, and stops the drift that a disturbance drives.
+    are Eqs. (21)-(23) with a leak, theta_hat = -alpha.  The leak pulls alpha, K and Gamma to zero,
+    the initial values of the paper, and stops the drift that a disturbance drives.
 
     | law | s_1, and s_2, s_3 with K, Gamma and their limits |
     |---|---|
@@ -31,9 +31,9 @@ def leaking(t, x, u, p, s_1, s_2, s_3):
 
         V' = -e^T KD e + e^T Delta - sum of s d^T a,    d^T a >= (|d|^2 - |a*|^2)/2
 
-    sigma: V comes down to a level in |a*|^2 and Delta^2; e need not go to zero without Delta.
-    switching-sigma: the same, and where |a*| <= M the leak never raises V, so e goes to zero
-    without Delta.  e-modification: V' <= 0 above a level.
+    sigma: V is ultimately bounded by a level in |a*|^2 and Delta^2; e need not go to zero without
+    Delta.  switching-sigma: the same bound; if |a*| <= M, the leak never increases V, so e goes to
+    zero without Delta.  e-modification: V' <= 0 above a level.
 
     Sources: Ioannou and Kokotovic 1984; Ioannou and Sun 1996, section 8.4; Narendra and Annaswamy
     1987.
@@ -50,7 +50,7 @@ def leaking(t, x, u, p, s_1, s_2, s_3):
 
 
 def sigma(t, x, u, p):
-    """Eqs. (21)-(23), each less gamma leak times what is learned."""
+    """Eqs. (21)-(23), each rate minus gamma leak times alpha, K or Gamma."""
     return leaking(t, x, u, p, p.leak, p.leak, p.leak)
 
 
@@ -65,26 +65,28 @@ def switching_sigma(t, x, u, p):
 
 
 def e_modification(t, x, u, p):
-    """Eqs. (21)-(23), each less gamma leak |e| times what is learned."""
+    """Eqs. (21)-(23), each rate minus gamma leak |e| times alpha, K or Gamma."""
     leak = p.leak * np.linalg.norm(u.e)
     return leaking(t, x, u, p, leak, leak, leak)
 
 
-def cycle_leak(known: Known) -> float:
+def cycle_leak(context: LawContext) -> float:
     """Return the leak that forgets alpha within a cycle of the waypoints."""
-    return 1.0 / (known.gains.parameters * known.cycle)
+    return 1.0 / (context.gains.parameters * context.cycle)
 
 
-def twice_gains(known: Known) -> float:
+def twice_gains(context: LawContext) -> float:
     """Return M of K and of Gamma: up to twice the vehicle's own gains."""
-    return 2.0 * float(max(np.hypot(*known.KD), np.hypot(*known.GammaD)))
+    return 2.0 * float(max(np.hypot(*context.KD), np.hypot(*context.GammaD)))
 
 
 TWICE = "twice the larger of those of KD and GammaD"
 NORM_LIMITS = {
     "largest_flow": Setting(
         "largest norm of alpha, length per time; (2 N)^0.5 max KD at the farthest waypoint",
-        lambda known: float(np.sqrt(2 * known.N) * known.KD.max()) * known.reach,
+        lambda context: (
+            float(np.sqrt(2 * context.N) * context.KD.max()) * context.reach
+        ),
     ),
     "largest_feedback": Setting(f"largest norm of K, per time; {TWICE}", twice_gains),
     "largest_feedforward": Setting(
@@ -94,7 +96,7 @@ NORM_LIMITS = {
 
 
 def beyond_limits(p: Any, truth: Truth) -> str:
-    """Return a sentence where the truth lies outside the limits of what adapts, or nothing."""
+    """Return a sentence if the truth is outside the limits of an adapted parameter, or ""."""
     adapts = (p.gain, p.gain_K, p.gain_Gamma)
     outside = [
         f"{key} = {getattr(p, key):.3g} is below the truth's {np.linalg.norm(true):.3g}"
@@ -104,33 +106,36 @@ def beyond_limits(p: Any, truth: Truth) -> str:
     return f"{', '.join(outside)}: CLPE need not go to zero" if outside else ""
 
 
-def of_what_adapts(p: Any, truth: Truth) -> tuple[float, float]:
-    """Return the least gain of what adapts, and the sum of |a*|^2 over it."""
+def adapted_gain_and_size(p: Any, truth: Truth) -> tuple[float, float]:
+    """Return the least gain of the adapted parameters, and their sum of |a*|^2."""
     gains = [gain for gain in (p.gain, p.gain_K, p.gain_Gamma) if gain > 0]
     adapts = (truth.theta, truth.KD * (p.gain_K > 0), truth.GammaD * (p.gain_Gamma > 0))
     return min(gains), float(sum(np.sum(a * a) for a in adapts))
 
 
 def level_of_sigma(p: Any, truth: Truth, delta: float) -> float:
-    """Return what V comes down to: V' <= -min(k, gamma s) V + Delta^2/(2 k) + s sum |a*|^2/2."""
-    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    """Return the bound on V: V' <= -min(k, gamma s) V + Delta^2/(2 k) + s sum |a*|^2/2."""
+    gain, size = adapted_gain_and_size(p, truth)
+    k = truth.KD.min()
     return float((delta**2 / (2 * k) + p.leak * size / 2) / min(k, gain * p.leak))
 
 
 def level_of_switching(p: Any, truth: Truth, delta: float) -> float:
-    """Return the level of sigma and what the leak lacks below 2 M: (s - s_j) d^T a <= s |d| |a|."""
-    (gain, _), k = of_what_adapts(p, truth), truth.KD.min()
+    """Return the level of sigma plus the missing leak below 2 M: (s - s_j) d^T a <= s |d| |a|."""
+    gain, _ = adapted_gain_and_size(p, truth)
+    k = truth.KD.min()
     limits = (getattr(p, key) for key in NORM_LIMITS)
-    lacks = sum(
+    missing = sum(
         2 * M * (2 * M + np.linalg.norm(a)) for M, a in zip(limits, truth, strict=True)
     )
-    own = level_of_sigma(p, truth, delta)
-    return own + float(p.leak * lacks / min(k, gain * p.leak))
+    sigma_level = level_of_sigma(p, truth, delta)
+    return sigma_level + float(p.leak * missing / min(k, gain * p.leak))
 
 
 def level_of_e_modification(p: Any, truth: Truth, delta: float) -> float:
-    """Return the largest V where k |e| + s sum |d|^2/2 <= c = Delta + s sum |a*|^2/2."""
-    (gain, size), k = of_what_adapts(p, truth), truth.KD.min()
+    """Return the largest V for which k |e| + s sum |d|^2/2 <= c = Delta + s sum |a*|^2/2."""
+    gain, size = adapted_gain_and_size(p, truth)
+    k = truth.KD.min()
     c = delta + p.leak * size / 2
     return float(max(c**2 / (2 * k**2), c / (p.leak * gain)))
 
@@ -171,7 +176,7 @@ E_MODIFICATION = Law(
         **GAINS,
         "leak": Setting(
             "as of sigma, by CLPE; as much at a CLPE as far as the farthest waypoint",
-            lambda known: cycle_leak(known) / known.reach,
+            lambda context: cycle_leak(context) / context.reach,
         ),
     },
 )
@@ -180,13 +185,13 @@ E_MODIFICATION = Law(
 # --- a zone ----------------------------------------------------------------------------------
 
 
-def beyond(e, zone):
+def outside_zone(e, zone):
     """Return D(e) = e - clip(e, -d, d)."""
     return e - np.clip(e, -zone, zone)
 
 
 def dead_zone(t, x, u, p):
-    """The dead-zone law: nothing is learned of an error that a disturbance may have made.
+    """The dead-zone law: CLPE that a disturbance may have caused is not learned from.
 
         D_i(e) = e_i - clip(e_i, -d, d)
         alpha' = -gamma D phi^T,    K' = -gamma z D,    Gamma' = gamma zc D
@@ -195,21 +200,23 @@ def dead_zone(t, x, u, p):
     place of e.  Since D D' = D e' everywhere, and D_i e_i = |D_i| (|D_i| + d) where D_i is not
     zero,
 
-        V' = -D^T KD e + D^T Delta <= -D^T KD D    where |Delta_i| <= KD_i d
+        V' = -D^T KD e + D^T Delta <= -D^T KD D    if |Delta_i| <= KD_i d
 
-    so V never rises, what is learned stays bounded, and |e_i| comes to at most d.
+    so V is non-increasing, alpha, K and Gamma stay bounded, and |e_i| converges to at most d.
 
     Source: Ioannou and Sun 1996, section 8.4.3.
 
     Ports: e[2] (length), phi_x[N], z[2], zc[2] (length) -> alpha[2N] (length per time), K[2],
     Gamma[2] (per time), the states; of V: e[2], alpha[2N], K[2], Gamma[2] -> V[1].
     """
-    return driven_by(beyond(u.e, p.zone), u, p)
+    return driven_by(outside_zone(u.e, p.zone), u, p)
 
 
 def candidate(t, x, u, p):
     """V of Eq. (24) with D(e) in place of e."""
-    return {"V": lyapunov.level(beyond(u.e, p.zone), u, p) + lyapunov.flow_level(u, p)}
+    return {
+        "V": lyapunov.level(outside_zone(u.e, p.zone), u, p) + lyapunov.flow_level(u, p)
+    }
 
 
 DEAD_ZONE = Law(
@@ -220,7 +227,7 @@ DEAD_ZONE = Law(
         **GAINS,
         "zone": Setting(
             "CLPE of which nothing is learned, length; a fiftieth of the farthest waypoint",
-            lambda known: known.reach / 50,
+            lambda context: context.reach / 50,
         ),
     },
     candidate=candidate,
@@ -232,7 +239,7 @@ DEAD_ZONE = Law(
 
 
 def projected_rate(a, rate, largest, layer):
-    """Return the rate of a without the part of it that points outward."""
+    """Return the rate of a without its outward component."""
     squares, inner = np.sum(a * a), largest**2
     share = np.clip((squares - inner) / (inner * layer * (2 + layer)), 0, 1)
     return (
@@ -241,18 +248,19 @@ def projected_rate(a, rate, largest, layer):
 
 
 def projection(t, x, u, p):
-    """The projection law: what is learned stays within a ball.
+    """The projection law: alpha, K and Gamma stay within balls.
 
         a' = r - c a max(r^T a, 0)/max(|a|^2, M^2),    c = clip((|a|^2 - M^2)/(R^2 - M^2), 0, 1)
 
     r is the rate of Eqs. (21)-(23), a each of alpha, K and Gamma, with its own limit M;
-    R = (1 + layer) M.  Of r only the part that points outward is taken away, more
-    and more between the norms M and R, so that a' stays continuous; beyond R all of it:
+    R = (1 + layer) M.  The outward component of r is removed: a growing share of it between the
+    norms M and R, so that a' stays continuous, and all of it beyond R:
 
-        (|a|^2/2)' = r^T a - max(r^T a, 0) <= 0    where |a| >= R, whatever drives e
+        (|a|^2/2)' = r^T a - max(r^T a, 0) <= 0    if |a| >= R, for any e
 
-    so |a| never grows beyond the larger of R and |a(0)|.  With V of Eq. (24), the true value a* and
-    |a*| <= M, what is taken away never raises V: a^T (a - a*) >= |a| (|a| - |a*|) >= 0 where c > 0.
+    so |a| never exceeds the larger of R and |a(0)|.  With V of Eq. (24), the true value a* and
+    |a*| <= M, the removed component never increases V: a^T (a - a*) >= |a| (|a| - |a*|) >= 0 if
+    c > 0.
 
     Source: Ioannou and Sun 1996, section 8.5; the continuous form of Pomet and Praly 1992.
 

@@ -1,14 +1,14 @@
-"""The table of laws: `learning.law` is a name of it, `clpt laws` prints it, `clpt prove` proves it.
+"""The table of laws.
 
-To add a law, write its rates, with its page as their docstring, and its row; CONTRIBUTING has the
-recipe.
+`learning.law` is the name of a row, `clpt laws` prints the table, `clpt prove` proves its laws.
+To add a law, write its rates, with its page as their docstring, and its row; see CONTRIBUTING.
 """
 
 from ...base.arguments import public
-from . import least_squares, paper, remembering, robust
+from . import least_squares, memory_laws, paper, robust
 from .law import Law
 
-ROWS = (*paper.LAWS, *robust.LAWS, *least_squares.LAWS, *remembering.LAWS)
+ROWS = (*paper.LAWS, *robust.LAWS, *least_squares.LAWS, *memory_laws.LAWS)
 LAWS: dict[str, Law] = {law.name: law for law in ROWS}
 
 

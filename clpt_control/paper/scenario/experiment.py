@@ -1,8 +1,7 @@
-"""One experiment, typed and checked.
+"""The typed scenario of one experiment.
 
 A scenario describes the flow, the vehicle, the learner and the run, as a TOML file does, in the
-file's own units of length and time.  Nothing here integrates: `simulation.closed_loop` makes blocks
-of it.
+file's units of length and time.  `simulation.closed_loop` makes the blocks of a scenario.
 """
 
 import os
@@ -20,7 +19,7 @@ from ...base.html import facts, fragment, shortened
 from ...engine.model.block import Block
 from ...engine.model.sampled import Sampled
 from ..blocks.flow import flow_basis
-from ..laws.law import Known
+from ..laws.law import LawContext
 from ..laws.table import LAWS
 from . import tables
 from .learning import Learning
@@ -29,13 +28,13 @@ from .tidal_periods import period
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
-MOST_BYTES = 4 * 10**9  # of memory that a run may take
-FINE = 2000  # samples of a run beside its own
+MOST_BYTES = 4 * 10**9  # memory of a run
+FINE = 2000  # samples of a run in addition to those of its output
 SPANS = (  # keys of times from one jump to the next
     *("reference.dwell", "flow.disturbance.period", "learning.sample"),
     *("localization.interval", "localization.noise_period"),
 )
-# of a sample, and of a sample for each function: measured, twice at most
+# floats of memory for each sample, and for each sample and function: measured, times two
 NUMBERS = (110, 24)
 AT_FIXES = " or ".join(law.name for law in LAWS.values() if law.at_fixes)
 
@@ -67,13 +66,21 @@ class Scenario(tables.Table):
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
-        for key in (key for key, one in QUANTITIES.items() if one.axes == "axis basis"):
-            rows = attrgetter(key)(self)
+        yield from self._shape_mistakes()
+        yield from self._law_mistakes()
+        yield from self._size_mistakes()
+
+    def _shape_mistakes(self) -> Iterator[str]:
+        for key, quantity in QUANTITIES.items():
+            rows = attrgetter(key)(self) if quantity.axes == "axis basis" else None
             if rows is not None and any(len(row) != self.basis.N for row in rows):
                 yield (
                     f"{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
                     f"function; the rows have {len(rows[0])} and {len(rows[1])}"
                 )
+
+    def _law_mistakes(self) -> Iterator[str]:
+        """Yield what the law needs of other tables."""
         if self.learning.hedging is not None and self.vehicle.max_speed is None:
             yield (
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
@@ -86,22 +93,21 @@ class Scenario(tables.Table):
                 "localization.interval above 0, the time from one to the next; other laws read the "
                 "position at all times, with the interval 0 or left out"
             )
-        late = (
-            {}
-            if fixes is None
-            else {"localization.interval": fixes.interval + fixes.latency}
-        )
-        late |= {} if sample is None else {"learning.sample": sample}
-        for key, time in late.items():
-            if time > self.run.duration:
+        begins = {"learning.sample": sample}
+        if fixes is not None:
+            begins["localization.interval"] = fixes.interval + fixes.latency
+        for key in ("localization.interval", "learning.sample"):
+            time = begins.get(key)
+            if time is not None and time > self.run.duration:
                 yield (
                     f"{key}: nothing is learned before t = {time}, and run.duration is "
                     f"{self.run.duration}; must be at most that"
                 )
-        spans = {
-            key: value for key, value, _ in self.every_key() if value and key in SPANS
-        }
-        N, samples = self.basis.N, self.run.duration / self.run.output_step
+
+    def _size_mistakes(self) -> Iterator[str]:
+        """Yield a sentence if a run would need too much memory or have too many jumps."""
+        N = self.basis.N
+        samples = self.run.duration / self.run.output_step
         size = 8 * (NUMBERS[0] + NUMBERS[1] * N) * (samples + FINE)
         if size > MOST_BYTES:
             yield (
@@ -111,8 +117,8 @@ class Scenario(tables.Table):
                 "functions"
             )
         least = self.run.duration / MOST_JUMPS
-        for key, span in spans.items():
-            if span < least:
+        for key, span, _ in self.every_key():
+            if key in SPANS and span and span < least:
                 yield (
                     f"{key} = {span}: more than {MOST_JUMPS:.0e} times in run.duration; must be at "
                     f"least {least:.3g}"
@@ -131,8 +137,8 @@ class Scenario(tables.Table):
             )
         return self
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scenario) and self.__dict__ == other.__dict__
+    def __eq__(self, value: object) -> bool:
+        return isinstance(value, Scenario) and self.__dict__ == value.__dict__
 
     def __repr__(self) -> str:
         points = len(self.waypoints)
@@ -145,7 +151,7 @@ class Scenario(tables.Table):
     __str__ = __repr__
 
     def _repr_html_(self) -> str:
-        keys = ((key, value) for key, value, given in self.every_key() if given)
+        keys = ((key, value) for key, value, is_set in self.every_key() if is_set)
         return fragment("Scenario", self.title, facts(keys))
 
     @property
@@ -169,26 +175,26 @@ class Scenario(tables.Table):
 
     @property
     def model_parameters(self) -> tables.TwoRows:
-        """alpha_M of Eq. (4), zero where the scenario leaves it out."""
+        """alpha_M of Eq. (4), zero if the scenario leaves it out."""
         return self.model.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
     def learning_parameters(self) -> tables.TwoRows:
-        """alpha(0); alpha_M with a law that holds alpha."""
+        """alpha(0); alpha_M with a law that does not adapt alpha."""
         if self.learning.row.alpha_is_constant:
             return self.model_parameters
         return self.learning.parameters or ((0.0,) * self.basis.N,) * 2
 
     @property
     def hedged(self) -> bool:
-        """True if the learner knows what the speed limit took away."""
+        """True if the learning model subtracts the unflown velocity."""
         knows = self.learning.hedging is not False and not self.learning.row.at_fixes
         return self.vehicle.max_speed is not None and knows
 
     @property
-    def known_to_law(self) -> Known:
+    def known_to_law(self) -> LawContext:
         """Facts of the experiment that the law may use."""
-        return Known(
+        return LawContext(
             self.basis.N,
             self.learning.used_gains,
             np.array(self.model_parameters),
@@ -211,7 +217,7 @@ class Scenario(tables.Table):
         Parameters
         ----------
         position : str, optional
-            The port that it reads.
+            The port of the position.
 
         Returns
         -------
@@ -230,8 +236,9 @@ class Scenario(tables.Table):
 
     @property
     def law_block(self) -> Block:
-        """The law as a block; sampled where ``learning.sample`` is set."""
-        law, sample = self.learning.row.block(self.known_to_law), self.learning.sample
+        """The law as a block; sampled if ``learning.sample`` is set."""
+        law = self.learning.row.block(self.known_to_law)
+        sample = self.learning.sample
         return law if sample is None else Sampled(law, sample)
 
     @property
@@ -250,7 +257,7 @@ class Scenario(tables.Table):
 
     @property
     def field_path(self) -> Path | None:
-        """The file of the gridded field; None where theta is the truth."""
+        """The file of the gridded field; None with parameters theta."""
         return None if self.flow.field is None else self._folder / self.flow.field
 
     @public
@@ -279,12 +286,13 @@ class Scenario(tables.Table):
         >>> clpt.paper_scenario().with_values({"learning.gain": 2.0}).learning.gain
         2.0
         """
-        nested, reference = scenario_tables(self), self.reference
+        nested = scenario_tables(self)
+        reference = self.reference
         if values.get("reference.kind", reference.kind) != reference.kind:
-            # its keys are others
+            # the two kinds have only the dwell in common
             nested["reference"] = {"dwell": reference.dwell}
         for key, value in values.items():
-            *path, last = str(key).split(".")
+            *path, leaf_key = str(key).split(".")
             table = nested
             for name in path:
                 table = table.setdefault(name, {})
@@ -293,17 +301,17 @@ class Scenario(tables.Table):
                         f"scenario: unknown key {key}: {name} is no table of keys"
                     )
             if value is None:
-                table.pop(last, None)
+                table.pop(leaf_key, None)
             else:
                 by_numpy = isinstance(value, np.ndarray | np.generic)
-                table[last] = value.tolist() if by_numpy else value
+                table[leaf_key] = value.tolist() if by_numpy else value
         return checked_scenario(nested, "scenario", self._folder)
 
 
 def checked_scenario(nested: Nested, name: str, folder: Path | None) -> Scenario:
     """Return a scenario of nested dicts; `name` begins each error.
 
-    Its files must lie in the `folder`; with None they are not looked for.
+    Files of the scenario are relative to `folder`; if it is None, they need not exist.
     """
     return Scenario.model_validate(nested, context={"name": name, "folder": folder})
 

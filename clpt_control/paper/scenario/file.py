@@ -1,8 +1,7 @@
-"""Scenarios in TOML files: read, checked, written.
+"""Reading and writing of scenarios: TOML files and the attributes of runs.
 
-Every mistake is one sentence that names the file, the key, the value and what
-is allowed.  The scenario of section IV ships as a commented file, the one that
-`clpt init` writes.
+A mistake raises a ScenarioError with one sentence: the file, the key, the value and what is
+allowed.  The scenario of section IV is the commented file that `clpt init` writes.
 """
 
 import json
@@ -24,16 +23,18 @@ CHANGED = "parameters_changed"  # attribute of a run: parameters given at call t
 # attribute of a team's run, in place of its scenario: the team as TOML text
 TEAM = "team"
 OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
-# attribute of a run: what else of its diagram was given in Python
+# attribute of a run: other blocks of its diagram that were given in Python
 OWN_PARTS = "own_parts"
-REFERENCE = "reference"  # name of the part that makes the waypoints
-EQUATIONS = "equations"  # attribute of a diagram's run: what repeats it, as JSON
-NOT_REPEATED = "not_repeated"  # attribute of a diagram's run: why it has no equations
-FORM = "run_format"  # attribute of a run's file: the number of its format; 1 where it has none
-LARGEST = 2 * 10**7  # bytes of a scenario; TOML takes some seconds to read them
-LATEST = 1  # format that is written; all up to it are read
+REFERENCE = "reference"  # name of the block of the waypoints
+EQUATIONS = "equations"  # attribute of a diagram's run: its equations, as JSON
+NOT_REPEATED = (
+    "not_repeated"  # attribute of a diagram's run: the reason for no equations
+)
+FORM = "run_format"  # attribute of a run's file: the number of its format; default 1
+LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
+LATEST = 1  # format that is written; all formats up to it are read
 IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
-BEYOND = {  # attribute of a run -> what its scenario does not hold, and what repeats it in Python
+BEYOND = {  # attribute of a run -> change that its scenario does not have, remedy in Python
     CHANGED: (
         "parameters given at call time",
         "the parameters to simulate(params=...)",
@@ -44,13 +45,13 @@ BEYOND = {  # attribute of a run -> what its scenario does not hold, and what re
 
 
 def load_vehicle_scenario(path: str | Path) -> Scenario:
-    """Read a scenario of one vehicle from a TOML file or a run's file; a team is refused."""
+    """Read a scenario of one vehicle, not a team, from a TOML file or a run's file."""
     path = Path(path)
     return scenario_from_text(read_text(path), str(path), path.parent)
 
 
 def read_text(path: Path) -> str:
-    """Return the TOML text of a file, of a scenario's, a team's or a run's."""
+    """Return the TOML text of a scenario or team from its file or from a run's file."""
     if path.suffix == ".nc":
         return run_text(path)
     try:
@@ -100,7 +101,7 @@ def folder_of(run: Any) -> Path:
 
 
 def scenario_of_run(run: Any, files: bool = True) -> Scenario:
-    """Return the scenario that a run, or an ensemble, carries in its attributes.
+    """Return the scenario in the attributes of a run or an ensemble.
 
     With `files` the file of its field must exist.
     """
@@ -135,7 +136,7 @@ def placed_tables(scenario: Scenario, folder: Path | None) -> Nested:
 
 
 def toml(tables: Nested, name: str = "") -> str:
-    """Return nested dicts as TOML text; `name` is "" or that of the outer table, with its dot."""
+    """Return nested dicts as TOML text; `name` is "" or the outer table's name and a dot."""
     values, inner = "", []
     for key, value in tables.items():
         if isinstance(value, dict):
@@ -169,7 +170,7 @@ def save_scenario(scenario: Scenario, path: str | Path) -> None:
     scenario : Scenario
         The experiment.
     path : str or Path
-        The file; written beside and renamed, so never half there.
+        The file. It is written to a temporary file and renamed, so it is never incomplete.
 
     Raises
     ------
@@ -193,24 +194,24 @@ def run_text(path: str | Path) -> str:
         check_form(data.attrs, path)
         text = data.attrs.get(TEAM, data.attrs.get("scenario"))
         if text is None:
-            why = data.attrs.get(NOT_REPEATED)
-            why = "" if why is None else f", nor equations: {why}"
+            reason = data.attrs.get(NOT_REPEATED)
+            reason = "" if reason is None else f", nor equations: {reason}"
             raise DataError(
-                f"{path}: carries no scenario{why}; `clpt run` writes runs that do, and "
+                f"{path}: carries no scenario{reason}; `clpt run` writes runs that do, and "
                 "clpt.load_diagram reads the diagram of a run that has its equations"
             )
-        for name, (what, cure) in BEYOND.items():
+        for name, (change, cure) in BEYOND.items():
             if name in data.attrs:
                 raise DataError(
-                    f"{path}: was run with {what}, {data.attrs[name]}, so its scenario alone does "
-                    "not repeat it; clpt.load_diagram reads the whole loop where the file has its "
-                    f"equations; else give the scenario itself, and {cure}"
+                    f"{path}: was run with {change}, {data.attrs[name]}, so its scenario alone "
+                    "does not repeat it; clpt.load_diagram reads the whole loop where the file has "
+                    f"its equations; else give the scenario itself, and {cure}"
                 )
         return str(text)
 
 
 def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
-    """Refuse a run's file that a later version wrote in a format unknown to this one."""
+    """Refuse a run's file of a later format."""
     form = str(attributes.get(FORM, LATEST))
     if form not in map(str, range(1, LATEST + 1)):
         writer = attributes.get("source", "what is not said")
@@ -221,9 +222,9 @@ def check_form(attributes: Mapping[str, Any], path: str | Path) -> None:
 
 
 def own_parts(attributes: Mapping[str, Any]) -> set[str]:
-    """Return the names of the parts that a run's attributes list as given in Python."""
-    parts = str(attributes.get(OWN_PARTS, "")).split(", ")
-    return {part.partition(":")[0] for part in parts}
+    """Return the names of the blocks that were given in Python, from a run's attributes."""
+    entries = str(attributes.get(OWN_PARTS, "")).split(", ")
+    return {entry.partition(":")[0] for entry in entries}
 
 
 def paper_text() -> str:

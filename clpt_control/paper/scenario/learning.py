@@ -1,4 +1,4 @@
-"""The table [learning] of a scenario: the law, its gains, its own table, where it starts."""
+"""The table [learning] of a scenario: the law, its gains, the law's own table, initial values."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any
@@ -20,7 +20,7 @@ def _square_is_a_number(value: float) -> float:
 # laws square and divide by settings, V by gains
 _Squared = AfterValidator(_square_is_a_number)
 _Gain = Annotated[Positive, _Squared] | None
-KINDS: dict[str, Any] = {  # what a law's setting may be
+KINDS: dict[str, Any] = {  # `Setting.allowed` -> type
     "positive": Annotated[Positive, _Squared],
     "not negative": Annotated[NotNegative, _Squared],
     "below 1": Annotated[Positive, _Squared, Field(lt=1)],
@@ -29,8 +29,15 @@ KINDS: dict[str, Any] = {  # what a law's setting may be
 }
 
 
+# keys of [learning] that a law does not use if it learns at fixes
+NOT_AT_FIXES = (
+    *("gain", "gains", "adapt_gains", "hedging", "sample"),
+    *("feedback", "feedforward"),
+)
+
+
 class LearningGains(Table):
-    """A gain each for alpha, K and Gamma; the law does not adapt what is left out."""
+    """A gain each for alpha, K and Gamma; the law does not adapt a parameter without a gain."""
 
     parameters: _Gain = None
     feedback: _Gain = None
@@ -38,11 +45,11 @@ class LearningGains(Table):
 
 
 def _own_table(law: Law) -> tuple[Any, None]:
-    """Return a law's own table as a field that may be left out."""
+    """Return a law's own table as an optional field."""
     keys: dict[str, Any] = {}
-    for key, one in law.settings.items():
-        kind = KINDS[one.allowed]
-        keys[key] = (kind | None if one.default is None else kind, one.default)
+    for key, setting in law.settings.items():
+        kind = KINDS[setting.allowed]
+        keys[key] = (kind | None if setting.default is None else kind, setting.default)
     return create_model(law.table, __base__=Table, **keys) | None, None
 
 
@@ -58,10 +65,8 @@ else:
 
 def _law(name: str) -> str:
     if name not in LAWS:
-        *names, last = (f"'{known}'" for known in LAWS)
-        allowed = (
-            f"must be {', '.join(names)} or {last}; `clpt laws` says what each does"
-        )
+        *names, last_name = (f"'{name}'" for name in LAWS)
+        allowed = f"must be {', '.join(names)} or {last_name}; `clpt laws` says what each does"
         raise PydanticCustomError("law", "{allowed}", {"allowed": allowed})
     return name
 
@@ -91,62 +96,70 @@ class Learning(OwnTables):
         """Every key of the law's own table, its value or default."""
         table = getattr(self, self.row.table, None)
         return {
-            key: one.default if table is None else getattr(table, key)
-            for key, one in self.row.settings.items()
+            key: setting.default if table is None else getattr(table, key)
+            for key, setting in self.row.settings.items()
         }
 
     @property
     def used_gains(self) -> Gains:
-        """The gains with which alpha, K and Gamma adapt; 0 where one is held."""
-        one = (self.row.gain or 0.0) if self.gain is None else self.gain
+        """The gains with which alpha, K and Gamma adapt; 0 for a fixed one."""
+        common = (self.row.gain or 0.0) if self.gain is None else self.gain
         alpha, K, Gamma = (
-            getattr(self.gains, key, one) or 0.0 for key in LearningGains.model_fields
+            getattr(self.gains, key, common) or 0.0
+            for key in LearningGains.model_fields
         )
         if not self.adapt_gains:
             K, Gamma = 0.0, 0.0
-        return Gains(alpha, K, Gamma, one=self.gains is None and self.adapt_gains)
+        return Gains(alpha, K, Gamma, shared=self.gains is None and self.adapt_gains)
 
-    def _mistakes(self) -> Iterator[str]:
-        own, row = f'law = "{self.law}"', self.row
-        given = [key for key in type(self).model_fields if key in self.model_fields_set]
-        given = [key for key in given if getattr(self, key) is not None]
-        idle = {law.table for law in LAWS.values() if law.name != self.law}
-        idle.add("parameters" if row.alpha_is_constant else "theta_estimate")
-        adapted = ["parameters"] if row.alpha_by_gain else []
-        adapted += ["feedback", "feedforward"] if self.adapt_gains else []
+    @property
+    def _adapted(self) -> list[str]:
+        """The keys of [learning.gains] that this law adapts by a gain."""
+        adapted = ["parameters"] if self.row.alpha_by_gain else []
+        return adapted + (["feedback", "feedforward"] if self.adapt_gains else [])
+
+    @property
+    def _unused(self) -> set[str]:
+        """The keys that this law does not use."""
+        unused = {law.table for law in LAWS.values() if law.name != self.law}
+        unused.add("parameters" if self.row.alpha_is_constant else "theta_estimate")
+        return unused | (set(NOT_AT_FIXES) if self.row.at_fixes else set())
+
+    @property
+    def _required(self) -> list[str]:
+        """The keys that this law needs."""
+        row = self.row
         required = ["theta_estimate"] if row.given_estimate else []
         if row.at_fixes:
-            idle |= {
-                "gain",
-                "gains",
-                "adapt_gains",
-                "hedging",
-                "sample",
-                "feedback",
-                "feedforward",
-            }
-        else:
-            required += (
-                ["gain"] if adapted and row.gain is None and self.gains is None else []
-            )
-            required += [] if self.adapt_gains else ["feedback", "feedforward"]
-        for key in given:
-            if key in idle:
-                yield f"learning.{key}: {own} has no use for it; remove the key"
-        for key in required:
-            if key not in given:
-                held = "" if self.adapt_gains else " with adapt_gains = false"
-                yield f"learning.{key}: is required by {own}{held}"
-        if self.gain == 0 and row.settings:
+            return required
+        if self._adapted and row.gain is None and self.gains is None:
+            required.append("gain")
+        return required + ([] if self.adapt_gains else ["feedback", "feedforward"])
+
+    def _mistakes(self) -> Iterator[str]:
+        law, adapted = f'law = "{self.law}"', self._adapted
+        set_keys = [
+            key
+            for key in type(self).model_fields
+            if key in self.model_fields_set and getattr(self, key) is not None
+        ]
+        for key in set_keys:
+            if key in self._unused:
+                yield f"learning.{key}: {law} has no use for it; remove the key"
+        for key in self._required:
+            if key not in set_keys:
+                condition = "" if self.adapt_gains else " with adapt_gains = false"
+                yield f"learning.{key}: is required by {law}{condition}"
+        if self.gain == 0 and self.row.settings:
             yield (
                 "learning.gain: 0 learns nothing with the paper's laws, learned-flow and "
-                f"known-flow; {own} learns by its own table too; give a positive number"
+                f"known-flow; {law} learns by its own table too; give a positive number"
             )
         if self.gain is not None and self.gains is not None:
             yield "learning.gains: give either gain or gains, one of the two"
         for key, value in self.gains or ():
             if (value is not None) != (key in adapted):
                 yield (
-                    f"learning.gains.{key}: {own} adapts {', '.join(adapted) or 'nothing'} here; "
+                    f"learning.gains.{key}: {law} adapts {', '.join(adapted) or 'nothing'} here; "
                     "give a gain for each of these, and no other"
                 )

@@ -1,8 +1,8 @@
-"""The quantities of a scenario and their names, from the file to the blocks.
+"""Names of the quantities of a scenario, from the file to the blocks.
 
 In a scenario a quantity has a key, such as ``learning.gain``.  At call time, in
-``simulate(params=...)``, it is ``adaptation.gain``; a law knows it as ``gains.parameters``; the
-paper writes gamma.
+``simulate(params=...)``, it is ``adaptation.gain``; in a law's context it is ``gains.parameters``;
+in the paper it is gamma.
 """
 
 from typing import Any, NamedTuple
@@ -11,15 +11,15 @@ from ..laws.law import Fixes, Gains, Setting
 
 
 class Quantity(NamedTuple):
-    """The names of one quantity, separated by spaces, beside its key."""
+    """The names of one quantity, separated by spaces, in addition to its key."""
 
-    parameters: str = ""  # of blocks, that have its value as it is
-    known: str = ""  # what a law knows of it, by the names of `Known`
-    symbol: str = ""  # in the paper, of the parameters
+    parameters: str = ""  # parameters of blocks that have this value
+    context: str = ""  # attributes of `LawContext` that have or contain it
+    symbol: str = ""  # in the paper
     state: str = ""  # the state whose initial value it is
     axes: str = ""  # dimensions of an array of several axes or functions
-    unit: str = ""  # the port that has its unit, if its state has not; or time
-    jumps: bool = False  # whether breakpoints move with it
+    unit: str = ""  # the port that has its unit, if not its state; or time
+    jumps: bool = False  # True if breakpoints depend on it
 
 
 QUANTITIES = {
@@ -42,7 +42,7 @@ QUANTITIES = {
     "flow.disturbance.period": Quantity("disturbance.period", jumps=True, unit="time"),
     "flow.disturbance.seed": Quantity("disturbance.seed"),
     "localization.interval": Quantity(
-        "fixes.between adaptation.between", "fixes.between", jumps=True, unit="time"
+        "fixes.between adaptation.between", "fixes.interval", jumps=True, unit="time"
     ),
     "localization.latency": Quantity(
         "adaptation.latency", "fixes.latency", jumps=True, unit="time"
@@ -89,9 +89,9 @@ QUANTITIES = {
         axes="axis basis",
         unit="alpha",
     ),
-    "vehicle.position": Quantity(known="position", state="x"),
+    "vehicle.position": Quantity(context="position", state="x"),
     "learning.position": Quantity(state="z"),
-    "learning.parameters": Quantity(known="alpha", state="alpha", axes="axis basis"),
+    "learning.parameters": Quantity(context="alpha", state="alpha", axes="axis basis"),
     "learning.feedback": Quantity(state="K"),
     "learning.feedforward": Quantity(state="Gamma"),
 }
@@ -99,20 +99,21 @@ CALL_TIME_NAMES = {
     key: q.parameters.split() for key, q in QUANTITIES.items() if q.parameters
 }
 # as states are ordered
-STARTS = {key: one.state for key, one in QUANTITIES.items() if one.state}
+STARTS = {key: quantity.state for key, quantity in QUANTITIES.items() if quantity.state}
 
 
-# --- which parameters have a key's value ---------------------------------------------------------
+# --- parameters with a key's value ---------------------------------------------------------------
 
 
 def _parameters(scenario: Any, key: str) -> list[str]:
-    """Return which parameters have a key's value in this scenario, whatever a law makes of it."""
+    """Return the parameters of blocks that have a key's value in this scenario."""
     names, learning = CALL_TIME_NAMES[key], scenario.learning
+    if key.startswith("learning.gain"):
+        has_gains = learning.gains is not None
+        if key.startswith("learning.gains.") != has_gains:
+            return []
     if key == "learning.gain" and not learning.adapt_gains:
-        names = names[:1]  # the others are 0
-    of_a_gain, of_one_each = map(key.startswith, ("learning.gain", "learning.gains."))
-    if of_a_gain and of_one_each == (learning.gains is None):
-        names = []
+        return names[:1]  # the gains of K and Gamma are 0
     return names
 
 
@@ -122,7 +123,7 @@ def keys_of(scenario: Any, name: str) -> list[str]:
 
 
 def key_hint(name: str) -> str:
-    """Return what to write in a scenario in place of a call-time name, or nothing."""
+    """Return a hint on the scenario's key for a call-time name, or ""."""
     key = " or ".join(key for key, names in CALL_TIME_NAMES.items() if name in names)
     return (
         f"{name} is the name at call time, in params; the scenario's key is {key}"
@@ -131,50 +132,57 @@ def key_hint(name: str) -> str:
     )
 
 
-def call_time_hint(key: str, known: set[str]) -> str:
-    """Return what to write at call time in place of a scenario's key, or nothing.
+def call_time_hint(key: str, parameters: set[str]) -> str:
+    """Return a hint on the call-time name for a scenario's key, or "".
 
-    `known` are the parameters of the diagram that is called.
+    `parameters` are those of the diagram.
     """
     if key in STARTS:
         return f"{key} is a key of the scenario; at call time give initial_state"
-    names = [name for name in CALL_TIME_NAMES.get(key, []) if name in known]
+    names = [name for name in CALL_TIME_NAMES.get(key, []) if name in parameters]
     if not names:
         return ""
     at_call = "name at call time is" if len(names) == 1 else "names at call time are"
     return f"{key} is a key of the scenario; its {at_call} {', '.join(names)}"
 
 
-# --- what a law makes of a key's value -----------------------------------------------------------
+# --- keys that a law's parameters depend on ------------------------------------------------------
 
 
-class Noting:
-    """A `Known` that notes the names of the attributes that are read."""
+class RecordingContext:
+    """Proxy of a `LawContext` that records the names of attributes that are read."""
 
-    def __init__(self, known: Any, names: set[str], prefix: str = "") -> None:
-        self._known, self._names, self._prefix = known, names, prefix
+    def __init__(self, context: Any, names: set[str], prefix: str = "") -> None:
+        self._context, self._names, self._prefix = context, names, prefix
 
     def __getattr__(self, name: str) -> Any:
-        own = getattr(type(self._known), name)
-        if isinstance(own, property):
-            return own.__get__(self)
-        value = getattr(self._known, name)
+        member = getattr(type(self._context), name)
+        if isinstance(member, property):
+            return member.__get__(self)
+        value = getattr(self._context, name)
         if isinstance(value, Gains | Fixes):
-            return Noting(value, self._names, f"{name}.")
+            return RecordingContext(value, self._names, f"{name}.")
         self._names.add(self._prefix + name)
         return value
 
 
 def keys_of_law(scenario: Any) -> set[str]:
-    """Return the keys from whose values the law makes its parameters and its start."""
-    row, known, names = scenario.learning.row, scenario.known_to_law, set[str]()
-    noting, p = Noting(known, names), row.parameters_of(known)
+    """Return the keys on which the law's parameters and initial states depend."""
+    row = scenario.learning.row
+    context = scenario.known_to_law
+    names = set[str]()
+    recorder = RecordingContext(context, names)
+    p = row.parameters_of(context)
     for name, value in {**row.keys, **row.parameters}.items():
         if isinstance(value, Setting):
-            value.of(noting, name)  # type: ignore[arg-type]
+            value.of(recorder, name)  # type: ignore[arg-type]
         elif callable(value):
-            value(noting)
+            value(recorder)
     for state in row.states.values():
         if callable(state.start):
-            state.start(noting, p)
-    return {key for key, one in QUANTITIES.items() if names & set(one.known.split())}
+            state.start(recorder, p)
+    return {
+        key
+        for key, quantity in QUANTITIES.items()
+        if names & set(quantity.context.split())
+    }

@@ -1,8 +1,8 @@
-"""The tables of a scenario, each typed and checked; a mistake is one sentence.
+"""Typed and checked tables of a scenario (pydantic models).
 
-Numbers are finite (only a period may be infinite) and shapes fit; `experiment` checks what one
-table needs of another.  A sentence has the key, the value and what is allowed.  Pydantic finds the
-mistakes, whether a table is made by a call or from nested dicts.
+Numbers are finite (only a period may be infinite) and shapes fit; `experiment` checks the tables
+against each other.  A mistake raises a ScenarioError with one sentence: the key, the value and what
+is allowed.  Tables made by a call and from nested dicts are checked in the same way.
 """
 
 import difflib
@@ -27,10 +27,9 @@ def _one_sentence(name: str) -> Iterator[None]:
     try:
         yield
     except pydantic.ValidationError as error:
-        problems = error.errors()
-        first = min(problems, key=lambda problem: problem["type"] != "unknown_key")
-        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-        raise ScenarioError(f"{name}: {sentence(first)}{more}") from None
+        problems = sorted(error.errors(), key=lambda p: p["type"] != "unknown_key")
+        count = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+        raise ScenarioError(f"{name}: {sentence(problems[0])}{count}") from None
 
 
 class Table(pydantic.BaseModel):
@@ -50,18 +49,18 @@ class Table(pydantic.BaseModel):
         for key, value in values.items() if isinstance(values, dict) else ():
             if key not in cls.model_fields:
                 inner = value if isinstance(value, dict) else ()
-                other = next(
+                call_time_hint = next(
                     filter(None, (key_hint(f"{key}.{name}") for name in inner)), ""
                 )
                 close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
                 hint = f"; did you mean {close[0]}? Allowed" if close else "; allowed"
                 allowed = f"{hint} here: {', '.join(cls.model_fields)}"
-                more = {"key": str(key), "allowed": allowed, "other": other}
-                raise PydanticCustomError("unknown_key", "unknown key", more)
+                details = {"key": str(key), "allowed": allowed, "other": call_time_hint}
+                raise PydanticCustomError("unknown_key", "unknown key", details)
         return values
 
     def _mistakes(self) -> Iterator[str]:
-        """Yield a sentence for each way in which keys do not fit together."""
+        """Yield a sentence for each mismatch between keys."""
         yield from ()
 
     @pydantic.model_validator(mode="after")
@@ -71,17 +70,17 @@ class Table(pydantic.BaseModel):
         return self
 
     def every_key(self, before: str = "") -> Iterator[tuple[str, Any, bool]]:
-        """Yield each key, dotted as `with_values` takes it, its value, whether it was given."""
+        """Yield each key, dotted as in `with_values`, its value, and True if the key is set."""
         for name, value in self:
             if isinstance(value, Table):
                 yield from value.every_key(f"{before}{name}.")
             else:
-                given = value is not None and name in self.model_fields_set
-                yield f"{before}{name}", value, given
+                is_set = value is not None and name in self.model_fields_set
+                yield f"{before}{name}", value, is_set
 
     @classmethod
     def model_validate(cls, obj: Any, **options: Any) -> Self:
-        """Make a table of nested dicts; ``context["name"]`` is its name in errors."""
+        """Return a table from nested dicts; ``context["name"]`` is its name in errors."""
         with _one_sentence(
             (options.get("context") or {}).get("name", cls.__name__.lower())
         ):
@@ -89,13 +88,13 @@ class Table(pydantic.BaseModel):
 
 
 def sentence(problem: Any) -> str:
-    """Return a sentence on an entry of pydantic's errors: what is wrong with one key."""
+    """Return the sentence of one entry of pydantic's errors."""
     tags = ("circle", "waypoints") if problem["loc"][:1] == ("reference",) else ()
-    where = [part for part in problem["loc"] if part not in tags]
+    path = [step for step in problem["loc"] if step not in tags]
     key = ""
-    for part in where:
+    for step in path:
         key += (
-            f"[{part}]" if isinstance(part, int) else f".{part}" if key else str(part)
+            f"[{step}]" if isinstance(step, int) else f".{step}" if key else str(step)
         )
     message = (
         problem["msg"]
@@ -106,14 +105,14 @@ def sentence(problem: Any) -> str:
     if kind == "missing":
         return f"missing key {key}"
     if kind == "unknown_key":
-        more = problem["ctx"]
+        details = problem["ctx"]
         return (
-            more["other"]
-            or f"unknown key {key}{'.' * bool(key)}{more['key']}{more['allowed']}"
+            details["other"]
+            or f"unknown key {key}{'.' * bool(key)}{details['key']}{details['allowed']}"
         )
     if kind in ("union_tag_not_found", "union_tag_invalid"):
         return f'{key}.kind: must be "circle" or "waypoints"'
-    if kind == "value_error" and len(where) <= 1:
+    if kind == "value_error" and len(path) <= 1:
         return message
     if kind in ("too_long", "too_short", "missing_argument"):
         message = message.replace("Tuple should", "must").replace(
@@ -136,8 +135,8 @@ def _period(value: float) -> float:
     return value
 
 
-def _whole(value: Any) -> Any:
-    """Return a whole float, such as an ensemble has, as an int."""
+def _as_integer(value: Any) -> Any:
+    """Return a float that is an integer as an int; sampled parameters are floats."""
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
@@ -147,13 +146,13 @@ NotNegative = Annotated[Number, Field(ge=0)]
 Period = Annotated[float, Strict(), pydantic.AfterValidator(_period)]
 Count = Annotated[int, Strict(), Field(ge=1, le=10**6)]
 Seed = Annotated[
-    int, pydantic.BeforeValidator(_whole), Strict(), Field(ge=0, lt=67108859)
+    int, pydantic.BeforeValidator(_as_integer), Strict(), Field(ge=0, lt=67108859)
 ]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
-SHORT = 1e-6  # share of the interval: times closer than that count as one
+SHORT = 1e-6  # share of the interval; closer times are treated as equal
 Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
 
 
@@ -228,7 +227,7 @@ class Model(Table):
 
 
 class Vehicle(Table):
-    """The vehicle, its controller, Eqs. (1) and (7), and how fast it is."""
+    """The vehicle, its controller, Eqs. (1) and (7), and its maximum speed."""
 
     feedback: PositivePair
     feedforward: Pair
@@ -256,8 +255,9 @@ class Waypoints(Table):
 class Localization(Table):
     """Position measurements of the vehicle: fixes, and their noise.
 
-    Without the table it reads its true position at all times, with interval = 0 its position with
-    noise; with an interval above 0 it has fixes and steers by its own prediction in between.
+    Without the table the vehicle measures its true position at all times, with interval = 0 its
+    position with noise.  With an interval above 0 it has fixes and steers by its prediction between
+    them.
     """
 
     interval: NotNegative = 0.0
@@ -295,11 +295,11 @@ class Localization(Table):
                     f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
                     "above 0, or remove the key"
                 )
-        few = SHORT * self.interval
-        if self.latency != 0 and not few <= self.latency <= self.interval - few:
+        margin = SHORT * self.interval
+        if self.latency and not margin <= self.latency <= self.interval - margin:
             yield (
                 f"localization.latency = {self.latency}: must be 0 or below the interval, "
-                f"{self.interval}, and not within {few:.1g} of either"
+                f"{self.interval}, and not within {margin:.1g} of either"
             )
 
 

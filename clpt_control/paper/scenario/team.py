@@ -1,13 +1,13 @@
 """Several vehicles that learn one flow over a graph, and their TOML file.
 
-A team has a scenario for each vehicle, and a graph of who hears whom.  The vehicles share all
-but [vehicle], [reference], [localization] and the learner's start, of which each has its own.
+A team has a scenario for each vehicle, and a graph of the pairs that communicate.  The scenarios
+differ only in [vehicle], [reference], [localization] and the learner's initial values.
 
     [team]
     coupling = 0.5                        # kappa, 1/time
-    edges = [["west", "east"]]            # who hears whom; left out: all
+    edges = [["west", "east"]]            # pairs of neighbours; default: all pairs
 
-    [team.members.west]                   # keys that replace those at the top
+    [team.members.west]                   # keys that replace those of the file's other tables
     title = "west of the strait"
     vehicle.position = [-15, 0]
     reference = { kind = "circle", radius = 3, count = 8, dwell = 2 }
@@ -32,12 +32,12 @@ from .experiment import Nested, Scenario, checked_scenario, scenario_tables
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
-# tables that a member may have
-OWN = ("vehicle", "reference", "localization", "learning")
-# its keys of [learning]
-OWN_STARTS = ("position", "feedback", "feedforward", "parameters")
+# tables that may differ between members, besides the initial values of [learning]
+MEMBER_TABLES = ("vehicle", "reference", "localization")
+MEMBER_STARTS = ("position", "feedback", "feedforward", "parameters")
 FEWEST, MOST = 2, 100  # vehicles
-APART = 1e-6  # a connectivity that is rounding; of 100 vehicles in a row it is 1e-3
+# smaller connectivities are rounding; that of 100 vehicles in a row is 1e-3
+LEAST_CONNECTIVITY = 1e-6
 
 
 class Team(Table):
@@ -72,6 +72,11 @@ class Team(Table):
         return values
 
     def _mistakes(self) -> Iterator[str]:
+        yield from self._member_mistakes()
+        yield from self._seed_mistakes()
+        yield from self._edge_mistakes()
+
+    def _member_mistakes(self) -> Iterator[str]:
         names = list(self.members)
         if not FEWEST <= len(names) <= MOST:
             yield (
@@ -80,41 +85,47 @@ class Team(Table):
         for name in names:
             if not re.fullmatch(r"\w[\w-]*", name):
                 yield f"members: the name {name!r} of a vehicle must be letters, digits, _ and -"
-        first, shared = self.first, shared_tables(self.first)
+        shared = shared_tables(self.first)
         for name, scenario in self.members.items():
             tables = shared_tables(scenario)
             for table in sorted(shared.keys() | tables.keys()):
                 if shared.get(table) != tables.get(table):
                     yield (
                         f"members.{name}: its {table} is not that of {names[0]}; the vehicles of a "
-                        f"team share everything but {', '.join(OWN[:-1])} and the learner's start"
+                        f"team share everything but {', '.join(MEMBER_TABLES)} and the learner's "
+                        "start"
                     )
-        if (law := first.learning.law) != TEAM_LAW:
-            yield f'learning.law = "{law}": must be "{TEAM_LAW}", the law of a team'
-        if first.learning.sample is not None:
+        learning = self.first.learning
+        if learning.law != TEAM_LAW:
+            yield f'learning.law = "{learning.law}": must be "{TEAM_LAW}", the law of a team'
+        if learning.sample is not None:
             yield "learning.sample: a team learns at all times; remove the key"
+
+    def _seed_mistakes(self) -> Iterator[str]:
         seeds: dict[int, str] = {}
         for name, scenario in self.members.items():
             if (fixes := scenario.localization) is None or not fixes.noise:
                 continue
-            other = seeds.setdefault(fixes.seed or 0, name)
-            if other != name:
+            owner = seeds.setdefault(fixes.seed or 0, name)
+            if owner != name:
                 yield (
-                    f"members.{name}: localization.seed = {fixes.seed or 0} is that of {other}, so "
+                    f"members.{name}: localization.seed = {fixes.seed or 0} is that of {owner}, so "
                     "that both would have the same noise; give each its own"
                 )
+
+    def _edge_mistakes(self) -> Iterator[str]:
         pairs = set[frozenset[str]]()
         for k, edge in enumerate(self.edges):
             for name in edge:
                 if name not in self.members:
                     yield (
                         f"edges[{k}]: there is no vehicle {name!r}; must be among "
-                        f"{', '.join(names)}"
+                        f"{', '.join(self.members)}"
                     )
             if len(set(edge)) < 2 or set(edge) in pairs:
                 yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
             pairs.add(frozenset(edge))
-        if not self.connectivity > APART:
+        if not self.connectivity > LEAST_CONNECTIVITY:
             yield "edges: no path joins all vehicles; join each to the others, or run it alone"
 
     def __repr__(self) -> str:
@@ -149,10 +160,10 @@ class Team(Table):
 
     @property
     def _laplacian(self) -> np.ndarray:
-        place = {name: k for k, name in enumerate(self.members)}
-        laplacian = np.zeros((len(place), len(place)))
+        index = {name: k for k, name in enumerate(self.members)}
+        laplacian = np.zeros((len(index), len(index)))
         for edge in self.edges:
-            a, b = (place[name] for name in edge)
+            a, b = (index[name] for name in edge)
             laplacian[[a, b], [a, b]] += 1
             laplacian[[a, b], [b, a]] -= 1
         return laplacian
@@ -164,18 +175,22 @@ class Team(Table):
 
 
 def shared_tables(scenario: Scenario) -> Nested:
-    """Return what must be the same in all scenarios of a team, by table."""
-    shared = _without_own(scenario.model_dump(mode="python", exclude={"title"}))
+    """Return the tables that must be the same in all scenarios of a team."""
+    shared = _without_member_tables(
+        scenario.model_dump(mode="python", exclude={"title"})
+    )
     if scenario.field_path is not None:
         shared["flow"]["field"] = scenario.field_path.resolve()
     return shared
 
 
-def _without_own(tables: Nested) -> Nested:
-    """Return the tables of a scenario without what a vehicle has of its own."""
-    shared = {table: value for table, value in tables.items() if table not in OWN[:-1]}
+def _without_member_tables(tables: Nested) -> Nested:
+    """Return the tables of a scenario without the keys that may differ between vehicles."""
+    shared = {
+        table: value for table, value in tables.items() if table not in MEMBER_TABLES
+    }
     shared["learning"] = {
-        k: v for k, v in shared["learning"].items() if k not in OWN_STARTS
+        k: v for k, v in shared["learning"].items() if k not in MEMBER_STARTS
     }
     return shared
 
@@ -214,7 +229,7 @@ def load_scenario(path: str | Path) -> Any:
 
 
 def system_from_text(text: str, name: str, folder: Path | None) -> Scenario | Team:
-    """Read a scenario or a team of TOML text; `name` begins errors, `folder` holds its files."""
+    """Read a scenario or a team from TOML text; `name` begins errors, `folder` has its files."""
     common = file.tables_of(text, name)
     if "team" not in common:
         return checked_scenario(common, name, folder)
@@ -222,21 +237,21 @@ def system_from_text(text: str, name: str, folder: Path | None) -> Scenario | Te
     vehicles = _table(team.pop("members", None), f"{name}: team.members")
     members = {
         member: checked_scenario(
-            _merged(common, _table(own, f"{name}: team.members.{member}")),
+            _merged(common, _table(member_tables, f"{name}: team.members.{member}")),
             f"{name}, {member}",
             folder,
         )
-        for member, own in vehicles.items()
+        for member, member_tables in vehicles.items()
     }
-    whole = {"members": members, **team}
-    return Team.model_validate(whole, context={"name": f"{name}, team"})
+    values = {"members": members, **team}
+    return Team.model_validate(values, context={"name": f"{name}, team"})
 
 
 def team_to_text(team: Team, folder: Path | None = None) -> str:
     """Return a team as TOML text; its field's path is relative to `folder`, if given."""
-    tables = _without_own(file.placed_tables(team.first, folder))
+    tables = _without_member_tables(file.placed_tables(team.first, folder))
     members = {
-        name: _own(scenario, team.first.title)
+        name: _member_tables(scenario, team.first.title)
         for name, scenario in team.members.items()
     }
     return file.toml(
@@ -251,31 +266,31 @@ def team_to_text(team: Team, folder: Path | None = None) -> str:
     )
 
 
-def _own(scenario: Scenario, title: str) -> Nested:
-    """Return the keys of a vehicle alone, of those that were set; `title` is the team's."""
+def _member_tables(scenario: Scenario, title: str) -> Nested:
+    """Return the keys that were set and may differ between vehicles; `title` is the team's."""
     tables = scenario_tables(scenario)
-    own = {table: tables[table] for table in OWN[:-1] if table in tables}
+    member = {} if scenario.title == title else {"title": scenario.title}
+    member |= {table: tables[table] for table in MEMBER_TABLES if table in tables}
     starts = {
-        key: value for key, value in tables["learning"].items() if key in OWN_STARTS
+        key: value for key, value in tables["learning"].items() if key in MEMBER_STARTS
     }
-    named = {} if scenario.title == title else {"title": scenario.title}
-    return {**named, **own, **({"learning": starts} if starts else {})}
+    return {**member, "learning": starts} if starts else member
 
 
-def _merged(common: Nested, own: Nested) -> Nested:
-    """Return the keys of all vehicles, replaced by those of one where it has them."""
+def _merged(common: Nested, member_tables: Nested) -> Nested:
+    """Return the tables of one vehicle: its keys replace those of the team."""
     tables = dict(common)
-    for table, values in own.items():
+    for table, values in member_tables.items():
         before = tables.get(table)
-        whole = table == "reference" and isinstance(values, dict) and "kind" in values
-        if isinstance(values, dict) and isinstance(before, dict) and not whole:
-            values = {**before, **values}
+        if isinstance(values, dict) and isinstance(before, dict):
+            replaced = table == "reference" and "kind" in values
+            values = values if replaced else {**before, **values}
         tables[table] = values
     return tables
 
 
 def _table(value: Any, where: str) -> Nested:
-    """Return a value that must be a table."""
+    """Return the value, which must be a table."""
     if not isinstance(value, dict):
         raise ScenarioError(f"{where} = {brief(value)}: must be a table of keys")
     return value

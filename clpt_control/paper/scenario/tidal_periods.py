@@ -50,10 +50,10 @@ def period(constituent: str, unit: str = "h") -> float:
     >>> round(period("M2"), 2)
     12.42
     """
-    each = speed(constituent)
+    angular_speed = speed(constituent)
     if unit not in SECONDS:
         raise ScenarioError(f"unit = '{unit}': must be one of {', '.join(SECONDS)}")
-    return 360.0 / each * 3600.0 / SECONDS[unit] if each else math.inf
+    return 360.0 / angular_speed * 3600.0 / SECONDS[unit] if angular_speed else math.inf
 
 
 def speed(constituent: str) -> float:

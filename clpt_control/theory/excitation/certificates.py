@@ -247,11 +247,11 @@ def certificate(
     scenario = regressor.scenario
     law, gains = scenario.learning.law, scenario.learning.used_gains
     paper_law = law in ("learned-flow", "known-flow")
-    if regressor.python_parts or not paper_law or not gains.one:
+    if regressor.python_parts or not paper_law or not gains.shared:
         raise ScenarioError(
             "no certificate: it is of the paper's two laws with one gain for all, the run has "
             f"{regressor.python_parts or f'the law {law}'}"
-            + ("" if gains.one else " with a gain each")
+            + ("" if gains.shared else " with a gain each")
         )
     refuse_unproved(scenario)
     fixed = scenario.basis.N if scenario.learning.row.given_estimate else 0

@@ -119,8 +119,8 @@ def test_an_interrupt_that_a_callback_drops_ends_the_command_by(then):
 def test_one_long_call_is_ended_with_its_half_written_files(tmp_path):
     work = f"""
     from pathlib import Path
-    from clpt_control.base.files import beside
-    with beside(Path({str(tmp_path)!r}) / "file"):
+    from clpt_control.base.files import atomic_path
+    with atomic_path(Path({str(tmp_path)!r}) / "file"):
         print("up", flush=True)
         hashlib.pbkdf2_hmac("sha256", b"", b"", 2_000_000_000)  # in C, for most of an hour
 """

@@ -16,7 +16,7 @@ from clpt_control.engine.solver import batch, solver_layout
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.of_scenarios import VariedScenario
+from clpt_control.ensemble.varied_scenario import VariedScenario
 from clpt_control.equations import Block, Guard
 from clpt_control.native import NativeDiagram
 

@@ -16,7 +16,7 @@ from pyproj import Geod
 from synthetic_vehicle import fixes_of, told
 
 from clpt_control.app.cli.replay_report import write
-from clpt_control.base.geodesy import near, place_from
+from clpt_control.base.geodesy import angle_near, place_from
 from clpt_control.base.html import plain
 from clpt_control.gliders import sample_dives
 from clpt_control.ocean.forecast.kml_geojson import next_geojson, track_kml
@@ -112,7 +112,9 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     metres = GEOD.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
     for bearing in (0, 45, 90, 200):
         x, y, _ = GEOD.fwd(lon, middle, bearing, 100.0)
-        away = complex(near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
+        away = (
+            complex(angle_near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
+        )
         assert abs(away) == pytest.approx(100, rel=2e-3)
         turned = math.degrees(math.atan2(away.real, away.imag))
         assert turned % 360 == pytest.approx(bearing, abs=0.5)

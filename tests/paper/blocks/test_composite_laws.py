@@ -12,7 +12,7 @@ from law_blocks import HELD, alone, everything, of_law, off, square, still
 from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
-from clpt_control.paper.laws.remembering import COMPOSITE_MEMORY, CONCURRENT
+from clpt_control.paper.laws.memory_laws import COMPOSITE_MEMORY, CONCURRENT
 
 LAWS = (
     "composite-least-squares",

@@ -26,7 +26,7 @@ def made(name, **gains):
         "parameters": 0.5,
         "feedback": 0.3,
         "feedforward": 0.2,
-        "one": False,
+        "shared": False,
         **gains,
     }
     return LAWS[name].block(known._replace(gains=Gains(**given)))

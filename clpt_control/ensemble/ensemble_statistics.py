@@ -1,4 +1,4 @@
-"""An ensemble in a few numbers: percentiles over its members."""
+"""Ensemble statistics and their plot: percentiles over the members."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 PERCENTS = (5, 25, 50, 75, 95)
 ENSEMBLE = "clpt.run_ensemble(scenario, vary, members) makes an ensemble"
-READ_BYTES = 8_000_000  # at once, so that memory does not grow with the members
+READ_BYTES = 8_000_000  # read at once, so that memory does not grow with the members
 
 
 @public
@@ -39,14 +39,14 @@ def percentiles(data: "xarray.Dataset", name: str) -> np.ndarray:
         )
     members, columns = data[name].shape
     wide = max(1, READ_BYTES // (8 * members))
-    found = np.full((len(PERCENTS), columns), np.nan)
-    for first in range(0, columns, wide):
-        block = data[name][:, first : first + wide].values
-        for k, column in enumerate(block.T, first):
+    result = np.full((len(PERCENTS), columns), np.nan)
+    for begin in range(0, columns, wide):
+        block = data[name][:, begin : begin + wide].values
+        for k, column in enumerate(block.T, begin):
             column = column[np.isfinite(column)]
             if len(column):
-                found[:, k] = np.percentile(column, PERCENTS)
-    return found
+                result[:, k] = np.percentile(column, PERCENTS)
+    return result
 
 
 @public
@@ -82,12 +82,12 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
             _listed(column) for column in percentiles(data, "clpe_rms").T
         ],
     }
-    last = data.isel(mark=[-1])
-    whole = data[["clpe_rms_whole"]].expand_dims("one", axis=1)
-    summary["clpe_rms"] = _listed(percentiles(whole, "clpe_rms_whole")[:, 0])
+    at_end = data.isel(mark=[-1])
+    whole_run = data[["clpe_rms_whole"]].expand_dims("one", axis=1)
+    summary["clpe_rms"] = _listed(percentiles(whole_run, "clpe_rms_whole")[:, 0])
     for name in ("flow_parameter_error", "gain_error"):
         if name in data:
-            summary[f"{name}_at_end"] = _listed(percentiles(last, name)[:, 0])
+            summary[f"{name}_at_end"] = _listed(percentiles(at_end, name)[:, 0])
     if "share_in_faster_flow" in data:
         share = data["share_in_faster_flow"].values
         largest = float(np.nanmax(share, initial=0.0))
@@ -109,7 +109,7 @@ def refuse_diagram(function: str, data: "xarray.Dataset") -> None:
 
 
 def unit_of(values: "xarray.DataArray") -> str:
-    """Return CF units as a reader writes them: m s-1 as m/s."""
+    """Return CF units in the form m/s, instead of m s-1."""
     length, _, per = values.attrs.get("units", "").rpartition(" ")
     return f"{length or '1'}/{per.removesuffix('-1')}" if per.endswith("-1") else per
 
@@ -125,15 +125,15 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     Parameters
     ----------
     data : xarray.Dataset
-        As `run_ensemble` gives it.
+        Result of `run_ensemble`.
     ax : array of 2 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
+        Axes to draw on. Default: a new figure of pyplot.
 
     Returns
     -------
     ndarray of Axes, shape (2,)
-        CLPE rms against cycles, errors against time, both logarithmic: the
-        median, half of the members, and nine in ten of them.
+        CLPE rms against cycles and errors against time, both logarithmic: the median, and the
+        intervals of 50 % and 90 % of the members.
 
     Raises
     ------
@@ -153,71 +153,53 @@ def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     check_holds("ensemble_plot: data", data, ["clpe_rms"], ENSEMBLE)
     axes = axes_for(ax, 6.4, 6.0, nrows=2)
     length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
-    cycles, rms = np.arange(1, data.sizes["cycle"] + 1), percentiles(data, "clpe_rms")
+    # 1. CLPE
+    cycles = np.arange(1, data.sizes["cycle"] + 1)
     count = f"{data.sizes['member']:,}".replace(",", " ")
-    labels = "cycle of the waypoints", f"CLPE rms ({length})"
-    _panel(axes[0], cycles, rms, BLUE, f"CLPE of {count} members", *labels)
+    title = f"CLPE of {count} members"
+    labels = {"xlabel": "cycle of the waypoints", "ylabel": f"CLPE rms ({length})"}
+    _draw_bands(axes[0], cycles, percentiles(data, "clpe_rms"), BLUE, title, labels)
     axes[0].xaxis.get_major_locator().set_params(integer=True)
+    # 2. the error of the flow parameters, or of the gains
     errors = [name for name in ("flow_parameter_error", "gain_error") if name in data]
     if not errors:
-        _nothing(axes[1], "neither flow parameters nor gains have a known truth")
+        _draw_message(axes[1], "neither flow parameters nor gains have a known truth")
         return axes
-    what = errors[0].removesuffix("_error").replace("_", " ")
-    labels = f"time ({time})", f"error ({unit_of(data[errors[0]])})"
-    bands = percentiles(data, errors[0])
-    _panel(
-        axes[1], data["mark"].values, bands, RED, f"Largest error of a {what}", *labels
-    )
+    name = errors[0]
+    title = f"Largest error of a {name.removesuffix('_error').replace('_', ' ')}"
+    labels = {"xlabel": f"time ({time})", "ylabel": f"error ({unit_of(data[name])})"}
+    marks = data["mark"].values
+    _draw_bands(axes[1], marks, percentiles(data, name), RED, title, labels)
     return axes
 
 
-def _nothing(ax: Any, why: str) -> None:
-    ax.text(0.5, 0.5, why, ha="center", color=GREY, transform=ax.transAxes)
+def _draw_message(ax: Any, message: str) -> None:
+    ax.text(0.5, 0.5, message, ha="center", color=GREY, transform=ax.transAxes)
     ax.set_axis_off()
 
 
-def _panel(
+def _draw_bands(
     ax: Any,
     x: np.ndarray,
     bands: np.ndarray,
     color: str,
     title: str,
-    xlabel: str,
-    ylabel: str,
+    labels: dict[str, str],
 ) -> None:
-    """Draw percentiles, logarithmic where they are positive."""
+    """Draw percentiles over x, on a logarithmic axis if they are positive."""
     ax.set_title(title, **TITLE)
     if not np.isfinite(bands).any():
-        _nothing(ax, "no run has come so far")
+        _draw_message(ax, "no run has come so far")
         return
-    low, quarter, middle, three, high = bands
-    marker = "o" if len(x) < 12 else None
-    ax.fill_between(
-        x, low, high, color=color, alpha=0.18, linewidth=0, label="5 to 95 %"
-    )
-    ax.fill_between(
-        x, quarter, three, color=color, alpha=0.35, linewidth=0, label="25 to 75 %"
-    )
-    ax.plot(
-        x,
-        middle,
-        color=color,
-        linewidth=1.5,
-        marker=marker,
-        markersize=4,
-        label="median",
-    )
+    low, quarter, median, three_quarters, high = bands
+    area = {"color": color, "linewidth": 0}
+    ax.fill_between(x, low, high, alpha=0.18, label="5 to 95 %", **area)
+    ax.fill_between(x, quarter, three_quarters, alpha=0.35, label="25 to 75 %", **area)
+    line = {"color": color, "marker": "o" if len(x) < 12 else None}
+    ax.plot(x, median, linewidth=1.5, markersize=4, label="median", **line)
     for edge in (low, high):
-        ax.plot(
-            x,
-            edge,
-            color=color,
-            linewidth=0.6,
-            linestyle="--",
-            marker=marker,
-            markersize=2,
-        )
-    ax.set(xlabel=xlabel, ylabel=ylabel)
+        ax.plot(x, edge, linewidth=0.6, linestyle="--", markersize=2, **line)
+    ax.set(**labels)
     if np.nanmin(bands) > 0:
         ax.set_yscale("log")
     ax.legend(frameon=False, fontsize=8)

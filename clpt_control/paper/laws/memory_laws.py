@@ -1,4 +1,8 @@
-"""Laws that keep what the track has shown: memories, windows, mixing, and fixes."""
+"""Laws that remember the track: composite memory, concurrent learning, DREM, and learning at fixes.
+
+Each law's page is the docstring of its rates; phi_f, F_f, the memory, and the rates of K and Gamma
+are those of `regressions`.
+"""
 
 from typing import Any
 
@@ -25,51 +29,50 @@ from .regressions import (
     filtered_flow,
     gain_rates,
     memory,
+    memory_rates,
     pulling_memory,
-    remembered,
 )
 
 # --- a memory --------------------------------------------------------------------------------
 
 
-def memory_rates(x, u, p):
+def flow_memory_rates(x, u, p):
     """Return Q' and b'."""
-    phi_f, size = x.phi_f, 1 + x.phi_f @ x.phi_f
-    Q, b = remembered(
-        x.Q, x.b, filtered_flow(x, u, p), phi_f, p.forgetting * phi_f, size
-    )
+    phi_f = x.phi_f
+    size = 1 + phi_f @ phi_f
+    F_f = filtered_flow(x, u, p)
+    Q, b = memory_rates(x.Q, x.b, F_f, phi_f, p.forgetting * phi_f, size)
     return {"Q": Q, "b": b}
 
 
 def composite_memory(t, x, u, p):
-    """Composite adaptation with memory: CLPE and all that was seen drive one estimate.
+    """Composite adaptation with memory: CLPE and a memory of the track drive one estimate.
 
         theta_hat' = gamma phi e^T + gamma_c (b^T - Q theta_hat)
         theta_hat = -alpha^T    for Eq. (21)
         Q'         = n n^T / (1 + |phi_f|^2),    n = phi_f - m Q phi_f
         b'         = (F_f - m b phi_f) n^T / (1 + |phi_f|^2)
 
-    phi_f and F_f, and the memory, are those of `regressions`: from Q = 0, b = 0 on, b = theta Q,
-    and Q is N x N, symmetric, not negative and at most 1/m.  It never falls: what the track has
-    shown is kept, also where it shows nothing more.  K and Gamma are those of `regressions`, or
-    are held.
+    phi_f and F_f, and the memory, are those of `regressions`: with Q(0) = 0 and b(0) = 0,
+    b = theta Q, and Q is N x N, symmetric, not negative, at most 1/m and non-decreasing: no
+    information of the track is lost.  K and Gamma are those of `regressions`, or are fixed.
     Sources: Kreisselmeier 1977, IEEE Transactions on Automatic Control 22(1), Adaptive observers
     with exponential rate of convergence; Pan and Yu 2018, Automatica 89, Composite learning robot
     control with guaranteed parameter convergence.
 
     V of Eq. (24), each error weighed by its own gain, has with eta = theta + alpha
-        V' = -e^T KD e - gamma_c tr(eta Q eta^T)/gamma - what K and Gamma lose
-    so that V falls at least at twice the least of k, the least of KD; gamma_c times the least
-    eigenvalue of Q; and those of `regressions`: a rate that never falls.
+        V' = -e^T KD e - gamma_c tr(eta Q eta^T)/gamma - dissipative terms of K and Gamma
+    so V decreases at least at twice the smallest of three rates: the least of KD; gamma_c times the
+    least eigenvalue of Q; and those of K and Gamma.  This rate is non-decreasing.
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
     per time), K[2], Gamma[2] (per time), the states of `regressions`, Q[N*N] (time), b[2N]
     (length).
     """
-    missed = x.b + x.alpha @ x.Q.T
+    pull = x.b + x.alpha @ x.Q.T
     return {
-        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * missed,
-        **memory_rates(x, u, p),
+        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * pull,
+        **flow_memory_rates(x, u, p),
         **filter_rates(x, u, p),
         **gain_rates(x, u, p),
     }
@@ -92,24 +95,23 @@ COMPOSITE_MEMORY = Law(
 
 
 def concurrent(t, x, u, p):
-    """Concurrent learning in integral form: what windows of the track have shown is kept for good.
+    """Concurrent learning in integral form: a memory of windows of the track that forgets nothing.
 
     Over a window from t_1 to t_2 = t_1 + T, Eq. (1) integrated is a regression with no derivative:
 
         Y = x(t_2) - x(t_1) - int v = theta Phi,    Phi = int phi(x)
 
-    The law keeps x - origin = Y and Phi of the window that runs, and at its end passes them on, as
-    carried and shown; while the next one runs it takes them in, into the memory of `regressions`:
+    The law integrates x - origin = Y and Phi over a window.  At its end Y and Phi become the states
+    carried and shown, which enter the memory of `regressions` during the next window:
 
         n = shown - S shown,    d = T (T^2 + |shown|^2)
         S' = n n^T/d,           B' = (carried - B shown) n^T/d
         theta_hat' = gamma phi e^T + gamma_c (B^T - S theta_hat)
         theta_hat = -alpha^T    for Eq. (21)
 
-    From S = 0, B = 0 on, B = theta S and S = M (1 + M)^-1, M the sum over all windows of Phi
-    Phi^T/(T^2 + |Phi|^2), each normalised by itself.  S is symmetric, not negative, below 1, and
-    never falls: a window takes nothing away, whatever it shows.  K and Gamma are those of
-    `regressions`, or are held.
+    With S(0) = 0 and B(0) = 0, B = theta S and S = M (1 + M)^-1, M the sum over all windows of Phi
+    Phi^T/(T^2 + |Phi|^2), each normalised by itself.  S is symmetric, not negative, below 1 and
+    non-decreasing.  K and Gamma are those of `regressions`, or are fixed.
     Sources: Chowdhary and Johnson 2010, 49th IEEE Conference on Decision and Control, Concurrent
     learning for convergence in adaptive control without persistency of excitation; Parikh,
     Kamalapurkar, Dixon 2019, International Journal of Adaptive Control and Signal Processing
@@ -117,19 +119,20 @@ def concurrent(t, x, u, p):
 
     V of Eq. (24), each error weighed by its own gain, does not jump, and has with eta = theta +
     alpha
-        V' = -e^T KD e - gamma_c tr(eta S eta^T)/gamma - what K and Gamma lose
-    so that V falls at least at twice the least of k, the least of KD; gamma_c times the least
-    eigenvalue of S; and those of `regressions`: a rate that never falls.
+        V' = -e^T KD e - gamma_c tr(eta S eta^T)/gamma - dissipative terms of K and Gamma
+    so V decreases at least at twice the smallest of three rates: the least of KD; gamma_c times the
+    least eigenvalue of S; and those of K and Gamma.  This rate is non-decreasing.
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length
     per time), K[2], Gamma[2] (per time), S[N*N], B[2N] (length per time), Phi[N], shown[N] (time),
     origin[2], carried[2] (length) and those of `regressions`, the states.
     """
-    shown, missed = x.shown, x.B + x.alpha @ x.S.T
-    size = p.window * (p.window**2 + shown @ shown)
-    S, B = remembered(x.S, x.B, x.carried, shown, shown, size)
+    Phi = x.shown
+    pull = x.B + x.alpha @ x.S.T
+    size = p.window * (p.window**2 + Phi @ Phi)
+    S, B = memory_rates(x.S, x.B, x.carried, Phi, Phi, size)
     return {
-        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * missed,
+        "alpha": np.outer(-p.gain * u.e, u.phi_x) - p.memory_gain * pull,
         "S": S,
         "B": B,
         "Phi": u.phi_x,
@@ -141,10 +144,9 @@ def concurrent(t, x, u, p):
 
 
 def next_window(t, x, u, p):
-    """Phi and Y of a window of Eq. (1) are passed on; Phi = 0 and origin = x begin the next."""
-    same = {name: getattr(x, name) for name in CONTINUOUS}
+    """End a window of Eq. (1): store its Phi and Y, and set Phi = 0 and origin = x."""
     return {
-        **same,
+        **{name: getattr(x, name) for name in CONTINUOUS},
         "shown": x.Phi,
         "carried": u.x - x.origin,
         "Phi": 0.0,
@@ -152,12 +154,12 @@ def next_window(t, x, u, p):
     }
 
 
-# where a window ends
+# states that do not jump when a window ends
 CONTINUOUS = ("alpha", "K", "Gamma", "S", "B", "Q_1", "Q_2", "b_v")
 WINDOW: dict[str, Any] = {
     "states": {
         "Phi": State("N"),
-        "origin": State(2, lambda known, p: known.position),
+        "origin": State(2, lambda context, p: context.position),
         "shown": State("N"),
         "carried": State(2),
     },
@@ -193,28 +195,29 @@ def mixing(Q, S):
     M_1 = I, d_1 = tr A; M_k+1 = d_k I - A M_k, d_k+1 = tr(A M_k+1)/(k + 1) with A = Q S: adj A is
     M_N and det A is d_N (Faddeev and LeVerrier).
     """
-    one = np.eye(len(S))
-    mixed, d = S[:, None] * one, np.sum(np.diagonal(Q) * S)
+    identity = np.eye(len(S))
+    mixed = S[:, None] * identity
+    d = np.sum(np.diagonal(Q) * S)
     for k in range(2, len(S) + 1):
-        mixed = S[:, None] * (d * one - Q @ mixed)
+        mixed = S[:, None] * (d * identity - Q @ mixed)
         d = np.sum(Q * mixed.T) / k
     return mixed, d
 
 
 def drem(t, x, u, p):
-    """Dynamic regressor extension and mixing (DREM): each flow parameter learns on its own.
+    """Dynamic regressor extension and mixing (DREM): each flow parameter has its own regression.
 
-    The memory of `composite_memory`, b = theta Q, is mixed by the adjugate, which makes one
-    regression of each parameter.  With A = Q S, S diagonal, S_kk = 1/max(Q_kk, 1/l), and
+    The memory of `composite_memory`, b = theta Q, is mixed by the adjugate, which gives a scalar
+    regression for each parameter.  With A = Q S, S diagonal, S_kk = 1/max(Q_kk, 1/l), and
     Delta = det A, between 0 and 1,
 
         (b + alpha Q) S adj(A) = Delta eta,    eta = theta + alpha
         alpha' = -f eta,    f = g min(1, Delta^2/c^2) >= 0
         w'     = -f w,      w(0) = 1
 
-    so eta = w eta(0): the error of each parameter only shrinks, and no other moves it.  CLPE has no
-    part in alpha', which would break this; K and Gamma follow Eqs. (22)-(23), or are held.
-    Finite-time readout: what is left of the first error is known, so
+    so eta = w eta(0): the error of each parameter is non-increasing and independent of the others.
+    CLPE would break this, so it is not part of alpha'; K and Gamma follow Eqs. (22)-(23), or are
+    fixed.  Finite-time readout: the share w of the initial error is known, so
 
         theta_FT = (theta_hat - w theta_hat(0))/(1 - w) = theta,    theta_hat = -alpha
 
@@ -237,7 +240,7 @@ def drem(t, x, u, p):
     return {
         "alpha": -scale * Delta * ((x.b + x.alpha @ x.Q.T) @ mixed),
         **adapt_gains(p, u.e, u),
-        **memory_rates(x, u, p),
+        **flow_memory_rates(x, u, p),
         **filter_rates(x, u, p),
         "w": -scale * Delta * Delta * x.w,
     }
@@ -245,15 +248,15 @@ def drem(t, x, u, p):
 
 def output(t, x, u, p):
     """Return readout[2N] of theta, Eq. (3): theta_FT once 1 - w >= margin."""
-    gone = 1 - x.w
-    first = (x.alpha - x.w * p.alpha_0) / np.maximum(p.margin, gone)
-    return {"readout": np.where(gone >= p.margin, -first, -x.alpha)}
+    learned = 1 - x.w
+    alpha_FT = (x.alpha - x.w * p.alpha_0) / np.maximum(p.margin, learned)
+    return {"readout": np.where(learned >= p.margin, -alpha_FT, -x.alpha)}
 
 
-def check_size(law: Law, known: Any) -> None:
-    """Refuse more functions than a determinant is good for."""
-    if known.N > MOST:
-        raise ScenarioError(f"drem: takes at most {MOST} functions, not {known.N}")
+def check_size(law: Law, context: Any) -> None:
+    """Refuse more basis functions than the determinant is accurate for."""
+    if context.N > MOST:
+        raise ScenarioError(f"drem: takes at most {MOST} functions, not {context.N}")
 
 
 DREM = Law(
@@ -274,7 +277,7 @@ DREM = Law(
         ),
         **K_GAMMA,
         "forgetting": MEMORY,
-        "alpha_0": lambda known: known.alpha,
+        "alpha_0": lambda context: context.alpha,
     },
     output=output,
     outputs={"readout": (2, "N")},
@@ -303,26 +306,26 @@ DREM = Law(
 
 
 def predict(t, x, u, p):
-    """Learning at fixes: between them the vehicle steers on its own prediction z.
+    """Learning at fixes: between fixes the vehicle steers by its prediction z.
 
-        z' = theta_hat phi(z) + v,    m' = phi(z),    theta_hat = -alpha,    v as it was flown
+        z' = theta_hat phi(z) + v,    m' = phi(z),    theta_hat = -alpha,    v as flown
 
-    At a fix f_k of t_k, y = f_k - z(t_k) is (theta - theta_hat) m, m being taken since the fix
-    before, as far as phi(z) is phi(x).  Least squares on it, with d = r^2 + m^T P m:
+    At a fix f_k of time t_k, y = f_k - z(t_k) = (theta - theta_hat) m if phi(z) = phi(x), with m
+    integrated since the previous fix.  Least squares on y, with d = r^2 + m^T P m:
 
         theta_hat += y (P m)^T / d,    P -= P m (P m)^T / d,    P^-1 += m m^T / r^2
         z += y + (change of theta_hat) n,    m = n,    n = int phi(z) from t_k to now
 
-    A fix arrives `latency` after t_k; n is then what was integrated in between, and z is where it
-    had been if theta_hat and the fix had been known at t_k.  Without latency n = 0.  Where a fix is
-    missing nothing changes and m goes on.  z(0) counts as a fix without noise.  P is computed in
-    Joseph's form, A - A m (P m)^T/d + r^2 P m (P m)^T/d^2 with A = P - P m (P m)^T/d, which is the
-    same and stays right however small r is.
+    A fix arrives `latency` after t_k; n is integrated over the latency, and z becomes the value
+    that it would have with theta_hat and the fix known at t_k.  Without latency n = 0.  If a fix is
+    missing, no state jumps and m is integrated on.  z(0) is a fix without noise.  P is computed in
+    Joseph's form, A - A m (P m)^T/d + r^2 P m (P m)^T/d^2 with A = P - P m (P m)^T/d, which is
+    equal and accurate for any r.
 
         V  = r^2 tr(eta P^-1 eta^T)/2,    eta = theta + alpha
         V' = 0 between fixes;    V_after - V = -r^2 |eta m|^2/(2 d) <= 0    at a fix with y = eta m
 
-    K and Gamma are those of the vehicle, K_D and Gamma_D: Eq. (7) steers, at z.
+    K and Gamma are K_D and Gamma_D of the vehicle, which steers by Eq. (7) at z.
     Source: Ljung 1999, System Identification, section 11.2, recursive least squares.
 
     Ports: fix[2] (length), taken[1], phi_z[N], v_x[2] (length per time) -> K[2], Gamma[2] (per
@@ -336,27 +339,30 @@ def predict(t, x, u, p):
 def learn(t, x, u, p):
     """Least squares on x of Eq. (1) at a fix, Ljung 1999: theta_hat, P, P^-1, z and m as above.
 
-    With latency an odd interval begins with a fix that is sent, an even one with its arrival;
-    without, every interval begins with both.
+    With latency an odd interval begins when a fix is sent, an even interval when it arrives;
+    without latency every interval begins with both.
     """
     late = p.latency > 0
     arrives = np.where(late, 1 - p.interval % 2, 1.0)
     sends = (1 - arrives) * u.taken
-    got = arrives * np.where(late, x.waiting, u.taken)
-    m, n = np.where(late, x.m_sent, x.m), np.where(late, x.m, 0.0)
-    y = got * np.where(late, x.sent - x.z_sent, u.fix - x.z)
+    received = arrives * np.where(late, x.waiting, u.taken)
+    m = np.where(late, x.m_sent, x.m)
+    n = np.where(late, x.m, 0.0)
+    y = received * np.where(late, x.sent - x.z_sent, u.fix - x.z)
     Pm = x.P @ m
     d = p.noise**2 + m @ Pm
     gain = np.outer(y, Pm) / d
+    # Joseph's form of P, symmetric to the last bit
     A = x.P - np.outer(Pm, Pm) / d
-    half = np.outer(A @ m, Pm)
-    joseph = A - (half + half.T) / (2 * d) + p.noise**2 * np.outer(Pm, Pm) / d**2
+    product = np.outer(A @ m, Pm)
+    joseph = A - (product + product.T) / (2 * d)
+    joseph = joseph + p.noise**2 * np.outer(Pm, Pm) / d**2
     return {
         "alpha": x.alpha - gain,
-        "P": (1 - got) * x.P + got * joseph,
-        "information": x.information + got * np.outer(m, m) / p.noise**2,
+        "P": (1 - received) * x.P + received * joseph,
+        "information": x.information + received * np.outer(m, m) / p.noise**2,
         "z": x.z + y + gain @ n,
-        "m": x.m * (1 - np.where(late, sends, got)),
+        "m": x.m * (1 - np.where(late, sends, received)),
         "sent": u.fix,
         "waiting": np.where(late, sends, 0.0),
         "z_sent": x.z,
@@ -365,7 +371,7 @@ def learn(t, x, u, p):
 
 
 def vehicle_gains(t, x, u, p):
-    """K = K_D and Gamma = Gamma_D of Eq. (7), beside the states."""
+    """K = K_D and Gamma = Gamma_D of Eq. (7), outputs that are not states."""
     return {"K": p.KD, "Gamma": p.GammaD}
 
 
@@ -384,15 +390,17 @@ def events(p: Any, t0: float, t1: float) -> np.ndarray:
     return np.sort(np.concatenate([sent, arrived[(arrived > t0) & (arrived <= t1)]]))
 
 
-def usual_noise(known: Any) -> float:
+def usual_noise(context: Any) -> float:
     """Return ((0.1 R)^2 + 2 noise^2)^0.5, length."""
-    return float(np.hypot(0.1 * known.R, np.sqrt(2) * known.fixes.noise))
+    return float(np.hypot(0.1 * context.R, np.sqrt(2) * context.fixes.noise))
 
 
 STATES = {
     "alpha": State((2, "N")),
-    "P": State(("N", "N"), lambda known, p: np.eye(known.N) * known.prior**2),
-    "information": State(("N", "N"), lambda known, p: np.eye(known.N) / known.prior**2),
+    "P": State(("N", "N"), lambda context, p: np.eye(context.N) * context.prior**2),
+    "information": State(
+        ("N", "N"), lambda context, p: np.eye(context.N) / context.prior**2
+    ),
     "z": State(2),
     "m": State("N"),
     "sent": State(2),
@@ -409,10 +417,10 @@ FIX_REGRESSION = Law(
         "noise": Setting(
             "r of the regression, length; ((0.1 R)^2 + 2 noise^2)^0.5", usual_noise
         ),
-        "KD": lambda known: known.KD,
-        "GammaD": lambda known: known.GammaD,
-        "between": lambda known: known.fixes.between,
-        "latency": lambda known: known.fixes.latency,
+        "KD": lambda context: context.KD,
+        "GammaD": lambda context: context.GammaD,
+        "between": lambda context: context.fixes.interval,
+        "latency": lambda context: context.fixes.latency,
     },
     keys={"prior": PRIOR},
     inputs={"fix": 2, "taken": 1, "phi_z": "N", "v_x": 2},

@@ -1,4 +1,4 @@
-"""The members of a scenario: its keys that may vary, and where its loop holds their values."""
+"""Varied scenarios: keys that may vary in a scenario, their locations in its loop, and members."""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -24,13 +24,13 @@ from ..paper.scenario.quantities import (
 from ..simulation.initial_states import state_columns, state_of
 from ..simulation.loop_blocks import changed_blocks
 from ..simulation.user_components import LAW, UNCHANGED, Changes, functions_of
-from .drawn_values import what_may_vary
 from .members import Member, Values, hash_of
+from .sampled_parameters import cannot_vary
 from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
 
 class VariedScenario:
-    """A scenario's loop that is run many times; `changes` are the user's own parts."""
+    """The loop of a scenario, with `changes` by the user's blocks, and its sampled parameters."""
 
     params: Mapping[str, Any] = {}
     inputs = None
@@ -42,16 +42,16 @@ class VariedScenario:
         times: Sequence[float] | None = None,
         trajectories: bool = False,
     ):
-        self.scenario, self.changes = scenario, checked_changes(changes, scenario)
+        self.scenario = scenario
+        self.changes = checked_changes(changes, scenario)
         self.marks = marks_of(scenario, times)
         self.times = sample_times_of(scenario, self.marks, trajectories)
         self.trajectories = trajectories
-        self.state_times, self.options = self.times.all, scenario.run.solver
-        self.title, self.needs_signals = (
-            scenario.title,
-            scenario.vehicle.max_speed is not None,
-        )
-        self.own = set(self.changes.replace)
+        self.state_times = self.times.union
+        self.options = scenario.run.solver
+        self.title = scenario.title
+        self.needs_signals = scenario.vehicle.max_speed is not None
+        self.replaced = set(self.changes.replace)
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
@@ -62,66 +62,66 @@ class VariedScenario:
         }
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Travel as its arguments, with the absolute folder of the field."""
+        """Pickle the arguments, with the absolute folder of the field."""
         scenario = self.scenario.model_copy()
         scenario._folder = scenario._folder.absolute()
         return type(self), (scenario, self.changes, self.marks, self.trajectories)
 
     @property
     def knows_flow(self) -> bool:
-        """True if the true flow parameters are the scenario's."""
-        return self.scenario.flow.parameters is not None and "true_flow" not in self.own
+        """True if the true flow has the scenario's parameters."""
+        has_parameters = self.scenario.flow.parameters is not None
+        return has_parameters and "true_flow" not in self.replaced
 
     @property
     def knows_gains(self) -> bool:
-        """True if there are true gains, the scenario's."""
-        return (
-            not self.scenario.learning.row.at_fixes
-            and "vehicle_controller" not in self.own
-        )
+        """True if the vehicle has the scenario's gains and the law adapts gains."""
+        at_fixes = self.scenario.learning.row.at_fixes
+        return not at_fixes and "vehicle_controller" not in self.replaced
 
-    # --- what may vary --------------------------------------------------------------------
+    # --- checks ---------------------------------------------------------------------------
 
     def why_not(self, key: str) -> str:
-        """Return why a key cannot vary."""
-        of_own = key.split(".")[0] in self.changes.names
-        if not of_own and (other := key_hint(key)):
-            return f"vary: {other}"
-        own = "; the parameters of a part given in Python vary where there are timepts"
-        return what_may_vary(key, self.values) + own * bool(self.changes.names)
+        """Return the reason for which a key cannot vary."""
+        is_replaced = key.split(".")[0] in self.changes.names
+        if not is_replaced and (hint := key_hint(key)):
+            return f"vary: {hint}"
+        advice = (
+            "; the parameters of a part given in Python vary where there are timepts"
+        )
+        return cannot_vary(key, self.values) + advice * bool(self.changes.names)
 
     def check(self, key: str, value: np.ndarray) -> None:
         """Refuse a value that the scenario does not allow."""
         self.scenario.with_values({key: value})
 
     def arguments(self, path: Path | None) -> dict[str, Any]:
-        """Return what identifies it, for a store at a path."""
+        """Return the arguments that identify the scenario in a store at a path."""
+        folder = None if path is None else path.parent
         return {
-            "scenario": scenario_to_text(
-                self.scenario, None if path is None else path.parent
-            ),
+            "scenario": scenario_to_text(self.scenario, folder),
             "times": list(self.marks),
-            "law": self.own_parts,
+            "law": self.changed_loop,
         }
 
     @property
-    def own_parts(self) -> str | None:
-        """The names of the user's own parts, and a hash of the loop that they are in."""
+    def changed_loop(self) -> str | None:
+        """The names of the user's blocks and a hash of the changed loop; None if unchanged."""
         if self.changes == UNCHANGED:
             return None
-        given = [block.parameters for block in self.blocks]
-        return f"{', '.join(self.changes.names)} {hash_of(self.wiring, given)}"
+        parameters = [block.parameters for block in self.blocks]
+        return f"{', '.join(self.changes.names)} {hash_of(self.wiring, parameters)}"
 
-    # --- its loop -------------------------------------------------------------------------
+    # --- loop -----------------------------------------------------------------------------
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """The blocks of its loop."""
+        """The blocks of the loop."""
         return changed_blocks(self.scenario, self.changes)
 
     @cached_property
     def wiring(self) -> Wiring:
-        """Its loop."""
+        """The wired loop."""
         return wiring_of_blocks(self.blocks)
 
     @cached_property
@@ -134,8 +134,8 @@ class VariedScenario:
         """The initial state."""
         return state_of(self.scenario, self.blocks, self.changes.law)
 
-    def place(self, key: str) -> Place:
-        """Return where the value of a key lies as it is."""
+    def location(self, key: str) -> Place:
+        """Return the location of a key's value; empty if the loop has no such value."""
         fields = tuple(
             (k, field)
             for k, block in enumerate(self.blocks)
@@ -147,23 +147,20 @@ class VariedScenario:
         return Place(fields, tuple(range(column.start, column.stop)))
 
     def one_by_one(self, key: str) -> bool:
-        """Return whether members are made one by one of a key's values, as where a law uses it."""
+        """Return True if members with values of a key are made one by one, as if a law uses it."""
         of_law = keys_of_law(self.scenario) if self.changes.law is None else ()
-        in_place = (
-            key in QUANTITIES
-            and not QUANTITIES[key].jumps
-            and self.place(key) != Place()
-        )
-        return key in of_law or not in_place
+        if key in of_law or key not in QUANTITIES or QUANTITIES[key].jumps:
+            return True
+        return self.location(key) == Place()
 
     def member(self, values: Values) -> Member:
-        """Return one member with some values of its own."""
+        """Return the member with these values."""
         scenario = self.scenario.with_values(dict(values))
         blocks = changed_blocks(scenario, self.changes)
         start = state_of(scenario, blocks, self.changes.law)
         return [block.parameters for block in blocks], start, None
 
-    # --- its summaries --------------------------------------------------------------------
+    # --- summaries ------------------------------------------------------------------------
 
     arrays = arrays_of
     summarise = summarise
@@ -186,35 +183,35 @@ def variable_values(scenario: Scenario) -> Values:
             values.setdefault(key, number)
 
     for key, value, _ in scenario.every_key():
-        add(
-            key,
-            float(value or 0) if key.endswith(".seed") else defaults.get(key, value),
-        )
+        is_seed = key.endswith(".seed")
+        add(key, float(value or 0) if is_seed else defaults.get(key, value))
     for name, value in learning.settings.items():  # the law's defaults may vary too
         add(f"learning.{learning.row.table}.{name}", value)
     if learning.gain is None and learning.gains is None:
         add("learning.gain", learning.row.gain)
-    kind = None if delta is None else delta.kind
-    none = {"learning.sample"} | (
-        {"flow.disturbance.seed"} if kind != "noise" else set()
-    )
-    none |= {"flow.disturbance.period"} if kind == "constant" else set()
+    fixed = {"learning.sample"}
+    if delta is None or delta.kind != "noise":
+        fixed.add("flow.disturbance.seed")
+    if delta is not None and delta.kind == "constant":
+        fixed.add("flow.disturbance.period")
     return {
-        k: v for k, v in values.items() if k not in none and not k.startswith("run.")
+        key: value
+        for key, value in values.items()
+        if key not in fixed and not key.startswith("run.")
     }
 
 
 def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
-    """Return changes as blocks; refuse those that lack a state which summaries need."""
+    """Return changes as blocks; refuse blocks without the states that summaries need."""
     changes, row = changes.of_blocks("an ensemble"), scenario.learning.row
     if changes.law is not None:
         functions_of(changes.law)
-    columns = (
-        state_columns(changed_blocks(scenario, changes)) if changes != UNCHANGED else {}
-    )
-    estimate = (
-        ["theta_hat"] if row.makes_estimate else [] if row.given_estimate else ["alpha"]
-    )
+    if changes == UNCHANGED:
+        return changes
+    columns = state_columns(changed_blocks(scenario, changes))
+    estimate = [] if row.given_estimate else ["alpha"]
+    if row.makes_estimate:
+        estimate = ["theta_hat"]
     for name, states in ((LAW, [*estimate, "K", "Gamma"]), ("vehicle", ["x"])):
         for port in states if name in changes.replace else ():
             if port not in columns:

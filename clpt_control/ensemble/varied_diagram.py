@@ -1,0 +1,321 @@
+"""Varied diagrams: parameters that may vary in any diagram, its members, and their summaries.
+
+    plant.m, m              a parameter, by its name in python-control's `params`, or of one block
+    plant.A[0,1]            an element of a parameter, counted from 0
+    plant_x[0], plant_x     an initial state by its label, or all states of one name
+    r                       an input: constant at its value, in place of `inputs`
+
+The summaries of an output are its final value, its root mean square over time (trapezoidal rule;
+in discrete time the mean over samples) and its largest magnitude.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ..base.errors import DiagramError, ScenarioError
+from ..engine.codegen.directional_derivatives import (
+    Place,
+    place_of,
+    places_of,
+    put,
+    value_at,
+)
+from ..engine.diagram.interconnection import changed_parameters
+from ..engine.diagram.wiring import read_anew, units_of, wiring_of
+from ..engine.model.ports import ports_of
+from ..engine.model.system import System
+from ..engine.solver.runner import RunOptions
+from ..engine.solver.schedule import Inputs, read_inputs
+from ..engine.solver.solver_layout import Status
+from ..engine.trace.arrays import Unread
+from ..simulation.dataset_template import Axes, Series, port_variables
+from ..simulation.diagram_runs import labels_of, signal_units
+from ..simulation.initial_states import stacked_state
+from ..simulation.integrate import request_of
+from .members import Ensemble, Member, Members, States, Values, hash_of
+from .sampled_parameters import Vary, cannot_vary
+from .summaries import Arrays, ends_of
+
+RESULT = "time", "member", "status", "end"  # names in a result that are not ports
+SUMMARIES = {
+    "final": "at the end",
+    "rms": "root mean square",
+    "max": "largest magnitude",
+}
+
+
+class VariedDiagram:
+    """A wired diagram, the options of its runs, and the locations of its sampled parameters."""
+
+    needs_signals = True  # summaries need the signals of each member
+    encoding: Mapping[str, Any] = {}  # of the dataset
+
+    def __init__(
+        self,
+        diagram: Any,
+        varies: Sequence[Vary],
+        timepts: Any,
+        inputs: Any = None,
+        initial_state: Any = None,
+        params: Mapping[str, Any] | None = None,
+        trajectories: bool = False,
+        **solver: Any,
+    ):
+        request = request_of(diagram, timepts, inputs, initial_state, **solver)
+        diagram, self.state_times, self.skipped, inputs, x0, solver = request
+        self.times = self.state_times[self.skipped :]
+        self.name = diagram.name
+        self.title = f"Ensemble of {diagram.name}"
+        self.trajectories = trajectories
+        # 1. the diagram, with parameters that its systems do not declare
+        read_anew(diagram)
+        sizes = request.sizes()
+        self.params = dict(params or {})
+        self.wiring = wiring_of(diagram, self.params, sizes)
+        self.outputs, input_labels, states = labels_of(diagram, self.wiring)
+        if undeclared := self._undeclared(varies, [input_labels, states]):
+            self.params |= undeclared
+            self.wiring = wiring_of(diagram, self.params, sizes)
+        self.parameters = changed_parameters(self.wiring.blocks, self.params)
+        # 2. the run
+        options = RunOptions.checked(self.wiring.dt, self.state_times, **solver)
+        self.options = {
+            name: getattr(options, name) for name in ("rtol", "atol", "method")
+        }
+        self.inputs: Inputs = read_inputs(inputs, self.state_times, self.wiring.ninputs)
+        self.start = stacked_state("initial_state", x0, len(states))
+        # 3. locations and values of the sampled parameters
+        self.names = places_of(self.wiring, self.parameters, states, input_labels)
+        self.locations: dict[str, Place] = {}
+        self.values: Values = {}
+        for item in varies:
+            location = place_of(item.key, self.names, self.parameters)
+            if location is not None:
+                self.locations[item.key] = location
+                self.values[item.key] = self._value(location)
+        self._check_distinct()
+
+    def _undeclared(
+        self, varies: Sequence[Vary], label_lists: Iterable[Sequence[str]]
+    ) -> dict[str, Any]:
+        """Return parameters of python-control's systems that vary but are not floats.
+
+        A parameter with the name of a state, an input or a block's parameter is returned only if a
+        function reads it.
+        """
+        labels = {name for names in label_lists for name in (*names, *ports_of(names))}
+        for node in self.wiring.nodes:
+            labels |= {
+                f"{node.name}.{field}" for field in node.system.parameters._fields
+            }
+
+        def is_read(s: System, key: str) -> bool:
+            return key not in s.params and (
+                key in s.names if key in labels else s.mentions(key)
+            )
+
+        params: dict[str, Any] = {}
+        systems = [
+            node.system for node in self.wiring.nodes if isinstance(node.system, System)
+        ]
+        for item in varies:
+            key = item.key.partition("[")[0]
+            candidates = (
+                s.params.get(key) for s in systems if key not in s.number_names
+            )
+            lists = [
+                np.asarray(v, float)
+                for v in candidates
+                if isinstance(v, list | tuple | np.ndarray)
+            ]
+            if not all(np.array_equal(lists[0], array) for array in lists):
+                raise ScenarioError(
+                    f"vary: {key} is a list in several systems, not the same; give arrays of "
+                    "floats, and name one of a block"
+                )
+            if lists:
+                params[key] = lists[0]
+            elif key == item.key and any(is_read(s, key) for s in systems):
+                value = item.numbers[0] if item.kind == "levels" else 1.0
+                params[key] = np.asarray(value, dtype=float)[()]
+        return params
+
+    def _value(self, location: Place) -> np.ndarray:
+        if not location.inputs:
+            return value_at(location, self.parameters, self.start)
+        u = self.inputs.at(float(self.state_times[0]))[list(location.inputs)]
+        return u if len(u) > 1 else u[0]
+
+    # --- checks ---------------------------------------------------------------------------
+
+    def why_not(self, key: str) -> str:
+        """Return the reason for which a name cannot vary."""
+        name = key.partition("[")[0]
+        if name in self.names:
+            return (
+                f"vary: {key} is no element of {name}, counted from 0; or {name} is more than "
+                "one of a parameter, an initial state and an input: name one of a block"
+            )
+        return cannot_vary(key, self.names)
+
+    def check(self, key: str, value: np.ndarray) -> None:
+        """Refuse a value that is not finite."""
+        if not np.isfinite(value).all():
+            raise ScenarioError(f"{key} = {value}: must be finite")
+
+    def units(self, key: str) -> dict[str, str]:
+        """Return the unit of an input or a state as an attribute, if known."""
+        location = self.locations[key]
+        input_units = units_of(self.wiring)[1]
+        state_units: list[str] = []
+        for node in self.wiring.nodes:
+            for port, size in node.system.state_ports.items():
+                state_units += [node.system.units.get(port, "")] * size
+        units = {state_units[k] for k in location.states}
+        units |= {input_units[k] for k in location.inputs}
+        return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
+
+    def _check_distinct(self) -> None:
+        """Refuse two names of one number."""
+        names: dict[tuple, str] = {}
+        for key, (fields, states, inputs, element) in self.locations.items():
+            numbers: list[tuple] = [("state", k) for k in states]
+            numbers += [("input", k) for k in inputs]
+            for k, name in fields:
+                shape = np.shape(getattr(self.parameters[k], name))
+                indices = np.arange(np.prod(shape, dtype=int)).reshape(shape)
+                indices = np.ravel(indices[element])
+                numbers += [(k, name, index) for index in indices.tolist()]
+            for number in numbers:
+                if (owner := names.setdefault(number, key)) != key:
+                    raise ScenarioError(
+                        f"vary: {key} and {owner} are one number; name it once"
+                    )
+
+    def arguments(self, path: Any) -> dict[str, Any]:
+        """Return the arguments that identify the diagram in a store at a path."""
+        return {"diagram": self.name if path is None else self.identity}
+
+    @property
+    def identity(self) -> str:
+        """A hash of everything that determines the numbers, without the sampled parameters."""
+        arrays = self.start, self.state_times, self.times, *self.inputs.samples
+        try:
+            digest = hash_of(
+                self.wiring, self.parameters, self.outputs, self.options, *arrays
+            )
+        except Unread as error:
+            raise DiagramError(
+                f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
+                "and save the result"
+            ) from None
+        return f"{self.name} {digest}"
+
+    # --- members --------------------------------------------------------------------------
+
+    def location(self, key: str) -> Place:
+        """Return the location of the value of a key."""
+        return self.locations[key]
+
+    def one_by_one(self, key: str) -> bool:
+        """Return True if members with values of a key are made one by one: jumps may move."""
+        location = self.locations[key]
+        systems = (self.wiring.nodes[k].system for k, _ in location.fields)
+        return bool(location.inputs) or any(s.breakpoints_function for s in systems)
+
+    def member(self, values: Values) -> Member:
+        """Return the member with these values."""
+        parameters = list(self.parameters)
+        start, inputs = self.start.copy(), self.inputs
+        for key, value in values.items():
+            location = self.locations[key]
+            put(location, value, parameters, start)
+            if location.inputs:
+                times, u = inputs.samples
+                u = u.copy()
+                u[list(location.inputs)] = np.reshape(value, (-1, 1))
+                inputs = replace(inputs, samples=(times, u))
+        return parameters, start, inputs
+
+    @cached_property
+    def variables(self) -> tuple[dict[str, Series], Axes]:
+        """The variables of outputs, and their axes."""
+        units, ports = signal_units(self.wiring), ports_of(self.outputs)
+        units_by_port = {port: units[columns[0]] for port, columns in ports.items()}
+        return port_variables(ports, {}, (), units_by_port)
+
+    def trajectory_name(self, port: str) -> str:
+        """Return the name of a port's trajectory, with a _ if the name is in use."""
+        return f"{port}_" if port in (*RESULT, *self.values) else port
+
+    def arrays(self, values: Values) -> Arrays:
+        """Return all arrays of the store, for the values of all members."""
+        ports, axes = self.variables
+        sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
+        sizes["time"] = len(self.times)
+        arrays = Arrays(values, sizes)
+        for port, variable in ports.items():
+            dims, units = variable.dims, variable.attributes
+            for statistic, words in SUMMARIES.items():
+                name = f"{port}_{statistic}"
+                arrays.add(name, dims[1:], f"{port}, {words}", **units)
+            if self.trajectories:
+                arrays.add(self.trajectory_name(port), dims, port, **units)
+        arrays.add_members()
+        for key, array in values.items():
+            dims = ("member", *(f"{key} {k}" for k in range(array.ndim - 1)))
+            arrays.add_fixed(key, dims, array, long_name=key, **self.units(key))
+        for dim, (numbers, attributes) in axes.items():
+            arrays.add_fixed(dim, (dim,), numbers, **attributes)
+        if self.trajectories:
+            arrays.add_fixed("time", ("time",), self.times, long_name="time")
+        return arrays
+
+    def summarise(
+        self, ensemble: Ensemble, members: Members, values: Values, run: States
+    ) -> Values:
+        """Return the summaries of members."""
+        y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
+        for m, outputs in enumerate(y):
+            self._write_outputs(outputs, ensemble, members, run, m)
+        not_finite = (run.status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        run = replace(run, status=np.where(not_finite, Status.NOT_FINITE, run.status))
+        y = y[..., self.skipped :]
+        # each row is summed by itself, so that no bit depends on the others
+        rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
+        figures = {"final": y[..., -1], "rms": rms, "max": np.abs(y).max(axis=-1)}
+        summaries: Values = {}
+        for port, variable in self.variables[0].items():
+            for statistic, figure in figures.items():
+                summaries[f"{port}_{statistic}"] = variable.of(figure)
+            if self.trajectories:
+                trajectory = variable.of(y)
+                if trajectory.ndim > 2:
+                    trajectory = np.moveaxis(trajectory, 1, -1)
+                summaries[self.trajectory_name(port)] = trajectory
+        return summaries | ends_of(run, self.state_times)
+
+    def _write_outputs(
+        self, y: np.ndarray, ensemble: Ensemble, members: Members, run: States, m: int
+    ) -> None:
+        """Write the outputs of member m up to its end into y, (outputs, times)."""
+        signals = ensemble.signals(members, run, m).T
+        reached = signals.shape[1]
+        _, inputs = members.runners[m]
+        u = inputs.along(self.state_times[:reached])
+        y[:, :reached] = 0.0
+        for row, sources in zip(y[:, :reached], self.wiring.outputs, strict=True):
+            for k, gain in sources.items():  # added in their order, for equal rounding
+                row += gain * (signals[k] if k >= 0 else u[~k])
+
+    @property
+    def _weights(self) -> np.ndarray:
+        """The weight of each sample in a mean over time: equal, or of the trapezoidal rule."""
+        count, spans = len(self.times), np.diff(self.times)
+        if self.wiring.dt:
+            return np.full(count, 1.0 / count)
+        return np.convolve(spans, [0.5, 0.5]) / (self.times[-1] - self.times[0])
