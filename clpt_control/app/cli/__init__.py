@@ -175,9 +175,9 @@ def _answer(error: BaseException) -> int:
 def _usage(error: Any) -> str:
     """Return what is wrong with the words of a command, and what to try."""
     fault = error.format_message().rstrip(".")
-    for near in (". Did you mean ", " (Possible options: "):
-        if near in fault:
-            return fault.replace(near, "; did you mean ").rstrip(")?") + "?"
+    for suggestion in (". Did you mean ", " (Possible options: "):
+        if suggestion in fault:
+            return fault.replace(suggestion, "; did you mean ").rstrip(")?") + "?"
     command = getattr(
         getattr(error, "ctx", None), "command_path", f"clpt {sys.argv[1]}"
     )

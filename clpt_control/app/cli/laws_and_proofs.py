@@ -35,18 +35,26 @@ def laws(
 
     if name is not None and name not in LAWS:
         raise ClptError(f"{name}: is no law; `clpt laws` lists them")
-    wanted = list(LAWS.values()) if name is None else [LAWS[name]]
+    laws_listed = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: Report = {}
     rows, keys = [], []
-    for law in wanted:
+    for law in laws_listed:
         settings = {}
-        for key, one in law.settings.items():
+        for key, setting in law.settings.items():
             settings[key] = {
-                name: getattr(one, name) for name in ("default", "allowed", "meaning")
+                name: getattr(setting, name)
+                for name in ("default", "allowed", "meaning")
             }
-            default = "of the scenario" if one.default is None else f"{one.default:g}"
+            default = (
+                "of the scenario" if setting.default is None else f"{setting.default:g}"
+            )
             keys.append(
-                [f"learning.{law.table}.{key}", one.allowed, default, one.meaning]
+                [
+                    f"learning.{law.table}.{key}",
+                    setting.allowed,
+                    default,
+                    setting.meaning,
+                ]
             )
         rows.append([law.name, what_it_promises(law), law.needs])
         listed[law.name] = {
@@ -58,10 +66,10 @@ def laws(
         }
     sentences = [""]
     if name is not None:
-        page = listed[name]["page"] = wanted[0].page
+        page = listed[name]["page"] = laws_listed[0].page
         promises = [f"- {words}" for words in listed[name]["promises"]]
         sentences = [page, "Asked along runs:", *promises, ""]
-    found = [
+    results = [
         Result(
             "Laws (learning.law)",
             ["law", "promise, on conditions", "needs"],
@@ -70,10 +78,10 @@ def laws(
         )
     ]
     if keys:
-        found.append(
+        results.append(
             Result("Settings", ["key", "allowed", "default", "what it is"], keys)
         )
-    finish(found, {"laws": listed}, as_json)
+    finish(results, {"laws": listed}, as_json)
 
 
 def prove(
@@ -120,35 +128,45 @@ def prove(
             pool.submit(make_ready)
         from ...theory.proofs.all_proofs import statements
 
-        wanted = statements(theorem)
-        new = [one for one in wanted if again or one not in cached.outcomes]
+        requested = statements(theorem)
+        new = [
+            statement
+            for statement in requested
+            if again or statement not in cached.outcomes
+        ]
         if new:
             with progress_bar("proving", len(new)) as report:
                 cached.store(prove_all(new, report, pool))
-    outcomes: dict[Any, Any] = {one: cached.outcomes[one] for one in wanted}
+    outcomes: dict[Any, Any] = {
+        statement: cached.outcomes[statement] for statement in requested
+    }
     summary: Report = {}
     results, wrong = [], []
     for room, (title, fields) in ROOMS.items():
-        proofs = {s.name: outcomes[s] for s in wanted if s.room == room}
+        proofs = {s.name: outcomes[s] for s in requested if s.room == room}
         summary[room] = {
-            name: _fields(one, fields, name) for name, one in proofs.items()
+            name: _fields(proof, fields, name) for name, proof in proofs.items()
         }
         if room == "laws":
             rows = [
-                [law, one.status + (", every N" if one.for_every_N else ""), one.claim]
-                for law, one in proofs.items()
+                [
+                    law,
+                    proof.status + (", every N" if proof.for_every_N else ""),
+                    proof.claim,
+                ]
+                for law, proof in proofs.items()
             ]
             columns = ["law", "status", "V' along the closed loop"]
             results += [Result("Laws", columns, rows, [""])] if rows else []
         else:
             results += [
-                _result(title.format(name), one) for name, one in proofs.items()
+                _result(title.format(name), proof) for name, proof in proofs.items()
             ]
         wrong += [
             f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds
         ]
-    misprints = outcomes[wanted[-1]]
-    proved_at = max(cached.times[one] for one in wanted)
+    misprints = outcomes[requested[-1]]
+    proved_at = max(cached.times[statement] for statement in requested)
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
     summary["judged"] = {"time": proved_at, "before": not new}
     columns = ["equation", "printed", "should be", "confirmed"]
@@ -181,30 +199,32 @@ def _search_counterexample(
 
     check_out(out, "a scenario")
     with progress_bar(f"searching {law}", 1.0) as report:
-        found = search(law, budget=budget, seed=seed, progress=report)
-    text = None if found.scenario is None else scenario_to_text(found.scenario)
+        outcome = search(law, budget=budget, seed=seed, progress=report)
+    text = None if outcome.scenario is None else scenario_to_text(outcome.scenario)
     if out is not None and text is not None:
         write_file(out, text)
     rows = [
         [
             words,
             "never asked"
-            if what not in found.closest
-            else cell_text(found.closest[what]),
+            if claim not in outcome.closest
+            else cell_text(outcome.closest[claim]),
         ]
-        for what, words in promises_in_words(LAWS[law]).items()
+        for claim, words in promises_in_words(LAWS[law]).items()
     ]
-    title = f"{law}: {found.status} by {found.runs} runs in {found.seconds:.0f} s"
+    title = f"{law}: {outcome.status} by {outcome.runs} runs in {outcome.seconds:.0f} s"
     result = Result(title, ["promise", "came to, above 1 is broken"], rows)
-    finish([result], {**vars(found), "scenario": text}, as_json, out if text else None)
-    if found.broken:
-        raise SimulationError(f"{law} breaks its promise: {found.broken}")
+    finish(
+        [result], {**vars(outcome), "scenario": text}, as_json, out if text else None
+    )
+    if outcome.broken:
+        raise SimulationError(f"{law} breaks its promise: {outcome.broken}")
 
 
 def _fields(proof: Any, fields: str, name: str) -> Report:
     """Return the fields of a proof in JSON."""
-    known = {**asdict(proof), "law": name, "conclusion": proof.claim}
-    return {field: known[field] for field in fields.split()}
+    values = {**asdict(proof), "law": name, "conclusion": proof.claim}
+    return {field: values[field] for field in fields.split()}
 
 
 def _failure(proof: Any) -> str:
@@ -221,8 +241,8 @@ def _result(name: str, proof: Any) -> Result:
         ("holds", proof.corrected),
         ("cited", proof.cited),
     ]
-    sentences += [("not shown", rest) for rest in proof.not_proved]
-    lines = [f"{what + ':':8} {sentence}" for what, sentence in sentences if sentence]
+    sentences += [("not shown", condition) for condition in proof.not_proved]
+    lines = [f"{label + ':':8} {sentence}" for label, sentence in sentences if sentence]
     return Result(
         f"{name}: {proof.status}{every}",
         ["holds", "how", "claim", ""],

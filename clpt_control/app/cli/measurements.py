@@ -82,21 +82,23 @@ def fit(
     )
     scenario = clpt.currents.save_fit(fitted, out)
     length, speed = fitted.report["width_units"], fitted.report["speed_units"]
-    beside = dict.fromkeys(("track_radius", "width"), f" {length}")
-    beside |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
+    unit_of = dict.fromkeys(("track_radius", "width"), f" {length}")
+    unit_of |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
     lines = [
-        [key.replace("_", " "), cell_text(value) + beside.get(key, "")]
+        [key.replace("_", " "), cell_text(value) + unit_of.get(key, "")]
         for key, value in fitted.report.items()
         if key not in ("theta", "width_units", "speed_units")
     ]
     missing = not_learned(scenario)
     sentences = [
-        said for said in (_explained_too_little(fitted.report), missing) if said
+        sentence
+        for sentence in (_explained_too_little(fitted.report), missing)
+        if sentence
     ]
-    found = Result(
+    result = Result(
         f"{out}: written, with the field beside it", ["", ""], lines, sentences
     )
-    finish([found], fitted.report | {"not_learnable": missing}, as_json)
+    finish([result], fitted.report | {"not_learnable": missing}, as_json)
 
 
 def _explained_too_little(fit: Report) -> str:
@@ -134,12 +136,12 @@ def _fit_tides(
 def tides_result(report: Report) -> Result:
     """Return tidal constants: a row per constituent, then the whole."""
     rows = []
-    for name, each in report["constituents"].items():
+    for name, constituent in report["constituents"].items():
         row = [name]
-        for key, error in each["standard_errors"].items():
+        for key, error in constituent["standard_errors"].items():
             digits = 4 if key in ("east", "north", "major", "minor") else 1
             words = "any" if error is None else f"{error:.{digits}f}"
-            row.append(f"{each[key]:z.{digits}f} ({words})")
+            row.append(f"{constituent[key]:z.{digits}f} ({words})")
         rows.append(row)
     title = (
         f"Tides of {report['source']}: amplitudes and axes in m/s, Greenwich phases and "
@@ -203,29 +205,35 @@ def estimate(
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    found = clpt.estimation.flow_estimate(
+    fitted_flow = clpt.estimation.flow_estimate(
         data, method, every=every, prior=prior, noise=noise
     )
     if out is not None:
-        fed = clpt.estimation.known_flow_scenario(scenario, found.theta)
+        fed = clpt.estimation.known_flow_scenario(scenario, fitted_flow.theta)
         clpt.save_scenario(fed, out)
-    sd, length = found.standard_deviation, scenario.units.length
+    sd, length = fitted_flow.standard_deviation, scenario.units.length
     speed = f"{length}/{scenario.units.time}"
     report = {
         "method": method,
         "units": {"length": length, "time": scenario.units.time},
-        "fixes": len(found.misses) + 1,
-        "theta": found.theta.tolist(),
+        "fixes": len(fitted_flow.misses) + 1,
+        "theta": fitted_flow.theta.tolist(),
         "standard_deviation": sd.tolist(),
-        "condition_number": finite_or_none(found.condition_number),
-        "rms_of_misses_left": float(np.sqrt(np.mean(np.sum(found.misses**2, axis=1)))),
-        "steps": len(found.steps),
+        "condition_number": finite_or_none(fitted_flow.condition_number),
+        "rms_of_misses_left": float(
+            np.sqrt(np.mean(np.sum(fitted_flow.misses**2, axis=1)))
+        ),
+        "steps": len(fitted_flow.steps),
     }
     if scenario.flow.parameters is not None:
-        error = np.abs(found.theta - np.array(scenario.flow.parameters))
+        error = np.abs(fitted_flow.theta - np.array(scenario.flow.parameters))
         report["largest_error"] = float(error.max())
     rows = [
-        [str(k + 1), *(f"{found.theta[i, k]:#.4g}" for i in range(2)), f"{sd[k]:.1e}"]
+        [
+            str(k + 1),
+            *(f"{fitted_flow.theta[i, k]:#.4g}" for i in range(2)),
+            f"{sd[k]:.1e}",
+        ]
         for k in range(len(sd))
     ]
     names = "theta_1", "theta_2", "standard deviation"

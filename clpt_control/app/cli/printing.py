@@ -61,9 +61,9 @@ def help_of(command: Callable[..., Any]) -> str:
     return re.sub(r"\n(\w[\w ]*:\n)", r"\n\b\n\1", inspect.getdoc(command) or "")
 
 
-def _print_version(wanted: bool) -> None:
+def _print_version(requested: bool) -> None:
     """Print the versions that a question or a bug report needs, and end."""
-    if not wanted:
+    if not requested:
         return
     import platform
     from importlib.metadata import version
@@ -95,12 +95,14 @@ def clpt(
     """
 
 
-def opt(metavar: str, about: str, *names: str, default: Any = None, **more: Any) -> Any:
+def opt(
+    metavar: str, about: str, *names: str, default: Any = None, **options: Any
+) -> Any:
     """Return an option: the word for its value, its help, names other than the parameter's.
 
     One whose default is ... is required.
     """
-    return typer.Option(default, *names, metavar=metavar, help=about, **more)
+    return typer.Option(default, *names, metavar=metavar, help=about, **options)
 
 
 def flag(about: str, *names: str, default: Any = False) -> Any:
@@ -152,10 +154,10 @@ Formats = Annotated[
 ENDINGS = {"a figure": (".png", ".pdf", ".svg"), "a scenario": (".toml",)}
 
 
-def check_out(path: Path | None, what: str) -> None:
+def check_out(path: Path | None, kind: str) -> None:
     """Refuse what cannot be written, "a figure" or "a scenario", before work begins."""
     if path is not None:
-        check_writable(path, what, ENDINGS[what])
+        check_writable(path, kind, ENDINGS[kind])
 
 
 def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None:
@@ -198,10 +200,10 @@ def finish(
     if as_json:
         print_json(report)
         return
-    for one in results:
-        if one.columns:
-            print_table(one.title, one.columns, one.rows)
-        for sentence in one.sentences:
+    for result in results:
+        if result.columns:
+            print_table(result.title, result.columns, result.rows)
+        for sentence in result.sentences:
             say(sentence)
     for path in written:
         if path is not None:
@@ -239,10 +241,12 @@ def print_table(
         cells = [column, *(row[k] for row in rows)]
         words = k == 0 and any(" " in cell for cell in cells)
         # numbers are never cut
-        whole = not words and all(len(cell) <= LONG for cell in cells)
-        table.add_column(Text(column), no_wrap=whole, overflow="fold")
-        parts = cells if whole else [word for cell in cells for word in cell.split()]
-        least += 3 + max(min(len(part), LONG) for part in parts)
+        is_short = not words and all(len(cell) <= LONG for cell in cells)
+        table.add_column(Text(column), no_wrap=is_short, overflow="fold")
+        words_of_column = (
+            cells if is_short else [word for cell in cells for word in cell.split()]
+        )
+        least += 3 + max(min(len(word), LONG) for word in words_of_column)
     for row in rows:
         table.add_row(*map(Text, row))
     console = Console(width=max(terminal_width(), least))

@@ -320,16 +320,16 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
     Then a factor on it is a parameter, which the dives may find to be near zero.
     """
     FixModel = clpt.estimation.FixModel
-    parts = (
+    flow_parts = (
         FixModel().flow
         if flow is None
         else tuple(name.strip() for name in flow.split(","))
     )
-    if not forecast and "model" in parts:
+    if not forecast and "model" in flow_parts:
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")
-    if forecast and "model" not in parts:
-        parts = (*parts, "model")
-    return FixModel(parts, learn_speed)
+    if forecast and "model" not in flow_parts:
+        flow_parts = (*flow_parts, "model")
+    return FixModel(flow_parts, learn_speed)
 
 
 STATE = "state"  # in a folder of results
@@ -343,44 +343,46 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     from ...ocean.gliders.dive_files import may_hold_dives
 
     root = top.resolve()
-    seen = {root, out.resolve()}
+    visited = {root, out.resolve()}
 
     def is_new(folder: Path) -> bool:
-        place = folder.resolve()
-        of_tree = place.is_relative_to(root) or root.is_relative_to(place)
-        if place in seen or (folder.is_symlink() and of_tree):
+        resolved = folder.resolve()
+        of_tree = resolved.is_relative_to(root) or root.is_relative_to(resolved)
+        if resolved in visited or (folder.is_symlink() and of_tree):
             return False
-        seen.add(place)
+        visited.add(resolved)
         return True
 
     faults: list[OSError] = []
     for where, inner, names in os.walk(top, onerror=faults.append, followlinks=True):
-        here = Path(where)
+        parent = Path(where)
         inner[:] = [
-            name for name in sorted(inner) if name[0] != "." and is_new(here / name)
+            name for name in sorted(inner) if name[0] != "." and is_new(parent / name)
         ]
         if any(may_hold_dives(Path(name)) for name in names):
-            yield here, ""
+            yield parent, ""
     for fault in faults:
         yield Path(fault.filename), f"{fault.filename}: {fault.strerror}"
 
 
-def pages_of(vehicles: Iterable[str], place: Path) -> dict[str, Path]:
+def pages_of(vehicles: Iterable[str], folder: Path) -> dict[str, Path]:
     """Return where results of the vehicles of a folder go: a folder each where they are several.
 
     >>> names = {"a b", "a_b", "..", "state", "$"}
     >>> {name: page.name for name, page in pages_of(names, Path("out")).items()}
     {'$': '_', '..': '_.', 'a b': 'a_b', 'a_b': 'a_b_', 'state': 'state_'}
     """
-    found = {}
-    taken = {STATE}
+    folders_by_vehicle = {}
+    used_names = {STATE}
     for vehicle in sorted(vehicles):
         name = re.sub(r"[^\w.-]|^\.", "_", vehicle)
-        while name in taken:
+        while name in used_names:
             name += "_"
-        taken.add(name)
-        found[vehicle] = place / name
-    return found if len(found) > 1 else dict.fromkeys(found, place)
+        used_names.add(name)
+        folders_by_vehicle[vehicle] = folder / name
+    if len(folders_by_vehicle) > 1:
+        return folders_by_vehicle
+    return dict.fromkeys(folders_by_vehicle, folder)
 
 
 def look_at(
@@ -407,29 +409,35 @@ def look_at(
             rows.append(unread(vehicle, str(error)))
 
     for folder, fault in folders(top, out):
-        place = out / folder.relative_to(top)
+        results_folder = out / folder.relative_to(top)
         named = folder.parent if folder.name.lower() == FROM_GLIDER else folder
         name = named.resolve().name
         with or_unread(name):
             if fault:
                 raise DataError(fault)
-            with following(folder, place) as follower:
+            with following(folder, results_folder) as follower:
                 follower.look()
                 dives, bad = follower.dives()
                 if not dives:
                     raise DataError(
                         bad[0].why if bad else f"{folder}: no file is there any more"
                     )
-                places = pages_of({dive.vehicle or name for dive in dives}, place)
+                folders_by_vehicle = pages_of(
+                    {dive.vehicle or name for dive in dives}, results_folder
+                )
                 dives = [replace(dive, vehicle=dive.vehicle or name) for dive in dives]
-                alerts = Alerts(alert, place)
-                for vehicle, page in places.items():
+                alerts = Alerts(alert, results_folder)
+                for vehicle, page in folders_by_vehicle.items():
                     with or_unread(vehicle):
-                        its = [dive for dive in dives if dive.vehicle == vehicle]
-                        found, _ = job.learn((its, bad), 0, make_folder(page))
-                        alerts.tell(found)
+                        dives_of_vehicle = [
+                            dive for dive in dives if dive.vehicle == vehicle
+                        ]
+                        summary, _ = job.learn(
+                            (dives_of_vehicle, bad), 0, make_folder(page)
+                        )
+                        alerts.tell(summary)
                         link = (page / "replay.html").relative_to(out).as_posix()
-                        rows.append(standing(found, link, time.time()))
+                        rows.append(standing(summary, link, time.time()))
     if not rows:
         raise DataError(f"{top}: no folder below it has files of dives")
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}
@@ -437,13 +445,15 @@ def look_at(
     return fleet, out / "fleet.html"
 
 
-def fleet_results(found: Report) -> list[Result]:
+def fleet_results(fleet: Report) -> list[Result]:
     """Return what a terminal shows of a fleet."""
     from ...ocean.forecast.fleet import FLEET, fleet_cells, fleet_sentence
 
-    cells = [fleet_cells(row) for row in found["vehicles"]]
+    cells = [fleet_cells(row) for row in fleet["vehicles"]]
     sentences = [
-        f"{row['vehicle']}: {one}" for row in found["vehicles"] for one in row["said"]
+        f"{row['vehicle']}: {sentence}"
+        for row in fleet["vehicles"]
+        for sentence in row["said"]
     ]
-    sentences.append(fleet_sentence(found["vehicles"]))
+    sentences.append(fleet_sentence(fleet["vehicles"]))
     return [replay_report.fitted("Fleet", cells, FLEET, sentences)]

@@ -60,8 +60,8 @@ class Job:
         from ...ocean.forecast.surfacing import check_flown
 
         if self.plan:
-            time, way = self.plan
-            check_flown(hypot(*way) / time if time > 0 else 0.0, time)
+            time, displacement = self.plan
+            check_flown(hypot(*displacement) / time if time > 0 else 0.0, time)
         if not self.targets and (self.speed, self.duration) != (None, None):
             raise ScenarioError(
                 "--speed and --hours are for --aim LAT LON; give a waypoint"
@@ -156,20 +156,20 @@ class Job:
         from ...ocean.forecast.geographic import place
         from ...ocean.forecast.text_report import aim_sentence, when
 
-        found = self.found(*dives)
+        summary = self.found(*dives)
         used = len(self.replay.steps)
         line = (
             f"{files} new file{'s'[: files != 1]}, {used} dive{'s'[: used != 1]} used"
         )
         if not used:
-            return found, line
-        write(found, out, self.kinds, again=True)
-        step, to_come = self.replay.steps[-1], found["next_dive"]
-        near = place(to_come["latitude"], to_come["longitude"])
-        return found, (
+            return summary, line
+        write(summary, out, self.kinds, again=True)
+        step, to_come = self.replay.steps[-1], summary["next_dive"]
+        position = place(to_come["latitude"], to_come["longitude"])
+        return summary, (
             f"{line}; dive {step.dive.number}: position error {step.clpe['adaptive']:.0f} m"
-            + f"; next surfacing {when(to_come)}, near {near}"
-            + (f"; {aim_sentence(found['aim'][0])}" if found["aim"] else "")
+            + f"; next surfacing {when(to_come)}, near {position}"
+            + (f"; {aim_sentence(summary['aim'][0])}" if summary["aim"] else "")
         )
 
 
@@ -181,14 +181,14 @@ def fitted(
         name: EDGES + max(len(name), *(min(len(row[name]), LONG) for row in rows))
         for name in rows[0]
     }
-    left, chosen = terminal_width() - EDGE, set()
+    room, chosen = terminal_width() - EDGE, set()
     for name in sorted(size, key=lambda name: columns[name][0]):
-        if columns[name][0] == 0 or size[name] <= left:
+        if columns[name][0] == 0 or size[name] <= room:
             chosen.add(name)
-            left -= size[name]
+            room -= size[name]
     titles = [name for name in size if name in chosen]
     return Result(
-        title, titles, [[row[one] for one in titles] for row in rows], sentences
+        title, titles, [[row[column] for column in titles] for row in rows], sentences
     )
 
 
@@ -196,7 +196,7 @@ def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
     from ...ocean.forecast import table_rows, text_report
 
-    each, sentences = (
+    rows, sentences = (
         summary["each_dive"],
         [*text_report.remarks(summary), *text_report.coming(summary)],
     )
@@ -205,9 +205,9 @@ def results(summary: Report) -> list[Result]:
             f"to paste, {summary['paste']['file']}:",
             summary["paste"]["text"].rstrip(),
         ]
-    if not each:
+    if not rows:
         return [Result(sentences=["no dives yet", *sentences])]
-    dives = [table_rows.cells(row) for row in each]
+    dives = [table_rows.cells(row) for row in rows]
     if summary["next_dive"]:
         dives.append(table_rows.cells_ahead(summary["next_dive"]))
     means = {name: summary[key] for key, name in ROWS.items()}
@@ -216,7 +216,7 @@ def results(summary: Report) -> list[Result]:
         and 0 < summary["flow_model"]["covered"] < summary["used"]
     ):
         means["covered, after the first dive"] = summary["flow_model"]["clpe_rms"]
-    models = table_rows.MODELS[: len(each[0]["clpe"])]
+    models = table_rows.MODELS[: len(rows[0]["clpe"])]
     rows = [
         [name, *map(table_rows.metres, rms.values())] for name, rms in means.items()
     ]
@@ -227,7 +227,7 @@ def results(summary: Report) -> list[Result]:
 
 
 def write(
-    found: Report, folder: Path, kinds: Sequence[str], again: bool = False
+    summary: Report, folder: Path, kinds: Sequence[str], again: bool = False
 ) -> list[Path]:
     """Write what `Job.summary` says of a replay into a folder, all or none.
 
@@ -241,17 +241,17 @@ def write(
     from ...ocean.forecast.replay_page import replay_page
 
     results: dict[str, Any] = {
-        "replay.nc": replay_dataset(found),
-        "replay.html": replay_page(found, again),
-        "next.geojson": next_geojson(found),
-        "track.kml": track_kml(found, found["vehicle"]),
+        "replay.nc": replay_dataset(summary),
+        "replay.html": replay_page(summary, again),
+        "next.geojson": next_geojson(summary),
+        "track.kml": track_kml(summary, summary["vehicle"]),
     }
-    if found["paste"]:
-        results[found["paste"]["file"]] = found["paste"]["text"]
-    figures = replay_figures(found) if kinds else {}
+    if summary["paste"]:
+        results[summary["paste"]["file"]] = summary["paste"]["text"]
+    figures = replay_figures(summary) if kinds else {}
     for name, figure in figures.items():
         results |= {f"{name}.{kind}": figure for kind in kinds}
-    placed = {folder / name: one for name, one in results.items()}
+    placed = {folder / name: content for name, content in results.items()}
     write_together(placed)
     return list(placed)
 
@@ -283,27 +283,27 @@ def watch(
     from ...ocean.forecast.follow import following
 
     with interrupt.terminated(), following(folder, out) as follower:
-        found = None  # None while results are not those of all files
+        summary = None  # None while results are not those of all files
         alerts = Alerts(alert, out)
         since = time.monotonic()
         try:
             while True:
                 before = follower.present
                 arrived = follower.look()
-                if arrived or follower.present != before or found is None:
-                    found = None
+                if arrived or follower.present != before or summary is None:
+                    summary = None
                     learned, line = job.learn(follower.dives(), len(arrived), out)
-                    found = learned  # from where the line is seen, an interrupt has its results
+                    summary = learned  # from where the line is seen, an interrupt has its results
                     tell(line)
                     if arrived:
                         since = time.monotonic()
-                alerts.tell(found)
-                left = since + patience - time.monotonic()
-                if left <= 0:
-                    return found
-                interrupt.wait(min(every, left))
+                alerts.tell(summary)
+                remaining = since + patience - time.monotonic()
+                if remaining <= 0:
+                    return summary
+                interrupt.wait(min(every, remaining))
         except KeyboardInterrupt:  # the user's way to end it
-            if found is None:
+            if summary is None:
                 raise
             interrupt.answer()
-            return found
+            return summary

@@ -100,8 +100,11 @@ def paper(
     drawn, file = run_figures(fine, folder, kinds), folder / "run.nc"
     write_together({file: as_written(run, file), **drawn})
     summary["claims"] = clpt.simulation.claims(summary)
-    first, *_, last = drawn
-    sentences = [f"{folder}: {first.name} to {last.name}, run.nc", INTERPRETATION]
+    first_figure, *_, last_figure = drawn
+    sentences = [
+        f"{folder}: {first_figure.name} to {last_figure.name}, run.nc",
+        INTERPRETATION,
+    ]
     finish(
         [claims_result(summary["claims"])._replace(sentences=sentences)],
         summary,
@@ -142,19 +145,19 @@ def run(
 
         result = fine = clpt.simulate(system)
         summary = {name: result.attrs[name] for name in ("title", "status", "message")}
-        found, summary["signals"] = response_result(result), extent_of(result)
+        table, summary["signals"] = response_result(result), extent_of(result)
     else:
         from ..pages.results import run_result
 
         with progress_bar(f"running {scenario.name}", system.run.duration) as report:
             result, fine, summary = clpt.simulation.run_and_report(system, report)
-        found = run_result(summary, summary["title"] or str(scenario))
+        table = run_result(summary, summary["title"] or str(scenario))
         if missing := not_learned(result):
-            found = found._replace(sentences=[*found.sentences, missing])
+            table = table._replace(sentences=[*table.sentences, missing])
             summary["not_learnable"] = missing
     drawn = {} if folder is None else run_figures(fine, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
-    finish([found], summary, as_json, out)
+    finish([table], summary, as_json, out)
 
 
 def export(
@@ -265,8 +268,8 @@ def ensemble(
         )
     summary = ensemble_summary(data)
     draw_figure(figure, clpt.ensemble.ensemble_plot, data)
-    found = ensemble_result(data, summary, experiment.title or str(scenario))
-    finish([found], summary, as_json, out)
+    table = ensemble_result(data, summary, experiment.title or str(scenario))
+    finish([table], summary, as_json, out)
 
 
 def tune(
@@ -354,14 +357,14 @@ TRIED = {  # what of a candidate is said, by key
 def _result(report: Report) -> Result:
     units = report["units"]
     rows = [
-        [cell_text(one[key]) for key in TRIED]
-        for one in report["candidates"][:MOST_SHOWN]
+        [cell_text(candidate[key]) for key in TRIED]
+        for candidate in report["candidates"][:MOST_SHOWN]
     ]
-    more = len(report["candidates"]) - MOST_SHOWN
+    hidden = len(report["candidates"]) - MOST_SHOWN
     title = (
         f"{report['members']} flows drawn with a prior of {report['prior']:.3g} "
         f"{units['length']}/{units['time']}, the scenario's own flow unseen"
-        f"{f'; {more} more candidates' if more > 0 else ''}"
+        f"{f'; {hidden} more candidates' if hidden > 0 else ''}"
     )
     columns = [words.format(**units) for words in TRIED.values()]
     skipped = [f"skipped {name}: {why}" for name, why in report["skipped"].items()]

@@ -83,26 +83,28 @@ def _bound_errors(
     from ...paper.scenario.file import load_vehicle_scenario
 
     experiment = load_vehicle_scenario(scenario)
-    found = clpt.certify(experiment, radius, error=error, window=window)
-    length, time = found.units["length"], found.units["time"]
+    bounds = clpt.certify(experiment, radius, error=error, window=window)
+    length, time = bounds.units["length"], bounds.units["time"]
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
     columns.append(f"error of a flow parameter at most ({length}/{time})")
-    numbers = zip(found.time, found.V, found.clpe, found.flow_error, strict=True)
-    rows = [[f"{t:.6g}", *(at_most(one, 6) for one in row)] for t, *row in numbers]
-    title = f"For every start with V(0) <= {found.radius:.6g}, windows of {found.window:g} {time}"
-    most = f"{at_most(found.clpe[0])} {length}{found.known_until}"
-    sentences = [found.said, f"CLPE is never above {most}"]
-    if found.disturbance > 0:
+    numbers = zip(bounds.time, bounds.V, bounds.clpe, bounds.flow_error, strict=True)
+    rows = [
+        [f"{t:.6g}", *(at_most(number, 6) for number in row)] for t, *row in numbers
+    ]
+    title = f"For every start with V(0) <= {bounds.radius:.6g}, windows of {bounds.window:g} {time}"
+    most = f"{at_most(bounds.clpe[0])} {length}{bounds.known_until}"
+    sentences = [bounds.said, f"CLPE is never above {most}"]
+    if bounds.disturbance > 0:
         end = "is not shown to end below a bound"
-        if found.ultimate is not None:
-            end = f"ends at most at {at_most(found.ultimate)} {length}"
+        if bounds.ultimate is not None:
+            end = f"ends at most at {at_most(bounds.ultimate)} {length}"
         weakest = "if later windows excite like the run's weakest"
-        bound = f"|Delta| <= {at_most(found.disturbance)} {length}/{time}"
+        bound = f"|Delta| <= {at_most(bounds.disturbance)} {length}/{time}"
         sentences.append(f"with {bound} it {end}, {weakest}")
     sentences.append(
-        f"a window of small errors leaves {at_most(1 - found.drops.min())} of V at worst"
+        f"a window of small errors leaves {at_most(1 - bounds.drops.min())} of V at worst"
     )
-    finish([Result(title, columns, rows, sentences)], found.report(), as_json)
+    finish([Result(title, columns, rows, sentences)], bounds.report(), as_json)
 
 
 class WaypointSearch(NamedTuple):
@@ -133,16 +135,16 @@ def tune_waypoints(
     check_out(out, "a scenario")
     check_out(figure, "a figure")
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
-        found = clpt.theory.design_track(
+        design = clpt.theory.design_track(
             experiment, **search._asdict(), progress=report
         )
-    results: dict[Path, Any] = {out: scenario_to_text(found.scenario, out.parent)}
+    results: dict[Path, Any] = {out: scenario_to_text(design.scenario, out.parent)}
     if figure is not None:
         from ...base.figures import figure_of
 
-        results[figure] = figure_of(clpt.theory.design_plot, found)
+        results[figure] = figure_of(clpt.theory.design_plot, design)
     write_together(results)
-    finish([_result(found.report)], found.report, as_json, *results)
+    finish([_result(design.report)], design.report, as_json, *results)
 
 
 DESIGNED = {  # what of a track is said, by key
@@ -172,13 +174,13 @@ def _result(report: Report) -> Result:
         f"Smallest eigenvalue of the joint Gramian over {report['start']:g} to "
         f"{report['start'] + report['window']:g} {units['time']}, along {report['trajectory']}"
     )
-    said = f"the best of {report['tracks_tried']} tracks"
+    sentence = f"the best of {report['tracks_tried']} tracks"
     if report["own_track_kept"]:
-        said = (
+        sentence = (
             f"no better one of {report['tracks_tried']} tracks was found within these limits, so "
             "it stays as it is; give another seed, or allow more length, speed or area"
         )
-    return Result(title, ["", "before", "after"], rows, [said])
+    return Result(title, ["", "before", "after"], rows, [sentence])
 
 
 def _cell(key: str, value: Any) -> str:

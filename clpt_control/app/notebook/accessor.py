@@ -99,11 +99,11 @@ def write_mat(run: "xarray.Dataset", path: Path) -> None:
         arrays[name] = np.column_stack([*signals.values()])
         arrays["units"][name] = str(run[port].attrs.get("units", ""))
         arrays["signals"][name] = np.array([*signals], dtype=object)
-    with atomic_path(path) as made:
-        savemat(made, arrays, appendmat=False, long_field_names=True)
+    with atomic_path(path) as temporary:
+        savemat(temporary, arrays, appendmat=False, long_field_names=True)
 
 
-def _valid(name: str, taken: Any) -> str:
+def _valid(name: str, used_names: Any) -> str:
     """Return a name that MATLAB allows, and that is not taken.
 
     >>> _valid("K", []), _valid("2nd flow", []), _valid("e", ["e"])
@@ -111,7 +111,7 @@ def _valid(name: str, taken: Any) -> str:
     """
     word = re.sub(r"\W", "_", name, flags=re.ASCII)[:LONGEST]
     word = word if word[:1].isalpha() else f"x_{word}"
-    while word in taken:
+    while word in used_names:
         word += "_"
     return word
 
@@ -180,19 +180,19 @@ class ClptAccessor:
         """
         from ...engine.diagram.linearization import linearize, minimal_of
 
-        at, attributes = state_at(self._data, t), self._data.attrs
+        state, attributes = state_at(self._data, t), self._data.attrs
         beyond = [attributes[name] for name in BEYOND if name in attributes]
         if self.kind != "run" or beyond:
-            what = f"{self.kind} with {beyond[0]}" if beyond else self.kind
+            description = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             raise DataError(
-                f"the dataset of a {what} does not hold its diagram; give it, and the state of "
-                "run.clpt.state(t), to clpt.linearize"
+                f"the dataset of a {description} does not hold its diagram; give it, and the "
+                "state of run.clpt.state(t), to clpt.linearize"
             )
         scenario: Any = self.scenario
-        whole = simulation.closed_loop(scenario)
+        loop = simulation.closed_loop(scenario)
         system = simulation.closed_loop(scenario, external=input or ())
-        states = dict(zip(whole.state_labels, at, strict=True))
-        signals = dict(zip(whole.output_labels, whole.output(t, at, []), strict=True))
+        states = dict(zip(loop.state_labels, state, strict=True))
+        signals = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
         x = [states[label] for label in system.state_labels]
         linear = linearize(
             system, x, [signals[label] for label in system.input_labels], t
@@ -220,9 +220,9 @@ class ClptAccessor:
 
     def __repr__(self) -> str:
         kind = kind_of(self._data)
-        what = (
+        description = (
             f"{kind} {self._data.attrs.get('title', '')}".strip()
             if kind
             else "none of clpt's"
         )
-        return f"<clpt of a dataset: {what}>"
+        return f"<clpt of a dataset: {description}>"

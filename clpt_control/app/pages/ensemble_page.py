@@ -21,16 +21,17 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
     request = json.loads(data.attrs["ensemble"])
     summary = ensemble_summary(data)
     members, status = summary["members"], data["status"].values
-    done, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
+    completed, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
     warnings = []
-    if done < members:
+    if completed < members:
         warnings.append(
-            f"The ensemble is not complete: {done} of {members} members are done; figures are of "
-            "these. `clpt ensemble` with the same words goes on."
+            f"The ensemble is not complete: {completed} of {members} members are done; "
+            "figures are of these. `clpt ensemble` with the same words goes on."
         )
-    if finished < done:
+    if finished < completed:
         warnings.append(
-            f"{done - finished} of {done} runs did not come to their end; what they reached counts."
+            f"{completed - finished} of {completed} runs ended early; figures are of "
+            "the part that they completed."
         )
     if request.get("law"):
         warnings.append(
@@ -43,7 +44,7 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
         [f"{members} runs of a scenario with values that vary."],
         warnings,
         [
-            _spread(data, summary, done),
+            _spread(data, summary, completed),
             _varied(data, request),
             Section("scenario", "Scenario", more=text),
             versions_section(data.attrs),
@@ -51,10 +52,10 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
     )
 
 
-def _spread(data: Dataset, summary: Numbers, done: int) -> Section:
+def _spread(data: Dataset, summary: Numbers, completed: int) -> Section:
     """Return percentiles, drawn and as a table."""
     heading = "How the runs differ"
-    if not done:
+    if not completed:
         result = Result(sentences=["No member is done: nothing to draw"])
         return Section("spread", heading, result)
     caption = (
@@ -75,12 +76,12 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
             rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
     rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
     end = f"t = {float(data['mark'][-1]):g} {time}"
-    for key, what in (
+    for key, quantity in (
         ("flow_parameter_error", "flow parameter"),
         ("gain_error", "gain"),
     ):
         if f"{key}_at_end" in summary:
-            row = f"largest {what} error ({unit_of(data[key])}), {end}"
+            row = f"largest {quantity} error ({unit_of(data[key])}), {end}"
             rows.append([row, *_cells(summary[f"{key}_at_end"])])
     ended = ", ".join(
         f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
@@ -107,7 +108,7 @@ def _cells(column: list[float] | None) -> list[str]:
 def _varied(data: Dataset, request: Request) -> Section:
     rows = []
     for key, text in zip(request["keys"], request["vary"], strict=True):
-        cells = [f"{one:.4g}" for one in np.percentile(data[key], (0, 50, 100))]
+        cells = [f"{number:.4g}" for number in np.percentile(data[key], (0, 50, 100))]
         rows.append([key, text.removeprefix(key), *cells])
     columns = ["key", "asked for", "least", "median", "most"]
     return Section(

@@ -62,7 +62,7 @@ class Page(NamedTuple):
     @property
     def figures(self) -> list[Drawn]:
         """The figures in their order."""
-        return [one for section in self.sections for one in section.figures]
+        return [figure for section in self.sections for figure in section.figures]
 
 
 def drawn(
@@ -79,8 +79,8 @@ def drawn(
 def page_html(page: Page) -> str:
     """Return a page as HTML."""
     links = "".join(
-        f'<li><a href="#{one.name}">{safe(one.heading)}</a></li>'
-        for one in page.sections
+        f'<li><a href="#{section.name}">{safe(section.heading)}</a></li>'
+        for section in page.sections
     )
     body = "\n".join(
         [
@@ -122,11 +122,11 @@ def _figure(drawn: Drawn) -> str:
 
 def versions_section(attrs: Mapping[Any, Any]) -> Section:
     """Return what the attributes record of versions and solver, and what made the page."""
-    here = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    packages = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
     names = [str(name) for name in attrs]
     recorded = [
         name for name in names if name in RECORDED or name.startswith("solver_")
     ]
     rows = [[name.replace("_", " "), str(attrs[name])] for name in recorded]
-    rows.append(["page made with", f"Python {platform.python_version()}, {here}"])
-    return Section("versions", "Versions", Result("What ran", ["", ""], rows))
+    rows.append(["page made with", f"Python {platform.python_version()}, {packages}"])
+    return Section("versions", "Versions", Result("Software", ["", ""], rows))

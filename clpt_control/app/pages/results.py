@@ -49,14 +49,14 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
         RecursionError,
     ):
         # NaN is no number
-        own = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)
+        figures = json.loads(str(run.attrs.get(SUMMARY)), parse_constant=int)
         numbers = {
             **ending,
             "of_samples": False,
-            **{k: own[k] for k in OF_A_RUN if k in own},
+            **{k: figures[k] for k in OF_A_RUN if k in figures},
         }
         run_result(numbers, "")
-        if own["end"] == ending["end"]:
+        if figures["end"] == ending["end"]:
             return numbers
     return {**ending, "of_samples": True, **figures_of(system, run)}
 
@@ -64,17 +64,19 @@ def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
 def asked(system: Scenario | Team, waypoints: int) -> str:
     """Return in a sentence what a run is of, by its scenario or its team."""
     if isinstance(system, Team):
-        first, names = system.first, shortened(", ".join(system.members), 80)
-        who = f"{len(system.members)} vehicles, {names},"
+        scenario, names = system.first, shortened(", ".join(system.members), 80)
+        subject = f"{len(system.members)} vehicles, {names},"
     else:
-        first, who = system, "A vehicle"
+        scenario, subject = system, "A vehicle"
         if waypoints:
-            dwell = f"{first.reference.dwell:g} {first.units.time}"
-            who += f" at {waypoints} waypoints, {dwell} at each,"
-    measured = first.flow.field is not None
-    water = "a measured current" if measured else f"a flow of {first.basis.N} functions"
-    span = f"{first.run.duration:g} {first.units.time}"
-    return f"{who} for {span} in {water}; law {first.learning.law}"
+            dwell = f"{scenario.reference.dwell:g} {scenario.units.time}"
+            subject += f" at {waypoints} waypoints, {dwell} at each,"
+    measured = scenario.flow.field is not None
+    water = (
+        "a measured current" if measured else f"a flow of {scenario.basis.N} functions"
+    )
+    span = f"{scenario.run.duration:g} {scenario.units.time}"
+    return f"{subject} for {span} in {water}; law {scenario.learning.law}"
 
 
 def run_result(summary: Numbers, title: str) -> Result:
@@ -86,9 +88,12 @@ def run_result(summary: Numbers, title: str) -> Result:
         return Result(title, ["", ""], rows, learning_advice({"": summary}))
     graph = f"{summary['coupling']:g}, {summary['connectivity']:.3g}"
     rows.append([f"coupling kappa (1/{time}), connectivity lambda_2", graph])
-    end, apart = list(summary["max_disagreement"].items())[-1]
+    end, disagreement = list(summary["max_disagreement"].items())[-1]
     rows.append(
-        [f"largest disagreement ({length}/{time})", f"{apart:.3g} at t = {end} {time}"]
+        [
+            f"largest disagreement ({length}/{time})",
+            f"{disagreement:.3g} at t = {end} {time}",
+        ]
     )
     by_key = {key: of for key, of in summary.items() if isinstance(of, dict)}
     by_vehicle = {}
@@ -96,8 +101,8 @@ def run_result(summary: Numbers, title: str) -> Result:
         numbers = {key: of[name] for key, of in by_key.items() if name in of}
         by_vehicle[f"{name}: "] = numbers
         rows += [
-            [f"{name}: {what}", value]
-            for what, value in _achieved(numbers, length, time)
+            [f"{name}: {quantity}", value]
+            for quantity, value in _achieved(numbers, length, time)
         ]
     return Result(title, ["", ""], rows, learning_advice(by_vehicle))
 
@@ -133,24 +138,30 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
         rows.append(["share of time at the speed limit", at_limit])
         if numbers["speed"]["faster_flow"] is None:
             rows.append(["flow faster than the vehicle", "never"])
-    for what, unit in (("flow parameter", f"{length}/{time}"), ("gain", f"1/{time}")):
-        if by_time := numbers.get(f"max_{what.replace(' ', '_')}_error"):
+    for quantity, unit in (
+        ("flow parameter", f"{length}/{time}"),
+        ("gain", f"1/{time}"),
+    ):
+        if by_time := numbers.get(f"max_{quantity.replace(' ', '_')}_error"):
             end, error = list(by_time.items())[-1]
             rows.append(
-                [f"largest {what} error ({unit})", f"{error:.3g} at t = {end} {time}"]
+                [
+                    f"largest {quantity} error ({unit})",
+                    f"{error:.3g} at t = {end} {time}",
+                ]
             )
     shares = numbers.get("explained_variance") or {}
-    for place in ("track", "box") if shares else ():
-        share = shares[place]
-        said = "none: the current hardly changes" if share is None else percent(share)
-        said += "; negative: worse than the mean current" if (share or 0) < 0 else ""
-        rows.append([f"share of the flow's variance learned, {place}", said])
+    for region in ("track", "box") if shares else ():
+        share = shares[region]
+        text = "none: the current hardly changes" if share is None else percent(share)
+        text += "; negative: worse than the mean current" if (share or 0) < 0 else ""
+        rows.append([f"share of the flow's variance learned, {region}", text])
     return rows
 
 
-def claims_result(found: list[dict[str, str]]) -> Result:
+def claims_result(claims: list[dict[str, str]]) -> Result:
     """Return the claims of section IV, judged."""
-    rows = [list(one.values()) for one in found]
+    rows = [list(claim.values()) for claim in claims]
     return Result(
         "Claims of section IV", ["claim", "criterion", "measured", "verdict"], rows
     )
@@ -202,18 +213,20 @@ def _how_fast(report: Numbers) -> Iterator[str]:
         yield f"contraction of V: {report['not_certified']}"
     else:
         time = report["time_to_tenth"]
-        within = "never" if time is None else f"within {time:.6g} {report['time_unit']}"
+        decay_time = (
+            "never" if time is None else f"within {time:.6g} {report['time_unit']}"
+        )
         yield (
             f"contraction of V, exact, at worst {report['contraction']:.6g}; guaranteed drop rho "
-            f"{report['rho']:.3g}; in windows like this one errors fall to a tenth {within}"
+            f"{report['rho']:.3g}; in windows like this one errors fall to a tenth {decay_time}"
         )
     if report["disturbed"]:
         yield "V and errors fall so but for what the disturbance adds to them"
     if "accuracy" in report:
         change = report["accuracy"]
-        said = "not known: the samples are too far apart; a smaller run.output_step says more"
-        said = said if change is None else f"{change:.2g} relative"
-        yield f"accuracy of the eigenvalues: {said}"
+        text = "not known: the samples are too far apart; a smaller run.output_step says more"
+        text = text if change is None else f"{change:.2g} relative"
+        yield f"accuracy of the eigenvalues: {text}"
     if report["ceilings"]:
         yield (
             "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "

@@ -52,31 +52,31 @@ ONE_SAMPLE = Result(
 def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
     """Return the page of a run that carries this scenario, or this team."""
     numbers = results.numbers_of(run, system)
-    own, changed, parts = (
+    own_law, changed, own_parts = (
         run.attrs.get(name) for name in (OWN_LAW, CHANGED, OWN_PARTS)
     )
-    paper = system == paper_scenario() and not (own or changed or parts)
+    paper = system == paper_scenario() and not (own_law or changed or own_parts)
     text = listing(str(run.attrs.get(TEAM, run.attrs.get("scenario"))))
     if isinstance(system, Team):
         kind, scenario, waypoints = "Run of a team", system.first, 1
     else:
         kind, scenario, waypoints = (
-            KINDS[parts is not None],
+            KINDS[own_parts is not None],
             system,
             len(waypoints_of(run, system)),
         )
     if not waypoints:  # there are no rounds
         numbers = {**numbers, "clpe_rms_per_cycle": []}
-    achieved = results.run_result(numbers, "What came of the run")
+    achieved = results.run_result(numbers, "Results of the run")
     sections = [Section("achieved", achieved.title, achieved)]
     if paper and not numbers["of_samples"]:  # else the run does not carry its figures
         judged = results.claims_result(claims(numbers))
         sections.append(Section("claims", judged.title, judged))
-    if not (own or parts):
+    if not (own_law or own_parts):
         loop = closed_loop(system)
         sections += loop_section(loop, PAPERS_LOOP)
     unmeasured = (
-        "the run had what its scenario does not hold" if changed or parts else ""
+        "the run had what its scenario does not hold" if changed or own_parts else ""
     )
     return Page(
         "Section IV of the paper" if paper else kind,
@@ -106,11 +106,11 @@ def _ended(run: Dataset) -> list[str]:
 def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     """Return what a reader must know before the figures."""
     sentences = []
-    first, last = float(run.time[0]), float(run.time[-1])
-    if not _ended(run) and (first > 0 or last < scenario.run.duration * (1 - 1e-9)):
+    begin, end = float(run.time[0]), float(run.time[-1])
+    if not _ended(run) and (begin > 0 or end < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
         sentences.append(
-            f"What is shown is t = {first:g} to {last:g} {unit} of the run."
+            f"What is shown is t = {begin:g} to {end:g} {unit} of the run."
         )
     kinds = [name for name in BEYOND if name in run.attrs]
     if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
@@ -167,8 +167,10 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
         return [Section("track", "Track and errors", ONE_SAMPLE), *learning]
     few, thin = samples_to_draw(run)
 
-    def figure(name: str, height: float, caption: str, plot: Any, *more: Any) -> Drawn:
-        return drawn(name, height, caption + thin, plot, few, *more)
+    def figure(
+        name: str, height: float, caption: str, plot: Any, *arguments: Any
+    ) -> Drawn:
+        return drawn(name, height, caption + thin, plot, few, *arguments)
 
     if isinstance(system, Team):
         caption = (
@@ -183,18 +185,23 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
             )
         ]
     unknown = unknown_parts(run)
-    track = [figure("track", 4.9, "Where it was to be, and the track.", track_plot)]
+    track = [figure("track", 4.9, "Reference and track.", track_plot)]
     if "basis_x" not in unknown and "reference" in run:
         caption = (
-            "The true flow, where it is known, and what was learned of it by the end. Where the "
-            "vehicle never was, what is learned is a guess."
+            "The true flow, if known, and the learned flow at the end. The learned flow is a guess "
+            "at places that the vehicle did not visit."
         )
         track.append(figure("flows", 4.9, caption, end_plot))
-    caption = "The prediction error, at first; below, its size over the whole run, logarithmic."
+    caption = (
+        "The prediction error, in the first cycles; below, its size over the whole run "
+        "(logarithmic)."
+    )
     clpe = [figure("clpe", 4.9, caption, clpe_plot)]
     figures = []
     for axis, direction in enumerate(DIRECTIONS, 1):
-        caption = f"What was learned of the flow to the {direction}, and the gains of that axis."
+        caption = (
+            f"Learned flow parameters to the {direction}, and the gains of that axis."
+        )
         figures.append(figure(f"learning-{axis}", 4.9, caption, learning_plot, axis))
     return [
         Section("track", "Track and flow", figures=track),
@@ -204,12 +211,12 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
 
 
 def _learned(run: Dataset, scenario: Scenario) -> Section:
-    """Return what was learned beside the truth, without its figures."""
+    """Return the section of learned and true parameters, without figures."""
     unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
     theta = run.flow_parameters.values if "flow_parameters" in run else None
     gains_known = "vehicle_controller" not in unknown_parts(run)
     rate = f"1/{unit.time}"
-    parts = [
+    parameters = [
         ("theta", f"{unit.length}/{unit.time}", last.flow_parameters_estimate, theta),
         (
             "K",
@@ -226,17 +233,17 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     ]
     rows = [
         [
-            f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in rest)} ({per})",
-            f"{learned.values[axis, *rest]:.4g}",
-            "not known" if true is None else f"{true[axis, *rest]:.4g}",
+            f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in index)} ({per})",
+            f"{learned.values[axis, *index]:.4g}",
+            "not known" if true is None else f"{true[axis, *index]:.4g}",
         ]
         for axis in range(2)
-        for name, per, learned, true in parts
-        for rest in np.ndindex(learned.shape[1:])
+        for name, per, learned, true in parameters
+        for index in np.ndindex(learned.shape[1:])
     ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
     result = Result(title, ["", "learned", "true"], rows)
-    return Section("learning", "What was learned", result)
+    return Section("learning", "Learned parameters", result)
 
 
 def end_plot(run: Dataset) -> Any:
@@ -263,10 +270,10 @@ def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
 def diagram_page(run: Dataset, title: str) -> Page:
     """Return the page of a diagram's run: its loop, each port over time."""
     text, why = equations_text(run)
-    found, warnings = response_result(run), _ended(run)
+    table, warnings = response_result(run), _ended(run)
     sections = [
         _over_time(run),
-        Section("signals", "Where they began and ended", found),
+        Section("signals", "Signals at begin and end", table),
         versions_section(run.attrs),
     ]
     if text:
@@ -283,32 +290,32 @@ def diagram_page(run: Dataset, title: str) -> Page:
 def span_of(run: Dataset) -> str:
     """Return from when to when a run is."""
     unit = run.time.attrs.get("units")
-    first, last = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
-    return f"t = {first} to {last}{f' {unit}' if unit else ''}"
+    begin, end = (f"{float(t):.6g}" for t in run.time.values[[0, -1]])
+    return f"t = {begin} to {end}{f' {unit}' if unit else ''}"
 
 
 def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
     """Return of each signal, by name and unit, where it began and ended and how far it went."""
     return {
-        named(name, one.attrs.get("units")): {
+        named(name, values_of_port.attrs.get("units")): {
             "first": float(values[0]),
             "last": float(values[-1]),
             "least": float(values.min()),
             "most": float(values.max()),
         }
-        for one in (run[port] for port in ports_along(run))
-        for name, values in signals_of(one).items()
+        for values_of_port in (run[port] for port in ports_along(run))
+        for name, values in signals_of(values_of_port).items()
     }
 
 
 def response_result(run: Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
     rows = [
-        [name, *(f"{v:.6g}" for v in own.values())]
-        for name, own in extent_of(run).items()
+        [name, *(f"{v:.6g}" for v in extent.values())]
+        for name, extent in extent_of(run).items()
     ]
     sentences = (
-        [f"{more} more signals"] if (more := len(rows) - MOST_SIGNALS) > 0 else []
+        [f"{hidden} more signals"] if (hidden := len(rows) - MOST_SIGNALS) > 0 else []
     )
     title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
     columns = ["signal", "first", "last", "least", "most"]
@@ -323,13 +330,13 @@ def _over_time(run: Dataset) -> Section:
     few, thin = samples_to_draw(run)
     ports = ports_along(run)
     figures = []
-    for first in range(0, len(ports), EACH):
-        some = ports[first : first + EACH]
+    for begin in range(0, len(ports), EACH):
+        group = ports[begin : begin + EACH]
         name, caption = (
-            f"response-{first // EACH + 1}",
-            f"{', '.join(some)} over time.{thin}",
+            f"response-{begin // EACH + 1}",
+            f"{', '.join(group)} over time.{thin}",
         )
         figures.append(
-            drawn(name, 1.0 + 1.2 * len(some), caption, response_plot, few[some])
+            drawn(name, 1.0 + 1.2 * len(group), caption, response_plot, few[group])
         )
     return Section("response", heading, figures=figures)

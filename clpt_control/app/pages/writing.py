@@ -110,8 +110,8 @@ def report(
         sentences = [*page.sentences, *page.warnings]
         if folder is not None:
             results = {
-                folder / f"{one.name}.{end}": one.figure
-                for one in page.figures
+                folder / f"{item.name}.{end}": item.figure
+                for item in page.figures
                 for end in kinds
             }
     write_together({path: text, **results})
@@ -121,7 +121,7 @@ def report(
         "kind": kind,
         "title": title_used,
         "sentences": [*sentences],
-        "figures": [str(one) for one in results],
+        "figures": [str(item) for item in results],
     }
 
 
@@ -156,9 +156,9 @@ def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[st
         ValueError,
         AttributeError,
     ) as error:
-        what = f"{type(error).__name__}: {error}"
+        reason = f"{type(error).__name__}: {error}"
         raise DataError(
-            f"the replay is damaged or of another version, {what[:80]}; run `clpt replay` again"
+            f"the replay is damaged or of another version, {reason[:80]}; run `clpt replay` again"
         ) from None
 
 
@@ -187,15 +187,15 @@ def replay_facts(replay: Any, name: str) -> dict[str, Any]:
 
     if hasattr(replay, "steps"):
         ahead = next_dive(replay).as_dict() if replay.steps else None
-        found = {**summary(replay), "next_dive": ahead}
+        facts = {**summary(replay), "next_dive": ahead}
     else:
-        found = summary_in(replay, name)
-    if not (isinstance(found, dict) and "headlines" in found):
+        facts = summary_in(replay, name)
+    if not (isinstance(facts, dict) and "headlines" in facts):
         raise DataError(
             f"{name}: is a replay of an earlier version; run `clpt replay` again"
         )
-    if not found.get("each_dive") or found.get("next_dive") is None:
+    if not facts.get("each_dive") or facts.get("next_dive") is None:
         raise DataError(
             f"{name}: is a replay without a dive; there is nothing to show yet"
         )
-    return {"vehicle": "glider", "aim": [], **found}
+    return {"vehicle": "glider", "aim": [], **facts}

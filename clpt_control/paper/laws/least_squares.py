@@ -81,8 +81,8 @@ def least_squares(t, x, u, p):
         V' = -e^T KD e + e^T eta phi - |eta phi_f|^2/(2 k) - r^2 lambda tr(eta P^-1 eta^T)/(2 k)
              - dissipative terms of K and Gamma
 
-    tr(eta P^-1 eta^T) is non-increasing, so eta is bounded, and the mean-square CLPE is at most
-    |eta phi| over the least of KD: CLPE is as small as the error of the learned flow.
+    tr(eta P^-1 eta^T) is non-increasing, so eta is bounded, and the rms of CLPE is at most the
+    rms of |eta phi| over the least of KD: CLPE is as small as the error of the learned flow.
     Source: Slotine and Li 1991, Applied Nonlinear Control, section 8.7.
 
     Ports: e[2], z[2], zc[2], x[2] (length), phi_x[N], v_x[2] (length per time) -> alpha[2N] (length

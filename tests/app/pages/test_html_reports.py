@@ -215,9 +215,7 @@ def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
 def test_an_ensemble_that_failed_has_its_page():
     long = SHORT.with_values({"run.duration": 250})
     text = words(clpt.run_ensemble(long, "vehicle.position=[[1e200,0],[1e201,0]]", 2))
-    said = (
-        "2 of 2 runs did not come to their end.*2 step too small.*did not finish is 0"
-    )
+    said = "2 of 2 runs ended early.*2 step too small.*did not finish is 0"
     assert re.search(f"(?s){said}", text)
 
 
