@@ -234,13 +234,7 @@ def dates_of(
         raise DataError(
             f"{when.name} has {len(when)} of the {least} steps that are needed"
         )
-    wrong = np.flatnonzero(~np.isfinite(numbers_of(when)))
-    if wrong.size:
-        raise DataError(
-            f"{when.name} is not finite at {wrong.size} of {len(when)} steps, first at step "
-            f"{wrong[0]} (from 0). Drop these steps, such as by xarray's "
-            f"data.isel({when.dims[0]}=data.{when.name}.notnull())"
-        )
+    _check_missing(when, ~np.isfinite(numbers_of(when)))
     numbers = when.values
     intervals = _intervals(data, when, velocity)
     if intervals is not None:
@@ -251,7 +245,19 @@ def dates_of(
             f"{when.name} has units '{said(when)}' and the calendar '{_calendar(when)}'; must be "
             "such as 'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
         )
+    _check_missing(when, np.isnat(dates))  # xarray writes NaT as the least integer
     return (dates + np.timedelta64(500, "us")).astype("datetime64[ms]")
+
+
+def _check_missing(when: xarray.DataArray, missing: np.ndarray) -> None:
+    """Refuse times of which some are missing, with the remedy."""
+    steps = np.flatnonzero(missing)
+    if steps.size:
+        raise DataError(
+            f"{when.name} is not finite at {steps.size} of {len(when)} steps, first at step "
+            f"{steps[0]} (from 0). Drop these steps, such as by xarray's "
+            f"data.isel({when.dims[0]}=data.{when.name}.notnull())"
+        )
 
 
 def _calendar(when: xarray.DataArray) -> str:

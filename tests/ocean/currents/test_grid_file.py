@@ -349,3 +349,17 @@ def test_velocities_by_the_names_of_the_user(tmp_path):
     refuses(said, read_currents, data, names=names | {"u": "w"})
     refuses("names: has u; must have u and v", read_currents, data, names={"u": "w"})
     refuses("an empty list; give at least one file", read_currents, [])
+
+
+def test_a_missing_time_is_refused_in_a_file_and_in_a_dataset(tmp_path):
+    """NaT becomes the least integer in the file that xarray writes."""
+    current().to_netcdf(tmp_path / "whole.nc")
+    with xarray.open_dataset(tmp_path / "whole.nc") as opened:
+        data = opened.load()
+    data = data.assign_coords(time=data.time.where(data.time != data.time[3]))
+    data.time.encoding = {"dtype": "int64", "units": "hours since 2024-01-01"}
+    data.to_netcdf(tmp_path / "missing.nc")
+    for source in (data, tmp_path / "missing.nc"):
+        refuses(
+            "time is not finite at 1 of 26 steps, first at step 3", fit_current, source
+        )
