@@ -10,8 +10,10 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 from test_layout import trees
+from typer.main import get_command
 
 import clpt_control
+from clpt_control.app.cli import application
 from clpt_control.base import figures
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.tidal_periods import SPEEDS
@@ -115,6 +117,13 @@ def test_no_heading_begins_as_a_clause():
     for path in [*house.glob("*.md"), *house.glob("docs/**/*.md")]:
         for title in re.findall(r"(?m)^#+ (.*)$", FENCED.sub("", path.read_text())):
             assert title.split()[0] not in CLAUSES, f"{path.name}: {title}"
+
+
+def test_no_help_text_begins_as_a_clause():
+    commands = get_command(application()).commands
+    for name, command in commands.items():
+        for text in [command.help, *(one.help for one in command.params)]:
+            assert (text or "-").split()[0] not in CLAUSES, f"{name}: {text}"
 
 
 def test_no_docstring_begins_as_a_clause():

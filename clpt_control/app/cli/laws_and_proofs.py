@@ -97,7 +97,7 @@ def prove(
     ),
     seed: int = opt("NUMBER", "Seed of --search.", default=0),
     out: Path | None = opt(
-        "FILE", "Of --search: scenario that breaks the promise, to write."
+        "FILE", "With --search: scenario that breaks the promise, to write."
     ),
     as_json: Json = False,
 ) -> None:

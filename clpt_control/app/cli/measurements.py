@@ -35,7 +35,7 @@ def fit(
         "that are distinguishable.",
     ),
     units: str | None = opt(
-        "UNIT", "Of u and v, such as m/s, where the file has none."
+        "UNIT", "Units of u and v, such as m/s, if the file has none."
     ),
     u: str | None = opt("NAME", "Variable of the eastward velocity; needs --v."),
     v: str | None = opt("NAME", "Variable of the northward velocity; needs --u."),
@@ -43,10 +43,10 @@ def fit(
         "Fit tidal constituents to a record at one place instead.", "--tides"
     ),
     latitude: float | None = opt(
-        "DEGREES", "Of --tides: degrees north; default: the file's own."
+        "DEGREES", "With --tides: degrees north; default: the file's own."
     ),
     at: tuple[float, float] | None = opt(
-        "LAT LON", "Of --tides: degrees, the nearest cell of a grid."
+        "LAT LON", "With --tides: degrees, the nearest cell of a grid."
     ),
     as_json: Json = False,
 ) -> None:

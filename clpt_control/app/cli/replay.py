@@ -56,7 +56,7 @@ Units = Annotated[
     str | None,
     opt(
         "UNIT",
-        "Of u and v of a forecast, such as m/s, if the file has none.",
+        "Units of u and v of a forecast, such as m/s, if the file has none.",
         default=...,
     ),
 ]

@@ -47,10 +47,10 @@ EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the packa
 
 def init(
     file: Path | None = arg(
-        "FILE", "Where to write it; default: the name of the example.", default=None
+        "FILE", "File to write. Default: the name of the example.", default=None
     ),
     example: str = opt(
-        "NAME", f"What to write: {', '.join(EXAMPLES)}.", default="paper"
+        "NAME", f"Example to write: {', '.join(EXAMPLES)}.", default="paper"
     ),
 ) -> None:
     """Write an example to start from: a scenario, by default.
@@ -275,7 +275,7 @@ def ensemble(
 def tune(
     scenario: ScenarioFile,
     out: Path | None = opt("FILE", "Scenario file to write, with the choice in it."),
-    members: int = opt("COUNT", "How many flows are drawn.", default=24),
+    members: int = opt("COUNT", "Number of sampled flows.", default=24),
     prior: float | None = opt(
         "SPEED", "Standard deviation of flow parameters; default: 0.3 k R."
     ),
@@ -289,26 +289,27 @@ def tune(
         "--waypoints",
     ),
     length: float | None = opt(
-        "LENGTH", "Of --waypoints: longest closed polygon; default: the scenario's own."
+        "LENGTH",
+        "With --waypoints: longest closed polygon; default: the scenario's own.",
     ),
     max_speed: float | None = opt(
-        "SPEED", "Of --waypoints: largest speed through the water; default: any."
+        "SPEED", "With --waypoints: largest speed through the water; default: any."
     ),
     area: Four | None = opt(
         "X1FROM X1TO X2FROM X2TO",
-        "Of --waypoints: where it may drive; default: where it drives now.",
+        "With --waypoints: where it may drive; default: where it drives now.",
     ),
     window: Window = None,
     start: Start = None,
     goal: str = opt(
         "GOAL",
-        "Of --waypoints: law, the scenario's own learns soonest; kappa, the largest smallest "
+        "With --waypoints: law, the scenario's own learns soonest; kappa, the largest smallest "
         "eigenvalue.",
         "--for",
         default="law",
     ),
     figure: Path | None = opt(
-        "FILE", "Of --waypoints: .png, .pdf or .svg, old and new track."
+        "FILE", "With --waypoints: .png, .pdf or .svg, old and new track."
     ),
     as_json: Json = False,
 ) -> None:

@@ -36,10 +36,11 @@ def excitation(
         "Bound CLPE and errors for every start of the learner instead.", "--bounds"
     ),
     radius: float | None = opt(
-        "R", "Of --bounds: largest V(0); default: that of the scenario's own start."
+        "R", "With --bounds: largest V(0); default: that of the scenario's own start."
     ),
     error: float | None = opt(
-        "LENGTH", "Of --bounds: CLPE to come to; default: a hundredth of what R allows."
+        "LENGTH",
+        "With --bounds: CLPE to come to; default: a hundredth of what R allows.",
     ),
     as_json: Json = False,
 ) -> None:

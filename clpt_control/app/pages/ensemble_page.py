@@ -54,7 +54,7 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
 
 def _spread(data: Dataset, summary: Numbers, completed: int) -> Section:
     """Return percentiles, drawn and as a table."""
-    heading = "How the runs differ"
+    heading = "Spread of the runs"
     if not completed:
         result = Result(sentences=["No member is done: nothing to draw"])
         return Section("spread", heading, result)
@@ -112,5 +112,5 @@ def _varied(data: Dataset, request: Request) -> Section:
         rows.append([key, text.removeprefix(key), *cells])
     columns = ["key", "asked for", "least", "median", "most"]
     return Section(
-        "varied", "What varied", Result("Values of all members", columns, rows)
+        "varied", "Varied parameters", Result("Values of all members", columns, rows)
     )

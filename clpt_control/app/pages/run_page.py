@@ -109,9 +109,7 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     begin, end = float(run.time[0]), float(run.time[-1])
     if not _ended(run) and (begin > 0 or end < scenario.run.duration * (1 - 1e-9)):
         unit = scenario.units.time
-        sentences.append(
-            f"What is shown is t = {begin:g} to {end:g} {unit} of the run."
-        )
+        sentences.append(f"The page shows t = {begin:g} to {end:g} {unit} of the run.")
     kinds = [name for name in BEYOND if name in run.attrs]
     if beyond := [f"{BEYOND[name][0]}, {run.attrs[name]}" for name in kinds]:
         sentences.append(
@@ -141,7 +139,7 @@ def loop_section(diagram: Diagram, caption: str) -> list[Section]:
 def excitation_section(run: Dataset, why: str) -> Section:
     """Return the excitation over one round of a run, or `why` it cannot be measured, if so."""
     team = results.is_team(run)
-    heading, figures = f"What the track{'s' if team else ''} can teach", []
+    heading, figures = f"Identifiability on the track{'s' if team else ''}", []
     try:
         if why:
             raise ClptError(why)
@@ -283,7 +281,7 @@ def diagram_page(run: Dataset, title: str) -> Page:
         warnings.append(
             f"The run cannot be made again from its file{f': {why}' if why else ''}."
         )
-    lead = f"What the signals of a diagram do, {span_of(run)}, at {run.sizes['time']} samples."
+    lead = f"Signals of a diagram, {span_of(run)}, at {run.sizes['time']} samples."
     return Page(KINDS[1], title, [lead], warnings, sections)
 
 

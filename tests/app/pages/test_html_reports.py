@@ -186,7 +186,7 @@ def test_part_of_a_run_has_no_first_round():
     rms = ((part.position - part.predicted_position) ** 2).sum("axis").mean() ** 0.5
     assert "CLPE rms per cycle" not in text
     assert f"['CLPE rms, whole run (m)', '{float(rms):.3g}']" in text
-    said = "What is shown is t = 7 to 7 s of the run..*over the 1 samples of the file"
+    said = "The page shows t = 7 to 7 s of the run..*over the 1 samples of the file"
     assert re.search(f"(?s){said}", words(run.isel(time=[7])))
 
 
