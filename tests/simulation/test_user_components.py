@@ -226,12 +226,12 @@ PULL = made(
     "own", lambda t, x, u, p: 2.0 * np.tanh(u.zc - u.x), "v_x", 2, zc=2, phi_x=3
 )
 BASIS = made("b", lambda t, x, u, p: 0.1 * np.array([1, u.x[0], u.x[1]]), "phi_x", 3)
-TOLD = {  # what a page and a film's last picture say of a run: its flow, what was learned of it
-    "scenario": ({}, "flow_parameter_error, gain_error, learned of it, true arrow"),
-    "true_flow": ({"true_flow": GYRE}, "gain_error, learned of it, learned arrow"),
+TOLD = {  # what a page and a film's last picture say of a run: its true flow and its learned flow
+    "scenario": ({}, "flow_parameter_error, gain_error, learned flow, true arrow"),
+    "true_flow": ({"true_flow": GYRE}, "gain_error, learned flow, learned arrow"),
     "controller": (
         {"vehicle_controller": PULL},
-        "flow_parameter_error, learned of it, true arrow",
+        "flow_parameter_error, learned flow, true arrow",
     ),
     "basis_x": ({"basis_x": BASIS}, "flow_parameter_error, gain_error"),
 }
@@ -250,7 +250,7 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     page, ensemble = (
         (tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many")
     )
-    told = {"learned of it"} if "what was learned of it by the end" in page else set()
+    told = {"learned flow"} if "the learned flow at the end" in page else set()
     axes = clpt.simulation.learning_plot(run)
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
         has = f"largest {error.replace('_', ' ')}" in page
