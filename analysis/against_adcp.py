@@ -78,7 +78,7 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/against_adcp"),
 ) -> None:
     """Leave against_adcp.md and against_adcp.png."""
-    dives, _ = clpt.gliders.usable(clpt.gliders.read_dives(files)[0])
+    dives, _ = clpt.gliders.read_dives(files)
     measured = read_adcp(adcp)
     found = compared(dives, measured)
     figure, axes = new_figure(nrows=2, sharex=True)

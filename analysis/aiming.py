@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Annotated
 import numpy as np
 import typer
 
-from clpt_control.gliders import Dive, read_dives, sample_dives, usable
+from clpt_control.gliders import Dive, read_dives, sample_dives
 from clpt_control.replay import Replay, aims, replay_dives
 
 from .study import BLUE, ORANGE, leave, new_figure, place_from, progress_bar
@@ -116,8 +116,8 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/aiming"),
 ) -> None:
     """Leave aiming.md and aiming.png."""
-    records = {"SG542": usable(sample_dives())[0]}
-    records |= {path.stem: usable(read_dives([path])[0])[0] for path in files or []}
+    records = {"SG542": sample_dives()}
+    records |= {path.stem: read_dives([path])[0] for path in files or []}
     found = {name: record(dives) for name, dives in records.items()}
     lines = [
         f"| vehicle | dives | to the waypoint, {' (m) | '.join(PILOTS)} (m) | aimed to steered "

@@ -25,6 +25,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.theory.counterexamples import printed_bound
 
 from .mean_square import mean_square_bound
 from .study import BLUE, COLOURS, GREEN, ORANGE, RED, leave, new_figure, progress_bar
@@ -64,15 +65,14 @@ def row(amplitude: float, frequency: float, gain: float) -> Row:
         {"flow.disturbance": wave, "run.duration": END, "run.output_step": step}
     )
     run = clpt.simulate(scenario)
-    found = clpt.theory.printed_bound(scenario, run, START)
+    found = printed_bound(scenario, run, START)
     windows = [
-        clpt.theory.certificate(run, WINDOW, start) for start in (START, END - WINDOW)
+        clpt.gramian(run, WINDOW, start).certificate()
+        for start in (START, END - WINDOW)
     ]
     guaranteed, exact = (
-        clpt.theory.ultimate_bound(
-            WINDOW, amplitude, min(getattr(window, name) for window in windows)
-        )
-        for name in ("rho", "drop")
+        max(window.ultimate_bound(amplitude, from_rho) for window in windows)
+        for from_rho in (True, False)
     )
     return Row(
         amplitude,

@@ -14,8 +14,9 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from clpt_control.gliders import sample_dives, usable
-from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
+from clpt_control.gliders import sample_dives
+from clpt_control.ocean.forecast.replay_summary import clpe_rms
+from clpt_control.replay import Replay, replay_dives, summary
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
 from .study import BLUE, GREEN, leave, new_figure, progress_bar
@@ -143,7 +144,7 @@ def main(
             + f" | {max(row['gaussian-process'] for row in rows):.2f}"
             + f" | {100 * np.mean([row['inside'] for row in rows]):.0f} % |"
         )
-    real = {e: replay_dives(usable(sample_dives())[0], e) for e in MARKS}
+    real = {e: replay_dives(sample_dives(), e) for e in MARKS}
     inside = summary(real["gaussian-process"])["inside_90"]
     lines.append(
         f"| Seaglider SG542 | {' | '.join(f'{ratio(real[e]):.2f}' for e in MARKS)} | - | "

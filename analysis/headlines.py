@@ -19,7 +19,7 @@ import numpy as np
 import typer
 
 from clpt_control import DataError
-from clpt_control.gliders import Dive, make_dive, read_dives, sample_dives, usable
+from clpt_control.gliders import Dive, make_dive, read_dives, sample_dives
 from clpt_control.replay import Replay, next_dive
 
 from .glider_forecasts import SEAS
@@ -121,9 +121,9 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/headlines"),
 ) -> None:
     """Leave headlines.md and headlines.png."""
-    records = {} if files else {"SG542": usable(sample_dives())[0]}
+    records = {} if files else {"SG542": sample_dives()}
     for path in files or []:
-        dives = usable(read_dives([path])[0])[0]
+        dives = read_dives([path])[0]
         if len(dives) < 2:
             raise DataError(f"{path}: has {len(dives)} usable dives; two are needed")
         records[dives[-1].vehicle or path.stem] = dives

@@ -17,8 +17,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.currents import fit_current, save_fit
-from clpt_control.simulation import explained_variance
+from clpt_control.currents import explained_variance, fit_current
 
 from .study import BLUE, GREY, ORANGE, leave, make_folder, new_figure, progress_bar
 
@@ -219,7 +218,7 @@ def main(
             width_km=15.0,
             constituents=("steady", "M2"),
         )
-        lap = asked(on_measured_current, save_fit(fit, folder / "measured.toml"), SEA)
+        lap = asked(on_measured_current, fit.save(folder / "measured.toml"), SEA)
         rows = judged(lap, SEA, lambda t: f"{t[0]:.3f}, {t[1]:.3f}, {t[2]:.2f}")
         title = "CLPE rms (km), share of variance along the track, over the box"
         pages.append(table(title, SEA, rows))

@@ -14,6 +14,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.simulation.summary import run_and_report
 
 from .study import BLUE, GREY, RED, leave, new_figure, progress_bar
 
@@ -30,7 +31,7 @@ def reported(base: clpt.Scenario, speed: float | None, hedging: bool) -> Any:
     values: dict[str, Any] = {"vehicle.max_speed": speed}
     if speed is not None:
         values["learning.hedging"] = hedging
-    return clpt.simulation.run_and_report(base.with_values(values))
+    return run_and_report(base.with_values(values))
 
 
 def figure(base: clpt.Scenario, runs: dict, free: Any) -> Any:

@@ -21,6 +21,7 @@ import xarray
 from scipy.integrate import cumulative_trapezoid
 
 import clpt_control as clpt
+from clpt_control.theory.counterexamples import printed_bound
 
 from .study import leave, new_figure
 
@@ -62,7 +63,7 @@ def mean_square_sides(
 
 def mean_square_bound(run: xarray.Dataset, scenario: clpt.Scenario) -> MeanSquare:
     """Return both sides along a finely sampled run from t = 0."""
-    found = clpt.theory.printed_bound(scenario, run, 0.0)
+    found = printed_bound(scenario, run, 0.0)
     e, delta = found.size[:, None], found.drive[:, None]
     return mean_square_sides(found.times, e, delta, float(run.lyapunov[0]), found.k)
 

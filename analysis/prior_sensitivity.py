@@ -14,9 +14,11 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from clpt_control.estimation import FixModel, Priors
-from clpt_control.gliders import Dive, read_dives, sample_dives, usable
-from clpt_control.replay import clpe_rms, replay_dives
+from clpt_control.gliders import Dive, read_dives, sample_dives
+from clpt_control.ocean.estimation.fix_model import FixModel
+from clpt_control.ocean.estimation.priors import Priors
+from clpt_control.ocean.forecast.replay import replay_with
+from clpt_control.ocean.forecast.replay_summary import clpe_rms
 
 from .study import BLUE, GREY, leave, new_figure, progress_bar
 
@@ -41,7 +43,7 @@ def changed(name: str, factor: float) -> Priors:
 
 def ratio(dives: list[Dive], priors: Priors) -> float:
     """Return CLPE rms after the third dive over the previous dive's."""
-    rms = clpe_rms(replay_dives(dives, model=FixModel(priors=priors)))
+    rms = clpe_rms(replay_with(FixModel(priors=priors), dives))
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
 
@@ -52,8 +54,8 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/prior_sensitivity"),
 ) -> None:
     """Leave prior_sensitivity.md and prior_sensitivity.png."""
-    records = {"SG542": usable(sample_dives())[0]}
-    records |= {path.stem: usable(read_dives([path])[0])[0] for path in files or []}
+    records = {"SG542": sample_dives()}
+    records |= {path.stem: read_dives([path])[0] for path in files or []}
     base = np.array([ratio(dives, Priors()) for dives in records.values()])
     found = {}
     with progress_bar("replaying", len(FACTORS) * len(PRIORS)) as report:

@@ -15,7 +15,7 @@ from typing import Annotated, Any
 import typer
 
 import clpt_control as clpt
-from clpt_control.simulation import claims, run_and_report
+from clpt_control.simulation.summary import claims, run_and_report
 
 from .study import BLUE, GREEN, RED, leave, new_figure, progress_bar
 
@@ -31,7 +31,7 @@ def reading(kernel: str, seconds: float) -> dict[str, Any]:
     )
     summary = run_and_report(scenario).summary
     true = clpt.theory.started_true(scenario)
-    eigenvalues = clpt.theory.gramian(true, 200.0, 200.0).eigenvalues
+    eigenvalues = clpt.gramian(true, 200.0, 200.0).eigenvalues
     return {
         "kernel": kernel,
         "rms": summary["clpe_rms_per_cycle"],

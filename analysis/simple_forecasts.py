@@ -20,7 +20,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from clpt_control.gliders import Dive, read_dives, sample_dives, usable
+from clpt_control.gliders import Dive, read_dives, sample_dives
 from clpt_control.replay import replay_dives
 
 from .study import make_folder
@@ -116,8 +116,7 @@ def main(
         "|---" * (len(names) + 2) + "|",
     ]
     ratios = []
-    for vehicle, read in records.items():
-        dives, _ = usable(read)
+    for vehicle, dives in records.items():
         found = errors(dives)
         ratios.append([found[name] / found["previous dive"] for name in names])
         cells = " | ".join(f"{ratio:.2f}" for ratio in ratios[-1])

@@ -42,7 +42,7 @@ def flow_gradient(
     """Return (theta - alpha_M) dphi/dx at the vehicle by central differences."""
     left = np.array(scenario.flow.parameters) - np.array(scenario.model_parameters)
     places = state[:2] + step * np.vstack([np.eye(2), -np.eye(2)])
-    flow = clpt.simulation.flow_velocity(scenario, places, TIME, left)
+    flow = clpt.currents.flow_velocity(scenario, places, TIME, left)
     return (flow[:2] - flow[2:]).T / (2 * step)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
+from clpt_control.theory.counterexamples import disturbance_counterexample
 
 from .study import BLUE, RED, leave, new_figure, progress_bar
 
@@ -110,7 +111,7 @@ def main(
         proofs = clpt.theory.audit(progress=report)
     listed = clpt.theory.misprints()
     with progress_bar("the counterexample to Eq. (33)", 800.0) as report:
-        found = clpt.theory.disturbance_counterexample(progress=report)
+        found = disturbance_counterexample(progress=report)
     leave(out, "theorems", page(proofs, listed), figure(found))
     typer.echo("| theorem | as printed | for every N | steps |\n|---|---|---|---|")
     for number, proof in proofs.items():

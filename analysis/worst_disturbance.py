@@ -20,6 +20,7 @@ import typer
 from scipy.linalg import expm
 
 import clpt_control as clpt
+from clpt_control.theory.excitation.regressor import error_matrices
 
 from .study import GREY, leave, new_figure
 
@@ -75,9 +76,7 @@ def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.n
     names = ("phi_x", "predicted_position", "reference")
     phi, z, zc = (run[name].values[1:] for name in names)
     KD = np.array(calm.vehicle.feedback)
-    return clpt.theory.error_matrices(
-        phi, z, zc, KD, calm.learning.used_gains.parameters
-    )
+    return error_matrices(phi, z, zc, KD, calm.learning.used_gains.parameters)
 
 
 def worst_disturbance(

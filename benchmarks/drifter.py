@@ -8,8 +8,8 @@ Outside the grid the value at its edge is held.
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control import Block
-from clpt_control.equations import lookup
+from clpt_control import Block, lookup
+from clpt_control.engine.solver.native_diagram import compile
 
 from .engines import timed
 
@@ -64,9 +64,7 @@ def advect(
     time, axis, u, v, x1, x2, step: float, steps: int
 ) -> tuple[np.ndarray, float]:
     """Move passive particles by RK4; return final positions (2, n) and seconds."""
-    native = clpt.native.compile(
-        clpt.connect([drifter(time, axis, u, v)], name="drifter")
-    )
+    native = compile(clpt.connect([drifter(time, axis, u, v)], name="drifter"))
     starts = np.column_stack([x1, x2])
     ends = np.array([0.0, step * steps])
     native.run_many(starts[:2], ends, step=step)

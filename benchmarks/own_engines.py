@@ -5,6 +5,7 @@ import numpy as np
 
 import clpt_control as clpt
 from clpt_control import initial_state
+from clpt_control.engine.solver.native_diagram import compile
 from clpt_control.engine.solver.runner import PythonDiagram
 
 from .cases import Case
@@ -17,7 +18,7 @@ def prepare(case: Case):
     """Prepare the fused diagram; compiling it is not timed."""
     scenario, run = case.scenario, case.scenario.run
     x0 = initial_state(scenario)
-    native = clpt.native.compile(clpt.closed_loop(scenario))
+    native = compile(clpt.closed_loop(scenario))
 
     def go() -> tuple[np.ndarray, float]:
         solution, seconds = timed(

@@ -11,8 +11,8 @@ from collections.abc import Callable
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from clpt_control.equations import Block
-from clpt_control.native import NativeDiagram
+from clpt_control import Block
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 from .stiff_problems import PROBLEMS, Problem
 

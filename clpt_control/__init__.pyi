@@ -1,20 +1,4 @@
-from . import (
-    blocks,
-    conformance,
-    currents,
-    diagrams,
-    ensemble,
-    equations,
-    estimation,
-    gliders,
-    native,
-    pages,
-    parts,
-    replay,
-    scenario,
-    simulation,
-    theory,
-)
+from . import currents, gliders, parts, replay, theory
 from .app.pages.writing import report
 from .base.errors import (
     ArgumentError,
@@ -25,30 +9,36 @@ from .base.errors import (
     ScenarioError,
     SimulationError,
 )
+from .engine.conformance.checks import check
 from .engine.diagram.interconnection import connect
 from .engine.diagram.linearization import linearize
+from .engine.diagram.symbolic_equations import equations
 from .engine.model.block import Block
-from .ensemble import run_ensemble
+from .engine.model.declaration import Guard
+from .engine.model.sampled import Sampled
+from .engine.trace.interpolators import lookup
+from .ensemble.run import run_ensemble
+from .ensemble.tune import tune_law
 from .paper.laws.table import laws
 from .paper.scenario.experiment import Scenario
 from .paper.scenario.file import paper_scenario, save_scenario
 from .paper.scenario.team import Team, load_scenario
 from .plots.drawing.figure import draw
-from .simulation import (
-    animate,
-    closed_loop,
-    compare,
-    export,
-    fit_parameters,
-    initial_state,
-    load_diagram,
-    load_run,
-    paper_blocks,
-    save_run,
-    sensitivity,
-    simulate,
-)
-from .theory import certify, gramian, lyapunov, prove, refute
+from .simulation.animation import animate
+from .simulation.comparison import compare
+from .simulation.fitting import fit_parameters
+from .simulation.initial_states import initial_state
+from .simulation.integrate import simulate
+from .simulation.loop_blocks import paper_blocks
+from .simulation.loops import closed_loop
+from .simulation.program_export import export
+from .simulation.run_file import load_diagram, load_run, save_run
+from .simulation.sensitivities import sensitivity
+from .theory.excitation.certify import certify
+from .theory.excitation.gramian import gramian
+from .theory.lyapunov_function import lyapunov
+from .theory.proofs.prove_law import prove
+from .theory.refuting import refute
 
 __version__: str
 __all__ = [
@@ -58,23 +48,21 @@ __all__ = [
     "ClptError",
     "DataError",
     "DiagramError",
+    "Guard",
+    "Sampled",
     "Scenario",
     "ScenarioError",
     "SimulationError",
     "Team",
     "animate",
-    "blocks",
     "certify",
+    "check",
     "closed_loop",
     "compare",
-    "conformance",
     "connect",
     "currents",
-    "diagrams",
     "draw",
-    "ensemble",
     "equations",
-    "estimation",
     "export",
     "fit_parameters",
     "gliders",
@@ -85,9 +73,8 @@ __all__ = [
     "load_diagram",
     "load_run",
     "load_scenario",
+    "lookup",
     "lyapunov",
-    "native",
-    "pages",
     "paper_blocks",
     "paper_scenario",
     "parts",
@@ -98,9 +85,8 @@ __all__ = [
     "run_ensemble",
     "save_run",
     "save_scenario",
-    "scenario",
     "sensitivity",
     "simulate",
-    "simulation",
     "theory",
+    "tune_law",
 ]

@@ -1,16 +1,21 @@
 from .ocean.currents.current_record import read_record
-from .ocean.currents.fit import fit_current, save_fit
+from .ocean.currents.fit import fit_current
 from .ocean.currents.grid_file import read_currents, sample_currents
 from .ocean.currents.tidal_constants import tidal_basis
 from .ocean.currents.tidal_fit import fit_tides, predict
+from .ocean.estimation.theta_from_fixes import flow_estimate, known_flow_scenario
+from .simulation.flows import explained_variance, flow_velocity
 
 __all__ = [
+    "explained_variance",
     "fit_current",
     "fit_tides",
+    "flow_estimate",
+    "flow_velocity",
+    "known_flow_scenario",
     "predict",
     "read_currents",
     "read_record",
     "sample_currents",
-    "save_fit",
     "tidal_basis",
 ]

@@ -17,15 +17,14 @@ def main(folder="out", *files):
     """Replay, compare, write."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    dives, unread = (
+    dives, skipped = (
         clpt.gliders.read_dives(files) if files else (clpt.gliders.sample_dives(), [])
     )
-    used, unused = clpt.gliders.usable(dives)
-    for skipped in [*unread, *unused]:
-        print(f"dive {skipped.dive} skipped: {skipped.why}")
+    for dive in skipped:
+        print(f"dive {dive.dive} skipped: {dive.why}")
     for name in ("gradient", "gaussian-process"):
-        replay = clpt.replay.replay_dives(used, name)
-        rms = clpt.replay.clpe_rms(replay, 3)
+        replay = clpt.replay.replay_dives(dives, name)
+        rms = clpt.replay.summary(replay)["clpe_rms_after_3"]
         if rms["adaptive"] is not None:
             print(
                 f"{name}: CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous "
@@ -34,8 +33,9 @@ def main(folder="out", *files):
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"not yet known: {', '.join(last.not_learned) or 'nothing'}")
-    clpt.replay.replay_dataset(replay).to_netcdf(folder / "replay.nc")
-    clpt.replay.replay_plot(replay)[0].figure.savefig(folder / "replay.png")
+    data = clpt.replay.replay_dataset(replay)
+    data.to_netcdf(folder / "replay.nc")
+    data.clpt.plot()[0].figure.savefig(folder / "replay.png")
     for name in ("replay.nc", "replay.png"):
         print(f"{folder / name}: written")
 

@@ -18,8 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.currents import fit_current, save_fit
-from clpt_control.simulation import explained_variance, flow_velocity
+from clpt_control.currents import explained_variance, fit_current, flow_velocity
 
 BOX = (40.9, 41.55, -69.9, -69.0)
 LATE = (18.0, 23.0)  # h
@@ -110,7 +109,7 @@ def main(currents, folder="out"):
     fit = fit_current(
         currents, BOX, rows=3, columns=3, width_km=15.0, constituents=("steady", "M2")
     )
-    fitted = save_fit(fit, folder / "measured_current.toml")
+    fitted = fit.save(folder / "measured_current.toml")
     scenario = fitted.with_values({"learning.law": "learned-flow"})  # the paper's
     report = fit.report
     print(

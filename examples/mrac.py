@@ -78,7 +78,7 @@ def V(s):
 @plt.style.context("clpt_control.data.house")
 def main(path="mrac.png"):
     """Prove, run for each gain, print, draw."""
-    judged = clpt.theory.lyapunov(loop(), V)
+    judged = clpt.lyapunov(loop(), V)
     print(f"V' = {judged.rate}: {judged.status}")
     r = np.sign(np.sin(2 * np.pi * TIMES / 40) + 1e-9)
     runs = {gain: clpt.simulate(loop(gain), TIMES, [r]) for gain in GAINS}

@@ -33,7 +33,7 @@ def main(path="team.png"):
     speed = f"{units.length}/{units.time}"
     run = clpt.simulate(team)
     alone = {name: clpt.simulate(scenario) for name, scenario in team.members.items()}
-    found = clpt.theory.gramian(team, end, 0.0)
+    found = clpt.gramian(team, end, 0.0)
     for name, own in alone.items():
         smallest = found.vehicles[name].smallest
         print(

@@ -136,7 +136,7 @@ import clpt_control as clpt
 from law_blocks import papers_law
 
 law = papers_law()
-assert clpt.theory.prove(law, points=100).status == "proved"
+assert clpt.prove(law, points=100).status == "proved"
 short = scenario.with_values({"run.duration": 40})
 own = clpt.simulate(clpt.closed_loop(short, law=law))
 assert own.clpt.kind == "run"

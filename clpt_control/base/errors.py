@@ -46,9 +46,10 @@ class SimulationError(ClptError, RuntimeError):
     """A run failed before its end."""
 
 
-# users catch them as clpt_control.errors.DataError
-for _error in (ClptError, *ClptError.__subclasses__(), Uncompiled):
-    _error.__module__ = "clpt_control.errors"
+# users catch them as clpt_control.DataError
+for _error in (ClptError, *ClptError.__subclasses__()):
+    _error.__module__ = "clpt_control"
+del _error
 
 
 @contextmanager

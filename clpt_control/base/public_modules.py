@@ -1,8 +1,8 @@
 """Public modules with short names.
 
-`clpt_control.equations` has names of `engine.model` and `engine.trace`; the stub `equations.pyi`
-lists them.  Such a module has no files of its own: `from clpt_control.equations import Block` and
-`clpt.equations.Block` import the file that defines `Block` when it is first used.
+`clpt_control.gliders` has names of `ocean.gliders`; the stub `gliders.pyi` lists them.  Such a
+module has no files of its own: `from clpt_control.gliders import Dive` and `clpt.gliders.Dive`
+import the file that defines `Dive` when it is first used.
 """
 
 import ast
@@ -14,20 +14,10 @@ from typing import Any
 
 PACKAGE = __package__.partition(".")[0]
 PUBLIC_MODULES = {
-    "conformance": "Tests of blocks and diagrams, and every backend by name.",
-    "diagrams": "Wiring, linearization, equations and drawing of diagrams.",
-    "equations": "Blocks of equations; called with a system, its equations in SymPy.",
-    "native": "Diagrams as machine code.",
-    "blocks": "Blocks of the paper's diagram, and the table of laws.",
-    "currents": "Gridded currents, tides and fits.",
-    "errors": "Errors that a user can cause.",
-    "estimation": "Flow parameters and currents estimated from positions.",
+    "currents": "Gridded currents, tides, fits, and the flow of a run.",
     "gliders": "Vehicle files and their dives.",
-    "pages": "HTML reports.",
     "replay": "Forecasts of surfacings, dive by dive.",
-    "scenario": "Typed experiments and their TOML files.",
 }
-
 
 EARLIER = {  # name of earlier versions: its replacement
     "export_c": "clpt.export(system, 'x.c')",
@@ -38,8 +28,10 @@ EARLIER = {  # name of earlier versions: its replacement
     "state_at": "run.clpt.state(t)",
     "mermaid": "clpt.draw(diagram, 'x.mmd')",
     "fit_scenario": "clpt.currents.fit_current",
-    "check_block": "clpt.conformance.check(block)",
-    "conformance": "clpt.conformance.check(block)",
+    "check_block": "clpt.check(block)",
+    "conformance": "clpt.check(block)",
+    "save_fit": "fit.save(path)",
+    "usable": "clpt.gliders.read_dives(paths), which returns usable dives",
     "percentiles": "the quantile of xarray",
 }
 
@@ -78,18 +70,9 @@ class PublicModule(ModuleType):
         return [*self.__all__]
 
 
-class CallableEquations(PublicModule):
-    """The module `equations`, which is a function too: ``clpt.equations(system)``."""
-
-    def __call__(self, system: Any, numbers: bool = False) -> Any:
-        """Return a diagram's equations as SymPy, as `clpt.diagrams.equations` does."""
-        return sys.modules[f"{PACKAGE}.diagrams"].equations(system, numbers)
-
-
 def register() -> None:
     """Make the public modules importable."""
     for name, doc in PUBLIC_MODULES.items():
-        kind = CallableEquations if name == "equations" else PublicModule
-        module = kind(name, doc)
+        module = PublicModule(name, doc)
         sys.modules[module.__name__] = module
         setattr(sys.modules[PACKAGE], name, module)

@@ -55,7 +55,7 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
 
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
+    >>> data = clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> ensemble_summary(data)["ended"]
     {'finished': 3}
     """
@@ -122,31 +122,9 @@ def _listed(column: np.ndarray) -> list[float] | None:
 def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     """Draw percentiles of CLPE and of the parameter error.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        Result of `run_ensemble`.
-    ax : array of 2 Axes, optional
-        Axes to draw on. Default: a new figure of pyplot.
-
-    Returns
-    -------
-    ndarray of Axes, shape (2,)
-        CLPE rms against cycles and errors against time, both logarithmic: the median, and the
-        intervals of 50 % and 90 % of the members.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no ensemble.
-    ClptError
-        If `ax` are not two Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
-    >>> data = clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
+    >>> data = clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> clpe, error = ensemble_plot(data)
     """
     refuse_diagram("ensemble_plot", data)

@@ -118,7 +118,7 @@ def tune_law(
     --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 40})
-    >>> tuned = clpt.ensemble.tune_law(scenario, members=4, laws=["learned-flow", "sigma"])
+    >>> tuned = clpt.tune_law(scenario, members=4, laws=["learned-flow", "sigma"])
     >>> tuned.report["chosen"]["law"] in ("learned-flow", "sigma")
     True
     """

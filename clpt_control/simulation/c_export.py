@@ -236,7 +236,7 @@ class CFile:
         if not isinstance(breakpoints, Each):
             raise Uncompiled(
                 f"{node.name} jumps at times that a function of Python says; C knows "
-                "multiples of a period, clpt.equations.Sampled or Each"
+                "multiples of a period, clpt.Sampled or Each"
             )
         if isinstance(breakpoints.period, str):
             slot = self.layout.slots[k, breakpoints.period]

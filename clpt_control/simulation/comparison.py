@@ -34,34 +34,10 @@ def response_plot(
 ) -> Any:
     """Draw each port of a diagram's run over time.
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it for a diagram.
-    ax : array of Axes, optional
-        Where to draw, one for each port; by default a new figure of pyplot's.
-    label, color : optional
-        Of a run among several on the same Axes: its name in the legend and one colour for all of
-        its lines, whose styles tell its signals apart; `compare` gives them.
-
-    Returns
-    -------
-    Axes or ndarray of Axes, shape (n,)
-        One for each of the n ports, in the order of the run's variables.
-
-    Raises
-    ------
-    DataError
-        If the dataset has no signal along time, or more than 16: choose some, ``run[["x", "e"]]``.
-    ClptError
-        If `ax` are fewer or more Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> loop = clpt.closed_loop(clpt.paper_scenario())
     >>> run = clpt.simulate(loop, [0.0, 1.0, 2.0])
-    >>> x, e = clpt.simulation.response_plot(run[["position", "clpe"]])
+    >>> x, e = response_plot(run[["position", "clpe"]])
     """
     ports = ports_along(run)
     if "time" not in run.dims:

@@ -127,7 +127,7 @@ def _check_law(scenario: Scenario, law: Part) -> None:
     if scenario.learning.sample is not None:
         raise DiagramError(
             f"{law.name}: learning.sample is of the scenario's own law; sample yours by "
-            "clpt.equations.Sampled(law, period), and leave the key out"
+            "clpt.Sampled(law, period), and leave the key out"
         )
 
 

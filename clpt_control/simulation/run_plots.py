@@ -40,30 +40,6 @@ def clpe_plot(
 ) -> Any:
     """Draw CLPE over time, with cycles above (figure 2).
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it, or `load_run`.
-    ax : array of 2 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-    label, color : optional
-        Of a run among several on the same Axes: its name in the legend and one colour for all of
-        its lines, whose styles tell its signals apart; `compare` gives them.
-
-    Returns
-    -------
-    ndarray of Axes, shape (2,)
-        Components over the first cycles; size over the whole run, logarithmic.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no run of one vehicle.
-    ClptError
-        If `ax` are not two Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> top, bottom = clpe_plot(clpt.simulate(scenario))
@@ -138,32 +114,6 @@ def learning_plot(
 ) -> Any:
     """Draw flow parameters and gains of one axis (figures 3, 4).
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it, or `load_run`.
-    axis : int, optional
-        1, east, or 2, north.
-    ax : array of 2 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-    label, color : optional
-        Of a run among several on the same Axes: its name in the legend and one colour for all of
-        its lines, whose styles tell its signals apart; `compare` gives them.
-
-    Returns
-    -------
-    ndarray of Axes, shape (2,)
-        Estimates as lines, true values as thin horizontal lines: flow parameters, gains.
-
-    Raises
-    ------
-    ClptError
-        If there is no such axis, or `ax` are not two Axes.
-    DataError
-        If the dataset is no run of one vehicle.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> parameters, gains = learning_plot(clpt.simulate(scenario), 2)
@@ -256,30 +206,6 @@ def run_plot(
 ) -> Any:
     """Draw track, CLPE and learning of both axes in one figure.
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it, or `load_run`.
-    ax : array of 7 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-    label, color : optional
-        Of a run among several on the same Axes: its name in the legend and one colour for all of
-        its lines, whose styles tell its signals apart; `compare` gives them.
-
-    Returns
-    -------
-    ndarray of Axes, shape (7,)
-        Track, the two of `clpe_plot`, flow parameters of both axes, gains of both.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no run of one vehicle.
-    ClptError
-        If `ax` are not seven Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> axes = run_plot(clpt.simulate(scenario))

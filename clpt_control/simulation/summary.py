@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..base.arguments import check_holds, public
+from ..base.arguments import check_holds
 from ..base.errors import DataError
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
@@ -40,39 +40,17 @@ class RunReport(NamedTuple):
     summary: dict[str, Any]
 
 
-@public
 def run_and_report(
     system: Scenario | Team, progress: Callable[[float], None] | None = None
 ) -> RunReport:
     """Run a scenario, or a team, and summarise it.
 
-    Parameters
-    ----------
-    system : Scenario or Team
-        The experiment.
-    progress : callable, optional
-        Called with the time reached.
+    Returns the run with the summary in its attributes, the same run evenly sampled for pictures
+    (2000 samples a cycle, at most 200,000) and the summary: ``clpe_rms_per_cycle``, ``status``,
+    ``message``, ``max_flow_parameter_error`` and ``max_gain_error`` by time; with a limited speed
+    ``speed``; for a gridded field the explained variance.  A team's are by vehicle, of at most
+    20,000 samples, with ``max_disagreement`` by time.
 
-    Returns
-    -------
-    RunReport
-        The run, which carries the summary as JSON; the same run evenly
-        sampled for pictures (2000 samples a cycle, or a run that is shorter; more where there are
-        many waypoints or each is long; at most 200,000); and the summary:
-        ``clpe_rms_per_cycle`` (over all such samples),
-        ``max_flow_parameter_error`` and ``max_gain_error`` keyed by time,
-        ``status`` and ``message``; with ``vehicle.max_speed`` also ``speed``, the share of time
-        at it and when the flow was faster; for a gridded field also the shares of
-        variance that the learned flow explains. Of a team these are by vehicle, of at most 20,000
-        samples, with ``max_disagreement`` keyed by time.
-
-    Raises
-    ------
-    SimulationError
-        If the run cannot go on.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> list(run_and_report(scenario).summary["max_gain_error"])
@@ -201,34 +179,16 @@ def _max_error(estimate: Any, truth: Any) -> float:
     return float(np.abs(estimate - truth).max())
 
 
-@public
 def claims(summary: dict[str, Any]) -> list[dict[str, str]]:
     """Check the three claims of section IV on a run of its scenario.
 
-    Parameters
-    ----------
-    summary : dict
-        As `run_and_report` gives it.
-
-    Returns
-    -------
-    list of dict
-        ``claim``, ``criterion``, ``measured`` and ``verdict`` of each.
-
-    Raises
-    ------
-    DataError
-        If the run is too short, or its scenario has no theta.
-
-    Examples
-    --------
     >>> summary = {"clpe_rms_per_cycle": [0.2, 0.01],
     ...            "max_flow_parameter_error": {"200": 0.3, "2000": 0.02},
     ...            "max_gain_error": {"200": 0.04, "2000": 0.01}}
     >>> [claim["verdict"] for claim in claims(summary)]
     ['holds', 'holds by t = 2000, not in one cycle', 'holds']
     """
-    cure = "clpt.simulation.run_and_report(scenario) gives a summary"
+    cure = "run_and_report(scenario) gives a summary"
     check_holds("claims: summary", summary, ["clpe_rms_per_cycle"], cure)
     rms = summary["clpe_rms_per_cycle"]
     errors = [

@@ -33,28 +33,6 @@ if TYPE_CHECKING:
 def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     """Draw a team's tracks, CLPE and errors.
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it for a team, or `load_run`.
-    ax : array of 3 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    ndarray of Axes, shape (3,)
-        Tracks, waypoints and the flow at the start; ``|e|`` of each vehicle; the largest error of a
-        flow parameter of each, or without theta the estimates, and the largest disagreement.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no run of a team.
-    ClptError
-        If `ax` are not three Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> paper = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> team = clpt.Team(members={"a": paper, "b": paper}, coupling=0.5)

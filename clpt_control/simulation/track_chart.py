@@ -43,30 +43,6 @@ def track_plot(
 ) -> "Axes":
     """Draw waypoints, track and the flow at the start (figure 1).
 
-    Parameters
-    ----------
-    run : xarray.Dataset
-        As `simulate` gives it, or `load_run`.
-    ax : Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-    label, color : optional
-        Of a run among several on the same Axes: its name in the legend and one colour for all of
-        its lines, whose styles tell its signals apart; `compare` gives them.
-
-    Returns
-    -------
-    Axes
-        In the scenario's unit of length; the figure is ``ax.figure``.
-
-    Raises
-    ------
-    DataError
-        If the dataset is no run of one vehicle.
-    ClptError
-        If `ax` is not one Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> ax = track_plot(clpt.simulate(scenario))

@@ -127,7 +127,7 @@ def functions_of(law: Part) -> int:
     if N < 1 or {"alpha": 2 * N, "K": 2, "Gamma": 2}.items() - outputs.items():
         raise DiagramError(
             f"{law.name}: a law makes alpha[2N], K[2] and Gamma[2]; it makes "
-            f"{ports_line(outputs)}; clpt.theory.lyapunov judges a V on any diagram"
+            f"{ports_line(outputs)}; clpt.lyapunov judges a V on any diagram"
         )
     count = counts_of(law.input_labels).get("phi_x", N)
     if count != N:

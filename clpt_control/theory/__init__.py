@@ -1,8 +1,8 @@
 """The paper's section III on the equations that run.
 
-`audit` judges the four theorems, `prove` a law of your own, `misprints` lists what is misprinted.
-`gramian` and `certificate` say what a track can teach and how fast; `disturbance_counterexample`
-and `printed_bound` set the printed bounds beside a run.
+`audit` judges the four theorems, `misprints` lists the misprints, `design_track` finds waypoints.
+Proofs of laws (`prove`, `lyapunov`), searches (`refute`), the Gramian of a track (`gramian`) and
+bounds for every start (`certify`) are names of the package.
 """
 
 import lazy_loader

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..base.arguments import check_holds, public
+from ..base.arguments import check_holds
 from ..base.errors import ScenarioError
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import paper_scenario
@@ -88,41 +88,17 @@ def drive_along(scenario: Scenario, run: "xarray.Dataset") -> np.ndarray:
     return run.true_flow.values - flow_velocity(scenario, positions, times, estimate)
 
 
-@public
 def printed_bound(
     scenario: Scenario, run: "xarray.Dataset", start: float
 ) -> PrintedBound:
     """Compare a run with the bound printed for its law.
 
-    Parameters
-    ----------
-    scenario : Scenario
-        With flow parameters theta; its law chooses Eq. (16) or Eq. (33).
-    run : xarray.Dataset
-        Its run, finely sampled.
-    start : float
-        Measure from here on, units.time.
-
-    Returns
-    -------
-    PrintedBound
-        `peak` and `claimed` in units.length, their `ratio`, which is above 1 if the bound is
-        violated, and `rms` of e over the rms of its drive divided by lambda_min(KD).
-
-    Raises
-    ------
-    ScenarioError
-        If the true flow is a gridded field, which has no theta, or the law is not one of
-        the paper's.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> wave = {"kind": "square", "amplitude": [0.05, 0.0], "period": 1.8}
     >>> scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(
     ...     {"flow.disturbance": wave, "run.duration": 40, "run.output_step": 0.05}
     ... )
-    >>> clpt.theory.printed_bound(scenario, clpt.simulate(scenario), 0.0).ratio > 1
+    >>> printed_bound(scenario, clpt.simulate(scenario), 0.0).ratio > 1
     True
     """
     law = scenario.learning.law
@@ -220,7 +196,6 @@ def with_square_wave(
     return started_true(scenario).with_values({"flow.disturbance": wave})
 
 
-@public
 def disturbance_counterexample(
     start: float = 400.0,
     end: float = 800.0,
@@ -231,29 +206,8 @@ def disturbance_counterexample(
 
     The wave has 0.05 m/s and 3.5 rad/s, on axis 1.
 
-    Parameters
-    ----------
-    start, end : float
-        Measured from start to end of the run, s.
-    samples : int
-        Per half period of the square wave.
-    progress : callable, optional
-        Called with the time reached.
-
-    Returns
-    -------
-    PrintedBound
-        The learner starts at the true parameters, so that Delta alone drives e.
-
-    Raises
-    ------
-    ScenarioError
-        If a value is not allowed.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> found = clpt.theory.disturbance_counterexample(start=0.0, end=40.0)
+    >>> found = disturbance_counterexample(start=0.0, end=40.0)
     >>> found.ratio > 1, round(found.claimed, 4)
     (True, 0.05)
     """

@@ -121,9 +121,9 @@ def lyapunov(
     >>> pendulum = clpt.Block("rod", update=swing, states={"theta": 1, "omega": 1},
     ...                       parameters={"g": 9.8, "b": 0.1})
     >>> energy = lambda s: s.omega**2 / 2 + s.g * (1 - np.cos(s.theta))
-    >>> clpt.theory.lyapunov(pendulum, energy).rate
+    >>> clpt.lyapunov(pendulum, energy).rate
     -b*omega**2
-    >>> clpt.theory.lyapunov(pendulum).V
+    >>> clpt.lyapunov(pendulum).V
     omega**2/2 - 49*cos(theta)/5 + 49/5
     """
 

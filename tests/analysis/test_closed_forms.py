@@ -25,6 +25,7 @@ from analysis.worst_disturbance import (
     worst_disturbance,
 )
 from clpt_control.base.geodesy import place_from
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.theory.counterexamples import (
     exact_run,
     scalar_matrix,
@@ -131,8 +132,7 @@ def test_the_mean_square_bound_is_tight():
 
 
 def test_learned_speed_and_current_are_those_of_the_adcp(facts):
-    read = clpt.gliders.read_dives(facts / "glider" / "sg171_dives.csv")[0]
-    dives, skipped = clpt.gliders.usable(read)
+    dives, skipped = clpt.gliders.read_dives(facts / "glider" / "sg171_dives.csv")
     found = compared(dives, read_adcp(facts / "glider" / "sg171_adcp.csv"))
     assert (len(dives), skipped) == (10, [])
     assert 1.3 < found.measured < 1.6
@@ -218,7 +218,7 @@ def test_rohrs_example_loses_stability_by_the_lag_alone():
 
 # --- the judge of a replay's headline ------------------------------------------------------------
 
-DIVES = clpt.gliders.usable(clpt.gliders.sample_dives())[0]
+DIVES = clpt.gliders.sample_dives()
 
 
 def test_a_fix_on_the_ellipse_is_one_half_axis_away():
@@ -240,7 +240,7 @@ def test_a_fix_on_the_ellipse_is_one_half_axis_away():
 
 def test_a_pair_with_dives_missing_between_is_left_out():
     whole = record(DIVES[:6])
-    holed = record(clpt.gliders.usable([*DIVES[:3], *DIVES[4:6]])[0])
+    holed = record(usable([*DIVES[:3], *DIVES[4:6]])[0])
     assert (len(whole), len(holed)) == (5, 3)
     assert holed[:2] == pytest.approx(whole[:2], nan_ok=True)
 

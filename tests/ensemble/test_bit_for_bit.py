@@ -23,6 +23,13 @@ from sampled_runs import TIMES, VARY, assert_identical, files, lag, system, unre
 from subprocesses import CLPT, GUARD, await_line, listening, started, without_progress
 
 import clpt_control as clpt
+from clpt_control import (
+    ClptError,
+    DataError,
+    DiagramError,
+    ScenarioError,
+    SimulationError,
+)
 from clpt_control.engine.codegen.directional_derivatives import place_of
 from clpt_control.engine.model.ports import ports_of
 from clpt_control.ensemble.members import Ensemble
@@ -30,13 +37,6 @@ from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.sampled_parameters import read_varies
 from clpt_control.ensemble.store import open_store
 from clpt_control.ensemble.varied_diagram import VariedDiagram
-from clpt_control.errors import (
-    ClptError,
-    DataError,
-    DiagramError,
-    ScenarioError,
-    SimulationError,
-)
 
 DASK = pytest.mark.skipif(not importlib.util.find_spec("distributed"), reason="no Dask")
 LINUX = pytest.mark.skipif(

@@ -11,9 +11,8 @@ from law_blocks import EACH, HELD, papers_law, remembering_law
 from sampled_runs import assert_identical
 
 import clpt_control as clpt
+from clpt_control import Block, DataError, DiagramError, ScenarioError
 from clpt_control.ensemble.run import run_ensemble
-from clpt_control.equations import Block
-from clpt_control.errors import DataError, DiagramError, ScenarioError
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 

@@ -10,10 +10,10 @@ from paths import REFERENCE
 from sampled_runs import VARY
 
 import clpt_control
+from clpt_control import ClptError
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.sampled_parameters import draw_members, read_varies
 from clpt_control.ensemble.varied_scenario import VariedScenario, variable_values
-from clpt_control.errors import ClptError
 from clpt_control.simulation.summary import run_and_report
 
 

@@ -11,10 +11,10 @@ from error_sentences import says
 from sampled_runs import VARY, files
 
 import clpt_control as clpt
+from clpt_control import DataError
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.ensemble.store import Store, open_store
-from clpt_control.errors import DataError
 
 
 @pytest.fixture(scope="module")

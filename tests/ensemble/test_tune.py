@@ -5,7 +5,7 @@ import pytest
 from error_sentences import says
 
 import clpt_control
-from clpt_control.ensemble import tune_law
+from clpt_control import ScenarioError, tune_law
 from clpt_control.ensemble.candidates import (
     Candidate,
     belief,
@@ -15,7 +15,6 @@ from clpt_control.ensemble.candidates import (
     unknown_of,
 )
 from clpt_control.ensemble.tune import Score, ranked, score_of
-from clpt_control.errors import ScenarioError
 from clpt_control.paper.laws.table import LAWS
 
 
@@ -156,13 +155,13 @@ def test_a_robust_law_is_taken_where_unmodelled_flow_is_ten_times_the_prior(pape
 
 
 def test_a_measured_current_is_taken_out(facts, tmp_path):
-    from clpt_control.currents import fit_current, save_fit
+    from clpt_control.currents import fit_current
 
     field = facts.parents[1] / "clpt_control/data/maracoos_hfr_2019-01-01.nc"
     fit = fit_current(
         field, (40.9, 41.55, -69.9, -69.0), rows=1, columns=2, width_km=30.0
     )
-    scenario = save_fit(fit, tmp_path / "shoals.toml")
+    scenario = fit.save(tmp_path / "shoals.toml")
     tuned = tune_law(scenario, members=3, laws=["learned-flow"], unmodelled=0.5)
     assert tuned.scenario.field_path == scenario.field_path
     assert tuned.report["prior"] == pytest.approx(0.3 * 1.0 * 10.0)

@@ -9,7 +9,7 @@ from sampled_runs import TIMES, assert_identical, lag, springs, system, two_shap
 from scipy import stats
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
+from clpt_control import ClptError
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 4.0})
 

@@ -9,6 +9,9 @@ from error_sentences import says
 
 import clpt_control as clpt
 from clpt_control.base.figures import COLOURS
+from clpt_control.simulation.comparison import response_plot
+from clpt_control.simulation.run_plots import clpe_plot, learning_plot
+from clpt_control.simulation.track_chart import track_plot
 
 TIMES = np.linspace(0.0, 4.0, 41)
 SCENARIO = clpt.paper_scenario().with_values(
@@ -89,7 +92,7 @@ def test_names_that_would_be_one_are_two():
     sizes, wide = {"h": 2, "h_index": 1}, lambda t, x, u, p: {"h": [t, t], "h_index": t}
     run = clpt.simulate(clpt.Block("a", output=wide, outputs=sizes), [0.0, 1.0])
     assert (run.h.dims, run.h_index.dims) == (("time", "h_index_"), ("time",))
-    axes = clpt.simulation.response_plot(run)
+    axes = response_plot(run)
     assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
 
 
@@ -100,7 +103,7 @@ def test_units_of_ports_are_those_of_the_run():
     run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
     units |= {"mean": None, "w": None}
     assert {name: run[name].attrs.get("units") for name in units} == units
-    axes = clpt.simulation.response_plot(run)
+    axes = response_plot(run)
     assert {ax.get_ylabel() for ax in axes} == {
         "h (m)",
         "v (V)",
@@ -125,7 +128,7 @@ def test_units_of_ports_are_those_of_the_run():
 
 
 def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
-    moved = clpt.equations.Sampled(gauge(), 0.5)
+    moved = clpt.Sampled(gauge(), 0.5)
     run = clpt.simulate(clpt.connect([tank(), moved], external="q"), TIMES, 1.0)
     assert run.v.attrs["units"] == "V"
     assert dict(tank({}).copy().units) == {}
@@ -212,23 +215,23 @@ def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(
 
 
 def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
-    (a, b), plots = of_tanks.values(), clpt.simulation
+    a, b = of_tanks.values()
     cut = a.isel(time=slice(3, 20))
-    assert len(plots.response_plot(cut)[0].lines[0].get_xdata()) == 17
+    assert len(response_plot(cut)[0].lines[0].get_xdata()) == 17
     one = a.isel(h_index=0)[["h"]].clpt.plot()
     np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
-    both = plots.response_plot(xarray.concat([a, b], "run", data_vars="all"))
+    both = response_plot(xarray.concat([a, b], "run", data_vars="all"))
     assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
     np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
     paper = of_scenarios["0.8"]
     for plot, run in {
-        plots.response_plot: a.isel(time=3),
-        plots.track_plot: paper.isel(time=3),
-        plots.clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
-        plots.learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
+        response_plot: a.isel(time=3),
+        track_plot: paper.isel(time=3),
+        clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
+        learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
     }.items():
         says(clpt.DataError, r"\A.*\Z", plot, run)
-    ax = plots.track_plot(paper, label="mine", color="black")
+    ax = track_plot(paper, label="mine", color="black")
     assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
 
 
@@ -260,14 +263,14 @@ def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     )
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
-        ax = clpt.simulation.track_plot(run)
+        ax = track_plot(run)
         words = legends(ax)
         assert words == ["track", "prediction", "desired position", "start"]
         np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
-        for one in (ax, *clpt.simulation.clpe_plot(run)):
+        for one in (ax, *clpe_plot(run)):
             words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
         assert not [word for word in words if "waypoint" in word or "interval" in word]
     clpt.report(run, tmp_path / "page.html")
     text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
     assert "waypoint" not in text.partition('id="excitation"')[0].lower()
-    assert "waypoints" in legends(clpt.simulation.track_plot(clpt.simulate(SCENARIO)))
+    assert "waypoints" in legends(track_plot(clpt.simulate(SCENARIO)))

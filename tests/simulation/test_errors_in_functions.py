@@ -11,9 +11,8 @@ from error_sentences import says
 from still_water import PAPER
 
 import clpt_control as clpt
+from clpt_control import Block, SimulationError
 from clpt_control.engine.model.declaration import Each
-from clpt_control.equations import Block
-from clpt_control.errors import SimulationError
 from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import field, vehicle
 

@@ -11,6 +11,7 @@ import pytest
 from example_models import MODELS, pendulum
 
 import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.paper.blocks.vehicle import vehicle
@@ -86,7 +87,7 @@ class InC:
 def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
     system, start, u, h, *_ = MODELS[name]
     made = InC(system, tmp_path, initial_state=start)
-    runner, u = clpt.native.NativeDiagram(system), np.array([*u, 0.0])
+    runner, u = NativeDiagram(system), np.array([*u, 0.0])
     start, m = np.array(start, float), runner.wiring.ninputs
     assert made.x0 == pytest.approx(start)
     random, exact = np.random.default_rng(1), {"rel": 1e-12, "abs": 1e-12}
@@ -182,7 +183,7 @@ def test_a_gridded_field_is_a_table(tmp_path):
     axes = np.linspace(0, 6, 7), np.linspace(-20, 20, 6), np.linspace(-30, 30, 18)
     field = GriddedField(*axes, *random.normal(size=(2, 7, 6, 18)))
     loop = clpt.connect([gridded_flow(field), vehicle()], external="v_x")
-    made, runner = InC(loop, tmp_path), clpt.native.NativeDiagram(loop)
+    made, runner = InC(loop, tmp_path), NativeDiagram(loop)
     assert "static const double T_[]" in made.text
     for t, *x in ((0.0, 1.0, 2.0), (3.3, -25.0, 11.0), (5.9, 3.0, -19.0)):
         rates = runner.sweep.derivative(t, np.array(x), np.array([0.1, 0.2]))

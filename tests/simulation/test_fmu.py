@@ -15,7 +15,7 @@ from example_models import MODELS, discrete
 from test_export import library, needs_cc
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
+from clpt_control import ClptError
 
 
 class Importer:

@@ -196,6 +196,6 @@ def test_what_is_of_fixes_alone_or_of_no_fixes_is_said():
         ):
             NOISY.with_values({f"localization.{key}": 0.1})
     with pytest.raises(clpt.DataError, match="z of a recorded run jumps at fixes"):
-        clpt.theory.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)
+        clpt.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)
     with pytest.raises(clpt.ClptError, match="reads the position at all times"):
         clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))

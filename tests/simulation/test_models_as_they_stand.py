@@ -13,8 +13,8 @@ from responses import states_of
 from still_water import CALM
 
 import clpt_control as clpt
+from clpt_control import BlockError, DataError, DiagramError, SimulationError
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.errors import BlockError, DataError, DiagramError, SimulationError
 from clpt_control.simulation.initial_states import initial_state
 
 T = np.linspace(0.0, 2.0, 21)

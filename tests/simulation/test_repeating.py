@@ -174,7 +174,7 @@ def test_what_is_given_takes_the_place_of_what_was_by_all_that_run_it(again):
     np.testing.assert_array_equal(
         found.h, clpt.sensitivity(loop(), to=["tank.a", "x0"], **usual).h
     )
-    many = clpt.ensemble.run_ensemble(diagram, vary="tank.a=[0.5, 1.0]", timepts=TIMES)
+    many = clpt.run_ensemble(diagram, vary="tank.a=[0.5, 1.0]", timepts=TIMES)
     np.testing.assert_allclose(many.h_final[0], run.h[-1], rtol=1e-6)
 
 

@@ -186,9 +186,7 @@ def law():
 
 @pytest.mark.parametrize("sample", [None, 0.5])
 def test_a_global_of_a_law_counts_at_the_next_run(law, monkeypatch, sample):
-    loop = clpt.closed_loop(
-        SHORT, law=clpt.equations.Sampled(law, sample) if sample else law
-    )
+    loop = clpt.closed_loop(SHORT, law=clpt.Sampled(law, sample) if sample else law)
     for gain in (0.8, 1.6):
         monkeypatch.setitem(globals(), "GAIN", gain)
         scenario = SHORT.with_values({"learning.gain": gain, "learning.sample": sample})
@@ -201,7 +199,7 @@ def test_a_global_of_a_law_counts_in_an_ensemble_and_a_proof(law, monkeypatch):
         data = clpt.run_ensemble(
             clpt.closed_loop(SHORT, law=law), "flow.parameters~normal:0.1", 2
         )
-        return data.flow_parameter_error, clpt.theory.prove(law, points=200).status
+        return data.flow_parameter_error, clpt.prove(law, points=200).status
 
     before, proved = asked()
     monkeypatch.setitem(globals(), "GAIN", -0.8)

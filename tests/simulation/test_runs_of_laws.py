@@ -8,7 +8,7 @@ from law_blocks import EACH, HELD
 from scipy.integrate import simpson
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError, DiagramError, ScenarioError
+from clpt_control import ClptError, DiagramError, ScenarioError
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
@@ -131,7 +131,7 @@ def own_law(scenario):
 def test_a_law_that_is_sampled_is_the_sampled_block(period):
     """Which is Euler's rule between samples: tests/engine/solver/test_sampled_parts."""
     run = clpt.simulate(SLOW.with_values({"learning.sample": period}))
-    block = clpt.equations.Sampled(own_law(SLOW), period)
+    block = clpt.Sampled(own_law(SLOW), period)
     own = clpt.simulate(clpt.closed_loop(SLOW, law=block))
     for name in (
         "position",
@@ -190,7 +190,7 @@ def test_what_is_not_sampled_says_so():
     both = {"a": sampled, "b": sampled.with_values({"vehicle.position": [1.0, 0.0]})}
     for said, ask in {
         "sample yours by": lambda: clpt.closed_loop(sampled, law=own_law(SLOW)),
-        "proofs speak of continuous time alone": lambda: clpt.theory.prove(
+        "proofs speak of continuous time alone": lambda: clpt.prove(
             clpt.closed_loop(sampled)
         ),
         r"learning\.sample cannot vary; ": lambda: clpt.run_ensemble(

@@ -6,7 +6,7 @@ import pytest
 from still_water import CALM, DWELL, PAPER, POINTS, exact_positions
 
 import clpt_control as clpt
-from clpt_control.errors import SimulationError
+from clpt_control import SimulationError
 from clpt_control.paper.blocks import disturbance, reference
 from clpt_control.paper.scenario.tables import Units
 from clpt_control.simulation.flows import faster_flow, speeds_of

@@ -6,6 +6,7 @@ from gridded_currents import uniform_field
 
 import clpt_control as clpt
 from clpt_control.simulation import summary
+from clpt_control.simulation.summary import claims
 
 PAPER = clpt.paper_scenario()
 CASES = {
@@ -113,12 +114,10 @@ def test_what_misses_a_claim_is_not_rounded_to_what_meets_it():
     """0.1004 of the first cycle is more than 10 %, and 0.0504 more than 0.05."""
     errors = {"200": 0.0504, "2000": 0.0002}
     found = {"max_flow_parameter_error": errors, "max_gain_error": errors}
-    clpe, flow, _ = clpt.simulation.claims(
-        {"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found}
-    )
+    clpe, flow, _ = claims({"clpe_rms_per_cycle": [2e-4, 2.008e-5], **found})
     measured = "0.0002, then 2.01e-05 (10.04 %); last cycle 2.01e-05"
     assert (clpe["verdict"], clpe["measured"]) == ("fails", measured)
     assert flow["measured"] == "0.0504 at t = 200, 0.0002 at t = 2000"
     found = summary.run_and_report(PAPER.with_values({"run.duration": 20.0}))
     with pytest.raises(clpt.DataError, match="from t = 0 to 2000"):
-        clpt.simulation.claims(found.summary)
+        claims(found.summary)

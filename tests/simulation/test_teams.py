@@ -7,6 +7,7 @@ from scipy.linalg import expm
 from team_scenarios import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
 import clpt_control as clpt
+from clpt_control.simulation.summary import run_and_report
 
 VARIABLES = (
     "position",
@@ -38,11 +39,11 @@ def test_without_coupling_each_is_alone():
     seldom = {
         name: one.with_values({"run.output_step": 4}) for name, one in DIFFERENT.items()
     }
-    found = clpt.simulation.run_and_report(team(0.0, ROW, **seldom))
+    found = run_and_report(team(0.0, ROW, **seldom))
     assert found.run.sizes["time"] == 4
     for name, scenario in DIFFERENT.items():
         same(run.sel(vehicle=name), clpt.simulate(scenario))
-        alone = clpt.simulation.run_and_report(seldom[name]).summary
+        alone = run_and_report(seldom[name]).summary
         for key in ("clpe_rms", "clpe_rms_last_quarter"):
             assert found.summary[key][name] == pytest.approx(alone[key], rel=2e-3)
 
@@ -135,11 +136,11 @@ def test_none_sees_the_whole_flow_yet_the_team_learns_it():
     run = clpt.simulate(of, [0.0, end])
     assert float(abs(run.flow_parameters_estimate[:, -1] - theta).max()) < 1e-3
     for scenario in of.members.values():
-        joint = clpt.theory.gramian(scenario, end, 0.0).eigenvalues
+        joint = clpt.gramian(scenario, end, 0.0).eigenvalues
         assert max(float(values[0]) for values in joint.values()) < 1e-6
         alone = clpt.simulate(scenario, [0.0, end]).flow_parameters_estimate[-1]
         assert float(abs(alone - theta).max()) > 0.5
-    together = clpt.theory.gramian(of, end, 0.0)
+    together = clpt.gramian(of, end, 0.0)
     assert max(together.vehicles[name].smallest for name in ("west", "east")) < 1e-6
     assert (together.smallest > 1.0, together.not_learnable) == (True, [])
 

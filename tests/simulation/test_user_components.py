@@ -14,13 +14,15 @@ from still_water import CALM, KD, POINTS, GammaD, exact_positions
 from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
+from clpt_control import BlockError, ClptError, DataError, DiagramError, prove
 from clpt_control.base.figures import new_figure
-from clpt_control.errors import BlockError, ClptError, DataError, DiagramError
 from clpt_control.paper.blocks import vehicle
 from clpt_control.paper.scenario.file import OWN_PARTS
 from clpt_control.simulation.animation import draw_samples
+from clpt_control.simulation.run_plots import learning_plot
+from clpt_control.simulation.track_chart import track_plot
 from clpt_control.simulation.user_components import LAW
-from clpt_control.theory import prove
+from clpt_control.theory.excitation.certificates import certificate
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 30})
 LIMITED = PAPER.with_values({"vehicle.max_speed": 1.0})
@@ -166,8 +168,8 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
 
 def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     """A reference that leaves z_2 at rest teaches nothing of Gamma_2; a slow law is no fast one."""
-    certificate = partial(clpt.theory.certificate, window=20.0, start=0.0)
-    gramian = partial(clpt.theory.gramian, window=20.0, start=0.0)
+    decay = partial(certificate, window=20.0, start=0.0)
+    gramian = partial(clpt.gramian, window=20.0, start=0.0)
     times, loop = np.linspace(0, 30, 601), clpt.closed_loop(PAPER)
     lagging = clpt.closed_loop(PAPER, insert={("v_x", "vehicle"): LAG})
     own_law = clpt.closed_loop(PAPER, law=law_blocks.papers_law())
@@ -180,14 +182,9 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     )
     run = clpt.simulate(lagging, times)
     says(
-        ClptError,
-        "the run has parts given in Python, v_x to vehicle: lag",
-        certificate,
-        run,
+        ClptError, "the run has parts given in Python, v_x to vehicle: lag", decay, run
     )
-    says(
-        ClptError, "v_x .* its vehicle is not known", clpt.estimation.flow_estimate, run
-    )
+    says(ClptError, "v_x .* its vehicle is not known", clpt.currents.flow_estimate, run)
     rests = lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}  # noqa: E731
     still = clpt.Block("reference", output=rests, outputs={"zc": 2})
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
@@ -200,14 +197,9 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     )
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
-    says(
-        ClptError,
-        r'the run has parameters {"adaptation.gain": 0.001}',
-        certificate,
-        slow,
-    )
+    says(ClptError, r'the run has parameters {"adaptation.gain": 0.001}', decay, slow)
     run = clpt.simulate(own_law, times)
-    says(ClptError, "no certificate: .* the run has the law mine", certificate, run)
+    says(ClptError, "no certificate: .* the run has the law mine", decay, run)
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 
@@ -251,7 +243,7 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
         (tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many")
     )
     told = {"learned flow"} if "the learned flow at the end" in page else set()
-    axes = clpt.simulation.learning_plot(run)
+    axes = learning_plot(run)
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
         has = f"largest {error.replace('_', ' ')}" in page
         assert has is (error in data) is (f"{error.split('_')[-2]} error" in ensemble)
@@ -263,7 +255,7 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     arrows = set(re.findall(r"^longest (true|learned) arrow ", "\n".join(texts), re.M))
     assert ("true flow" in texts) is ("true" in arrows)
     told |= {f"{kind} arrow" for kind in arrows}
-    track = clpt.simulation.track_plot(run).collections
+    track = track_plot(run).collections
     assert any(isinstance(one, Quiver) for one in track) is ("true arrow" in told)
     assert told == set(wanted.split(", "))
 

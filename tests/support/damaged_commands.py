@@ -12,6 +12,8 @@ from contextlib import chdir, redirect_stderr, redirect_stdout
 import numpy as np
 from paths import DATA
 
+from clpt_control.simulation.summary import run_and_report
+
 SAMPLE = "2016-01-31"  # the day of the sample's dives
 RUNS = ("run", "ensemble", "tune", "excitation s", "excitation t")
 VARY = "--members 4 --vary learning.gain=0.2:2 --chunk 2 --threads 1"
@@ -96,7 +98,7 @@ def make_valid(folder):
     values = {"run.duration": 250, "run.output_step": 0.5, "reference": way}
     short = clpt.paper_scenario().with_values(values)
     clpt.save_scenario(short, folder / "s.toml")
-    clpt.save_run(clpt.simulation.run_and_report(short).run, folder / "run.nc")
+    clpt.save_run(run_and_report(short).run, folder / "run.nc")
     team = clpt.Team(members={"a": short, "b": short}, coupling=0.5)
     clpt.save_run(clpt.simulate(team), folder / "team.nc")
     (folder / "team.toml").write_text(clpt.load_run(folder / "team.nc").attrs["team"])

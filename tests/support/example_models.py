@@ -83,7 +83,7 @@ def sampled_tank():
         inputs={"h": 1}, outputs={"q": 1}, states={"integral": 1},
         parameters={"kp": 2.0, "ki": 0.7, "target": 1.5},
     )  # fmt: skip
-    return clpt.connect([tank, clpt.equations.Sampled(pi, 0.5)], name="level")
+    return clpt.connect([tank, clpt.Sampled(pi, 0.5)], name="level")
 
 
 def tanks():
@@ -118,7 +118,7 @@ def with_a_table():
     def output(t, x, u, p):
         row = np.array([1.0, 2.0, 5.0])
         place = np.clip(np.floor(x[0] + 1.0), 0, 2)
-        return [clpt.equations.lookup(row, place), x[0] // 0.3, x[0] % -0.3, np.sign(x[0]),
+        return [clpt.lookup(row, place), x[0] // 0.3, x[0] % -0.3, np.sign(x[0]),
                 max(x[0], u[0]), min(x[0], 0.2), abs(x[0]), np.exp(x[0]) ** 0.5]  # fmt: skip
 
     ports = {"states": ["x"], "inputs": ["u"], "outputs": list("abcdefgh")}

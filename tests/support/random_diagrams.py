@@ -14,7 +14,7 @@ import control
 import numpy as np
 from random_programs import executed, plain, program
 
-from clpt_control.equations import Block
+from clpt_control import Block
 
 SHAPES = ((1,), (2,), (3,), (5,), (2, 3), (8,))
 LONG = ((18,), (40,), (6, 5))

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from clpt_control import Block
 from clpt_control.engine.trace.traced_block import on_arrays
-from clpt_control.equations import Block
 
 
 def recorded(block, role, t, x, u):

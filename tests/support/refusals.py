@@ -2,7 +2,7 @@
 
 import pytest
 
-from clpt_control.errors import DataError
+from clpt_control import DataError
 
 
 def refuses(said, call, *given, error=DataError, **more):

@@ -8,7 +8,7 @@ import builtins
 import control
 import numpy as np
 
-from clpt_control.equations import Block, lookup
+from clpt_control import Block, lookup
 
 NUMPY = vars(np) | vars(builtins) | {"lookup": lookup}
 

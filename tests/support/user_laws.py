@@ -11,7 +11,7 @@ import re
 import numpy as np
 from law_blocks import LEARNED, filled
 
-from clpt_control.equations import Block, lookup
+from clpt_control import Block, lookup
 from clpt_control.paper.blocks.clpe import clpe
 from clpt_control.paper.laws.law import Truth
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import clpt_control as clpt
+from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.certify import (
     after_window,
     certify,
@@ -64,7 +65,7 @@ def test_the_least_error_is_the_root_and_the_bound_rises(D):
 def test_of_small_errors_the_bound_is_the_linear_contraction():
     """And that is the certificate of a learner that was started true."""
     found = certify(PAPER, 1e-16)
-    exact = clpt.theory.certificate(clpt.theory.started_true(PAPER), 200.0, 200.0)
+    exact = certificate(clpt.theory.started_true(PAPER), 200.0, 200.0)
     assert (found.V[2] / found.V[1], found.drops[1]) == pytest.approx(
         (exact.contraction, exact.drop), rel=1e-6
     )

@@ -16,13 +16,9 @@ from scipy.linalg import expm
 import clpt_control as clpt
 from clpt_control.base.figures import figure_of
 from clpt_control.base.files import write_file
+from clpt_control.simulation.summary import run_and_report
 from clpt_control.theory.design import search
-from clpt_control.theory.design.track_design import (
-    design_plot,
-    learned,
-    linear_gains,
-    time_below,
-)
+from clpt_control.theory.design.track_design import learned, linear_gains, time_below
 from clpt_control.theory.design.waypoint_tracks import (
     Tracks,
     closed_length,
@@ -315,7 +311,7 @@ def test_the_learning_time_is_the_last_crossing(third, level, time):
 
 
 def test_a_picture_shows_both_tracks(short, tmp_path):
-    write_file(tmp_path / "both.png", figure_of(design_plot, short))
+    write_file(tmp_path / "both.png", figure_of(short.plot))
     assert inked(tmp_path / "both.png") > 0.01
 
 
@@ -340,6 +336,6 @@ def test_CLPE_of_a_design_is_that_of_clpt_run():
         "run.duration": 400,
     }
     scenario = clpt.paper_scenario().with_values(gains)
-    run, late = clpt.simulation.run_and_report(scenario), learned(scenario, None)
+    run, late = run_and_report(scenario), learned(scenario, None)
     key = "clpe_rms_last_quarter"
     assert late.summary[key] == pytest.approx(run.summary[key], rel=0.01)

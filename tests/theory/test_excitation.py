@@ -10,11 +10,13 @@ from image_checks import inked
 from team_scenarios import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
+from clpt_control import gramian
 from clpt_control.app.pages.results import excitation_result
 from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks.reference import circle
-from clpt_control.theory import certificate, excitation_plot, gramian, started_true
+from clpt_control.theory import started_true
 from clpt_control.theory.excitation import certificates, regressor
+from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.excitation_report import excitation_report
 from clpt_control.theory.excitation.gramian import sliding_excitation
 from clpt_control.theory.proofs.circle import circle_step
@@ -207,7 +209,7 @@ def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
         {"basis.kernel": "gaussian-sigma", "run.duration": 100}
     )
     _, eigenvalues = sliding_excitation(scenario, 60.0)
-    (top, _), (bottom, _) = excitation_plot(scenario, 60.0, 10.0)
+    (top, _), (bottom, _) = clpt_package.gramian(scenario, 60.0, 10.0).plot()
     top.figure.savefig(tmp_path / "excitation.png")
     np.testing.assert_allclose(
         top.get_lines()[-2].get_ydata(), eigenvalues["x1"][:, 0], rtol=1e-12
@@ -324,6 +326,7 @@ def test_what_has_no_pooled_gramian(source, arguments, said):
 
 
 def test_the_certificate_of_one_vehicle_takes_no_team():
-    says(clpt_package.ArgumentError, "a Team: must be a Scenario", certificate, ALIKE)
-    with pytest.raises(clpt_package.DataError, match="gramian measures a team"):
-        certificate(clpt_package.simulate(ALIKE, [0.0, 1.0, 2.0]))
+    for group in (ALIKE, clpt_package.simulate(ALIKE, [0.0, 1.0, 2.0])):
+        excitation = clpt_package.gramian(group, 1.0, 0.0)
+        with pytest.raises(clpt_package.DataError, match="gramian measures a team"):
+            excitation.certificate()

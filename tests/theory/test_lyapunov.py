@@ -10,8 +10,8 @@ from lyapunov_cases import CASES, ENERGY, PENDULUM, half
 from text_systems import written
 
 import clpt_control as clpt
+from clpt_control import lyapunov as judge
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory import lyapunov as judge
 from clpt_control.theory.proofs import point_search
 from clpt_control.theory.proofs.exact import factored
 from clpt_control.theory.proofs.sums_of_squares import squares

@@ -11,11 +11,12 @@ from text_systems import whole_times
 from user_laws import LEARNED, N, V_of, beside, formula
 
 import clpt_control as clpt
-from clpt_control.errors import DiagramError
+from clpt_control import DiagramError
 from clpt_control.paper.laws import regressions
 from clpt_control.paper.laws.memory_laws import CONCURRENT as LAW
 from clpt_control.paper.laws.memory_laws import next_window
 from clpt_control.paper.laws.table import LAWS
+from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.promises import truth_of
 from clpt_control.theory.proofs import all_proofs, fixes, invariant_loop
 from clpt_control.theory.proofs.all_proofs import proof_of_law
@@ -343,10 +344,10 @@ def test_V_never_rises_in_a_uniform_current_whatever_is_missing_or_late():
 def test_what_is_not_known_of_runs_with_fixes_or_noise_is_refused():
     scenario = AT.with_values({"run.duration": 40.0})
     with pytest.raises(clpt.ClptError, match="give the scenario in place of the run"):
-        clpt.theory.gramian(clpt.simulate(scenario), 20.0, 0.0)
-    assert clpt.theory.gramian(scenario, 20.0, 0.0).eigenvalues["x1"][0] > 0
+        clpt.gramian(clpt.simulate(scenario), 20.0, 0.0)
+    assert clpt.gramian(scenario, 20.0, 0.0).eigenvalues["x1"][0] > 0
     with pytest.raises(clpt.ClptError, match="only law that learns at fixes"):
-        clpt.ensemble.tune_law(scenario, members=3)
+        clpt.tune_law(scenario, members=3)
     noisy = {"localization": {"noise": 0.1, "noise_period": 1.0}, "run.duration": 40.0}
     with pytest.raises(clpt.ClptError, match=r"no certificate: localization\.noise"):
-        clpt.theory.certificate(clpt.paper_scenario().with_values(noisy), 20.0, 0.0)
+        certificate(clpt.paper_scenario().with_values(noisy), 20.0, 0.0)

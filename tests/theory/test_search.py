@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from text_systems import NUMPY, written
 
 import clpt_control as clpt
-from clpt_control.theory import lyapunov
+from clpt_control import lyapunov
 from clpt_control.theory.proofs.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 from clpt_control.theory.region import enclosed

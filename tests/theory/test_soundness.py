@@ -8,8 +8,7 @@ from text_systems import TICKS, whole_times
 from user_laws import GAIN, LEARNED, V_of, beside, changed, driven, scaled
 
 import clpt_control as clpt
-from clpt_control.errors import ClptError
-from clpt_control.theory import lyapunov, prove
+from clpt_control import ClptError, lyapunov, prove
 
 pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 200

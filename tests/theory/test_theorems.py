@@ -10,7 +10,9 @@ from analysis.theorems import page
 from clpt_control.paper.blocks import learner, vehicle
 from clpt_control.paper.laws import consensus as blocks
 from clpt_control.paper.laws.table import LAWS
+from clpt_control.simulation.summary import run_and_report
 from clpt_control.theory import audit, counterexamples, misprints
+from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.proofs import all_proofs
 from clpt_control.theory.proofs.all_proofs import LIMITED_SPEED, statements
 from clpt_control.theory.proofs.cached_verdicts import CachedOutcomes, prove_all
@@ -187,7 +189,7 @@ def few_points(monkeypatch):
 
 def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
     told, untold = (
-        package.simulation.run_and_report(
+        run_and_report(
             PAPER.with_values({"vehicle.max_speed": 1.5, "learning.hedging": hedging})
         ).summary["clpe_rms_per_cycle"][-1]
         for hedging in (True, False)
@@ -197,15 +199,13 @@ def test_clpe_of_the_papers_run_goes_to_zero_with_hedging_and_not_without():
 
 def test_a_certificate_holds_along_a_hedged_run_and_is_refused_without():
     scenario = PAPER.with_values({"vehicle.max_speed": 1.5, "run.duration": 100})
-    found = package.theory.certificate(scenario, 80.0, 20.0)
+    found = certificate(scenario, 80.0, 20.0)
     V = package.simulate(scenario, [0.0, 20.0, 100.0]).lyapunov.values
     assert V[2] / V[1] <= found.contraction < 1
     with pytest.raises(
         package.ScenarioError, match=r"no certificate: learning\.hedging = false"
     ):
-        package.theory.certificate(
-            scenario.with_values({"learning.hedging": False}), 80.0, 20.0
-        )
+        certificate(scenario.with_values({"learning.hedging": False}), 80.0, 20.0)
 
 
 def added(t, x, u, p):

@@ -13,10 +13,10 @@ from user_laws import GAIN, LEARNED, WITH_R, V_of, beside, changed, driven, of_e
 from wrong_laws import WRONG
 
 import clpt_control as clpt
+from clpt_control import ClptError, DiagramError, prove
 from clpt_control.base.progress import interrupt
-from clpt_control.errors import ClptError, DiagramError
 from clpt_control.paper.blocks.lyapunov import lyapunov_candidate, weighted
-from clpt_control.theory import audit, prove, started_true
+from clpt_control.theory import audit, started_true
 from clpt_control.theory.proofs import invariants
 from clpt_control.theory.proofs.steps import exact
 from clpt_control.theory.proofs.theorem_loop import theorem_scenario

@@ -8,7 +8,7 @@ import pytest
 import sympy
 from text_systems import written
 
-from clpt_control.theory import lyapunov
+from clpt_control import lyapunov
 from clpt_control.theory.proofs import decide
 from clpt_control.theory.proofs.symbolic_loop import Numbers
 from clpt_control.theory.proofs.z3_decider import z3_never_positive

@@ -80,7 +80,7 @@ def fit(
         units=units,
         names=None if u is None or v is None else {"u": u, "v": v},
     )
-    scenario = clpt.currents.save_fit(fitted, out)
+    scenario = fitted.save(out)
     length, speed = fitted.report["width_units"], fitted.report["speed_units"]
     unit_of = dict.fromkeys(("track_radius", "width"), f" {length}")
     unit_of |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
@@ -205,11 +205,11 @@ def estimate(
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    fitted_flow = clpt.estimation.flow_estimate(
+    fitted_flow = clpt.currents.flow_estimate(
         data, method, every=every, prior=prior, noise=noise
     )
     if out is not None:
-        fed = clpt.estimation.known_flow_scenario(scenario, fitted_flow.theta)
+        fed = clpt.currents.known_flow_scenario(scenario, fitted_flow.theta)
         clpt.save_scenario(fed, out)
     sd, length = fitted_flow.standard_deviation, scenario.units.length
     speed = f"{length}/{scenario.units.time}"

@@ -160,7 +160,7 @@ def replay(
     if sample:
         summary = job.found(clpt.gliders.sample_dives(), [])
     else:
-        summary = job.found(*clpt.gliders.read_dives(files or []))
+        summary = job.found(*clpt.gliders.read_dives(files or [], usable=False))
     written = []
     if out is not None:
         written = replay_report.write(summary, make_folder(out), job.kinds)
@@ -319,11 +319,10 @@ def chosen_model(flow: str | None, learn_speed: bool, forecast: bool) -> Any:
 
     Then a factor on it is a parameter, which the dives may find to be near zero.
     """
-    FixModel = clpt.estimation.FixModel
+    from ...ocean.estimation.fix_model import FLOW, FixModel
+
     flow_parts = (
-        FixModel().flow
-        if flow is None
-        else tuple(name.strip() for name in flow.split(","))
+        FLOW if flow is None else tuple(name.strip() for name in flow.split(","))
     )
     if not forecast and "model" in flow_parts:
         raise ScenarioError(f"flow {flow}: its part model needs --flow-model FILE")

@@ -101,6 +101,7 @@ class Job:
         """Replay the dives that can be used; return what `--json` prints."""
         from ...ocean.forecast.replay import check_tides
         from ...ocean.gliders.samples import with_variation
+        from ...ocean.gliders.usable_dives import usable
 
         if self.variation is not None:
             if not self.follows and all(dive.turned is None for dive in dives):
@@ -112,7 +113,7 @@ class Job:
         used: list[Any] = []
         unused: list[Any] = []
         with self.so_far():
-            used, unused = clpt.gliders.usable(dives, self.least)
+            used, unused = usable(dives, self.least)
         skipped = [*unread, *unused]
         if not (self.follows or used):
             raise DataError(

@@ -90,16 +90,17 @@ def paper(
     """
     from ...base.figures import checked_formats
     from ...simulation.run_file import as_written
+    from ...simulation.summary import claims, run_and_report
     from ...simulation.team_plots import run_figures
     from ..pages.results import claims_result
 
     kinds = checked_formats(formats or ["png"])
     scenario, folder = clpt.paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
-        run, fine, summary = clpt.simulation.run_and_report(scenario, report)
+        run, fine, summary = run_and_report(scenario, report)
     drawn, file = run_figures(fine, folder, kinds), folder / "run.nc"
     write_together({file: as_written(run, file), **drawn})
-    summary["claims"] = clpt.simulation.claims(summary)
+    summary["claims"] = claims(summary)
     first_figure, *_, last_figure = drawn
     sentences = [
         f"{folder}: {first_figure.name} to {last_figure.name}, run.nc",
@@ -147,10 +148,11 @@ def run(
         summary = {name: result.attrs[name] for name in ("title", "status", "message")}
         table, summary["signals"] = response_result(result), extent_of(result)
     else:
+        from ...simulation.summary import run_and_report
         from ..pages.results import run_result
 
         with progress_bar(f"running {scenario.name}", system.run.duration) as report:
-            result, fine, summary = clpt.simulation.run_and_report(system, report)
+            result, fine, summary = run_and_report(system, report)
         table = run_result(summary, summary["title"] or str(scenario))
         if missing := not_learned(result):
             table = table._replace(sentences=[*table.sentences, missing])
@@ -267,7 +269,7 @@ def ensemble(
             dask=dask,
         )
     summary = ensemble_summary(data)
-    draw_figure(figure, clpt.ensemble.ensemble_plot, data)
+    draw_figure(figure, data.clpt.plot)
     table = ensemble_result(data, summary, experiment.title or str(scenario))
     finish([table], summary, as_json, out)
 
@@ -328,7 +330,7 @@ def tune(
     experiment = load_vehicle_scenario(scenario)
     check_out(out, "a scenario")
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
-        tuned = clpt.ensemble.tune_law(
+        tuned = clpt.tune_law(
             experiment,
             members=members,
             prior=prior,

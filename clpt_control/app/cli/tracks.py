@@ -67,9 +67,9 @@ def excitation(
         raise ClptError("--figure: is for one vehicle; leave it out for a team")
     check_out(figure, "a figure")
     report = excitation_report(source, window, start)
-    draw_figure(
-        figure, clpt.theory.excitation_plot, source, report["window"], report["start"]
-    )
+    if figure is not None:
+        excitation = clpt.gramian(source, report["window"], report["start"])
+        draw_figure(figure, excitation.plot)
     finish([excitation_result(report)], report, as_json, figure)
 
 
@@ -143,7 +143,7 @@ def tune_waypoints(
     if figure is not None:
         from ...base.figures import figure_of
 
-        results[figure] = figure_of(clpt.theory.design_plot, design)
+        results[figure] = figure_of(design.plot)
     write_together(results)
     finish([_result(design.report)], design.report, as_json, *results)
 

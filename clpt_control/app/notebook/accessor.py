@@ -7,13 +7,13 @@ MATLAB with a matrix for each port, whose columns are its signals.
 """
 
 import re
+from importlib import import_module
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ... import ensemble, replay, simulation
 from ...base.arguments import check_holds, public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
@@ -22,6 +22,7 @@ from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
 from ...simulation.comparison import named, ports_along, signals_of
 from ...simulation.initial_states import state_at
+from ...simulation.loops import closed_loop
 
 if TYPE_CHECKING:
     import pandas
@@ -32,22 +33,23 @@ if TYPE_CHECKING:
 
 
 # kind of dataset -> name of a plot -> module and function; "" is the plot that shows most
-PLOTS: dict[str, dict[str, tuple[Any, str]]] = {
-    "team": {"": (simulation, "team_plot")},
-    "ensemble": {"": (ensemble, "ensemble_plot")},
+PLOTS: dict[str, dict[str, tuple[str, str]]] = {
+    "team": {"": ("simulation.team_plots", "team_plot")},
+    "ensemble": {"": ("ensemble.ensemble_statistics", "ensemble_plot")},
     "run": {
-        "": (simulation, "run_plot"),
-        "track": (simulation, "track_plot"),
-        "clpe": (simulation, "clpe_plot"),
-        "learning": (simulation, "learning_plot"),
+        "": ("simulation.run_plots", "run_plot"),
+        "track": ("simulation.track_chart", "track_plot"),
+        "clpe": ("simulation.run_plots", "clpe_plot"),
+        "learning": ("simulation.run_plots", "learning_plot"),
+        "signals": ("simulation.comparison", "response_plot"),
     },
     "replay": {
-        "": (replay, "replay_plot"),
-        "map": (replay, "map_plot"),
-        "clpe": (replay, "dive_clpe_plot"),
-        "current": (replay, "current_plot"),
+        "": ("ocean.forecast.plots", "replay_plot"),
+        "map": ("ocean.forecast.track_map", "map_plot"),
+        "clpe": ("ocean.forecast.plots", "dive_clpe_plot"),
+        "current": ("ocean.forecast.plots", "current_plot"),
     },
-    "diagram": {"": (simulation, "response_plot")},
+    "diagram": {"": ("simulation.comparison", "response_plot")},
 }
 LONGEST = 60  # letters of a name in MATLAB, of which 63 count
 
@@ -146,16 +148,17 @@ class ClptAccessor:
     def plot(self, name: str = "", *, ax: Any = None, **options: Any) -> Any:
         """Draw a run, a team, a diagram's ports, an ensemble or a replay.
 
-        `name` chooses one plot: "track", "clpe" or "learning" of a run, "map", "clpe" or "current"
-        of a replay.  It is drawn on given axes or on a new figure; the Axes are returned.  A run
-        takes a `label` and a `color` too, as `clpt_control.compare` gives them.
+        `name` chooses one plot: "track", "clpe", "learning" or "signals" of a run, "map", "clpe" or
+        "current" of a replay.  It is drawn on given axes or on a new figure; the Axes are returned.
+        A run takes a `label` and a `color` too, as `clpt_control.compare` gives them.
         """
         plots = PLOTS[self.kind]
         if name not in plots:
             names = ", ".join(filter(None, plots)) or "no name"
             raise ArgumentError(f"plot '{name}': must be {names}, for a {self.kind}")
         module, plot = plots[name]
-        return getattr(module, plot)(self._data, ax=ax, **options)
+        draw = getattr(import_module(f"clpt_control.{module}"), plot)
+        return draw(self._data, ax=ax, **options)
 
     @public
     def state(self, t: float) -> np.ndarray:
@@ -189,8 +192,8 @@ class ClptAccessor:
                 "state of run.clpt.state(t), to clpt.linearize"
             )
         scenario: Any = self.scenario
-        loop = simulation.closed_loop(scenario)
-        system = simulation.closed_loop(scenario, external=input or ())
+        loop = closed_loop(scenario)
+        system = closed_loop(scenario, external=input or ())
         states = dict(zip(loop.state_labels, state, strict=True))
         signals = dict(zip(loop.output_labels, loop.output(t, state, []), strict=True))
         x = [states[label] for label in system.state_labels]

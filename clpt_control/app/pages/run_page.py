@@ -30,7 +30,8 @@ from ...simulation.serialization.run_record import diagram_of_text, equations_te
 from ...simulation.summary import claims
 from ...simulation.team_plots import team_plot
 from ...simulation.track_chart import track_plot
-from ...theory.excitation.excitation_report import excitation_plot, excitation_report
+from ...theory.excitation.excitation_report import excitation_report
+from ...theory.excitation.gramian import gramian
 from . import results
 from .page import Drawn, Page, Section, drawn, versions_section
 from .results import Numbers
@@ -146,7 +147,7 @@ def excitation_section(run: Dataset, why: str) -> Section:
         report = excitation_report(run)
         result = results.excitation_result(report)
         if not team:
-            figure = figure_of(excitation_plot, run, report["window"], report["start"])
+            figure = figure_of(gramian(run, report["window"], report["start"]).plot)
             caption = (
                 "Above, eigenvalues of the Gramian in a window that slides over the run: the "
                 "smallest says how fast the slowest combination is learned. Below, that "

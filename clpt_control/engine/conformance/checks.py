@@ -1,4 +1,4 @@
-"""Conformance checks of a block: `clpt.conformance.check(my_block)`.
+"""Conformance checks of a block: `clpt.check(my_block)`.
 
 A block that passes can be wired, compiled, proved, pickled, linearized and integrated like the
 blocks of this package.  Each check is a generator that takes random arguments and yields one
@@ -312,7 +312,7 @@ class ConformanceReport(NamedTuple):
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.vehicle import vehicle
-    >>> clpt.conformance.check(vehicle()).ok
+    >>> clpt.check(vehicle()).ok
     True
     """
 
@@ -373,7 +373,7 @@ def check(
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.vehicle import vehicle
-    >>> print(clpt.conformance.check(vehicle()))
+    >>> print(clpt.check(vehicle()))
     vehicle: conforms (6 checks)
     """
     report = check_block(block, seed, samples, units)

@@ -61,7 +61,7 @@ class Sampled(Block):
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> (law,) = (b for b in clpt.paper_blocks(scenario) if b.name == "adaptation")
-    >>> run = clpt.simulate(clpt.closed_loop(scenario, law=clpt.equations.Sampled(law, 1.0)))
+    >>> run = clpt.simulate(clpt.closed_loop(scenario, law=clpt.Sampled(law, 1.0)))
     >>> run.attrs["engine"]
     'native'
     """

@@ -9,7 +9,6 @@ from typing import Any, Self
 import control
 import numpy as np
 
-from ...base.arguments import public
 from ...base.errors import DiagramError, Uncompiled
 from ..codegen.diagram_record import FORMS, DiagramRecord, Layout, lay_out
 from ..codegen.directional_derivatives import Directions, add_derivatives
@@ -179,22 +178,12 @@ def copies_of(form: Form) -> int:
 # --- ready to run ----------------------------------------------------------------------------
 
 
-@public
 class NativeDiagram(PythonDiagram):
     """A diagram compiled to machine code.
 
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem or Wiring
-        Blocks, wired.
-    params : mapping, optional
-        Call-time parameters by qualified name.
-    form : str, optional
-        ``"unrolled"`` or ``"looped"``: all axes; short ones are unrolled without.  ``"free"``:
-        decisions are not locked for a step.  `HeldSwitch`: on a switch, whose decisions are held.
-    apart : mapping, optional
-        Blocks' fields that differ from run to run: those that always have equal values have the
-        same here.
+    `params` are call-time parameters by qualified name.  `form` is "unrolled" or "looped" (all
+    axes; by default short ones are unrolled), "free" (decisions are not locked for a step) or a
+    `HeldSwitch`.  `apart` has blocks' fields that differ from run to run.
 
     Attributes
     ----------
@@ -203,16 +192,9 @@ class NativeDiagram(PythonDiagram):
     layout : Layout
         Where parameters lie.
 
-    Raises
-    ------
-    Uncompiled
-        If a function cannot be read, or the diagram is too large.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario()
-    >>> native = clpt.native.NativeDiagram(clpt.closed_loop(scenario))
+    >>> native = NativeDiagram(clpt.closed_loop(scenario))
     >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).x.shape
     (2, 14)
     """
@@ -326,35 +308,14 @@ class NativeDiagram(PythonDiagram):
         return LANES if count > 1 and fuses() and self.nstates <= ABREAST else 1
 
 
-@public
 def compile(
     diagram: control.NonlinearIOSystem, params: Mapping[str, Any] | None = None
 ) -> NativeDiagram:
     """Compile an interconnected diagram to machine code.
 
-    Parameters
-    ----------
-    diagram : control.NonlinearIOSystem
-        Blocks, wired; nested diagrams and several vehicles included.
-    params : mapping, optional
-        Call-time parameters by qualified name, ``{"adaptation.gain": 2.0}``.
-
-    Returns
-    -------
-    NativeDiagram
-        Ask it to `run` from an initial state, or `run_many` from many.
-
-    Raises
-    ------
-    DiagramError
-        If a function cannot be read, the diagram is too large, or blocks feed
-        each other at once in a circle.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario()
-    >>> native = clpt.native.compile(clpt.closed_loop(scenario))
+    >>> native = compile(clpt.closed_loop(scenario))
     >>> native.run(clpt.initial_state(scenario), [0.0, 20.0]).status
     'finished'
     """

@@ -171,8 +171,6 @@ class PythonDiagram:
     ) -> Solution:
         """Integrate from the first to the last of the times.
 
-        Parameters
-        ----------
         x0 : array_like, shape (nstates,)
             State at ``times[0]``.
         times : array_like, shape (n,)
@@ -193,13 +191,9 @@ class PythonDiagram:
         max_step, first_step : float, optional
             The longest step, and the first that is tried.
 
-        Returns
-        -------
         Solution
             States ``x`` at the times ``t``, with status, message and statistics.
 
-        Raises
-        ------
         SimulationError
             If a signal is not finite (block, signal and time are named), the
             step becomes too small, the end is out of reach, or a guard with
@@ -350,15 +344,11 @@ class PythonDiagram:
     ) -> np.ndarray:
         """Integrate from many initial states, such as passive particles.
 
-        Parameters
-        ----------
         starts : array_like, shape (m, nstates)
             Initial states at ``times[0]``.
         times, rtol, atol, step
             As for `run`.
 
-        Returns
-        -------
         ndarray, shape (m, n, nstates)
             NaN from where a run could not go on.
         """

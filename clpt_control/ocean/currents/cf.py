@@ -353,7 +353,7 @@ def check_fill_value(values: np.ndarray, name: str) -> None:
 
     >>> check_fill_value(np.append(np.linspace(-0.3, 0.4, 20), [9.0] * 3), "u (m/s)")
     Traceback (most recent call last):
-    clpt_control.errors.DataError: u (m/s) is exactly 9 at 3 of 23 places, ...
+    clpt_control.DataError: u (m/s) is exactly 9 at 3 of 23 places, ...
     """
     finite = values[np.isfinite(values)]
     if not finite.size:

@@ -58,9 +58,42 @@ FELT = 0.1  # of its height: what a kernel has somewhere on a track that feels i
 class Fit:
     """A scenario made from a measured current."""
 
-    scenario: Scenario  # in km and h; its field is not on disk before `save_fit`
+    scenario: Scenario  # in km and h; its field is not on disk before `save`
     field: GriddedField  # the true flow, km/h on a grid in km and h
     report: dict[str, Any]  # what was read, filled and fitted; fit for JSON
+
+    @public
+    def save(self, path: str | Path) -> Scenario:
+        """Write the scenario, PATH.toml, with its field beside it.
+
+        The field becomes ``PATH_field.nc``.  Returns the scenario as read back, ready to run.
+
+        >>> fit = fit_current("currents.nc")  # doctest: +SKIP
+        >>> run = clpt.simulate(fit.save("mine.toml"))  # doctest: +SKIP
+        """
+        out = Path(path)
+        check_writable(out, "a scenario", (".toml",))
+        field = out.with_name(f"{out.stem}_field.nc")
+        check_writable(field)
+        report, scenario = self.report, self.scenario
+        attributes = {
+            "title": scenario.title,
+            "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
+            "time_origin": report["start"],
+            "origin_latitude_longitude": report["origin"],
+            "comment": "gaps are filled harmonically in space and time; fit_report counts them",
+            "fit_report": json.dumps(report),
+        }
+        flow = scenario.flow.model_copy(update={"field": field.name})
+        text = _header(report) + scenario_to_text(
+            scenario.model_copy(update={"flow": flow})
+        )
+        law = f'law = "{LAW}"\n'
+        text = text.replace(law, law + PAPER_LAW, 1)
+        write_together(
+            {out: text, field: field_dataset(self.field, scenario.units, attributes)}
+        )
+        return load_vehicle_scenario(out)
 
 
 @public
@@ -101,7 +134,8 @@ def fit_current(
     Returns
     -------
     Fit
-        `scenario`, in km and h, `field`, the true flow, and `report`, a dict with theta.
+        `scenario`, in km and h, `field`, the true flow, and `report`, a dict with theta; method
+        `save("mine.toml")`.
 
     Raises
     ------
@@ -245,7 +279,7 @@ def _middles(
 def _scenario(
     currents: Currents, centers: list, width: float, constituents: tuple, radius: float
 ) -> Scenario:
-    """Return the scenario; `save_fit` writes its field and names it."""
+    """Return the scenario; `Fit.save` writes its field and names it."""
     phased = [
         (c, p) for c in constituents for p in ((0.0,) if c == "steady" else (0.0, SINE))
     ]
@@ -277,58 +311,6 @@ def _scenario(
             "run": {"duration": float(currents.time[-1]), "output_step": 0.1},
         }
     )
-
-
-@public
-def save_fit(fit: Fit, out: str | Path) -> Scenario:
-    """Write a fit as a scenario with its field beside it.
-
-    Parameters
-    ----------
-    fit : Fit
-        From `fit_current`.
-    out : str or Path
-        ``SCENARIO.toml``; the field becomes ``SCENARIO_field.nc``.
-
-    Returns
-    -------
-    Scenario
-        As read back from the file, ready to run.
-
-    Raises
-    ------
-    DataError
-        If the name is not a TOML file's or the folder cannot be written to.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> fit = clpt.currents.fit_current("currents.nc")  # doctest: +SKIP
-    >>> clpt.simulate(save_fit(fit, "mine.toml"))  # doctest: +SKIP
-    """
-    out = Path(out)
-    check_writable(out, "a scenario", (".toml",))
-    field = out.with_name(f"{out.stem}_field.nc")
-    check_writable(field)
-    report, scenario = fit.report, fit.scenario
-    attributes = {
-        "title": scenario.title,
-        "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
-        "time_origin": report["start"],
-        "origin_latitude_longitude": report["origin"],
-        "comment": "gaps are filled harmonically in space and time; fit_report counts them",
-        "fit_report": json.dumps(report),
-    }
-    flow = scenario.flow.model_copy(update={"field": field.name})
-    text = _header(report) + scenario_to_text(
-        scenario.model_copy(update={"flow": flow})
-    )
-    law = f'law = "{LAW}"\n'
-    text = text.replace(law, law + PAPER_LAW, 1)
-    write_together(
-        {out: text, field: field_dataset(fit.field, scenario.units, attributes)}
-    )
-    return load_vehicle_scenario(out)
 
 
 def _header(report: dict) -> str:

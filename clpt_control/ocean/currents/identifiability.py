@@ -43,7 +43,7 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     >>> check_separable(["M2", "S2"], 24.0, "currents.nc")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: currents.nc: in 24 h, these cannot be told apart: M2 and S2
+    clpt_control.DataError: currents.nc: in 24 h, these cannot be told apart: M2 and S2
     (354.4 h are needed)
     """
     check_speeds({name: tidal_periods.speed(name) for name in names}, hours, where)
@@ -91,7 +91,7 @@ def check_nyquist(
     >>> check_nyquist(6.0 * np.arange(9), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: record: steps of 6 h see no tide of 12 h or faster: leave out S2
+    clpt_control.DataError: record: steps of 6 h see no tide of 12 h or faster: leave out S2
     """
     fast = [
         name
@@ -115,7 +115,7 @@ def check_sampling(
     >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
         ...
-    clpt_control.errors.DataError: record: at its times the mean and S2 look alike; take other
+    clpt_control.DataError: record: at its times the mean and S2 look alike; take other
     intervals or leave one out
     """
     count = 2 * len(cycles) + 1

@@ -31,7 +31,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...base.arguments import public
 from ...base.errors import ScenarioError
 from ...paper.scenario.tidal_periods import SPEEDS, period
 from .dive import Dive, mid_time
@@ -41,6 +40,7 @@ FAR = 13.82  # chi-squared of two components, 99.9 %
 SHALLOW = 100.0  # m, where shear is zero
 ROTATION = 7.292115e-5  # rad/s, of the Earth
 OTHERS = ("inertial", "shear", "gaussians", "model")  # parts that are no tide
+FLOW = ("steady", "M2", "inertial")  # default parts
 
 
 def inertial_frequency(latitude: float) -> float:
@@ -111,7 +111,6 @@ def compass_column(dive: Dive) -> np.ndarray:
     return np.array([[dive.dr_north], [-dive.dr_east]])
 
 
-@public
 @dataclass(frozen=True)
 class FixModel:
     """Parameters of the motion between fixes.
@@ -127,13 +126,11 @@ class FixModel:
     priors : Priors
         Standard deviations and memories before any dive.
 
-    Examples
-    --------
     >>> FixModel(("steady",)).names
     ('current_east', 'current_north', 'speed', 'compass')
     """
 
-    flow: tuple[str, ...] = ("steady", "M2", "inertial")
+    flow: tuple[str, ...] = FLOW
     learn_speed: bool = True
     priors: Priors = field(default_factory=Priors)
 

@@ -6,8 +6,6 @@
 
 from typing import Any, NamedTuple
 
-from ...base.arguments import public
-
 DAY = 86400.0  # s
 
 
@@ -21,16 +19,10 @@ class Sea(NamedTuple):
     mapped: Any = 0.0  # m/s, of a steady current that depends on position
 
 
-@public
 class Priors(NamedTuple):
     """Standard deviations and times before any dive, m, s and rad.
 
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> doubtful = clpt.estimation.FixModel(priors=clpt.estimation.Priors(speed=0.3))
-    >>> doubtful.prior_sd[-2:]
-    array([0.3 , 0.03])
+    `FixModel(priors=Priors(speed=0.3))` has other ones.
     """
 
     # GPS has 4 m (Rudnick, Sherman, Wu, J. Atmos. Oceanic Technol. 35, 1665, 2018); two fixes, and

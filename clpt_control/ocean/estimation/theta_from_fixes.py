@@ -41,7 +41,7 @@ class FlowEstimate:
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> clpt.estimation.flow_estimate(run, every=5.0).misses.shape
+    >>> clpt.currents.flow_estimate(run, every=5.0).misses.shape
     (12, 2)
     """
 
@@ -110,7 +110,7 @@ def flow_estimate(
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> estimate = clpt.estimation.flow_estimate(run, "kalman")
+    >>> estimate = clpt.currents.flow_estimate(run, "kalman")
     >>> estimate.theta.round(2).tolist()
     [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
     """
@@ -181,7 +181,7 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     --------
     >>> import clpt_control as clpt
     >>> paper = clpt.paper_scenario()
-    >>> clpt.estimation.known_flow_scenario(paper, paper.flow.parameters).learning.law
+    >>> clpt.currents.known_flow_scenario(paper, paper.flow.parameters).learning.law
     'known-flow'
     """
     learning = scenario.learning

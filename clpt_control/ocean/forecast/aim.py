@@ -198,7 +198,7 @@ def aims(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
     >>> leg = clpt.replay.aims(replay, [(-42.5, 8.0)])[0]
     >>> leg.state, leg.heading < leg.bearing  # against a current to the east: to the left of it
     ('under way', True)

@@ -201,7 +201,7 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     --------
     >>> import clpt_control as clpt
     >>> model = clpt.replay.read_flow_model("forecast.nc")  # doctest: +SKIP
-    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
+    >>> dives = clpt.gliders.sample_dives()
     >>> replay = clpt.replay.replay_dives(dives, flow_model=model)  # doctest: +SKIP
     """
     path = Path(path)

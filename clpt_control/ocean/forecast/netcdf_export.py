@@ -93,7 +93,7 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
     >>> data = clpt.replay.replay_dataset(replay)
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')

@@ -36,30 +36,9 @@ MARKS = 100  # of a line, about, at most
 def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     """Draw the CLPE of each dive for each flow model.
 
-    Parameters
-    ----------
-    replay : Replay or xarray.Dataset
-        With one dive at least; the dataset as `replay_dataset` gives it.
-    ax : Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    Axes
-        CLPE in km over time.
-
-    Raises
-    ------
-    DataError
-        If it is no replay, or has no dive.
-    ClptError
-        If `ax` is not one Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> ax = clpt.replay.dive_clpe_plot(replay)
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    >>> ax = dive_clpe_plot(replay)
     """
     rows = report_of(replay)["each_dive"]
     ax = axes_for(ax, 6.8, 4.0)
@@ -86,31 +65,9 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
 def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     """Draw the learned current of each dive, and the speed factor.
 
-    Parameters
-    ----------
-    replay : Replay or xarray.Dataset
-        With one dive at least; the dataset as `replay_dataset` gives it.
-    ax : array of 3 Axes, optional
-        Where to draw, two where no speed factor is learned; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    ndarray of Axes, shape (3,) or (2,)
-        Current to the east and to the north, m/s, with two standard errors and the files' own;
-        the factor on speed through the water.
-
-    Raises
-    ------
-    DataError
-        If it is no replay, or has no dive.
-    ClptError
-        If `ax` are fewer or more Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> east, north, speed = clpt.replay.current_plot(replay)
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    >>> east, north, speed = current_plot(replay)
     """
     rows = report_of(replay)["each_dive"]
     learned = rows[0]["speed_factor"] is not None
@@ -147,30 +104,9 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
 def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
     """Draw a replay's map, CLPE and learned current in one figure.
 
-    Parameters
-    ----------
-    replay : Replay or xarray.Dataset
-        With one dive at least; the dataset as `replay_dataset` gives it.
-    ax : array of 5 Axes, optional
-        Where to draw, four where no speed factor is learned; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    ndarray of Axes, shape (5,) or (4,)
-        `map_plot`, `dive_clpe_plot` and those of `current_plot`.
-
-    Raises
-    ------
-    DataError
-        If it is no replay, or has no dive.
-    ClptError
-        If `ax` are fewer or more Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> axes = clpt.replay.replay_plot(replay)
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    >>> axes = replay_plot(replay)
     """
     replay = report_of(replay)
     learned = replay["each_dive"][0]["speed_factor"] is not None

@@ -34,7 +34,7 @@ from ...base.units import finite_or_none
 from ..currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import OTHERS, FixModel
+from ..estimation.fix_model import FLOW, OTHERS, FixModel
 from ..gliders.usable_dives import follows
 from .advected_dives import FlowModel, carried
 from .dive_statistics import (
@@ -324,7 +324,7 @@ def next_dive(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
     >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
     >>> -42.93 < found.latitude < -42.89
     True
@@ -365,7 +365,9 @@ def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
 def replay_dives(
     dives: Iterable[Dive],
     estimator: str = "gaussian-process",
-    model: FixModel | None = None,
+    *,
+    flow: Sequence[str] = FLOW,
+    learn_speed: bool = True,
     flow_model: FlowModel | None = None,
 ) -> Replay:
     """Feed used dives to a new replay.
@@ -373,11 +375,15 @@ def replay_dives(
     Parameters
     ----------
     dives : iterable of Dive
-        In the order of their ends, as `usable` returns them.
+        In the order of their ends, as `read_dives` returns them.
     estimator : str, optional
         ``"gaussian-process"`` or ``"gradient"``.
-    model : FixModel, optional
-        The parameters; by default steady, M2, inertial and speed.
+    flow : sequence of str, optional
+        Parts of the flow: ``"steady"``, then any of ``"inertial"``, ``"shear"``, ``"gaussians"`` (a
+        steady current that depends on position), ``"model"`` (a factor on the flow model) and
+        constituents such as ``"M2"``.
+    learn_speed : bool, optional
+        Learn a factor on the speed through the water and a compass error.
     flow_model : FlowModel, optional
         Carries each dive before it is fed.
 
@@ -391,17 +397,26 @@ def replay_dives(
     DataError
         If dives are out of order, or too few to tell the model's tides apart.
     ScenarioError
-        If the estimator is unknown.
+        If the estimator or a part of the flow is unknown.
 
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
-    >>> replay = clpt.replay.replay_dives(dives)
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
     >>> len(replay.steps), 0.7 < replay.steps[-1].speed < 1
     (14, True)
     """
+    return replay_with(FixModel((*flow,), learn_speed), dives, estimator, flow_model)
+
+
+def replay_with(
+    model: FixModel,
+    dives: Iterable[Dive],
+    estimator: str = "gaussian-process",
+    flow_model: FlowModel | None = None,
+) -> Replay:
+    """Feed used dives to a new replay with given parameters and priors."""
     dives = list(dives)
-    replay = Replay(estimator, model or FixModel(), flow_model)
-    check_tides(replay.model.flow, dives)
+    replay = Replay(estimator, model, flow_model)
+    check_tides(model.flow, dives)
     return replay.feed(dives)

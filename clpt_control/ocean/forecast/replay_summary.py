@@ -94,26 +94,11 @@ def compass_words(step: Step) -> str:
     return f"compass {off:+z.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
 
-@public
 def clpe_rms(replay: Replay, after: int = 3) -> dict[str, float | None]:
-    """Return the CLPE rms of each flow model, m.
+    """Return the CLPE rms of each flow model after the first dives, m; None without a dive.
 
-    Parameters
-    ----------
-    replay : Replay
-        With any number of dives.
-    after : int, optional
-        How many first dives are left out.
-
-    Returns
-    -------
-    dict
-        By name of the model; None where no dive is left.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
     >>> {name: round(rms) for name, rms in clpe_rms(replay).items() if name != "adaptive"}
     {'no_flow': 1770, 'previous_dive': 1167}
     """
@@ -142,7 +127,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     replay : Replay
         With any number of dives.
     skipped : sequence of Skipped, optional
-        Dives that were not fed, from `usable` and the readers.
+        Dives that were not fed, as `read_dives` returns them.
 
     Returns
     -------
@@ -153,8 +138,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> dives, skipped = clpt.gliders.usable(clpt.gliders.sample_dives())
-    >>> found = summary(clpt.replay.replay_dives(dives), skipped)
+    >>> found = summary(clpt.replay.replay_dives(clpt.gliders.sample_dives()))
     >>> found["used"], found["held"], sorted(found["parts"])[:3]
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """

@@ -79,30 +79,9 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
 def map_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
     """Draw a replay's fixes, forecasts and where it aims.
 
-    Parameters
-    ----------
-    replay : Replay or xarray.Dataset
-        With one dive at least; the dataset as `replay_dataset` gives it.
-    ax : Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    Axes
-        A chart, true to scale in its middle, marked by degrees and minutes.
-
-    Raises
-    ------
-    DataError
-        If it is no replay, or has no dive.
-    ClptError
-        If `ax` is not one Axes.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.usable(clpt.gliders.sample_dives())[0])
-    >>> ax = clpt.replay.map_plot(replay)
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    >>> ax = map_plot(replay)
     """
     report = report_of(replay)
     ax = _drawn(report, ax, (0.9, 1.7))

@@ -1,1 +1,1 @@
-"""Files of gliders and the dives in them: `read_dives`, `usable`."""
+"""Files of gliders and the dives in them: `read_dives`."""

@@ -24,9 +24,10 @@ from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
 from ..estimation.dive import Dive
-from . import og1, seaexplorer, seaglider, slocum
+from . import og1, seaexplorer, seaglider, slocum, usable_dives
 from .dive_table import table_dives
 from .dives import SEAEXPLORER, SLOCUM, Skipped, in_order, is_segment, name_of
+from .usable_dives import LEAST_DURATION
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
 KINDS = (
@@ -184,25 +185,37 @@ def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
 @public
 def read_dives(
     paths: str | Path | Iterable[str | Path],
+    *,
+    usable: bool = True,
+    least_duration: float = LEAST_DURATION,
 ) -> tuple[list[Dive], list[Skipped]]:
-    """Read all dives of files and folders.
+    """Read the usable dives of one vehicle from files and folders.
+
+    A dive is usable if it has both fixes in their order, finite dead reckoning and a duration
+    above `least_duration`, needs no speed above 5 m/s, does not overlap an earlier dive, and
+    starts within reach of a fix of the dive before.  Later dives never change this.
 
     Parameters
     ----------
     paths : str, Path or iterable of them
         Files and folders, of any kinds together.
+    usable : bool, optional
+        False returns all dives as the files have them, of any number of vehicles.
+    least_duration : float, optional
+        Longest duration that is too short, s.
 
     Returns
     -------
     dives : list of Dive
-        As the files have them; `usable` sorts and chooses.
+        In the order of their ends; gaps in the numbers and a changed order are in `notes`.
     skipped : list of Skipped
-        Damaged files and lines, each with its reason.
+        Damaged files and lines and unusable dives, each with its reason.
 
     Raises
     ------
     DataError
-        If a path does not exist, or no file holds a dive.
+        If a path does not exist, no file holds a dive, the dives are of several vehicles, or the
+        dates of some are 1024 weeks early.
 
     Examples
     --------
@@ -214,6 +227,17 @@ def read_dives(
     >>> len(dives), skipped
     (14, [])
     """
+    dives, skipped = read_all_dives(paths)
+    if not usable:
+        return dives, skipped
+    used, unused = usable_dives.usable(dives, least_duration)
+    return used, [*skipped, *unused]
+
+
+def read_all_dives(
+    paths: str | Path | Iterable[str | Path],
+) -> tuple[list[Dive], list[Skipped]]:
+    """Read all dives as the files have them, of any number of vehicles."""
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
     dives: list[Dive] = []
     skipped: list[Skipped] = []

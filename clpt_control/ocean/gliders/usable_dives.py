@@ -22,7 +22,6 @@ from math import hypot, isfinite
 
 import numpy as np
 
-from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.geodesy import distance, is_place
 from ..currents.constituents import YEARS
@@ -49,39 +48,14 @@ REGION = 1000e3  # m: places of one mission about a rollover
 ADD_WEEKS = f"add 1024 weeks, {ROLLOVER:.0f} s, to each early time"
 
 
-@public
 def usable(
     dives: Iterable[Dive], least_duration: float = LEAST_DURATION
 ) -> tuple[list[Dive], list[Skipped]]:
     """Sort dives by time and leave out those that cannot be used.
 
-    A dive is used when it has both fixes in their order and in the years 1970
-    to 2200, finite dead reckoning, lasts longer than `least_duration`, needs no
-    speed above 5 m/s, does not overlap one that ended before it, and starts where
-    a vehicle can have got to from a fix of the used dive before.  Whether a dive is
-    used depends on earlier ends only, so a later dive never changes it.
+    Returns used dives by time, and the others, each with its reason.  Whether a dive is used
+    depends on earlier ends only, so a later dive never changes it.
 
-    Parameters
-    ----------
-    dives : iterable of Dive
-        In any order.
-    least_duration : float
-        Longest duration that is too short, s.
-
-    Returns
-    -------
-    used : list of Dive
-        By time; gaps in the numbers and a changed order stand in `notes`.
-    skipped : list of Skipped
-        The others, each with its reason.
-
-    Raises
-    ------
-    DataError
-        If the dives are of several vehicles, or the dates of some are 1024 weeks early.
-
-    Examples
-    --------
     >>> from clpt_control.ocean.gliders.dives import make_dive
     >>> fixes = (0.0, -43.0, 8.0), (9000.0, -43.0, 8.01)
     >>> dives = [make_dive(7, *fixes, (500.0, 0.0)), make_dive(8, *fixes, (float("nan"), 0.0))]

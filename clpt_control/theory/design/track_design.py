@@ -105,6 +105,19 @@ class Design:
         count = len(self.scenario.waypoints)
         return f"<Design of {count} waypoints: {before:.3g} to {after:.3g}>"
 
+    def plot(self, *, ax: Any = None) -> np.ndarray:
+        """Draw both tracks over the window, and the largest parameter error on both, (3,) Axes."""
+        axes = axes_for(ax, 11.8, 4.9, ncols=3)
+        for key, learning, axis in zip(
+            ("before", "after"), self.tracks, axes[:2], strict=True
+        ):
+            _draw_track(axis, learning, self.report, key)
+        axes[0].sharex(axes[1])
+        axes[0].sharey(axes[1])
+        legend_below(axes[1], 3)
+        _draw_errors(axes[2], self)
+        return axes
+
 
 def _kappas(report: dict[str, Any]) -> list[float]:
     """Return kappa_1 before and after."""
@@ -271,47 +284,6 @@ def _track_report(
 
 
 LOWEST = 1e-16  # smaller errors are drawn there
-
-
-@public
-def design_plot(design: Design, *, ax: Any = None) -> np.ndarray:
-    """Draw the old and the new track, and what is learned on both.
-
-    Parameters
-    ----------
-    design : Design
-        As `design_track` gives it.
-    ax : array of 3 Axes, optional
-        Where to draw; by default a new figure of pyplot's.
-
-    Returns
-    -------
-    ndarray of Axes, shape (3,)
-        Both tracks over the window; the largest error of a flow parameter on both.
-
-    Raises
-    ------
-    ClptError
-        If `ax` are fewer or more Axes.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> scenario = clpt.paper_scenario().with_values({"run.duration": 80, "reference.count": 2})
-    >>> given = {"goal": "kappa", "window": 20}
-    >>> found = clpt.theory.design_track(scenario, **given)
-    >>> old, new, error = clpt.theory.design_plot(found)
-    """
-    axes = axes_for(ax, 11.8, 4.9, ncols=3)
-    for key, learning, axis in zip(
-        ("before", "after"), design.tracks, axes[:2], strict=True
-    ):
-        _draw_track(axis, learning, design.report, key)
-    axes[0].sharex(axes[1])
-    axes[0].sharey(axes[1])
-    legend_below(axes[1], 3)
-    _draw_errors(axes[2], design)
-    return axes
 
 
 def _draw_track(

@@ -21,7 +21,6 @@ from functools import cache
 
 import numpy as np
 
-from ...base.arguments import public
 from ...base.errors import ScenarioError
 from ...paper.scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
@@ -63,6 +62,16 @@ class Certificate:
     def rho(self) -> float:
         """Guaranteed: V(t+T) <= (1 - rho) V(t)."""
         return min(self.rhos.values())
+
+    def ultimate_bound(
+        self, largest_disturbance: float, guaranteed: bool = False
+    ) -> float:
+        """Return the bound on limsup |e| under a disturbance, if every window drops like this.
+
+        By the exact drop, or by the guaranteed one; `largest_disturbance` is sup |Delta|.
+        """
+        drop = self.rho if guaranteed else self.drop
+        return ultimate_bound(self.window, largest_disturbance, drop)
 
 
 def smallest_eigenvalue(rows: np.ndarray, weights: np.ndarray) -> np.ndarray:
@@ -206,7 +215,6 @@ def refuse_unproved(scenario: Scenario) -> None:
             )
 
 
-@public
 def certificate(
     source: Source | Regressor, window: float | None = None, start: float | None = None
 ) -> Certificate:
@@ -214,32 +222,8 @@ def certificate(
 
     All parameters of the learned-flow law adapt, and K and Gamma of the known-flow law.
 
-    Parameters
-    ----------
-    source : Scenario, xarray.Dataset or Regressor
-        A scenario is run from its own initial values; a run is read.
-    window, start : float, optional
-        Length and start, units.time; by default the second cycle.
-
-    Returns
-    -------
-    Certificate
-        For that trajectory: `contraction`, the exact V(t+T)/V(t) at worst, `drop`, 1 less that
-        with all its digits, and `rho`, a guaranteed drop. They exclude the effect of a
-        disturbance (`disturbed`); see `ultimate_bound`.
-
-    Raises
-    ------
-    ScenarioError
-        If the window does not fit into the run or holds too many turns, or the law is not
-        one of the paper's, or the speed is limited without hedging.
-    DataError
-        If the dataset is no run.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> found = clpt.theory.certificate(clpt.paper_scenario(), 60.0, 0.0)
+    >>> found = certificate(clpt.paper_scenario(), 60.0, 0.0)
     >>> 0 < found.rho < found.drop < 1
     True
     """
@@ -266,33 +250,11 @@ def certificate(
     return Certificate(begin, end - begin, regressor.trajectory, drops, rhos, disturbed)
 
 
-@public
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:
     """Bound ``|e|`` in the long run under a disturbance.
 
-    Parameters
-    ----------
-    window : float
-        Length T of the windows, time.
-    largest_disturbance : float
-        Dmax = sup ``|Delta|``, Euclidean norm, length per time.
-    drop : float
-        rho, or the exact drop, of every window, in [0, 1].
-
-    Returns
-    -------
-    float
-        The bound on limsup ``|e|``, length; inf where the drop is zero.
-
-    Raises
-    ------
-    ScenarioError
-        If the drop is not in [0, 1].
-
-    Examples
-    --------
     >>> import clpt_control as clpt
-    >>> round(clpt.theory.ultimate_bound(2.0, 0.5, 0.75), 12)
+    >>> round(ultimate_bound(2.0, 0.5, 0.75), 12)
     3.0
     """
     if not 0 <= drop <= 1:

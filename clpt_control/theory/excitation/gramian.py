@@ -12,7 +12,7 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from textwrap import shorten
 from typing import Any
@@ -23,6 +23,8 @@ from ...base.arguments import public
 from ...base.errors import ClptError, ScenarioError
 from ...base.html import facts, fragment, paragraphs
 from ...paper.scenario.experiment import Scenario
+from .certificates import Certificate, certificate
+from .excitation_figure import draw_excitation
 from .regressor import (
     AnySource,
     Regressor,
@@ -62,6 +64,7 @@ class Excitation:
     factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
     truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c, if known
     vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team
+    source: Any = field(default=None, repr=False)  # scenario or run that was measured
 
     def __repr__(self) -> str:
         learnable = [f"{axis} {count}" for axis, count in self._counts().items()]
@@ -92,6 +95,15 @@ class Excitation:
     def _counts(self) -> dict[str, str]:
         """Return the dimension of each axis out of its number of parameters."""
         return {a: f"{n} of {len(self.names[a])}" for a, n in self.dimension.items()}
+
+    def certificate(self) -> Certificate:
+        """Return the decay of V over this window, by one of the paper's laws."""
+        return certificate(self.source, self.window, self.start)
+
+    def plot(self, *, ax: Any = None) -> np.ndarray:
+        """Draw the eigenvalues along time and the least excited direction, (2, 2) Axes."""
+        starts, eigenvalues = sliding_excitation(self.source, self.window)
+        return draw_excitation(self, starts, eigenvalues, ax)
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
@@ -268,10 +280,11 @@ def gramian(
     Returns
     -------
     Excitation
-        By axis, ``"x1"`` and ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1,
-        `eigenvalues` (ascending), `least_excited` (parameter name -> component), `identifiable`
-        and its `dimension`; `not_learnable` are sentences. The Gramian of a team is pooled, and
-        `vehicles` has each vehicle's by name. If gains are fixed, it has the flow parameters only.
+        Methods `plot()` and `certificate()`, the decay of V over the window. By axis, ``"x1"`` and
+        ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1, `eigenvalues` (ascending),
+        `least_excited` (parameter name -> component), `identifiable` and its `dimension`;
+        `not_learnable` are sentences. The Gramian of a team is pooled, and `vehicles` has each
+        vehicle's by name. If gains are fixed, it has the flow parameters only.
 
     Raises
     ------
@@ -284,17 +297,18 @@ def gramian(
     --------
     >>> import clpt_control as clpt
     >>> true = clpt.theory.started_true(clpt.paper_scenario())
-    >>> found = clpt.theory.gramian(true, 200.0, 200.0)
+    >>> found = clpt.gramian(true, 200.0, 200.0)
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
     """
     regressors = joint_regressors(source, window, start)
     if "" not in regressors:
-        return _team_excitation(regressors)
+        return replace(_team_excitation(regressors), source=source)
     regressor = regressors[""]
     truth = {} if regressor.python_parts else _truth(regressor.scenario)
     names = parameter_names(regressor.scenario.basis.N)
-    return _excitation(regressor, names, weighted(regressor), truth=truth)
+    rows = weighted(regressor)
+    return _excitation(regressor, names, rows, truth=truth, source=source)
 
 
 def _team_excitation(regressors: dict[str, Regressor]) -> Excitation:

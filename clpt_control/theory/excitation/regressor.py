@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from ...base.arguments import numbers, public
+from ...base.arguments import numbers
 from ...base.errors import ArgumentError, DataError, ScenarioError
 from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
@@ -190,7 +190,7 @@ def joint_regressor(
     """Return the joint regressor of one vehicle, as `joint_regressors` does."""
     regressors_by_name = joint_regressors(source, *args, **options)
     if "" not in regressors_by_name:
-        raise DataError("the run is a team's; clpt.theory.gramian measures a team")
+        raise DataError("the run is a team's; clpt.gramian measures a team")
     return regressors_by_name[""]
 
 
@@ -291,33 +291,14 @@ def _regressor(
     return Regressor(scenario, trajectory, cuts, weights, w, python_parts)
 
 
-@public
 def error_matrices(
     phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
 ) -> np.ndarray:
     """Return A(t) of Eq. (28), axis by axis.
 
-    Parameters
-    ----------
-    phi : ndarray, shape (..., N)
-        Basis functions at the vehicle.
-    z, zc : ndarray, shape (..., 2)
-        Predicted and desired position, length.
-    KD : array_like, shape (2,)
-        Feedback gains, per time.
-    gain : float
-        Adaptation gain gamma; 0 leaves the parameters at rest.
-
-    Returns
-    -------
-    ndarray, shape (2, ..., N + 3, N + 3)
-        Axis first; the states are e_i and that axis's N + 2 of eta.
-
-    Examples
-    --------
     >>> import clpt_control as clpt
     >>> phi, z, zc = np.array([0.5]), np.array([2, 2]), np.array([3, 3])
-    >>> clpt.theory.error_matrices(phi, z, zc, [1, 1], 2.0)[0]
+    >>> error_matrices(phi, z, zc, [1, 1], 2.0)[0]
     array([[-1. ,  0.5,  2. ,  3. ],
            [-1. ,  0. ,  0. ,  0. ],
            [-4. ,  0. ,  0. ,  0. ],

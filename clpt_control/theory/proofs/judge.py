@@ -1,6 +1,6 @@
 """One judge for a function V on the equations of a law's loop or of any system.
 
-`clpt.theory.prove` and `clpt.theory.lyapunov` are two short callers.  A verdict is five questions,
+`clpt.prove` and `clpt.lyapunov` are two short callers.  A verdict is five questions,
 each a step with its evidence:
 
 1. Have V and the equations a value everywhere, and are they what runs?
@@ -74,7 +74,7 @@ class Verdict:
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.laws.table import LAWS
     >>> wrong = LAWS["learned-flow"].of(1, gain=-0.5)
-    >>> verdict = clpt.theory.prove(wrong, points=200)
+    >>> verdict = clpt.prove(wrong, points=200)
     >>> verdict.status, verdict.value > 0
     ('refuted', True)
     """

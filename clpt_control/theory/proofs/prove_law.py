@@ -39,7 +39,7 @@ from .theorem_loop import (
 )
 
 SLOWER = ", where the flow stays slower than the vehicle (hedging)"
-ANY = "clpt.theory.lyapunov(diagram, V) judges a V of your own on any diagram"
+ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
 
 @public
@@ -104,7 +104,7 @@ def prove(
     --------
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.laws.table import LAWS
-    >>> clpt.theory.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
+    >>> clpt.prove(LAWS["learned-flow"].of(2, gain=0.5), points=200).status
     'proved'
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:

@@ -13,7 +13,7 @@ def scenario():
 
 @pytest.fixture(scope="session")
 def made(scenario):
-    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
+    dives = clpt.gliders.sample_dives()
     team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
     few = scenario.with_values({"reference.count": 2})
     return {
@@ -22,7 +22,7 @@ def made(scenario):
             control.ss(-1, 1, [[1], [2]], 0, name="lag"), [0, 1, 2], 1.0
         ),
         "team": clpt.simulate(team),
-        "ensemble": clpt.ensemble.run_ensemble(scenario, "learning.gain=0.2:2.0", 3),
+        "ensemble": clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3),
         "replay": clpt.replay.replay_dives(dives[:5]),
         "design": clpt.theory.design_track(few, goal="kappa", window=20),
     }

@@ -13,6 +13,9 @@ from scipy.io import loadmat
 from subprocesses import ran
 
 import clpt_control as clpt
+from clpt_control.ocean.forecast.plots import current_plot, dive_clpe_plot
+from clpt_control.ocean.forecast.track_map import map_plot
+from clpt_control.simulation.track_chart import track_plot
 
 ORDERS = (
     "clpt_control, xarray",
@@ -47,9 +50,9 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
     clpt.save_run(clpt.simulate(loaded), tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
-        assert clpt.simulation.track_plot(opened).has_data()
+        assert track_plot(opened).has_data()
     for out in (None, tmp_path / "e.zarr"):
-        data = clpt.ensemble.run_ensemble(loaded, vary, 2, out=out)
+        data = clpt.run_ensemble(loaded, vary, 2, out=out)
         assert data.clpt.scenario.field_path.is_file()
     assert xarray.open_zarr(out, consolidated=False).clpt.scenario.field_path.is_file()
 
@@ -69,11 +72,7 @@ def test_teams_ensembles_and_replays(made, scenario, tmp_path):
     assert made["ensemble"].clpt.scenario == scenario
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
-        for plot in (
-            clpt.replay.current_plot,
-            clpt.replay.map_plot,
-            clpt.replay.dive_clpe_plot,
-        ):
+        for plot in (current_plot, map_plot, dive_clpe_plot):
             for of_data, own in zip(
                 np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True
             ):
@@ -88,8 +87,8 @@ def test_what_is_not_ours_is_one_sentence(made):
     says(clpt.ClptError, "", lambda: foreign.clpt.scenario)
     says(clpt.ClptError, "", foreign.clpt.plot)
     says(clpt.ClptError, "", clpt.report, foreign, "page.html")
-    says(clpt.ClptError, "", clpt.replay.map_plot, made["run"])
-    for draw in (clpt.simulation.track_plot, clpt.replay.map_plot, clpt.animate):
+    says(clpt.ClptError, "", map_plot, made["run"])
+    for draw in (track_plot, map_plot, clpt.animate):
         says(clpt.ClptError, "", draw, foreign)
 
 

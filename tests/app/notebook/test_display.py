@@ -7,6 +7,7 @@ import pytest
 from html_parser import Reader
 
 import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import compile
 from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 EVIL = '<b onload="x">&'
@@ -21,7 +22,7 @@ def follower(name, takes, makes):
 @pytest.fixture(scope="module")
 def things():
     scenario = clpt.paper_scenario().with_values({"run.duration": 60, "title": EVIL})
-    dives, _ = clpt.gliders.usable(clpt.gliders.sample_dives())
+    dives = clpt.gliders.sample_dives()
     replay = clpt.replay.replay_dives([replace(dives[0], vehicle=EVIL)])
     block = follower("b<i>", "a<i>", "c&d")
     team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
@@ -33,8 +34,8 @@ def things():
         "Diagram": clpt.connect([block], external=["a<i>"], name="d<i>"),
         "Drawing": clpt.draw(loop),
         "Replay": replay,
-        "Verdict": clpt.theory.prove(LAW.of(1, gain=-0.5), points=200),
-        "Excitation": clpt.theory.gramian(team, 20.0),
+        "Verdict": clpt.prove(LAW.of(1, gain=-0.5), points=200),
+        "Excitation": clpt.gramian(team, 20.0),
         "Movie": clpt.animate(clpt.simulate(scenario), seconds=0.2, width=200),
     }
 
@@ -60,11 +61,11 @@ def test_a_thing_shows_itself(things, name):
 def test_what_has_no_table_says_itself_in_one_line(things):
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
     for said, thing in {
-        "FlowEstimate: theta ": clpt.estimation.flow_estimate(run, "kalman"),
+        "FlowEstimate: theta ": clpt.currents.flow_estimate(run, "kalman"),
         "Search of learned-flow: not refuted in ": clpt.refute(
             "learned-flow", budget=0.5
         ),
-        "NativeDiagram: 1 blocks, 1 states": clpt.native.compile(clpt.parts.lag(1.0)),
+        "NativeDiagram: 1 blocks, 1 states": compile(clpt.parts.lag(1.0)),
         "NextDive: up 2016-02-01 ": clpt.replay.next_dive(things["Replay"]),
         "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(
             things["Replay"], [(-42.8, 8.4)]

@@ -1,5 +1,7 @@
 """Plots on given axes, and films."""
 
+from functools import partial
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -12,39 +14,54 @@ from PIL import Image, ImageSequence
 
 import clpt_control as clpt
 from clpt_control import save_run
+from clpt_control.app.notebook import accessor
 from clpt_control.base.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
+from clpt_control.ensemble.ensemble_statistics import ensemble_plot
+from clpt_control.ocean.forecast.track_map import map_plot
 from clpt_control.simulation.animation import draw_samples
+from clpt_control.simulation.run_plots import clpe_plot
+from clpt_control.simulation.team_plots import team_plot
+from clpt_control.simulation.track_chart import track_plot
 
-PLOTS = {  # what it draws -> name of a plot, how many axes
-    "run": "track 1, clpe 2, learning 2, run 7, excitation 4",
-    **{
-        "team": "team 3",
-        "diagram": "response 2",
-        "ensemble": "ensemble 2",
-        "design": "design 3",
-    },
-    "replay": "map 1, dive_clpe 1, current 3, replay 5",
+COUNTS = {  # kind of dataset -> name of a plot -> number of its Axes
+    "run": {"": 7, "track": 1, "clpe": 2, "learning": 2, "signals": 10},
+    "team": {"": 3},
+    "diagram": {"": 2},
+    "ensemble": {"": 2},
+    "replay": {"": 5, "map": 1, "clpe": 1, "current": 3},
 }
-PLOTS = [(kind, *one.split()) for kind, own in PLOTS.items() for one in own.split(", ")]
-ROOMS = (
-    getattr(clpt, room)
-    for room in ("simulation", "ensemble", "theory", "replay", "currents")
-)
-PUBLIC = {name: getattr(room, name) for room in ROOMS for name in room.__all__}
-track_plot = clpt.simulation.track_plot
+METHODS = [("design", "", 3), ("excitation", "", 4)]  # objects with a plot of their own
+PLOTS = [
+    (kind, name, count)
+    for kind, plots in COUNTS.items()
+    for name, count in plots.items()
+]
 
 
-def test_all_plots_are_asked():
-    asked = {f"{name}_plot" for _, name, _ in PLOTS}
-    assert {name for name in PUBLIC if name.endswith("_plot")} == asked
+def test_all_plots_are_listed():
+    assert {kind: {*plots} for kind, plots in accessor.PLOTS.items()} == {
+        kind: {*plots} for kind, plots in COUNTS.items()
+    }
 
 
-@pytest.mark.parametrize(("kind", "name", "count"), PLOTS)
+def plot_of(made, kind, name):
+    """Return the method that draws a plot."""
+    if kind == "design":
+        return made["design"].plot
+    if kind == "excitation":
+        return clpt.gramian(made["run"]).plot
+    data = made[kind]
+    if kind == "replay":
+        data = clpt.replay.replay_dataset(data)
+    return partial(data.clpt.plot, name)
+
+
+@pytest.mark.parametrize(("kind", "name", "count"), [*PLOTS, *METHODS])
 def test_on_given_axes(kind, name, count, made):
     """Something is drawn on each, nothing elsewhere, they come back; wrong ones are a sentence."""
-    plot, count = PUBLIC[f"{name}_plot"], int(count)
+    plot = plot_of(made, kind, name)
     figure, axes = plt.subplots(1, count + 1)
-    drawn = plot(made[kind], ax=axes[0] if count == 1 else list(axes[:count]))
+    drawn = plot(ax=axes[0] if count == 1 else list(axes[:count]))
     assert list(np.ravel(np.asarray(drawn, object))) == list(axes[:count])
     assert isinstance(drawn, Axes) == (count == 1)
     assert all(one.has_data() or one.texts for one in axes[:count])
@@ -56,7 +73,7 @@ def test_on_given_axes(kind, name, count, made):
         else "must be an Axes"
     )
     for wrong, said in ((axes, many), (figure, r"must be (an|matplotlib) Axes")):
-        says(clpt.ClptError, said, plot, made[kind], ax=wrong)
+        says(clpt.ClptError, said, plot, ax=wrong)
     assert plt.get_fignums() == [figure.number]
 
 
@@ -76,29 +93,23 @@ def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypa
 def test_what_is_no_run_is_one_sentence(made):
     for given, said in (
         (made["replay"], "must be an xarray.Dataset"),
-        (made["team"], "team's; clpt.simulation.team_plot"),
+        (made["team"], "team's; run.clpt.plot"),
         (made["run"].drop_attrs(), "carries no scenario"),
         (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
     ):
         says(clpt.ClptError, said, track_plot, given)
-    for plot in (
-        clpt.ensemble.ensemble_plot,
-        clpt.simulation.team_plot,
-        clpt.replay.map_plot,
-    ):
+    for plot in (ensemble_plot, team_plot, map_plot):
         says(clpt.ClptError, "", plot, made["run"])
     lacking, said = (
         made["team"].drop_vars("alpha"),
         "the run has no alpha over vehicle 2, time",
     )
-    says(clpt.DataError, said, clpt.simulation.team_plot, lacking)
+    says(clpt.DataError, said, team_plot, lacking)
 
 
 def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
     with plt.rc_context({"text.usetex": True}):
-        text = inline_svg(
-            figure_of(clpt.simulation.clpe_plot, made["run"]), "clpe", "CLPE"
-        )
+        text = inline_svg(figure_of(clpe_plot, made["run"]), "clpe", "CLPE")
         clpt.animate(made["run"], tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
     assert ">CLPE (m)<" in text
 
@@ -141,7 +152,7 @@ def drawn(run, at):
 
 
 def test_what_is_shown_is_the_runs_own(run, scenario):
-    velocity = clpt.simulation.flow_velocity
+    velocity = clpt.currents.flow_velocity
     for k in (0, 7, 20, 40):
         lines, arrows = drawn(run, k)
         own = [run.position[[k]], run.predicted_position[[k]], run.reference[[k]]]

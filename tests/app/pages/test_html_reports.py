@@ -14,12 +14,13 @@ from matplotlib.figure import Figure
 from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
+from clpt_control import ClptError, DataError
 from clpt_control.app.pages.page import page_html
 from clpt_control.app.pages.results import run_result
 from clpt_control.app.pages.writing import page_of, report
 from clpt_control.base.figures import inline_svg, new_figure
 from clpt_control.ensemble.store import Store
-from clpt_control.errors import ClptError, DataError
+from clpt_control.simulation.summary import run_and_report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = [
@@ -157,7 +158,7 @@ def test_what_the_scenario_does_not_hold_is_said(run):
 
 @pytest.fixture(scope="module")
 def found():
-    return clpt.simulation.run_and_report(SHORT)
+    return run_and_report(SHORT)
 
 
 def test_figures_of_clpt_run_are_those_of_the_page(found):

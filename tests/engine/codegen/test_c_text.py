@@ -14,8 +14,8 @@ from recorded_blocks import static
 from text_systems import ticking
 
 import clpt_control as clpt
+from clpt_control import Block, lookup
 from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.equations import Block, lookup
 
 
 def without_source(body, name="f", **names):

@@ -8,12 +8,12 @@ import pytest
 import scipy.linalg
 
 import clpt_control as clpt
+from clpt_control import Block, lookup
 from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.diagram.interconnection import connect
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.equations import Block, lookup
-from clpt_control.native import NativeDiagram
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 SIZES = {"N": 11, "M": 3}
 STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}

@@ -25,7 +25,7 @@ from clpt_control.engine.codegen.machine import (
     code_name,
 )
 from clpt_control.engine.codegen.plan import Program
-from clpt_control.native import NativeDiagram
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from error_sentences import says
 from package_blocks import BLOCKS, EACH
 from recorded_blocks import static
 
-from clpt_control.conformance import check
+from clpt_control import ArgumentError, Block, BlockError, ClptError, check
 from clpt_control.engine.codegen import vectors
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import (
@@ -22,8 +22,6 @@ from clpt_control.engine.conformance.checks import (
     roles,
 )
 from clpt_control.engine.model.system import linear
-from clpt_control.equations import Block
-from clpt_control.errors import ArgumentError, BlockError, ClptError
 from clpt_control.paper.blocks import clpe
 from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 

@@ -153,7 +153,7 @@ def test_jumps_are_shown():
 def test_what_samples_is_printed_by_its_updates():
     rate = lambda t, x, u, p: {"y": u.v - x.y}  # noqa: E731
     law = clpt.Block("held", update=rate, inputs={"v": 1}, states={"y": 1})
-    loop = clpt.connect([clpt.equations.Sampled(law, 0.5)], external="v")
+    loop = clpt.connect([clpt.Sampled(law, 0.5)], external="v")
     lines = "held.y+ (each 0.5) = held.y/2 + held_v/2\nheld_v+ (each 0.5) = v(t)"
     assert repr(clpt.equations(loop)) == lines
 
@@ -188,5 +188,5 @@ def test_a_param_whose_value_an_if_asks_is_as_it_is():
     assert str(equations) == "y' = -k*y"
     assert equations.pinned == [(plant.name, "mode")]
     assert "with the parameters as they are" in str(
-        clpt.theory.lyapunov(plant, lambda s: s.y**2)
+        clpt.lyapunov(plant, lambda s: s.y**2)
     )

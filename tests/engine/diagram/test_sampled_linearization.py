@@ -7,7 +7,7 @@ from error_sentences import says
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.equations import Block, Sampled
+from clpt_control import Block, Sampled
 
 A = np.array([[0.0, 1.0], [-2.0, -0.3]])
 B, C = np.array([[0.0], [1.5]]), np.array([[1.0, 0.0]])

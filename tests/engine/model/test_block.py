@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 from recorded_blocks import as_it_runs, recorded, static
 
+from clpt_control import ArgumentError, Block, BlockError, Sampled
 from clpt_control.engine.model.ports import renamed, split, within
 from clpt_control.engine.model.system import linear, on_each_axis
-from clpt_control.equations import Block, Sampled
-from clpt_control.errors import ArgumentError, BlockError
 from clpt_control.plots.drawing.figure import equation_numbers
 
 

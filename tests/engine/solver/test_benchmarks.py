@@ -16,6 +16,7 @@ sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
 
 from benchmarks import build, cases, report, traced
 from benchmarks.c_engine import Program
+from clpt_control.engine.solver.native_diagram import compile
 
 pytestmark = pytest.mark.skipif(
     build.compiler() is None, reason="there is no C compiler here"
@@ -84,6 +85,6 @@ def test_the_drifter_block_moves_as_the_c_program():
     from benchmarks.drifter import drifter
 
     expected, end = advection.run_c(1)[0], advection.STEP * advection.STEPS
-    runner = clpt.native.compile(drifter(*advection.current()))
+    runner = compile(drifter(*advection.current()))
     x = runner.run(np.ravel(advection.starts(1)), [0.0, end], step=advection.STEP).x[-1]
     np.testing.assert_allclose(x, expected[:, 0], rtol=1e-12)

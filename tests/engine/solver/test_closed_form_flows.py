@@ -5,10 +5,10 @@ import pytest
 from engine_runs import ENGINES, side_by_side
 from user_laws import formula
 
+from clpt_control import Block
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.solver.solver_layout import Status
-from clpt_control.equations import Block
 
 N = 6  # copies of a flow, each with its rate
 RATES, TIMES = np.linspace(0.5, 2.0, N), np.array([0.0, 0.3, 1.0, 1.7, 2.0])

@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 from text_systems import written
 
 import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import compile
 from clpt_control.theory import refuting
 
 RTOL, ATOL = 1e-10, 1e-12
@@ -176,7 +177,7 @@ def test_neither_samples_nor_company_change_what_a_run_over_kinks_gives(case):
     )
     np.testing.assert_allclose(few.states[-1], many.states[-1], rtol=1e-9, atol=1e-9)
     assert many.attrs["solver_steps"] == few.attrs["solver_steps"]
-    runner, close = clpt.native.compile(system(rates)), {"rtol": RTOL, "atol": ATOL}
+    runner, close = compile(system(rates)), {"rtol": RTOL, "atol": ATOL}
     starts = np.array([x0]) + np.linspace(0.0, 0.3, 11)[:, None]
     alone = [runner.run(start, T, **close).x for start in starts]
     np.testing.assert_allclose(
@@ -220,7 +221,7 @@ def test_a_kink_that_is_met_at_a_tangent_is_crossed(seed, which, tight):
     points = np.random.default_rng(seed).random((which + 1, refuting.NUMBERS))
     scenario = refuting.drawn("projection", points[which])
     loop, end = clpt.closed_loop(scenario), scenario.run.duration
-    start, runner = clpt.initial_state(scenario), clpt.native.compile(loop)
+    start, runner = clpt.initial_state(scenario), compile(loop)
     found = runner.run(start, [0.0, end], rtol=1e-8 * tight, atol=1e-10 * tight)
     assert found.statistics["steps"] < 5_000
     free = runner.unlocked().run(start, [0.0, end], rtol=1e-13, atol=1e-14)

@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from test_event_location import ATOL, FORMS, RTOL, T, case_of, run, system
 
-import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import compile
 
 LONGEST = 0.02  # step: SciPy looks for events at the ends of steps only
 NUDGE = 1e-11  # time by which a run goes on behind an event, to decide anew there
@@ -23,7 +23,7 @@ class CompiledRates:
     """The rates of a compiled system, with decisions that are held."""
 
     def __init__(self, diagram):
-        self.native = native = clpt.native.compile(diagram)
+        self.native = native = compile(diagram)
         program = native.code.program
         self.count = program.decided
         self.held = slice(native.decided_at, native.decided_at + self.count)

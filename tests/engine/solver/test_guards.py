@@ -11,8 +11,8 @@ import clpt_control as clpt
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.model.declaration import Guard
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.solver_layout import Status
-from clpt_control.native import NativeDiagram
 
 
 def height(t, x, u, p):

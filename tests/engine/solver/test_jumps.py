@@ -17,12 +17,11 @@ from scipy.linalg import expm
 from text_systems import ticking
 
 import clpt_control as clpt
+from clpt_control import Block, BlockError, Guard, SimulationError
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
-from clpt_control.equations import Block, Guard
-from clpt_control.errors import BlockError, SimulationError
 
 
 def ticks(p, t0, t1):
@@ -203,7 +202,7 @@ def test_a_wire_carries_no_minus_zero_into_a_state(engine):
 
 def test_a_block_that_jumps_conforms_is_copied_and_pickled():
     block = saw(read, inputs={"r": 1})
-    clpt.conformance.check(block)
+    clpt.check(block)
     for twin in (
         pickle.loads(pickle.dumps(block)),
         copy.deepcopy(block),

@@ -10,9 +10,8 @@ from random_diagrams import random_diagram
 from rounding_bounds import rounding_of
 from sympy import Rational, sin
 
+from clpt_control import Block, ClptError
 from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.equations import Block
-from clpt_control.errors import ClptError
 
 IN_A_TEST, TESTS, SLOW_TESTS = 6, 3, 340
 POINTS = 3

@@ -11,14 +11,14 @@ from random_diagrams import random_diagram
 from text_systems import ticking, written
 
 import clpt_control as clpt
+from clpt_control import Block, Guard
 from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.solver import batch, solver_layout
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.varied_scenario import VariedScenario
-from clpt_control.equations import Block, Guard
-from clpt_control.native import NativeDiagram
 
 # benchmarks/ is no installed package
 sys.path.insert(0, str(ROOT))

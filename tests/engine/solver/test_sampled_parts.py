@@ -7,9 +7,10 @@ from error_sentences import says
 from scipy.linalg import expm
 
 import clpt_control as clpt
+from clpt_control import Block, Sampled
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import check_block
-from clpt_control.equations import Block, Sampled
+from clpt_control.engine.solver.native_diagram import compile
 
 DT = 0.5
 TIMES = DT * np.arange(41)
@@ -199,7 +200,7 @@ def test_many_runs_begin_with_what_is_held():
         "name": "p",
     }
     part = control.nlsys(None, lambda t, x, u, params: params["interval"] * u, **own)
-    native = clpt.native.compile(clpt.connect([part, tanks()]))
+    native = compile(clpt.connect([part, tanks()]))
     starts = np.array([[9.0, 0.5, 0.1 * k] for k in range(9)])
     close = {"rtol": 1e-10, "atol": 1e-12}
     found = native.run_many(starts, TIMES[:4], **close)

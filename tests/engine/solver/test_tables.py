@@ -9,8 +9,8 @@ from recorded_blocks import as_it_runs, static
 from scipy.interpolate import CubicSpline, interp1d
 
 import clpt_control as clpt
+from clpt_control import Block
 from clpt_control.engine.trace.interpolators import place_in
-from clpt_control.equations import Block
 
 TIGHT = {"rtol": 1e-10, "atol": 1e-12}
 ROWS = [3, 65, 1000, 30_000]

@@ -292,7 +292,7 @@ def test_arrays_that_nothing_may_write_into_are_left_as_they_are():
 
     fixed = np.array([1.0, 2.0])
     fixed.flags.writeable = False
-    static_block = clpt.equations.Block(
+    static_block = clpt.Block(
         "table",
         output=lambda t, x, u, p: {"rows_out": p.rows},
         outputs={"rows_out": 2},

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from recorded_blocks import as_it_runs, recorded, static
 
+from clpt_control import lookup
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.trace.arrays import Unread
-from clpt_control.equations import lookup
 
 U = (0.8, 0.4, 2.0)
 INTEGERS = {

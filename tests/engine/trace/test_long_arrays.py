@@ -8,9 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from recorded_blocks import as_it_runs
 
-import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import UNOPTIMISED
-from clpt_control.equations import Block
+from clpt_control import Block
+from clpt_control.engine.solver.native_diagram import UNOPTIMISED, compile
 
 N, M = 40, 6
 X = np.random.default_rng(0).uniform(-2.0, 2.0, N)
@@ -122,9 +121,7 @@ def test_any_mixture_is_as_python_runs_it(runs, rows):
 def test_a_large_scalar_program_gives_the_numbers_of_slices():
     n = 500
     start, times = np.sin(np.arange(n)), [0.0, 0.5, 1.0]
-    compiled = [
-        clpt.native.compile(block_of(function, n)) for function in (looped, by_slices)
-    ]
+    compiled = [compile(block_of(function, n)) for function in (looped, by_slices)]
     components = [len(native.code.program.components) for native in compiled]
     assert components[0] > UNOPTIMISED > 100 * components[1]
     scalar, array = (native.run(start, times).x for native in compiled)

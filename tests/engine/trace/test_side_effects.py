@@ -126,7 +126,7 @@ def test_nothing_happens_in_any_call_that_traces(named, folder):
     says(clpt.DiagramError, "tank.update: ", clpt.linearize, tank)
     says(clpt.DiagramError, "tank", clpt.export, tank, "tank.c")
     says(clpt.ClptError, "tank", clpt.equations, tank)
-    says(clpt.ClptError, "tank", clpt.theory.lyapunov, tank, "x[0]**2")
+    says(clpt.ClptError, "tank", clpt.lyapunov, tank, "x[0]**2")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         ensemble = clpt.run_ensemble(tank, "x[0]=0.5:1", 2, timepts=[0.0, 1.0])

@@ -9,10 +9,9 @@ from recorded_blocks import run, static
 from scipy.optimize import brentq
 
 import clpt_control as clpt
+from clpt_control import Block, BlockError
 from clpt_control.engine.trace import tracing as reading
 from clpt_control.engine.trace.arrays import Unread
-from clpt_control.equations import Block
-from clpt_control.errors import BlockError
 
 
 def counts_by_a_signal(t, x, u, p):

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from gridded_currents import gridded_current
 
+from clpt_control import ClptError
 from clpt_control.currents import fit_tides, read_currents, read_record
-from clpt_control.errors import ClptError
 
 HOURS = np.arange(72.0)
 LAT, LON = np.linspace(41.0, 41.6, 4), np.linspace(-70.0, -69.4, 4)

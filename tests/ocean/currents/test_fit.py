@@ -11,9 +11,9 @@ from pyproj import Proj
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.currents import fit_current, read_currents, sample_currents, save_fit
+from clpt_control import ArgumentError, ClptError, DataError, ScenarioError
+from clpt_control.currents import fit_current, read_currents, sample_currents
 from clpt_control.engine.model.block import evaluate
-from clpt_control.errors import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.ocean.currents.plane import LocalPlane
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.simulation.flows import explained_variance
@@ -98,7 +98,7 @@ def test_width_and_radius_follow_the_box(known, tmp_path):
     assert half.report["track_radius"] < 0.6 * small.report["track_radius"]
     narrow = fit_current(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
-    save_fit(narrow, tmp_path / "fit.toml")
+    narrow.save(tmp_path / "fit.toml")
     assert "# functions felt on the track: 3\n" in (tmp_path / "fit.toml").read_text()
 
 
@@ -185,12 +185,12 @@ def test_steps_that_are_missing_are_gaps_and_nothing_overshoots(tmp_path):
 
 def test_a_field_is_written_beside_its_scenario_or_neither(fit, tmp_path):
     (tmp_path / "taken_field.nc").mkdir()
-    refuses("taken_field.nc: is a folder", save_fit, fit, tmp_path / "taken.toml")
+    refuses("taken_field.nc: is a folder", fit.save, tmp_path / "taken.toml")
     assert [one.name for one in tmp_path.iterdir()] == ["taken_field.nc"]
 
 
 def test_saved_scenario_and_field_belong_together(fit, tmp_path):
-    scenario = save_fit(fit, tmp_path / "north.toml")
+    scenario = fit.save(tmp_path / "north.toml")
     assert sorted(p.name for p in tmp_path.iterdir()) == [
         "north.toml",
         "north_field.nc",
@@ -226,7 +226,7 @@ def test_a_scenario_of_a_file_with_any_name_is_read_back(known, tmp_path, name):
     (tmp_path / name).write_bytes(known[0].read_bytes())
     fit = fit_current(tmp_path / name, BOX, rows=2, columns=2, width_km=20.0)
     shown = ascii(name)[1:-1]
-    scenario = save_fit(fit, tmp_path / "north.toml")
+    scenario = fit.save(tmp_path / "north.toml")
     assert scenario.title == f"Measured current of {shown} from 2020-06-01T00:00:00"
     assert shown in (tmp_path / "north.toml").read_text()
 
@@ -269,7 +269,7 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
 
 def test_shares_are_what_their_definition_says(fit, tmp_path):
     """Written out here: theta_hat of each time on the track, of the end over the box."""
-    scenario = save_fit(fit, tmp_path / "a.toml")
+    scenario = fit.save(tmp_path / "a.toml")
     scenario = scenario.with_values({"run.duration": 4.0, "run.output_step": 0.25})
     run = clpt.simulate(scenario)
     centers = np.array(scenario.basis.centers[:4])
@@ -309,7 +309,7 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
 @pytest.fixture(scope="module")
 def nantucket(tmp_path_factory):
     fit = fit_current(MARACOOS, BOX)
-    return fit, save_fit(fit, tmp_path_factory.mktemp("nantucket") / "s.toml")
+    return fit, fit.save(tmp_path_factory.mktemp("nantucket") / "s.toml")
 
 
 def test_nantucket_fit(nantucket):

@@ -20,6 +20,7 @@ from tidal_records import (
     write_table,
 )
 
+from clpt_control import ScenarioError
 from clpt_control.currents import (
     fit_current,
     fit_tides,
@@ -27,7 +28,6 @@ from clpt_control.currents import (
     read_record,
     tidal_basis,
 )
-from clpt_control.errors import ScenarioError
 from clpt_control.ocean.currents.constituents import OTHER_NAMES, nodal_corrections
 from clpt_control.ocean.currents.identifiability import check_separable, nyquist
 from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed

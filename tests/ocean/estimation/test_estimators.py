@@ -11,18 +11,20 @@ from synthetic_vehicle import STEADY, further, turned, vehicle
 
 from clpt_control.base.errors import ScenarioError
 from clpt_control.base.geodesy import place_from
-from clpt_control.estimation import FixModel, Priors
 from clpt_control.ocean.estimation.dive import Dive, mid_time
 from clpt_control.ocean.estimation.estimators import ESTIMATORS
-from clpt_control.ocean.estimation.fix_model import inertial_frequency
+from clpt_control.ocean.estimation.fix_model import FixModel, inertial_frequency
+from clpt_control.ocean.estimation.priors import Priors
+from clpt_control.ocean.forecast.replay import replay_with
+from clpt_control.ocean.forecast.replay_summary import clpe_rms
 from clpt_control.paper.scenario.tidal_periods import period
-from clpt_control.replay import Replay, clpe_rms, replay_dataset, replay_dives, summary
+from clpt_control.replay import Replay, replay_dataset, replay_dives, summary
 
 STEADY_ONLY = FixModel(("steady",))
 
 
 def ratio(dives, estimator="gaussian-process", model=None):
-    rms = clpe_rms(replay_dives(dives, estimator, model), 3)
+    rms = clpe_rms(replay_with(model or FixModel(), dives, estimator), 3)
     return rms["adaptive"] / rms["previous_dive"]
 
 
@@ -34,7 +36,7 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
     for seed in range(count):
         factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
         dives = vehicle(seed, 16, factor=factor, noise=0.01)
-        step = replay_dives(dives, estimator, STEADY_ONLY).steps[-1]
+        step = replay_with(STEADY_ONLY, dives, estimator).steps[-1]
         current = (step.current - STEADY) / step.current_error
         off.append([(step.speed - factor) / step.speed_error, *current])
         assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
@@ -114,7 +116,7 @@ def test_the_tides_integral_is_right():
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     response = factor * np.exp(-1j * math.radians(degrees))  # clockwise
     dives = [turned(dive, response) for dive in vehicle(2, 40)]
-    step = replay_dives(dives, model=STEADY_ONLY).steps[-1]
+    step = replay_with(STEADY_ONLY, dives).steps[-1]
     assert "speed" not in step.not_learned
     assert step.speed == pytest.approx(factor, abs=3 * step.speed_error)
     assert step.compass == pytest.approx(degrees, abs=3 * step.compass_error)
@@ -136,11 +138,11 @@ def test_shear_is_learned_where_dives_change_their_depth():
     model, gains = FixModel(("steady", "shear")), []
     for seed in range(2):
         dives = in_shear(seed, -0.08)
-        replay = replay_dives(dives, model=model)
+        replay = replay_with(model, dives)
         assert replay.known()["shear_east"] == pytest.approx(-0.08, abs=0.02)
         assert replay.steps[-1].parts["shear"] > 0.9
         gains.append(ratio(dives, model=model) / ratio(dives, model=STEADY_ONLY))
-        still = replay_dives(in_shear(seed, 0.0), model=model).steps[-1]
+        still = replay_with(model, in_shear(seed, 0.0)).steps[-1]
         assert still.parts["shear"] < 0.5
     assert np.max(gains) < 0.6
 
@@ -148,8 +150,8 @@ def test_shear_is_learned_where_dives_change_their_depth():
 @pytest.mark.parametrize("depth", [None, math.nan])
 def test_shear_says_nothing_where_depth_is_unknown(depth):
     dives = [replace(d, depth_max=depth) for d in vehicle(3, 8, noise=0.01)]
-    with_it = replay_dives(dives, model=FixModel(("steady", "shear"))).steps[-1]
-    without = replay_dives(dives, model=STEADY_ONLY).steps[-1]
+    with_it = replay_with(FixModel(("steady", "shear")), dives).steps[-1]
+    without = replay_with(STEADY_ONLY, dives).steps[-1]
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
 
@@ -219,7 +221,7 @@ def test_a_map_learned_helps_where_the_flow_stays(count):
     for seed in range(count):
         dives = survey(seed)
         plain, mapped = (
-            clpe_rms(replay_dives(dives, model=model), 10)["adaptive"]
+            clpe_rms(replay_with(model, dives), 10)["adaptive"]
             for model in (STEADY_ONLY, MAPPED)
         )
         gains.append(mapped / plain)
@@ -232,7 +234,7 @@ def test_a_map_is_fed_dive_by_dive_or_at_once():
     for dive in dives:
         single.step(dive)
         single.forecast(dives[-1])  # of a distant dive: the state does not change
-    at_once = replay_dataset(replay_dives(dives, model=MAPPED))
+    at_once = replay_dataset(replay_with(MAPPED, dives))
     assert replay_dataset(single).identical(at_once)
     assert single.steps[-1].parts["gaussians"] != 0.5
 
@@ -260,11 +262,11 @@ def test_a_flow_model_that_tells_is_used(estimator, most):
     ways = [
         [0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives
     ]
-    replay = replay_dives(modelled(dives, ways), estimator, WITH_MODEL)
+    replay = replay_with(WITH_MODEL, modelled(dives, ways), estimator)
     plain = clpe_rms(replay_dives(dives, estimator), 5)["adaptive"]
     assert clpe_rms(replay, 5)["adaptive"] < most * plain
     assert "model" not in replay.steps[-1].not_learned
-    uncovered = replay_dives(dives, estimator, WITH_MODEL)
+    uncovered = replay_with(WITH_MODEL, dives, estimator)
     assert "model" in uncovered.steps[-1].not_learned
 
 
@@ -273,6 +275,6 @@ def test_a_flow_model_that_tells_nothing_does_little_harm():
     for seed in range(3):
         dives = vehicle(seed, noise=0.03)
         wrong = modelled(dives, 1500 * rng.normal(size=(len(dives), 2)))
-        plain, given = replay_dives(dives), replay_dives(wrong, model=WITH_MODEL)
+        plain, given = replay_dives(dives), replay_with(WITH_MODEL, wrong)
         ratios.append(clpe_rms(given, 3)["adaptive"] / clpe_rms(plain, 3)["adaptive"])
     assert np.mean(ratios) < 1.05

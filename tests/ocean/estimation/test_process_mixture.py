@@ -10,15 +10,14 @@ from scipy.integrate import quad
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import further, vehicle
 
-from clpt_control.estimation import FixModel, Priors
 from clpt_control.ocean.estimation.dive import mid_time, miss
 from clpt_control.ocean.estimation.dive_regression import (
     LENGTH,
     integral_covariance,
     position_covariance,
 )
-from clpt_control.ocean.estimation.fix_model import inertial_frequency
-from clpt_control.ocean.estimation.priors import DAY, Sea
+from clpt_control.ocean.estimation.fix_model import FixModel, inertial_frequency
+from clpt_control.ocean.estimation.priors import DAY, Priors, Sea
 from clpt_control.ocean.estimation.process_mixture import DROPPED, MOST, ProcessMixture
 from clpt_control.replay import replay_dives
 

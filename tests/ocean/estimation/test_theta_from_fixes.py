@@ -20,7 +20,7 @@ from clpt_control.ocean.estimation.between_fixes import (
 )
 from clpt_control.ocean.estimation.run_segments import run_segments
 
-estimate = clpt.estimation.flow_estimate
+estimate = clpt.currents.flow_estimate
 PAPER = clpt.paper_scenario()
 THETA = np.array(PAPER.flow.parameters)
 FINE = {"run.duration": 200, "run.output_step": 0.1}
@@ -144,7 +144,7 @@ def test_a_limited_speed_and_a_modelled_flow_are_known():
 
 def test_an_estimate_feeds_the_known_flow_law(lap):
     found = estimate(lap, "kalman")
-    known = clpt.estimation.known_flow_scenario
+    known = clpt.currents.known_flow_scenario
     for law in ("learned-flow", "composite-memory", "kalman-flow"):
         base = PAPER.with_values({"learning.law": law, "learning.parameters": None})
         fed = known(base, found.theta)

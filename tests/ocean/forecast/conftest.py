@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from clpt_control.app.cli import application
-from clpt_control.gliders import sample_dives, usable
+from clpt_control.gliders import sample_dives
 from clpt_control.ocean.forecast import route
 from clpt_control.replay import replay_dives
 
@@ -54,4 +54,4 @@ def sample(tmp_path_factory):
 @pytest.fixture(scope="session")
 def sg542():
     """The replay of the fourteen dives."""
-    return replay_dives(usable(sample_dives())[0])
+    return replay_dives(sample_dives())

@@ -13,19 +13,21 @@ from hypothesis import strategies as st
 from refusals import refuses
 from synthetic_vehicle import STEADY, along, chained, vehicle
 
+from clpt_control import ScenarioError
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.errors import ScenarioError
-from clpt_control.estimation import FixModel
+from clpt_control.ocean.estimation.fix_model import FixModel
 from clpt_control.ocean.forecast import route
 from clpt_control.ocean.forecast.aim import aim, triangle
+from clpt_control.ocean.forecast.replay import replay_with
 from clpt_control.ocean.forecast.text_report import (
     AGAINST,
     REACHED,
     UNDER_WAY,
     route_sentences,
 )
+from clpt_control.ocean.forecast.track_map import map_plot
 from clpt_control.ocean.gliders.samples import turned
-from clpt_control.replay import aims, map_plot, replay_dives
+from clpt_control.replay import aims, replay_dives
 
 ways = st.floats(-5000, 5000)
 
@@ -75,7 +77,7 @@ def still(current=(0.0, 0.0), count=12, place=(40.0, 8.0)):
 
 def known(*current):
     """A replay of a steady current that is known."""
-    return replay_dives(still(current), model=FixModel(("steady",), learn_speed=False))
+    return replay_with(FixModel(("steady",), learn_speed=False), still(current))
 
 
 def away(replay, east, north):
@@ -105,7 +107,7 @@ def test_speed_and_compass_are_corrected():
     for dive in still():
         east, north = turned((dive.dr_east / 0.8, dive.dr_north / 0.8), -4.0)
         dives.append(replace(dive, dr_east=east.item(), dr_north=north.item()))
-    replay = replay_dives(dives, model=FixModel(("steady",)))
+    replay = replay_with(FixModel(("steady",)), dives)
     for way in ((0.0, 300e3), (300e3, 0.0)):
         leg = aims(replay, [away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
@@ -164,7 +166,7 @@ def test_legs_follow_one_another():
 
 def test_tides_are_those_of_the_dive_to_come():
     dives = vehicle(3, 40, flow="M2", fix=5.0)
-    replay = replay_dives(dives, model=FixModel(("steady", "M2"), learn_speed=False))
+    replay = replay_with(FixModel(("steady", "M2"), learn_speed=False), dives)
     last = dives[-1]
     seen = set()
     for hours in (1.0, 4.0, 7.0):  # a third of the tide's period apart

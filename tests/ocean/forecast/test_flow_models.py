@@ -13,7 +13,7 @@ from refusals import refuses
 from synthetic_vehicle import Made
 
 from clpt_control.base.geodesy import place_from
-from clpt_control.currents import fit_current, read_currents, save_fit
+from clpt_control.currents import fit_current, read_currents
 from clpt_control.gliders import make_dive
 from clpt_control.ocean.currents.grid_file import missing_steps
 from clpt_control.ocean.forecast.advected_dives import carried
@@ -266,7 +266,7 @@ def known(tmp_path_factory):
     u, v = turning(HOURS[::4], (len(LAT), len(LON)))
     path = write(folder / "known.nc", u + 0.2, v, hours=HOURS[::4])
     fit = fit_current(path, rows=4, columns=4, width_km=60.0, radius_km=5.0)
-    save_fit(fit, folder / "fit.toml")
+    fit.save(folder / "fit.toml")
     return fit, folder
 
 

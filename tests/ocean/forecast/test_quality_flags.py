@@ -7,9 +7,10 @@ import pytest
 from synthetic_vehicle import along, chained
 
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.gliders import read_dives, usable
+from clpt_control.gliders import read_dives
 from clpt_control.ocean.estimation.estimators import ESTIMATORS
-from clpt_control.replay import Replay, clpe_rms, replay_dives, summary
+from clpt_control.ocean.forecast.replay_summary import clpe_rms
+from clpt_control.replay import Replay, replay_dives, summary
 
 CURRENT = np.array([0.12, -0.05])  # m/s
 T, STAY, SWUM = 9000.0, 300.0, 2500.0  # s, s, m
@@ -158,7 +159,7 @@ def test_after_a_long_time_at_the_surface_the_fix_stays_and_counts_little():
 def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     """Dive 47 of SEA035 ends 2.7 km off: as much as 550 m rms if it is believed."""
     path = facts / "glider" / "sea035m10_dives.csv"
-    replay = replay_dives(usable(read_dives(path)[0])[0])
+    replay = replay_dives(read_dives(path)[0])
     assert [s.dive.number for s in replay.steps if s.dive.doubt] == [47]
     assert clpe_rms(replay)["adaptive"] <= 230
     lines = [
@@ -167,7 +168,7 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
         if not line.startswith(("#", "47,"))
     ]
     (tmp_path / "without.csv").write_text("\n".join(lines))
-    without = replay_dives(usable(read_dives(tmp_path / "without.csv")[0])[0])
+    without = replay_dives(read_dives(tmp_path / "without.csv")[0])
     assert clpe_rms(replay)["adaptive"] == pytest.approx(
         clpe_rms(without)["adaptive"], abs=15
     )

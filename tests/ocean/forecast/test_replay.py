@@ -13,23 +13,21 @@ from hypothesis import strategies as st
 from refusals import refuses
 from synthetic_vehicle import vehicle
 
+from clpt_control import ArgumentError, ScenarioError
 from clpt_control.base.files import write_file
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.errors import ArgumentError, ScenarioError
-from clpt_control.estimation import FixModel
-from clpt_control.gliders import make_dive, sample_dives, usable
+from clpt_control.gliders import make_dive, sample_dives
+from clpt_control.ocean.estimation.fix_model import FixModel
 from clpt_control.ocean.forecast import dive_statistics, geographic, surfacing
-from clpt_control.ocean.forecast.replay_summary import learned_words, speed_words
-from clpt_control.replay import (
-    Replay,
+from clpt_control.ocean.forecast.replay import replay_with
+from clpt_control.ocean.forecast.replay_summary import (
     clpe_rms,
-    next_dive,
-    replay_dataset,
-    replay_dives,
-    summary,
+    learned_words,
+    speed_words,
 )
+from clpt_control.replay import Replay, next_dive, replay_dataset, replay_dives, summary
 
-DIVES = usable(sample_dives())[0]
+DIVES = sample_dives()
 
 
 def test_sg542_without_learning_and_with_it(sg542):
@@ -89,7 +87,7 @@ def test_what_is_learned_is_said_as_it_is():
     assert float(size) == pytest.approx(0.15, abs=0.02)
     assert learned_words(replay_dives([])) == "nothing"
     bare = learned_words(
-        replay_dives(vehicle(1, 3), "gradient", FixModel(("steady",), False))
+        replay_with(FixModel(("steady",), False), vehicle(1, 3), "gradient")
     )
     assert bare.endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
@@ -207,7 +205,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         ]
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
-    bare = replay_dives(vehicle(1, 3), model=FixModel(("steady",), learn_speed=False))
+    bare = replay_with(FixModel(("steady",), learn_speed=False), vehicle(1, 3))
     assert "speed_factor" not in replay_dataset(bare)
 
 

@@ -22,9 +22,8 @@ from clpt_control.gliders import sample_dives
 from clpt_control.ocean.forecast.kml_geojson import next_geojson, track_kml
 from clpt_control.ocean.forecast.map_layers import ring_of
 from clpt_control.ocean.forecast.replay_page import replay_page
-from clpt_control.ocean.forecast.track_map import grid_label
+from clpt_control.ocean.forecast.track_map import grid_label, map_plot
 from clpt_control.ocean.gliders import slocum
-from clpt_control.replay import map_plot
 
 GEOD = Geod(ellps="WGS84")
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"

@@ -10,7 +10,7 @@ from glider_files import basestation3
 from synthetic_vehicle import along, chained
 
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.gliders import make_dive, read_dives, sample_dives, usable
+from clpt_control.gliders import make_dive, read_dives, sample_dives
 from clpt_control.ocean.forecast.dive_statistics import (
     PLANNED,
     REPEATED,
@@ -19,9 +19,10 @@ from clpt_control.ocean.forecast.dive_statistics import (
 from clpt_control.ocean.forecast.kml_geojson import next_geojson
 from clpt_control.ocean.forecast.surfacing import ellipse
 from clpt_control.ocean.gliders.dives import planned_course
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.replay import replay_dives, summary
 
-DIVES = usable(sample_dives())[0]
+DIVES = sample_dives()
 
 
 def flown(courses, planned=False):

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from pyproj import Geod
 
-from clpt_control.errors import ClptError
-from clpt_control.gliders import read_dives, usable
+from clpt_control import ClptError
+from clpt_control.ocean.gliders.dive_files import read_all_dives
+from clpt_control.ocean.gliders.usable_dives import usable
 
 EARTH = Geod(ellps="WGS84")
 CURRENT = np.array([0.12, -0.05])
@@ -66,7 +67,7 @@ def written(folder, rows, header=None):
 def is_silent(path, right=COUNT):
     """Return whether a damaged table gives wrong currents, or fewer dives, without a word."""
     try:
-        read, skipped = read_dives(path)
+        read, skipped = read_all_dives(path)
         dives, unused = usable(read)
     except ClptError:
         return False
@@ -82,7 +83,7 @@ def is_silent(path, right=COUNT):
 
 def test_the_undamaged_table_has_the_current_of_its_sea(tmp_path):
     path = written(tmp_path, made_rows())
-    dives, skipped = usable(read_dives(path)[0])
+    dives, skipped = usable(read_all_dives(path)[0])
     assert len(dives) == COUNT
     assert not skipped
     assert not any(dive.notes for dive in dives)

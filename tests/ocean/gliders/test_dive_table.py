@@ -14,15 +14,14 @@ from glider_files import basestation, dives_in, og1, og1_rows
 from refusals import refuses
 
 from clpt_control.base.files import reading
-from clpt_control.gliders import (
-    make_dive,
-    read_dives,
-    sample_dives,
-    usable,
-    write_dive_table,
-)
+from clpt_control.gliders import make_dive, sample_dives, write_dive_table
 from clpt_control.ocean.estimation.dive import miss
-from clpt_control.ocean.gliders.dive_files import dive_paths, read_dive_file
+from clpt_control.ocean.gliders.dive_files import (
+    dive_paths,
+    read_all_dives,
+    read_dive_file,
+)
+from clpt_control.ocean.gliders.usable_dives import usable
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
 ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"
@@ -48,9 +47,9 @@ def test_tables_of_other_kinds_are_told_what_to_change(table):
         ),
     ):
         table.write_text(content)
-        refuses(f"dives.csv: {sentence}", read_dives, table)
+        refuses(f"dives.csv: {sentence}", read_all_dives, table)
     table.write_text(text, encoding="utf-16")
-    refuses("dives.csv: is neither NetCDF nor text", read_dives, table)
+    refuses("dives.csv: is neither NetCDF nor text", read_all_dives, table)
 
 
 ODD = [
@@ -69,18 +68,18 @@ ODD = [
 def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence):
     path = tmp_path / "dives.csv"
     path.write_text(HEAD + ROW.format(*cells) + ROW.format(2147483647, 10000, 19000))
-    (dive,), (skipped,) = read_dives(path)
+    (dive,), (skipped,) = read_all_dives(path)
     assert (dive.number, usable([dive])[0]) == (2147483647, [dive])
     assert re.search(sentence, skipped.why)
     path.write_text(HEAD + 2 * ROW.format(*cells))
-    refuses(r"dives.csv: no dive; the first reason: .*line 2", read_dives, path)
+    refuses(r"dives.csv: no dive; the first reason: .*line 2", read_all_dives, path)
 
 
 def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
     head = "dr_north_m,dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,extra\n"
     row = "5,1,2020-09-13T12:26:40Z,-43,8,2020-09-13 16:56:40+02:00,-43,8.1,8000,word\n"
     (tmp_path / "mine.csv").write_text(head + row)
-    ((dive,), _) = read_dives(tmp_path)
+    ((dive,), _) = read_all_dives(tmp_path)
     assert (dive.t_gps2, dive.duration, dive.magvar, dive.track) == (
         1.6e9,
         9000.0,
@@ -123,7 +122,7 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     head = HEAD.replace("dr_east_m,dr_north_m", "dac_east,dac_north")
     lines = [",".join(map(str, row)) + "\n" for row in rows]
     (tmp_path / "own.csv").write_text(head + "".join(lines))
-    found, skipped = read_dives(tmp_path / "own.csv")
+    found, skipped = read_all_dives(tmp_path / "own.csv")
     assert skipped == []
     for dive, same in zip(found[:-1], dives, strict=True):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(
@@ -133,7 +132,7 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     assert "dac_east or dac_north is no number" in usable(found)[1][-1].why
     (tmp_path / "none.csv").write_text(HEAD.replace(",dr_east_m,dr_north_m", ""))
     said = "no column dr_east_m, dr_north_m; .* may stand instead"
-    refuses(said, read_dives, tmp_path / "none.csv")
+    refuses(said, read_all_dives, tmp_path / "none.csv")
 
 
 CURRENTS = [
@@ -155,11 +154,11 @@ def test_a_current_that_contradicts_dead_reckoning_is_refused(tmp_path, cause, c
 
     dives = [with_current(dive, lambda current: current) for dive in sample_dives()]
     write_dive_table([with_current(dives[0], change), *dives[1:]], path)
-    found, skipped = read_dives(path)  # one may have a wild fix
+    found, skipped = read_all_dives(path)  # one may have a wild fix
     noted = [any("depth-averaged" in note for note in dive.notes) for dive in found]
     assert (noted, skipped) == ([True] + [False] * 13, [])
     write_dive_table([with_current(dive, change) for dive in dives], path)
-    said = refuses("contradict dac_east, dac_north by .* mm/s in", read_dives, path)
+    said = refuses("contradict dac_east, dac_north by .* mm/s in", read_all_dives, path)
     assert f"{cause}; correct one pair, or leave the wrong columns out" in said
 
 
@@ -182,7 +181,7 @@ def test_quotes_join_cells_and_never_lines(tmp_path):
     notes = ('"rain, wind"', 'a 5" pipe', '"never closed', '"it ""rolled"""')
     rows = "".join(f"{row}{note}\n" for row, note in zip(cells, notes, strict=True))
     (tmp_path / "d.csv").write_text(head + rows)
-    dives, skipped = read_dives(tmp_path / "d.csv")
+    dives, skipped = read_all_dives(tmp_path / "d.csv")
     assert [dive.number for dive in dives] == [1, 2, 4]
     assert ["line 4: has 1 cell, the header" in one.why for one in skipped] == [True]
 
@@ -194,7 +193,7 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
             data.dive_number = number
         assert dives_in(path)[0].number == 7
     path = path.rename(tmp_path / "other.nc")
-    refuses("other.nc: neither dive_number nor log_DIVE is a", read_dives, path)
+    refuses("other.nc: neither dive_number nor log_DIVE is a", read_all_dives, path)
     (dive,) = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows([1e12])))
     assert "its number is 1e+12; must be a whole number" in usable([dive])[1][0].why
 
@@ -208,10 +207,10 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
         (tmp_path / "dives.csv" / "x.csv", "no such file"),
         (tmp_path / ("x" * 300), "cannot be read: File name too long"),
     ):
-        refuses(sentence, read_dives, path)
+        refuses(sentence, read_all_dives, path)
     write_dive_table(sample_dives(), tmp_path / "dives.csv")
     (tmp_path / "folder.nc").mkdir()
-    found, skipped = read_dives(tmp_path)
+    found, skipped = read_all_dives(tmp_path)
     assert len(found) == 14
     why = ["is no regular file; give one", "is a folder; give a file"]
     assert [one.why.split(": ")[1] for one in skipped] == why

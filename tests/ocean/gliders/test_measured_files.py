@@ -13,24 +13,19 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pyproj import Geod
 
-from clpt_control.gliders import (
-    make_dive,
-    read_dives,
-    sample_dives,
-    usable,
-    write_dive_table,
-)
+from clpt_control.gliders import make_dive, sample_dives, write_dive_table
 from clpt_control.ocean.estimation.dive import dac_difference, miss
-from clpt_control.ocean.gliders.dive_files import read_dive_file
+from clpt_control.ocean.gliders.dive_files import read_all_dives, read_dive_file
 from clpt_control.ocean.gliders.dive_table import OPTIONAL
 from clpt_control.ocean.gliders.samples import variation, with_variation
+from clpt_control.ocean.gliders.usable_dives import usable
 
 WGS84 = Geod(ellps="WGS84")
 
 
 @pytest.fixture(scope="module")
 def dives(facts):
-    found, skipped = read_dives(facts / "glider" / "basestation")
+    found, skipped = read_all_dives(facts / "glider" / "basestation")
     assert not skipped
     return found
 
@@ -60,7 +55,7 @@ def test_the_files_give_the_table(dives, rows):
 
 
 def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
-    for found in (dives, read_dives(facts / "glider" / "sg542_2016_dives.csv")[0]):
+    for found in (dives, read_all_dives(facts / "glider" / "sg542_2016_dives.csv")[0]):
         off = [dac_difference(dive) for dive in found]
         assert np.median(off) < 0.6e-3
         assert max(off) < 1e-3
@@ -75,7 +70,10 @@ def test_the_shipped_table_is_that_of_the_whole_files(shared):
             {key: value for key, value in vars(dive).items() if key not in left}
             for dive in found
         ]
-        for found in (sample_dives(), read_dives(shared / "glider" / "basestation")[0])
+        for found in (
+            sample_dives(),
+            read_all_dives(shared / "glider" / "basestation")[0],
+        )
     )
     assert repr(ones) == repr(others)
 
@@ -123,7 +121,7 @@ def between(lat1, lon1, lat2, lon2):
 
 
 def test_basestation3_files_say_what_they_hold(facts):
-    dives, skipped = read_dives(facts / "glider" / "sg171")
+    dives, skipped = read_all_dives(facts / "glider" / "sg171")
     assert (skipped, [dive.number for dive in dives]) == ([], [100, 101, 102])
     for dive in dives:
         with netCDF4.Dataset(
@@ -155,7 +153,7 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
     with (facts / "glider" / "sg171_adcp.csv").open() as file:
         rows = {int(row["dive"]): row for row in csv.DictReader(file.readlines()[1:])}
     reckoned, swum = [], []
-    for dive in read_dives(facts / "glider" / "sg171")[0]:
+    for dive in read_all_dives(facts / "glider" / "sg171")[0]:
         east, north = (float(rows[dive.number][name]) for name in ("u_east", "v_north"))
         reckoned += [dive.dr_east, dive.dr_north]
         swum += [
@@ -184,7 +182,7 @@ def swum_in(data, dive, variation):
 def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
     """Fixes in nanoseconds without units, one in a row at 250 m, speed in cm/s, magnetic."""
     path = facts / "glider" / "og1" / OG1
-    dives, unread = read_dives(path)
+    dives, unread = read_all_dives(path)
     with netCDF4.Dataset(path) as data:
         is_fix = np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], np.nan))
         times = data["TIME_GPS"][:][is_fix] / 1e9
@@ -235,7 +233,7 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, fact
 @pytest.mark.slow
 def test_a_whole_early_mission_has_32_good_long_dives(printed, shared):
     path = shared / "glider" / "og1" / OG1
-    assert len(usable(read_dives(path)[0])[0]) == 35
+    assert len(usable(read_all_dives(path)[0])[0]) == 35
     command = ("replay", path, "--least-duration", 4000)
     turned_by_field, as_true = printed(*command), printed(*command, "--variation", 0)
     assert turned_by_field["used"] == 32
@@ -248,7 +246,7 @@ def test_a_whole_early_mission_has_32_good_long_dives(printed, shared):
 def test_a_spray_says_where_its_dives_ended(facts):
     """The sample of OG1 has ends, the segments' middles, and the current of each."""
     path = facts / "glider" / "og1" / "sp028_20230202T1637_R.nc"
-    dives, skipped = read_dives(path)
+    dives, skipped = read_all_dives(path)
     with netCDF4.Dataset(path) as data:
         assert np.ma.count(data["latitude_gps"][:]) == 0
         # the last of each

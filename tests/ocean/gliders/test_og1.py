@@ -11,8 +11,10 @@ import pytest
 from glider_files import basestation, basestation3, dives_in, og1, og1_rows
 from refusals import refuses
 
-from clpt_control.gliders import read_dives, usable, write_dive_table
+from clpt_control.gliders import write_dive_table
+from clpt_control.ocean.gliders.dive_files import read_all_dives
 from clpt_control.ocean.gliders.samples import variation, with_variation
+from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.replay import replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2
@@ -270,7 +272,7 @@ def test_missions_over_the_date_line_go_round(tmp_path):
         replace(dive, lon_gpse=dive.lon_gpse % 360.0, gps_east=0.0) for dive in dives
     ]
     write_dive_table(east, tmp_path / "east.csv")  # longitudes to 360 east
-    rows = read_dives([tmp_path / "east.csv"])[0]
+    rows = read_all_dives([tmp_path / "east.csv"])[0]
     assert [dive.gps_east for dive in rows] == pytest.approx([made.GPS_EAST] * 3)
 
 
@@ -538,9 +540,9 @@ def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
     with netCDF4.Dataset(path, "a") as data:
         damage(data)
     if expected is None:
-        refuses(f"{path}.*{said}", read_dives, path)
+        refuses(f"{path}.*{said}", read_all_dives, path)
         return
-    dives, unread = read_dives(path)
+    dives, unread = read_all_dives(path)
     used, unused = usable(dives)
     told = [one.why for one in (*unread, *unused)]
     told += [note for dive in used for note in dive.notes]

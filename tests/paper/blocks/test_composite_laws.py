@@ -134,14 +134,14 @@ def test_a_measured_current_is_learned_in_one_lap(tmp_path):
     box, tides = (40.9, 41.55, -69.9, -69.0), ("steady", "M2")
     size = {"rows": 3, "columns": 3, "width_km": 15.0, "constituents": tides}
     fitted = clpt.currents.fit_current(clpt.currents.sample_currents(), box, **size)
-    scenario = clpt.currents.save_fit(fitted, tmp_path / "shoals.toml")
+    scenario = fitted.save(tmp_path / "shoals.toml")
     scenario = scenario.with_values(
         {"learning.law": LAWS[0], "learning.adapt_gains": False}
     )
     run = clpt.simulate(scenario)
     late = run.clpe.sel(time=slice(18 - 1e-6, None))
     assert float(np.sqrt((late**2).sum("axis").mean())) <= 0.021
-    share = clpt.simulation.explained_variance(scenario, run)
+    share = clpt.currents.explained_variance(scenario, run)
     assert share["track"] >= 0.98
     assert share["box"] >= 0.35
 

@@ -6,7 +6,7 @@ K' = -gamma_K z e, Gamma' = gamma_Gamma zc e, Eqs. (22)-(23), by gains of their 
 import numpy as np
 import pytest
 
-from clpt_control.errors import ScenarioError
+from clpt_control import ScenarioError
 from clpt_control.paper.laws.law import Gains, Truth
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.quantities import keys_of, keys_of_law

@@ -15,7 +15,7 @@ from team_scenarios import DIFFERENT, FILE, ROW, team, vehicle
 from team_scenarios import PAPER as STRAIT
 
 import clpt_control as clpt
-from clpt_control.errors import ScenarioError
+from clpt_control import ScenarioError
 from clpt_control.paper.blocks import disturbance, flow
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.file import load_vehicle_scenario, scenario_to_text

@@ -1,3 +1,0 @@
-from .paper.laws.table import laws
-
-__all__ = ["laws"]

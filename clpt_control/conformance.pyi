@@ -1,3 +1,0 @@
-from .engine.conformance.checks import ConformanceReport, check
-
-__all__ = ["ConformanceReport", "check"]

@@ -1,3 +1,0 @@
-from .app.pages.writing import report
-
-__all__ = ["report"]
