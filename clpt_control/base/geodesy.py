@@ -5,13 +5,23 @@ Geodesics by `pyproj.Geod` (C. F. F. Karney, "Algorithms for geodesics", J. Geod
 its azimuth a at A:
 
     east = s sin(a),  north = s cos(a).
+
+A local plane, x1 east, x2 north, is the azimuthal equidistant projection of the ellipsoid (J. P.
+Snyder, "Map Projections: A Working Manual", US Geological Survey Professional Paper 1395, 1987,
+pages 191-202): distance and bearing from the origin are true, and 50 km away lengths are off by
+1e-5.  Away from the origin's meridian, north leans from x2 by the meridian convergence, about
+dlon sin(lat), 0.3 degrees at the edge of a box of 70 km at 41 N.  Velocities are rotated by it.
 """
 
 from functools import cache
 from math import atan2, cos, degrees, hypot, isfinite, nan, radians, sin
 from typing import Any
 
-from .errors import import_optional
+import numpy as np
+
+from .errors import DataError, import_optional
+
+WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
 
 
 @cache
@@ -70,3 +80,67 @@ def angle_near(lon: Any, reference: Any) -> Any:
     180.5
     """
     return reference + (lon - reference + 180.0) % 360.0 - 180.0
+
+
+def east_of(lon: float) -> float:
+    """Return a longitude between -180 and 180 degrees.
+
+    >>> east_of(190.0), east_of(-180.0), east_of(180.0), east_of(-540.0)
+    (-170.0, -180.0, 180.0, -180.0)
+    """
+    return lon if -180.0 <= lon <= 180.0 else angle_near(lon, 0.0)
+
+
+class LocalPlane:
+    """The plane around a place: latitude and longitude of its origin, degrees.
+
+    >>> plane = LocalPlane(41.0, -69.0)
+    >>> x1, x2 = plane.to_plane(41.1, -69.0)
+    >>> round(float(x1), 6) + 0.0, round(float(x2), 2)
+    (0.0, 11.11)
+    """
+
+    def __init__(self, lat: float, lon: float, unit: str = "km") -> None:
+        if not (abs(lat) <= 90 and np.isfinite(lon)):
+            raise DataError(
+                f"origin ({lat}, {lon}): must be latitude and longitude, degrees"
+            )
+        self.lat, self.lon = lat, lon
+        self.widest = WIDEST if unit == "km" else 1000 * WIDEST
+        aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": unit}
+        self._projection = import_optional("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
+
+    def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return x1 and x2 of places in degrees, 1000 km from the origin at most."""
+        lat, lon = np.broadcast_arrays(lat, lon)
+        x1, x2 = self._projection(lon, lat)
+        distance = np.hypot(x1, x2)
+        if not np.all(distance <= self.widest):  # also where not finite
+            distance_text = (
+                f"{np.max(distance) / self.widest * WIDEST:.4g} km from the origin"
+            )
+            raise DataError(
+                f"a place is {distance_text}, at most {WIDEST:g}; choose a smaller box"
+            )
+        return x1, x2
+
+    def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Return latitude and longitude of points.
+
+        The longitude lies within 180 degrees of the origin's.
+        """
+        x1, x2 = np.broadcast_arrays(x1, x2)
+        lon, lat = self._projection(x1, x2, inverse=True)
+        return lat, angle_near(lon, self.lon)
+
+    def rotate(
+        self, lat: Any, lon: Any, u: Any, v: Any
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Rotate velocities at places in degrees from east and north to x1 and x2."""
+        lat, lon = np.broadcast_arrays(lat, lon)
+        factors = self._projection.get_factors(lon, lat)
+        # where east points in the plane
+        angle = np.arctan2(factors.dy_dlam, factors.dx_dlam)
+        # the directions east and north stay at a right angle to 1e-5 within 50 km
+        c, s = np.cos(angle), np.sin(angle)
+        return c * u - s * v, s * u + c * v

@@ -100,6 +100,8 @@ def scenario_template(
         dims = BY_FUNCTION[: 1 + len(shape)]
         unit = unit_of(units, lengths, rates)
         variables[name] = _series(dims, signals.of(port, *shape), long_name, unit)
+    if scenario.origin is not None and "position" in table:
+        variables |= _places(scenario, signals.of(table["position"][0], 2))
     variables |= _estimates(scenario, signals, LAW in replaced)
     truths, note = _truths(scenario, signals, replaced)
     variables |= truths
@@ -145,6 +147,30 @@ def _table(signals: Signals) -> dict[str, tuple[str, str, int, int]]:
 
 def _series(dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> Series:
     return Series(dims, series, {"long_name": long_name, "units": unit})
+
+
+def _places(scenario: Scenario, position: Any) -> dict[str, Series]:
+    """Return latitude and longitude of the vehicle on the local plane of the scenario."""
+    plane = scenario.plane
+
+    def latitude(signals: np.ndarray) -> np.ndarray:
+        return np.asarray(plane.to_earth(*position(signals).T)[0])
+
+    def longitude(signals: np.ndarray) -> np.ndarray:
+        return np.asarray(plane.to_earth(*position(signals).T)[1])
+
+    attributes = {
+        name: {
+            "standard_name": name,
+            "long_name": f"{name} of the vehicle",
+            "units": unit,
+        }
+        for name, unit in (("latitude", "degrees_north"), ("longitude", "degrees_east"))
+    }
+    return {
+        "latitude": Series(("time",), latitude, attributes["latitude"]),
+        "longitude": Series(("time",), longitude, attributes["longitude"]),
+    }
 
 
 def _estimates(

@@ -150,7 +150,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
     from ..ocean.currents.plane import read_field
 
-    gridded = read_field(scenario.field_path, scenario.units)
+    gridded = read_field(scenario.field_path, scenario.units, scenario.origin)
     outside = scenario.flow.outside
     return field.gridded_flow(gridded, outside, disturbed, scenario.units, position)
 

@@ -125,6 +125,10 @@ def square_chart(
     high = centre + margin
     ax.set(xlabel=f"$x_1$, east ({unit})", ylabel=f"$x_2$, north ({unit})")
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    if scenario.origin is not None:
+        from ..base.figures.degree_axes import degree_axes
+
+        degree_axes(ax, scenario.plane, unit)
     if scenario.field_path is not None:
         from ..ocean.currents.plane import read_field
 

@@ -166,20 +166,22 @@ def export(
     scenario: ScenarioFile,
     out: Path | None = opt(
         "FILE",
-        "File to write: C (.c), an FMU (.fmu), with --drawing .svg, .png, .pdf or .mmd; "
-        "default of a drawing: Mermaid text on standard output.",
+        "File to write: C (.c), an FMU (.fmu), a map of a run's track (.kml, .geojson), with "
+        "--drawing .svg, .png, .pdf or .mmd; default of a drawing: Mermaid text.",
         "-o",
         "--out",
     ),
     drawing: bool = flag("Draw the block diagram.", "--drawing"),
 ) -> None:
-    """Write a loop or a run's diagram as C99, an FMU or a drawing.
+    """Write a loop as C99, an FMU or a drawing; a run as a map.
 
     Example:
         clpt export mine.toml -o loop.c
+        clpt export run.nc -o track.kml
         clpt export mine.toml --drawing -o loop.svg
     """
     from ...paper.scenario.file import load_vehicle_scenario
+    from ...simulation.map_export import SUFFIXES
     from ...simulation.run_file import repeats_by_equations
 
     if drawing:
@@ -187,7 +189,11 @@ def export(
         return
     if out is None:
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
-    check_writable(out, "a program", (".c", ".h", ".fmu"))
+    if out.suffix in SUFFIXES:
+        clpt.export(clpt.load_run(scenario), out)
+        say(f"{out}: written")
+        return
+    check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES))
     again = repeats_by_equations(scenario)
     load: Any = clpt.load_diagram if again else load_vehicle_scenario
     clpt.export(load(scenario), out)

@@ -32,6 +32,7 @@ import xarray
 from ...base.arguments import Count, public
 from ...base.errors import DataError, naming
 from ...base.files import check_writable, write_together
+from ...base.geodesy import LocalPlane
 from ...base.units import finite_or_none
 from ...engine.model.block import evaluate
 from ...paper.scenario import tidal_periods
@@ -40,7 +41,7 @@ from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
 from ..estimation.least_squares import least_squares
 from .grid_file import Box, Currents, read_currents, source_name, with_all_steps
 from .identifiability import check_nyquist, check_separable
-from .plane import GriddedField, LocalPlane, field_dataset, fill_gaps, regular_grid
+from .plane import ORIGIN, GriddedField, field_dataset, fill_gaps, regular_grid
 
 SINE = -np.pi / 2
 SPEED = "km h-1"
@@ -80,7 +81,7 @@ class Fit:
             "title": scenario.title,
             "source": f"{report['source']}, by clpt-control {version('clpt-control')}",
             "time_origin": report["start"],
-            "origin_latitude_longitude": report["origin"],
+            ORIGIN: report["origin"],
             "comment": "gaps are filled harmonically in space and time; fit_report counts them",
             "fit_report": json.dumps(report),
         }
@@ -212,7 +213,8 @@ def fit_current(
     # of places from the track
     away = np.abs(np.hypot(*np.transpose(centers)) - radius_km)
     felt = np.exp(-((away / width_km) ** 2) / 2) >= FELT
-    scenario = _scenario(currents, centers, width_km, constituents, radius_km)
+    origin = (plane.lat, plane.lon)
+    scenario = _scenario(currents, origin, centers, width_km, constituents, radius_km)
     t, s1, s2 = (
         np.broadcast_to(a, measured.shape)[measured]
         for a in (currents.time[:, None, None], x1, x2)
@@ -277,7 +279,12 @@ def _middles(
 
 
 def _scenario(
-    currents: Currents, centers: list, width: float, constituents: tuple, radius: float
+    currents: Currents,
+    origin: tuple[float, float],
+    centers: list,
+    width: float,
+    constituents: tuple,
+    radius: float,
 ) -> Scenario:
     """Return the scenario; `Fit.save` writes its field and names it."""
     phased = [
@@ -291,6 +298,7 @@ def _scenario(
     return Scenario.model_validate(
         {
             "title": f"Measured current of {currents.source} from {currents.start}",
+            "origin": origin,
             "units": {"length": "km", "time": "h"},
             "basis": {
                 "kernel": "gaussian",

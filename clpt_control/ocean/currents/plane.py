@@ -1,13 +1,4 @@
-"""A local plane, and a current without gaps on a regular grid of it: the file beside a scenario.
-
-The plane, in km, x1 east, x2 north, is the azimuthal equidistant projection of the WGS84 ellipsoid
-(J. P. Snyder, "Map Projections: A Working Manual", US Geological Survey
-Professional Paper 1395, 1987, pages 191-202), by pyproj: distance and bearing
-from the origin are true, and 50 km away lengths are off by 1e-5.
-
-Away from the origin's meridian, north is not x2: it leans by the meridian
-convergence, about dlon sin(lat), 0.3 degrees at the edge of a box of 70 km at
-41 N.  Velocities are rotated by it, which leaves their speed.
+"""A current without gaps on a regular grid of a local plane (`geodesy`): the file of a scenario.
 
 Gaps are filled harmonically in space and time: each missing value is the
 weighted mean of its neighbours,
@@ -38,9 +29,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...base.errors import DataError, import_optional, naming
+from ...base.errors import DataError, naming
 from ...base.files.reading import open_netcdf
-from ...base.geodesy import angle_near
+from ...base.geodesy import LocalPlane
 from ...base.units import (
     METRES,
     SECONDS,
@@ -52,61 +43,9 @@ from ...base.units import (
 if TYPE_CHECKING:
     import xarray
 
-WIDEST = 1000.0  # km from the origin; beyond, lengths across are off by more than 0.4 %
+ORIGIN = "origin_latitude_longitude"  # attribute of a field's file
 ROUNDING = 1e-14  # of what flows in: the solver's residual
 SPEED = 10.0  # km/h: what one hour of distance in time is worth in space
-
-
-class LocalPlane:
-    """The plane around one place: latitude and longitude of its origin, degrees.
-
-    >>> plane = LocalPlane(41.0, -69.0)
-    >>> x1, x2 = plane.to_plane(41.1, -69.0)
-    >>> round(float(x1), 6) + 0.0, round(float(x2), 2)
-    (0.0, 11.11)
-    """
-
-    def __init__(self, lat: float, lon: float) -> None:
-        if not (abs(lat) <= 90 and np.isfinite(lon)):
-            raise DataError(
-                f"origin ({lat}, {lon}): must be latitude and longitude, degrees"
-            )
-        self.lat, self.lon = lat, lon
-        aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": "km"}
-        self._projection = import_optional("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
-
-    def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return x1 and x2 in km of places in degrees, 1000 km from the origin at most."""
-        lat, lon = np.broadcast_arrays(lat, lon)
-        x1, x2 = self._projection(lon, lat)
-        distance = np.hypot(x1, x2)
-        if not np.all(distance <= WIDEST):  # also where not finite
-            distance_text = f"{np.max(distance):.4g} km from the origin"
-            raise DataError(
-                f"a place is {distance_text}, at most {WIDEST:g}; choose a smaller box"
-            )
-        return x1, x2
-
-    def to_earth(self, x1: Any, x2: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return latitude and longitude of points in km.
-
-        The longitude lies within 180 degrees of the origin's.
-        """
-        x1, x2 = np.broadcast_arrays(x1, x2)
-        lon, lat = self._projection(x1, x2, inverse=True)
-        return lat, angle_near(lon, self.lon)
-
-    def rotate(
-        self, lat: Any, lon: Any, u: Any, v: Any
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Rotate velocities at places in degrees from east and north to x1 and x2."""
-        lat, lon = np.broadcast_arrays(lat, lon)
-        factors = self._projection.get_factors(lon, lat)
-        # where east points in the plane
-        angle = np.arctan2(factors.dy_dlam, factors.dx_dlam)
-        # the directions east and north stay at a right angle to 1e-5 within 50 km
-        c, s = np.cos(angle), np.sin(angle)
-        return c * u - s * v, s * u + c * v
 
 
 @dataclass(frozen=True)
@@ -209,11 +148,17 @@ def regular_grid(
     return GriddedField(even, x2, x1, resampled(u), resampled(v))
 
 
-def read_field(path: Path, units) -> GriddedField:
-    """Return the field of a file, such as `clpt fit` writes, in the units of a scenario."""
+def read_field(
+    path: Path, units, origin: tuple[float, float] | None = None
+) -> GriddedField:
+    """Return the field of a file, such as `clpt fit` writes, in the units of a scenario.
+
+    An `origin` (latitude, longitude) must be that of the field, if the file has one.
+    """
     from .cf import numbers_of
 
     with open_netcdf(path) as data, naming(path):
+        _check_origin(data.attrs.get(ORIGIN), origin)
         for name in ("time", "y", "x", "u", "v"):
             if name not in data.variables:
                 raise DataError(
@@ -238,6 +183,17 @@ def read_field(path: Path, units) -> GriddedField:
             if not np.all(np.isfinite(values[-1])):
                 raise DataError(f"{name} has gaps; `clpt fit` fills them")
     return GriddedField(*axes, *values)
+
+
+def _check_origin(of_field: Any, of_scenario: tuple[float, float] | None) -> None:
+    """Refuse a scenario with another origin than its field's."""
+    if of_field is None or of_scenario is None:
+        return
+    if not np.allclose(of_field, of_scenario, rtol=0, atol=1e-6):
+        raise DataError(
+            f"the field's origin is {np.asarray(of_field).tolist()}, the scenario's is "
+            f"{list(of_scenario)}. Give the scenario the field's origin"
+        )
 
 
 def time_origin(path: Path) -> dict[str, str]:

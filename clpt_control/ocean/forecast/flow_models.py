@@ -34,10 +34,10 @@ from scipy.interpolate import RegularGridInterpolator
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files.reading import open_netcdf, shown_name
+from ...base.geodesy import LocalPlane
 from ...base.units import METRES, SECONDS, seconds_since_1970
 from ...paper.scenario.file import load_vehicle_scenario
 from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
-from ..currents.plane import LocalPlane
 from ..gliders.dives import Dive
 from .advected_dives import Flow, FlowModel, Uncovered
 
@@ -128,7 +128,8 @@ class Fitted(FlowModel):
         try:
             report = json.loads(text)
             self.theta = np.array(report["theta"], float)  # (2, N), along x1 and x2
-            self.plane = LocalPlane(*map(float, report["origin"]))
+            latitude, longitude = map(float, report["origin"])
+            self.plane = LocalPlane(latitude, longitude)
             self.start = seconds_since_1970(report["start"])  # its t = 0
             self.lat0, self.lat1, self.lon0, self.lon1 = map(float, report["box"])
             self.about = (

@@ -8,7 +8,7 @@ A direction is where something goes to, clockwise from true north, [0, 360).
 from datetime import UTC, datetime
 from math import atan2, degrees, hypot
 
-from ...base.geodesy import angle_near
+from ...base.geodesy import east_of
 
 Place = tuple[float, float]  # degrees north and east
 
@@ -62,15 +62,6 @@ def velocity(east: float, north: float) -> str:
     return f"{hypot(east, north):.2f} m/s" + (
         "" if angle is None else f" to {compass(angle)}"
     )
-
-
-def east_of(lon: float) -> float:
-    """Return a longitude between -180 and 180 degrees.
-
-    >>> east_of(190.0), east_of(-180.0), east_of(180.0), east_of(-540.0)
-    (-170.0, -180.0, 180.0, -180.0)
-    """
-    return lon if -180.0 <= lon <= 180.0 else angle_near(lon, 0.0)
 
 
 def in_degrees(lat: float, lon: float) -> str:

@@ -1,8 +1,7 @@
 """A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
 
-GeoJSON (RFC 7946) and KML 2.2 (OGC 07-147r2) are made of what `clpt replay --json` prints.  Places
-are WGS84, longitude first, counted on where a line or a ring crosses 180 degrees; rings turn
-counter-clockwise.  A text of a file loses characters that XML does not have.
+GeoJSON and KML (`map_files`) are made of what `clpt replay --json` prints; rings turn
+counter-clockwise.
 
 The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
 ddmm.mmmm, south and west negative.
@@ -22,20 +21,17 @@ SeaExplorer: its mission file is not public.  The lines say heading and waypoint
 navigation files have them (DesiredH, Lat, Lon), to be typed.
 """
 
-import json
 from math import cos, radians, sin
 from typing import Any
 
-from ...base.geodesy import angle_near, place_from
-from ...base.html import safe
+from ...base.geodesy import east_of, place_from
+from ...base.map_files import Feature, geojson, kml
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
-from .geographic import compass, east_of, minutes
+from .geographic import compass, minutes
 from .map_layers import Layer, layers_of, place_in
 from .text_report import REACHED
 
-DIGITS = 6  # decimals of a degree: 0.1 m
-KML = "http://www.opengis.net/kml/2.2"
 BLUE, PURPLE, ORANGE = "ffb27200", "ffa779cc", "ff009fe6"  # as KML has them
 NAMES = {  # kind of a layer: its name and its colour
     "track": ("track", BLUE),
@@ -49,89 +45,42 @@ NAMES = {  # kind of a layer: its name and its colour
     "ring aimed": ("90 % ellipse, aimed", ORANGE),
 }
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
-SHAPES = {  # of KML, around coordinates
-    "Point": ("<Point>", "</Point>"),
-    "LineString": ("<LineString><tessellate>1</tessellate>", "</LineString>"),
-    "Polygon": (
-        "<Polygon><outerBoundaryIs><LinearRing>",
-        "</LinearRing></outerBoundaryIs></Polygon>",
-    ),
-}
-
-
-def _points(layer: Layer) -> list[list[float]]:
-    """Return longitudes and latitudes of a layer; the first longitude is in -180..180."""
-    first_longitude = east_of(layer.places[0][1])
-    return [
-        [round(angle_near(lon, first_longitude), DIGITS), round(lat, DIGITS)]
-        for lat, lon in layer.places
-    ]
 
 
 def next_geojson(report: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
-    of, end = layers_of(report), report["each_dive"][-1]
-    last = Layer(
-        "last",
-        "Point",
-        of["way"][0].places[:1],
-        {"dive": end["dive"], "time": end["end"]},
+    layers, last_row = layers_of(report), report["each_dive"][-1]
+    properties = {"dive": last_row["dive"], "time": last_row["end"]}
+    last = Layer("last", "Point", layers["way"][0].places[:1], properties)
+    return geojson(
+        map(_feature, [last, *(layer for kind in AHEAD for layer in layers[kind])])
     )
-    features = map(_feature, [last, *(layer for kind in AHEAD for layer in of[kind])])
-    lines = ",\n".join(json.dumps(feature, allow_nan=False) for feature in features)
-    return f'{{"type": "FeatureCollection", "features": [\n{lines}\n]}}\n'
 
 
-def _feature(layer: Layer) -> dict[str, Any]:
+def track_kml(report: dict[str, Any], name: str) -> str:
+    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
+    layers = layers_of(report)
+    fixes = layers["fix"]
+    places = [layers["track"][0].places[0], *(fix.places[0] for fix in fixes)]
+    track = Layer("track", "LineString", places, {})
+    ahead = (layer for kind in AHEAD for layer in layers[kind])
+    return kml(map(_feature, [track, *fixes, *ahead]), name)
+
+
+def _feature(layer: Layer) -> Feature:
+    """Return a layer as a feature of a map file."""
+    name, colour = NAMES[layer.kind]
+    if layer.kind == "fix":
+        name = f"{name} {layer.of['dive']}"
     properties: dict[str, Any] = {"time": layer.when} if layer.when else {}
     if layer.shape == "Point":
         properties = {"description": layer.words} if layer.kind == "next" else {}
         properties |= {
             key: value for key, value in layer.of.items() if value is not None
         }
-    points: Any = _points(layer)
-    coordinates = {"Point": points[0], "Polygon": [points]}.get(layer.shape, points)
-    return {
-        "type": "Feature",
-        "geometry": {"type": layer.shape, "coordinates": coordinates},
-        "properties": {"name": NAMES[layer.kind][0], **properties},
-    }
-
-
-def track_kml(report: dict[str, Any], name: str) -> str:
-    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
-    of = layers_of(report)
-    positions = [of["track"][0].places[0], *(fix.places[0] for fix in of["fix"])]
-    track = Layer("track", "LineString", positions, {})
-    lines = [
-        '<?xml version="1.0" encoding="UTF-8"?>',
-        f'<kml xmlns="{KML}"><Document><name>{safe(name)}</name>',
-        *(
-            f'<Style id="{colour}"><IconStyle><color>{colour}</color><scale>0.8</scale></IconStyle>'
-            f"<LineStyle><color>{colour}</color><width>2</width></LineStyle>"
-            "<PolyStyle><fill>0</fill></PolyStyle></Style>"
-            for colour in (BLUE, PURPLE, ORANGE)
-        ),
-        _placemark(track),
-        *map(_placemark, of["fix"]),
-        *(_placemark(layer) for kind in AHEAD for layer in of[kind]),
-        "</Document></kml>",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-def _placemark(layer: Layer) -> str:
-    """Return a place, line or ring as KML."""
-    name, colour = NAMES[layer.kind]
-    texts = [f"<name>{name} {safe(layer.of['dive']) if name == 'dive' else ''}</name>"]
-    if layer.words:
-        texts.append(f"<description>{safe(layer.words)}</description>")
-    if layer.when and layer.shape == "Point":
-        texts.append(f"<TimeStamp><when>{safe(layer.when)}</when></TimeStamp>")
-    texts.append(f"<styleUrl>#{colour}</styleUrl>")
-    begin, end = SHAPES[layer.shape]
-    points = " ".join(f"{x},{y}" for x, y in _points(layer))
-    return f"<Placemark>{''.join(texts)}{begin}<coordinates>{points}</coordinates>{end}</Placemark>"
+    return Feature(
+        name, layer.shape, layer.places, colour, layer.when, layer.words, properties
+    )
 
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it

@@ -28,9 +28,9 @@ from ...base.figures import (
     legend_below,
     literal,
 )
-from ...base.geodesy import angle_near, distance
+from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
-from .geographic import Place, clock, degrees_minutes, east_of
+from .geographic import Place, clock, degrees_minutes
 from .map_layers import layers_of
 from .netcdf_export import Source, report_of
 

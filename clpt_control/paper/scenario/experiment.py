@@ -6,6 +6,7 @@ file's units of length and time.  `simulation.closed_loop` makes the blocks of a
 
 import os
 from collections.abc import Iterator, Mapping
+from functools import cache
 from operator import attrgetter
 from pathlib import Path
 from typing import Annotated, Any
@@ -14,7 +15,8 @@ import numpy as np
 from pydantic import Field, PrivateAttr, ValidationInfo, model_validator
 
 from ...base.arguments import public
-from ...base.errors import ScenarioError
+from ...base.errors import DataError, ScenarioError
+from ...base.geodesy import LocalPlane, angle_near, is_place
 from ...base.html import facts, fragment, shortened
 from ...engine.model.block import Block
 from ...engine.model.sampled import Sampled
@@ -29,6 +31,7 @@ from .tidal_periods import period
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
 MOST_BYTES = 4 * 10**9  # memory of a run
+DEGREES = 3.0  # lengths this near to the origin's latitude and longitude are degrees
 FINE = 2000  # samples of a run in addition to those of its output
 SPANS = (  # keys of times from one jump to the next
     *("reference.dwell", "flow.disturbance.period", "learning.sample"),
@@ -54,6 +57,7 @@ class Scenario(tables.Table):
     """
 
     title: str = ""
+    origin: tables.Pair | None = None
     units: tables.Units = tables.Units()
     basis: tables.Basis
     flow: tables.Flow
@@ -66,9 +70,57 @@ class Scenario(tables.Table):
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
+        yield from self._place_mistakes()
         yield from self._shape_mistakes()
         yield from self._law_mistakes()
         yield from self._size_mistakes()
+
+    def _place_mistakes(self) -> Iterator[str]:
+        """Yield mistakes of latitudes and longitudes, also of those given as lengths."""
+        reference = self.reference
+        points = getattr(reference, "points_lat_lon", None) or ()
+        keys = {
+            "origin": () if self.origin is None else (self.origin,),
+            "reference.points_lat_lon": points,
+        }
+        for key, places in keys.items():
+            for lat, lon in places:
+                if not is_place(lat, lon):
+                    yield f"{key}: [{lat}, {lon}] must be latitude and longitude in degrees"
+                    return
+        if self.origin is None:
+            if points:
+                yield (
+                    "origin: is required with reference.points_lat_lon. Give the latitude and "
+                    "longitude of the plane's origin above all tables: origin = [41.2, -69.5]"
+                )
+            return
+        lengths = {
+            "reference.points": getattr(reference, "points", None) or (),
+            "basis.centers": self.basis.centers,
+            "vehicle.position": (self.vehicle.position,),
+            "learning.position": (self.learning.position,),
+        }
+        for key, pairs in lengths.items():
+            if pairs and all(self._is_near_origin_in_degrees(*pair) for pair in pairs):
+                yield (
+                    f"{key} = {list(pairs[0])}: looks like degrees, but is in "
+                    f"{self.units.length} from the origin {list(self.origin)}. Give waypoints in "
+                    "degrees as reference.points_lat_lon"
+                )
+        try:
+            self.waypoints  # noqa: B018 - too far from the origin
+        except DataError as error:
+            yield f"reference.points_lat_lon: {error}"
+
+    def _is_near_origin_in_degrees(self, first: float, second: float) -> bool:
+        """Return True if two lengths are the latitude and longitude of a place at the origin."""
+        lat, lon = self.origin or (0.0, 0.0)
+        far_from_zero = max(abs(lat), abs(lon)) > DEGREES
+        return far_from_zero and any(
+            abs(a - lat) < DEGREES and abs(angle_near(b, lon) - lon) < DEGREES
+            for a, b in ((first, second), (second, first))
+        )
 
     def _shape_mistakes(self) -> Iterator[str]:
         for key, quantity in QUANTITIES.items():
@@ -246,9 +298,20 @@ class Scenario(tables.Table):
         """Waypoints, shape (n, 2), units.length."""
         from ..blocks.reference import circle
 
-        if isinstance(self.reference, tables.Circle):
-            return circle(self.reference.radius, self.reference.count)
-        return np.array(self.reference.points)
+        reference = self.reference
+        if isinstance(reference, tables.Circle):
+            return circle(reference.radius, reference.count)
+        if reference.points_lat_lon is not None:
+            lat, lon = np.transpose(reference.points_lat_lon)
+            return np.column_stack(self.plane.to_plane(lat, lon))
+        return np.array(reference.points)
+
+    @property
+    def plane(self) -> LocalPlane:
+        """Local plane around the origin, in units.length."""
+        if self.origin is None:
+            raise DataError("origin: the scenario has no latitude and longitude")
+        return _plane(*self.origin, self.units.length)
 
     @property
     def cycle(self) -> float:
@@ -306,6 +369,11 @@ class Scenario(tables.Table):
                 by_numpy = isinstance(value, np.ndarray | np.generic)
                 table[leaf_key] = value.tolist() if by_numpy else value
         return checked_scenario(nested, "scenario", self._folder)
+
+
+@cache
+def _plane(lat: float, lon: float, unit: str) -> LocalPlane:
+    return LocalPlane(lat, lon, unit)
 
 
 def checked_scenario(nested: Nested, name: str, folder: Path | None) -> Scenario:

@@ -71,6 +71,7 @@ QUANTITIES = {
     "vehicle.max_speed": Quantity("speed_limit.max_speed", unit="v_x"),
     "reference.dwell": Quantity("reference.dwell", "dwell", jumps=True, unit="time"),
     "reference.points": Quantity(axes="waypoint axis", unit="x"),
+    "reference.points_lat_lon": Quantity(axes="waypoint axis"),
     "learning.gain": Quantity(
         "adaptation.gain adaptation.gain_K adaptation.gain_Gamma parameter_system.gain "
         "lyapunov.gain lyapunov.gain_K lyapunov.gain_Gamma",

@@ -150,6 +150,7 @@ Seed = Annotated[
 ]
 Pair = tuple[Number, Number]
 PositivePair = tuple[Positive, Positive]
+Points = Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
 SHORT = 1e-6  # share of the interval; closer times are treated as equal
@@ -248,8 +249,16 @@ class Waypoints(Table):
     """Any list of waypoints."""
 
     kind: Literal["waypoints"]
-    points: Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
+    points: Points | None = None
+    points_lat_lon: Points | None = None
     dwell: Positive
+
+    def _mistakes(self) -> Iterator[str]:
+        if (self.points is None) == (self.points_lat_lon is None):
+            yield (
+                "reference.points: give either points (lengths) or points_lat_lon (degrees), one "
+                "of the two"
+            )
 
 
 class Localization(Table):

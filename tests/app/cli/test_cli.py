@@ -96,7 +96,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     )
     refused_for([".svg"], "export", "p.toml", "--drawing", "-o", "p.docx")
     refused_for(
-        ["a program's name must end in .c, .h or .fmu"],
+        ["a program or map's name must end in .c, .h, .fmu, .kml or .geojson"],
         "export",
         "p.toml",
         "-o",

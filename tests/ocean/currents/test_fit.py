@@ -12,9 +12,9 @@ from refusals import refuses
 
 import clpt_control as clpt
 from clpt_control import ArgumentError, ClptError, DataError, ScenarioError
+from clpt_control.base.geodesy import LocalPlane
 from clpt_control.currents import fit_current, read_currents, sample_currents
 from clpt_control.engine.model.block import evaluate
-from clpt_control.ocean.currents.plane import LocalPlane
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.simulation.flows import explained_variance
 

@@ -1,0 +1,79 @@
+"""Axes of a chart of a local plane, labelled in degrees, with a bar of a length.
+
+Ticks are at even degrees, converted at the middle of the chart: meridians and parallels are
+drawn as straight lines.
+"""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import Formatter, Locator, MaxNLocator
+from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
+
+from ..geodesy import LocalPlane, east_of
+
+BAR = 5  # bars in the width of a chart, about
+
+
+class _Degrees:
+    """Conversion between one axis of a chart and degrees, at the middle of the other axis."""
+
+    def __init__(self, ax: Axes, plane: LocalPlane, is_longitude: bool) -> None:
+        self.ax, self.plane, self.is_longitude = ax, plane, is_longitude
+
+    def _centre(self) -> tuple[float, float]:
+        return float(np.mean(self.ax.get_xlim())), float(np.mean(self.ax.get_ylim()))
+
+    def of_point(self, coordinate: float) -> float:
+        """Return the longitude or latitude of a coordinate."""
+        x1, x2 = self._centre()
+        point = (coordinate, x2) if self.is_longitude else (x1, coordinate)
+        return float(self.plane.to_earth(*point)[int(self.is_longitude)])
+
+    def to_point(self, degrees: float) -> float:
+        """Return the coordinate of a longitude or latitude."""
+        lat, lon = map(float, self.plane.to_earth(*self._centre()))
+        place = (lat, degrees) if self.is_longitude else (degrees, lon)
+        return float(self.plane.to_plane(*place)[int(not self.is_longitude)])
+
+
+class _DegreeLocator(Locator):
+    def __init__(self, degrees: _Degrees) -> None:
+        self.degrees = degrees
+
+    def __call__(self) -> list[float]:
+        limits = "get_xlim" if self.degrees.is_longitude else "get_ylim"
+        return self.tick_values(*getattr(self.degrees.ax, limits)())
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        edges = map(self.degrees.of_point, (vmin, vmax))
+        ticks = MaxNLocator(5, steps=[1, 2, 5, 10]).tick_values(*edges)
+        return [*map(self.degrees.to_point, ticks)]
+
+
+class _DegreeFormatter(Formatter):
+    def __init__(self, degrees: _Degrees) -> None:
+        self.degrees = degrees
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        angle = self.degrees.of_point(x)
+        if self.degrees.is_longitude:
+            angle = east_of(angle)
+        angle = round(angle, 6)
+        letter = ("EW" if self.degrees.is_longitude else "NS")[int(angle < 0)]
+        return f"{abs(angle):g}\N{DEGREE SIGN} {letter}"
+
+
+def degree_axes(ax: Any, plane: LocalPlane, unit: str) -> None:
+    """Label the axes of a chart in degrees, and draw a bar with its length."""
+    for axis, is_longitude in ((ax.xaxis, True), (ax.yaxis, False)):
+        degrees = _Degrees(ax, plane, is_longitude)
+        axis.set_major_locator(_DegreeLocator(degrees))
+        axis.set_major_formatter(_DegreeFormatter(degrees))
+    ax.set(xlabel="longitude ($x_1$, east)", ylabel="latitude ($x_2$, north)")
+    length = float(f"{np.ptp(ax.get_xlim()) / BAR:.0e}")
+    text = f"{length:g} {unit}"
+    bar = AnchoredSizeBar(ax.transData, length, text, "lower right", sep=3)
+    bar.patch.set(edgecolor="none", alpha=0.8)
+    ax.add_artist(bar)

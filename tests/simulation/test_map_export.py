@@ -1,0 +1,167 @@
+"""Runs in latitude and longitude: waypoints, variables, maps and degree axes."""
+
+import json
+from xml.etree import ElementTree
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from error_sentences import says
+from pyproj import Geod
+
+import clpt_control as clpt
+from clpt_control.base.figures.degree_axes import degree_axes
+from clpt_control.base.geodesy import LocalPlane
+from clpt_control.base.map_files import NAMESPACE
+
+ORIGIN = (41.225, -69.45)
+CORNERS = [[41.3, -69.55], [41.3, -69.35], [41.15, -69.35], [41.15, -69.55]]
+WGS84 = Geod(ellps="WGS84")
+PAPER = clpt.paper_scenario()
+
+
+def at_sea(**changes):
+    """Return the paper's learner on a track in degrees, in km and h."""
+    values = {
+        "origin": ORIGIN,
+        "units.length": "km",
+        "units.time": "h",
+        "reference.kind": "waypoints",
+        "reference.points_lat_lon": CORNERS,
+        "run.duration": 40.0,
+    }
+    return PAPER.with_values({**values, **changes})
+
+
+def geodesic(lat, lon):
+    """Return points in km from distance and bearing of the geodesic from the origin."""
+    lats, lons = np.full(len(lat), ORIGIN[0]), np.full(len(lat), ORIGIN[1])
+    bearing, _, metres = WGS84.inv(lons, lats, lon, lat)
+    bearing = np.deg2rad(bearing)
+    return metres[:, None] / 1000 * np.column_stack([np.sin(bearing), np.cos(bearing)])
+
+
+@pytest.mark.parametrize(("unit", "size"), [("km", 1.0), ("m", 1000.0)])
+def test_waypoints_in_degrees_have_the_geodesic_distance_and_bearing(unit, size):
+    scenario = at_sea(**{"units.length": unit})
+    expected = size * geodesic(*np.transpose(CORNERS))
+    np.testing.assert_allclose(scenario.waypoints, expected, rtol=1e-9)
+
+
+def test_a_run_has_latitude_and_longitude():
+    run = clpt.simulate(at_sea(), np.linspace(0, 40, 9))
+    expected = geodesic(run.latitude.values, run.longitude.values)
+    np.testing.assert_allclose(run.position.values, expected, atol=1e-9)
+    assert (run.latitude.units, run.longitude.units) == (
+        "degrees_north",
+        "degrees_east",
+    )
+    assert "latitude" not in clpt.simulate(PAPER, [0.0, 1.0])
+
+
+def test_a_team_has_latitude_and_longitude():
+    east = at_sea().with_values({"vehicle.position": [3.0, 0.0]})
+    team = clpt.Team(members={"west": at_sea(), "east": east}, coupling=0.5)
+    run = clpt.simulate(team, [0.0, 1.0])
+    assert run.latitude.dims == ("vehicle", "time")
+    assert run.clpt.plot().size == 3
+
+
+def test_a_scenario_in_degrees_is_written_and_read(tmp_path):
+    clpt.save_scenario(at_sea(), tmp_path / "sea.toml")
+    assert clpt.load_scenario(tmp_path / "sea.toml") == at_sea()
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"reference.points_lat_lon": None, "reference.points": CORNERS},
+        {"vehicle.position": [41.3, -69.5]},
+        {"vehicle.position": [-69.5, 41.3]},
+        {"basis.centers": [[41.3, -69.5]] * 3},
+    ],
+)
+def test_degrees_given_as_lengths_are_refused(values):
+    *_, key = values
+    says(
+        clpt.ScenarioError,
+        f"{key} = .*looks like degrees, but is in km",
+        at_sea,
+        **values,
+    )
+
+
+def test_lengths_of_a_place_near_zero_degrees_are_lengths():
+    at_the_equator = {
+        "origin": [0.5, 0.5],
+        "reference.points_lat_lon": [[0.6, 0.6]],
+        "vehicle.position": [0.5, 0.5],
+    }
+    assert at_sea(**at_the_equator).vehicle.position == (0.5, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("values", "said"),
+    [
+        ({"origin": None}, "origin: is required with reference.points_lat_lon"),
+        ({"origin": [91.0, 0.0]}, "must be latitude and longitude in degrees"),
+        ({"reference.points_lat_lon": [[-169.5, 41.2]]}, "must be latitude"),
+        ({"reference.points_lat_lon": [[10.0, 10.0]]}, "km from the origin"),
+        ({"reference.points": [[0.0, 1.0]]}, "give either points"),
+    ],
+)
+def test_mistakes_are_sentences(values, said):
+    says(clpt.ScenarioError, said, at_sea, **values)
+
+
+def test_maps_have_track_prediction_waypoints_start_and_end(tmp_path, request):
+    run = clpt.simulate(at_sea(), np.linspace(0, 40, 11))
+    run.attrs["time_origin"] = "2019-01-01T00:00:00"
+    clpt.export(run, tmp_path / "run.geojson")
+    features = json.loads((tmp_path / "run.geojson").read_text())["features"]
+    by_name = {feature["properties"]["name"]: feature for feature in features}
+    waypoints = [f"waypoint {k}" for k in range(1, 5)]
+    assert [*by_name] == ["track", "prediction", *waypoints, "start", "end"]
+    track = by_name["track"]["geometry"]["coordinates"]
+    places = np.column_stack([run.longitude, run.latitude])
+    np.testing.assert_allclose(track, places, atol=1e-6)
+    assert by_name["waypoint 2"]["geometry"]["coordinates"] == [-69.35, 41.3]
+    assert by_name["end"]["properties"]["time"] == "2019-01-02T16:00:00Z"
+
+    clpt.save_run(run, tmp_path / "run.nc")
+    command = request.getfixturevalue("clpt")
+    done = command("export", tmp_path / "run.nc", "-o", tmp_path / "run.kml")
+    assert done.status == 0
+    root = ElementTree.fromstring((tmp_path / "run.kml").read_text("utf-8"))
+    lines = root.findall(f".//{{{NAMESPACE}}}LineString/{{{NAMESPACE}}}coordinates")
+    assert [len(line.text.split()) for line in lines] == [11, 11]
+
+
+def test_runs_without_an_origin_have_no_map(tmp_path):
+    run = clpt.simulate(PAPER, [0.0, 1.0])
+    for path, said in (
+        (
+            tmp_path / "run.kml",
+            "no latitude and longitude. Give its scenario an origin",
+        ),
+        (tmp_path / "run.c", "must end in .kml or .geojson"),
+        (None, "is required for a run"),
+    ):
+        says(clpt.ClptError, said, clpt.export, run, path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("lat", "lon"), [(41.2, -69.5), (-10.0, 179.98)])
+def test_ticks_are_at_even_degrees(lat, lon):
+    plane = LocalPlane(lat, lon)
+    figure, ax = plt.subplots()
+    ax.set(xlim=(-10, 10), ylim=(-12, 12))
+    degree_axes(ax, plane, "km")
+    figure.draw_without_rendering()
+    for tick in ax.yaxis.get_major_ticks():
+        degrees, letter = tick.label1.get_text().split("° ")
+        latitude = float(degrees) * {"N": 1, "S": -1}[letter]
+        x2 = float(plane.to_plane(latitude, lon)[1])
+        assert x2 == pytest.approx(tick.get_loc(), abs=1e-3)
+    letters = {label.get_text()[-1] for label in ax.get_xticklabels()}
+    assert letters == ({"W"} if lon < 0 else {"E", "W"})  # 180 degrees are crossed
