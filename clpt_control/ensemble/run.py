@@ -75,6 +75,7 @@ def run_ensemble(
     trajectories: bool = False,
     chunk: int | None = None,
     times: Sequence[float] | None = None,
+    summary: Mapping[str, Callable] | None = None,
     progress: bool | Callable[[int], None] | None = None,
     dask: str | None = None,
 ) -> "xarray.Dataset":
@@ -113,6 +114,10 @@ def run_ensemble(
         Members written at once; memory grows with it, not with `members`.
     times : sequence of float, optional
         Times of the errors of a scenario. Default: 41 evenly spaced times.
+    summary : dict of callables, optional
+        Of a diagram, without `out`: ``{"settling": function}``. Each function is called with the
+        outputs of a member, an xarray.Dataset at `timepts`, and returns a number. A member that did
+        not finish has NaN.
     progress : bool or callable, optional
         True prints a progress bar on standard error; a function is called with the number
         of members done.
@@ -161,6 +166,11 @@ def run_ensemble(
         import_optional(module)
     varies = read_varies(vary)
     path = None if out is None else Path(out).absolute()
+    if summary is not None and path is not None:
+        raise ScenarioError(
+            "summary: is for a result in memory, since a folder cannot store functions. Leave out "
+            "out, or store trajectories"
+        )
     if path is not None and not os.path.lexists(path):
         check_writable(path)
     run_options = {
@@ -172,7 +182,12 @@ def run_ensemble(
         "atol": atol,
     }
     if timepts is None or isinstance(system, Scenario):
-        _refuse("is for a diagram, with timepts", timepts=timepts, **run_options)
+        _refuse(
+            "is for a diagram, with timepts",
+            timepts=timepts,
+            summary=summary,
+            **run_options,
+        )
         loop = getattr(system, "origin", None)
         if not isinstance(system, Scenario) and (loop is None or loop.external):
             raise ScenarioError("timepts: is required to run a diagram many times")
@@ -180,7 +195,7 @@ def run_ensemble(
         varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
         _refuse("is for a scenario; a diagram has timepts", times=times)
-        run_options["trajectories"] = trajectories
+        run_options |= {"trajectories": trajectories, "summary": summary}
         varied = VariedDiagram(system, varies, timepts, **run_options)
     check_varies(varied, varies)
     # 2. sample the parameters

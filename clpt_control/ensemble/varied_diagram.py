@@ -6,16 +6,18 @@
     r                       an input: constant at its value, in place of `inputs`
 
 The summaries of an output are its final value, its root mean square over time (trapezoidal rule;
-in discrete time the mean over samples) and its largest magnitude.
+in discrete time the mean over samples) and its largest magnitude.  Functions of the user give
+further ones.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from ..base.arguments import brief
 from ..base.errors import DiagramError, ScenarioError
 from ..engine.codegen.directional_derivatives import (
     Place,
@@ -63,6 +65,7 @@ class VariedDiagram:
         initial_state: Any = None,
         params: Mapping[str, Any] | None = None,
         trajectories: bool = False,
+        summary: Mapping[str, Callable] | None = None,
         **solver: Any,
     ):
         request = request_of(diagram, timepts, inputs, initial_state, **solver)
@@ -71,6 +74,7 @@ class VariedDiagram:
         self.name = diagram.name
         self.title = f"Ensemble of {diagram.name}"
         self.trajectories = trajectories
+        self.summary = dict(summary or {})
         # 1. the diagram, with parameters that its systems do not declare
         read_anew(diagram)
         sizes = request.sizes()
@@ -265,6 +269,8 @@ class VariedDiagram:
                 arrays.add(name, dims[1:], f"{port}, {words}", **units)
             if self.trajectories:
                 arrays.add(self.trajectory_name(port), dims, port, **units)
+        for name in self.summary:
+            arrays.add(name, (), f"{name}, summary of the user")
         arrays.add_members()
         for key, array in values.items():
             dims = ("member", *(f"{key} {k}" for k in range(array.ndim - 1)))
@@ -297,7 +303,31 @@ class VariedDiagram:
                 if trajectory.ndim > 2:
                     trajectory = np.moveaxis(trajectory, 1, -1)
                 summaries[self.trajectory_name(port)] = trajectory
+        for name, function in self.summary.items():
+            summaries[name] = self._user_summary(name, function, run, y)
         return summaries | ends_of(run, self.state_times)
+
+    def _user_summary(
+        self, name: str, function: Callable, run: States, y: np.ndarray
+    ) -> np.ndarray:
+        """Return the user's number of each member; NaN if the member did not finish."""
+        from xarray import Dataset
+
+        ports = self.variables[0]
+        numbers = np.full(len(y), np.nan)
+        for m in np.flatnonzero(run.status == Status.FINISHED):
+            variables = {
+                port: (series.dims, series.of(y[m].T), series.attributes)
+                for port, series in ports.items()
+            }
+            value = function(Dataset(variables, {"time": self.times}))
+            try:
+                numbers[m] = float(value)
+            except (TypeError, ValueError):
+                raise ScenarioError(
+                    f"summary: {name} returned {brief(value)}. Return one number"
+                ) from None
+        return numbers
 
     def _write_outputs(
         self, y: np.ndarray, ensemble: Ensemble, members: Members, run: States, m: int

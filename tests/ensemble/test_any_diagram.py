@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from error_sentences import says
 from sampled_runs import TIMES, lag, spring, springs, system, two_shapes, unread
 
 import clpt_control as clpt
@@ -304,6 +305,58 @@ def test_a_member_that_fails_is_nan_and_said():
     assert 0.8 <= float(data.end[2]) <= 1.0  # x = 1 / (1 - t)
     assert np.isnan([data[f"y_{what}"][2] for what in ("final", "rms", "max")]).all()
     np.testing.assert_allclose(data.y[2, :5], 1 / (1 - TIMES[:5]))
+
+
+def test_a_summary_of_the_user_is_python_controls_step_info():
+    """Settling time of a lag by python-control's own step_info, and the closed form of the peak."""
+    times, taus = np.linspace(0, 20, 2001), [0.5, 1.0, 2.0]
+
+    def settling(run):
+        return control.step_info(run.y.values, run.time.values)["SettlingTime"]
+
+    data = clpt.run_ensemble(
+        lag(),
+        {"tau": taus},
+        timepts=times,
+        inputs=1.0,
+        summary={"settling": settling, "half": lambda run: run.y.sel(time=10.0)},
+    )
+    # within 2 % of the final value from t = tau ln 50
+    expected = np.array(taus) * np.log(50)
+    np.testing.assert_allclose(data.settling, expected, atol=0.02)
+    np.testing.assert_allclose(data.half, 1 - np.exp(-10 / np.array(taus)), atol=1e-7)
+
+
+def test_a_summary_is_refused_where_it_is_not_computed(tmp_path):
+    given = {"vary": {"tau": [1.0, 2.0]}, "timepts": TIMES}
+    for summary, options, said in (
+        ({"a": lambda run: 1.0}, {"out": tmp_path / "a.zarr"}, "result in memory"),
+        ({"a": lambda run: run.y}, {}, "summary: a returned .* Return one number"),
+        ({"y_final": lambda run: 1.0}, {}, "y_final is twice a name"),
+    ):
+        says(
+            clpt.ScenarioError,
+            said,
+            lambda **more: clpt.run_ensemble(lag(), **given, **more),
+            summary=summary,
+            **options,
+        )
+    says(
+        clpt.ScenarioError,
+        "summary: is for a diagram",
+        lambda: clpt.run_ensemble(
+            clpt.paper_scenario(), "learning.gain=0.5:1", 2, summary={"a": len}
+        ),
+    )
+
+
+def test_a_failed_member_has_no_summary():
+    given = {"vary": {"x": [0.1, 1.0]}, "timepts": TIMES}
+    with pytest.warns(UserWarning, match="1 of 2 members did not finish"):
+        data = clpt.run_ensemble(
+            system(lambda t, x, u, p: x**2), summary={"one": lambda run: 1.0}, **given
+        )
+    np.testing.assert_array_equal(data.one, [1.0, np.nan])
 
 
 def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):

@@ -60,7 +60,9 @@ def test_a_table_of_its_own_is_checked_too():
     says(ScenarioError, "3: must be a table of keys", clpt.Scenario.model_validate, 3)
     says(clpt.ArgumentError, "must be Mapping", PAPER.with_values, [2])
     other = {"reference.kind": "waypoints"}
-    says(ScenarioError, "reference.points: give either points", PAPER.with_values, other)
+    says(
+        ScenarioError, "reference.points: give either points", PAPER.with_values, other
+    )
     given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference
     assert (given.points, given.dwell) == (((0, 1),), PAPER.reference.dwell)
     says(ScenarioError, "gain is no table", PAPER.with_values, {"learning.gain.x": 2})
