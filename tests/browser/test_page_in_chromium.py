@@ -326,6 +326,37 @@ def test_the_page_is_read_on_its_screen(pages, tmp_path, name, width, theme):
     assert found["texts"] > 60
 
 
+ZOOM = """
+function found() {
+  const svg = document.querySelector("figure svg"), full = svg.viewBox.baseVal.width;
+  const box = svg.getBoundingClientRect(), reset = document.querySelector("button.reset");
+  const at = { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2, bubbles: true };
+  const widths = [], note = () => widths.push(full / svg.viewBox.baseVal.width, reset.hidden);
+  note();
+  svg.dispatchEvent(new MouseEvent("dblclick", at));
+  note();
+  svg.dispatchEvent(new KeyboardEvent("keydown", { key: "+" }));
+  note();
+  const x = svg.viewBox.baseVal.x;
+  svg.dispatchEvent(new PointerEvent("pointerdown", at));
+  svg.dispatchEvent(new PointerEvent("pointermove", { ...at, clientX: at.clientX - 10 }));
+  svg.dispatchEvent(new PointerEvent("pointerup", at));
+  const moved = svg.viewBox.baseVal.x - x;
+  reset.click();
+  note();
+  return { widths, moved: moved > 0, buttons: document.querySelectorAll("button.reset").length,
+    figures: document.querySelectorAll("figure svg").length };
+}
+"""
+
+
+def test_figures_of_a_report_are_zoomed_and_dragged(pages, tmp_path):
+    found = asked(pages / "run.html", ZOOM, tmp_path, 1280)
+    assert found["widths"] == pytest.approx([1, True, 2, False, 4, False, 1, True])
+    assert found["moved"]
+    assert found["buttons"] == found["figures"] > 5
+
+
 def test_the_page_prints(pages, tmp_path):
     """As pages of paper, with the scenario unfolded."""
     made = tmp_path / "run.pdf"

@@ -93,7 +93,7 @@ def page_html(page: Page) -> str:
             f"<p>Written by clpt-control {version('clpt-control')}.</p></footer>",
         ]
     )
-    return document(page.title, body, "report.css")
+    return document(page.title, body, "report.css", ("figures.js",))
 
 
 def _section(section: Section) -> str:

@@ -19,6 +19,7 @@ from clpt_control.app.pages.page import page_html
 from clpt_control.app.pages.results import run_result
 from clpt_control.app.pages.writing import page_of, report
 from clpt_control.base.figures import inline_svg, new_figure
+from clpt_control.base.html import _asset
 from clpt_control.ensemble.store import Store
 from clpt_control.simulation.summary import run_and_report
 
@@ -50,10 +51,11 @@ def page(run):
 
 
 def checked(text, *said):
-    """A page's elements: nothing fetched, no script, identifiers once, headings in order."""
+    """A page's elements: nothing fetched, one script, identifiers once, headings in order."""
     read = fetching_nothing(text)
     assert [one for one in said if one not in text] == []
-    assert "script" not in [tag for tag, _ in read.tags]
+    assert [tag for tag, _ in read.tags].count("script") == 1
+    assert text.endswith(f"<script>{_asset('figures.js')}</script></body></html>\n")
     assert "http" not in text.replace("http-equiv", "")
     own, named = [names["id"] for _, names in read.tags if "id" in names], []
     assert len(own) == len(set(own))
