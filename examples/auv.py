@@ -86,7 +86,7 @@ def main(path="auv.png"):
     )
     figure.savefig(Path(path))
     plt.close(figure)
-    print(f"{path}: written")
+    print(f"Wrote {path}")
 
 
 if __name__ == "__main__":

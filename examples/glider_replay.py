@@ -37,7 +37,7 @@ def main(folder="out", *files):
     data.to_netcdf(folder / "replay.nc")
     data.clpt.plot()[0].figure.savefig(folder / "replay.png")
     for name in ("replay.nc", "replay.png"):
-        print(f"{folder / name}: written")
+        print(f"Wrote {folder / name}")
 
 
 if __name__ == "__main__":

@@ -160,7 +160,7 @@ def main(currents, folder="out"):
         f"explains {shares['track']:.1%} along the track and {shares['box']:.1%} over the box"
     )
     draw(scenario, runs, folder / "measured_current.png")
-    print(f"{folder / 'measured_current.png'}: written")
+    print(f"Wrote {folder / 'measured_current.png'}")
 
 
 if __name__ == "__main__":

@@ -123,7 +123,7 @@ def main(path="mrac.png"):
     )
     figure.savefig(Path(path))
     plt.close(figure)
-    print(f"{path}: written")
+    print(f"Wrote {path}")
 
 
 if __name__ == "__main__":

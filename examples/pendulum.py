@@ -109,7 +109,7 @@ def main(path="pendulum.png"):
     angles.legend(frameon=False, fontsize=8, title="starts at")
     figure.savefig(Path(path))
     plt.close(figure)
-    print(f"{path}: written")
+    print(f"Wrote {path}")
 
 
 if __name__ == "__main__":

@@ -80,7 +80,7 @@ def main(path="tank.png"):
     levels.legend(frameon=False, fontsize=8)
     figure.savefig(Path(path))
     plt.close(figure)
-    print(f"{path}: written")
+    print(f"Wrote {path}")
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ def main(path="team.png"):
     drawn = figure(team, run, alone)
     drawn.savefig(Path(path))
     plt.close(drawn)
-    print(f"{path}: written")
+    print(f"Wrote {path}")
 
 
 def figure(team, run, alone):

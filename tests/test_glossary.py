@@ -181,10 +181,10 @@ def test_what_is_no_unit_is_refused(unit):
         (
             speed_in_metres_per_second,
             "m/s",
-            "u: units = .* is no speed; must be such as 'm/s'",
+            "u: units = .* is not a speed. Use a unit such as 'm/s'",
         ),
-        (length_in_metres, "m", "u has units .*; must be such as 'm', 'km' or"),
-        (time_in_seconds, "s", "u has units .*; must be such as 's', 'min', 'h'"),
+        (length_in_metres, "m", "u has units .*; use a unit such as 'm', 'km' or"),
+        (time_in_seconds, "s", "u has units .*; use a unit such as 's', 'min', 'h'"),
     ):
         if unit != own:
             says(clpt.DataError, said, read, unit, "u")

@@ -118,7 +118,7 @@ def test_every_block_runs(path, tmp_path, monkeypatch):
     for block in blocks(path):
         where = f"{path.name}:{block.line}"
         assert block.language in LANGUAGES, (
-            f"{where}: '{block.language}' is no known language"
+            f"{where}: '{block.language}' is not a known language"
         )
         if block.language == "text" and printed and not block.after.strip():
             assert_same(printed, block.text, where)

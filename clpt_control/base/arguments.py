@@ -314,7 +314,7 @@ def hint(argument: str, value: Any, allowed: str) -> str:
     if argument in EXAMPLES:
         return f", such as {EXAMPLES[argument]}"
     if isinstance(value, str) and "[str" in allowed:
-        return f"; give a list: [{value!r}]"
+        return f". Give a list: [{value!r}]"
     return next(
         (f"; {MAKERS[word]}" for word in re.findall(r"\w+", allowed) if word in MAKERS),
         "",

@@ -69,5 +69,5 @@ def import_optional(module: str) -> types.ModuleType:
         package = module.partition(".")[0]
         extra = EXTRA.get(package, "sea")
         raise DataError(
-            f"{package}: is not installed; pip install 'clpt-control[{extra}]' installs it"
+            f"{package} is not installed. Install it with: pip install 'clpt-control[{extra}]'"
         ) from None

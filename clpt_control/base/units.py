@@ -86,7 +86,7 @@ def length_in_metres(unit: str, where: str) -> float:
     size = METRES.get(_short(unit))
     if size is None:
         raise DataError(
-            f"{where} has units '{unit}'; must be such as 'm', 'km' or 'cm'"
+            f"{where} has units '{unit}'; use a unit such as 'm', 'km' or 'cm'"
         )
     return size
 
@@ -100,7 +100,7 @@ def time_in_seconds(unit: str, where: str) -> float:
     size = SECONDS.get(_short(unit.split(" since ")[0]))
     if size is None:
         raise DataError(
-            f"{where} has units '{unit}'; must be such as 's', 'min', 'h' or 'd'"
+            f"{where} has units '{unit}'; use a unit such as 's', 'min', 'h' or 'd'"
         )
     return size
 
@@ -120,7 +120,7 @@ def speed_in_metres_per_second(unit: str, where: str) -> float:
     if length in METRES and time in SECONDS:
         return METRES[length] / SECONDS[time]
     raise DataError(
-        f"{where}: units = '{unit}' is no speed; must be such as 'm/s' or 'cm s-1'"
+        f"{where}: units = '{unit}' is not a speed. Use a unit such as 'm/s' or 'cm s-1'"
     )
 
 

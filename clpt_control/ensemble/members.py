@@ -114,7 +114,7 @@ class Ensemble:
             return bytes(dumps((self.varied, [*self.locations], self.native.engine)))
         except (pickle.PicklingError, AttributeError, TypeError):
             raise DiagramError(
-                f"{self.varied.name}: cannot be sent to workers; define equations and parameters "
+                f"{self.varied.name}: cannot be sent to workers. Define equations and parameters "
                 "at the top of a module"
             ) from None
 

@@ -49,7 +49,7 @@ CHUNK = 1000  # members without trajectories
 CHUNK_BYTES = 64_000_000  # trajectories of a chunk
 PATIENCE = 30  # seconds to wait for a scheduler and its first worker
 RETRIES = 3  # of a chunk whose worker was lost
-STORED = "what is done is kept"
+STORED = "finished members are stored"
 Report = Callable[
     [int, int], None
 ]  # called with numbers of newly done and stored members
@@ -287,7 +287,7 @@ def _refuse(reason: str, **unused: Any) -> None:
     """Refuse arguments that have no effect here."""
     for name, value in unused.items():
         if value is not None:
-            raise ScenarioError(f"{name}: {reason}; leave it out")
+            raise ScenarioError(f"{name}: {reason}. Leave it out")
 
 
 def available_threads() -> int:
@@ -352,7 +352,7 @@ def pool_of(address: str, workers: int) -> Iterator[futures.Executor]:
         client = Client(address, timeout=PATIENCE)
     except (OSError, ValueError, TimeoutError):
         raise ClptError(
-            f"dask = '{address}': no scheduler answers; must be local or tcp://HOST:PORT"
+            f"dask = '{address}': no scheduler answers. Give local or tcp://HOST:PORT"
         ) from None
     with client:
         try:
@@ -392,7 +392,7 @@ def _run_elsewhere(
                 report(count, count)
     except futures.BrokenExecutor:
         raise SimulationError(
-            "dask: a worker was lost with its chunk (out of memory? then give a smaller --chunk); "
+            "dask: a worker was lost with its chunk (if memory is short, give a smaller --chunk); "
             f"{STORED}"
         ) from None
     except futures.CancelledError:

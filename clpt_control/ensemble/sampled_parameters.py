@@ -125,7 +125,7 @@ def check_varies(varied: Varied, varies: Sequence[Vary]) -> None:
             _check_levels(item, values[item.key].shape)
         elif item.key.endswith(".seed"):
             raise ScenarioError(
-                f"vary = '{item.text}': a seed is a whole number; list the values"
+                f"vary = '{item.text}': a seed is a whole number. List the values"
             )
 
 
@@ -157,7 +157,7 @@ def grid_count(varies: Sequence[Vary]) -> int:
     """Return the number of combinations of lists."""
     if not all(item.kind == "levels" for item in varies):
         raise ScenarioError(
-            "members: is required where values are drawn; lists alone make a grid"
+            "members: is required for ranges and distributions. Only lists define a grid"
         )
     return prod(len(item.numbers) for item in varies)
 

@@ -134,7 +134,7 @@ class Store:
         lost = np.flatnonzero(self.group[DONE][:] == 0)
         if len(lost):
             raise DataError(
-                f"{self.path}: chunk {lost[0]} is missing; run the ensemble again"
+                f"{self.path}: chunk {lost[0]} is missing. Run the ensemble again"
             )
         if self.path is not None:
             for temporary in self.path.rglob("*.partial"):
@@ -192,8 +192,8 @@ def begun_or_made(
     check_same(store, arguments)
     if store.group.attrs[CODE] != code and store.missing():
         raise DataError(
-            f"{path}: was begun by other versions of the code ({store.group.attrs['software']})"
-            ", whose numbers may differ in the last bit; give another --out"
+            f"{path}: was started by other versions of the code ({store.group.attrs['software']})"
+            ", whose results may differ in the last bit. Give another --out"
         )
     return store
 
@@ -222,9 +222,7 @@ def create_store(
         group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
         for name, stored in {**arrays, DONE: checksums}.items():
             if not name or "\\" in name:
-                raise DataError(
-                    f"Zarr has no name {name!r}; call that signal otherwise, without a \\"
-                )
+                raise DataError(f"Zarr has no name {name!r}. Rename it, without a \\")
             size, *inner_sizes = stored.shape
             rows = {"member": chunk, "chunk": 1}.get(stored.dims[0], size)
             array = group.create_array(
@@ -255,11 +253,13 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
     """Open a store to write the missing chunks, or with "r" to read it."""
     zarr = import_optional("zarr")
     if not path.exists():
-        raise DataError(f"{path}: no such folder; `clpt ensemble` writes one")
+        raise DataError(
+            f"{path}: folder not found. Make an ensemble with: clpt ensemble"
+        )
     if not path.is_dir():
         raise DataError(f"{path}: is a file; must be a folder such as ensemble.zarr")
     if not (path / "zarr.json").is_file():
-        raise DataError(f"{path}: is a folder without an ensemble; give another name")
+        raise DataError(f"{path}: is a folder without an ensemble. Give another name")
     files = zarr_store(path, read_only=mode == "r")
     try:
         store = Store(zarr.open_group(files, mode=mode), path)
@@ -272,16 +272,16 @@ def open_store(path: Path, mode: Literal["r", "r+"] = "r+") -> Store:
         ]
     except Exception:  # a damaged file can raise anything
         raise DataError(
-            f"{path}: is no ensemble or is damaged; give another name or remove it"
+            f"{path}: is not an ensemble or is damaged. Give another name or remove it"
         ) from None
     if wrong and wrong[0] not in recorded:
         raise DataError(
-            f"{path}: holds {wrong[0]}, which is no part of it; take it out"
+            f"{path}: contains {wrong[0]}, which is not part of an ensemble. Remove it"
         )
     if wrong:
         raise DataError(
             f"{path}: is damaged, or of another version: its {wrong[0]} is not as it was "
-            "made; move it away and run the ensemble again"
+            "made. Move it away and run the ensemble again"
         )
     return store
 
@@ -291,7 +291,7 @@ def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
     for name, value in arguments.items():
         if store.arguments.get(name) != value:
             raise DataError(
-                f"{store.path}: holds an ensemble of another {name}; give another --out"
+                f"{store.path}: contains an ensemble of another {name}. Give another --out"
             )
 
 
@@ -310,10 +310,10 @@ def open_ensemble(path: Path) -> "xarray.Dataset":
         written = np.flatnonzero(store.group[DONE][:]).tolist()
     except Exception:  # a damaged file can raise anything
         raise DataError(
-            f"{path}: is damaged: a part of it cannot be read; run the ensemble again"
+            f"{path}: is damaged: a part of it cannot be read. Run the ensemble again"
         ) from None
     if lost := [chunk for chunk in written if not store.is_complete(chunk)]:
         raise DataError(
-            f"{path}: is damaged: chunk {lost[0]} is not as written; run the ensemble again"
+            f"{path}: is damaged: chunk {lost[0]} is not as written. Run the ensemble again"
         )
     return data

@@ -147,7 +147,7 @@ class Arrays(dict[str, StoredArray]):
     def _put(self, name: str, *array: Any) -> None:
         if name in self:
             raise ScenarioError(
-                f"{name} is twice a name of the result; rename what is called so"
+                f"{name} is used twice as a name in the result. Rename one"
             )
         self[name] = StoredArray(*array)
 

@@ -130,7 +130,9 @@ def tune_law(
     names = tuple(laws)
     for name in names:
         if name not in LAWS:
-            raise ScenarioError(f"laws: '{name}' is no law; `clpt laws` lists them")
+            raise ScenarioError(
+                f"laws: '{name}' is not a law. List the laws with: clpt laws"
+            )
     for word, value, least, most in (
         ("members", members, 3, 10**5),
         ("seed", seed, 0, 2**31),
@@ -144,7 +146,7 @@ def tune_law(
     tested, skipped = laws_to_try(names)
     if not tested:
         raise ScenarioError(
-            f"laws: none of {', '.join(names)} learns the flow; name another"
+            f"laws: none of {', '.join(names)} learns the flow. Name another"
         )
     report = progress or (lambda share: None)
     scores: list[Score] = []
@@ -177,7 +179,7 @@ def tune_law(
     if not order:
         reasons = "; ".join(f"{name}: {why}" for name, why in list(skipped.items())[:2])
         raise ScenarioError(
-            f"no candidate reaches the end of its runs{': ' if reasons else ''}{reasons}; give a "
+            f"no candidate reaches the end of its runs{': ' if reasons else ''}{reasons}. Give a "
             "smaller prior or a shorter run"
         )
     report(1.0)

@@ -138,7 +138,7 @@ class VariedDiagram:
             ]
             if not all(np.array_equal(lists[0], array) for array in lists):
                 raise ScenarioError(
-                    f"vary: {key} is a list in several systems, not the same; give arrays of "
+                    f"vary: {key} is a list in several systems, not the same. Give arrays of "
                     "floats, and name one of a block"
                 )
             if lists:
@@ -161,7 +161,7 @@ class VariedDiagram:
         name = key.partition("[")[0]
         if name in self.names:
             return (
-                f"vary: {key} is no element of {name}, counted from 0; or {name} is more than "
+                f"vary: {key} is not an element of {name}, counted from 0; or {name} is more than "
                 "one of a parameter, an initial state and an input: name one of a block"
             )
         return cannot_vary(key, self.names)
@@ -197,7 +197,7 @@ class VariedDiagram:
             for number in numbers:
                 if (owner := names.setdefault(number, key)) != key:
                     raise ScenarioError(
-                        f"vary: {key} and {owner} are one number; name it once"
+                        f"vary: {key} and {owner} are the same number. Name it once"
                     )
 
     def arguments(self, path: Any) -> dict[str, Any]:
@@ -214,7 +214,7 @@ class VariedDiagram:
             )
         except Unread as error:
             raise DiagramError(
-                f"out: {error}, so a folder cannot tell the diagram from others; give no out= "
+                f"out: {error}, so a folder cannot identify the diagram. Leave out out= "
                 "and save the result"
             ) from None
         return f"{self.name} {digest}"

@@ -216,7 +216,7 @@ def checked_changes(changes: Changes, scenario: Scenario) -> Changes:
         for port in states if name in changes.replace else ():
             if port not in columns:
                 raise DiagramError(
-                    f"{changes.replace[name].name}: {port} is no state of it; members are "
+                    f"{changes.replace[name].name}: {port} is not a state of it; members are "
                     f"summarised from the states {', '.join(states)}"
                 )
     return changes

@@ -68,7 +68,7 @@ def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
         _check_finite(run, start, params or {})
         return CFile(run, start)
     except Uncompiled as error:
-        raise DiagramError(f"{system.name}: has no C: {error}") from None
+        raise DiagramError(f"{system.name}: cannot be written as C: {error}") from None
 
 
 def _check_finite(

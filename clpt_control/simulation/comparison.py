@@ -42,7 +42,7 @@ def response_plot(
     ports = ports_along(run)
     if "time" not in run.dims:
         raise DataError(
-            "the run is of one time, over which nothing is drawn; cut it by a slice"
+            "the run has one sample, so it has no plot. Give a slice of samples"
         )
     if not 0 < len(ports) <= MAX_PORTS:
         raise DataError(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import Solution
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 INDEX = "index"  # suffix of the dimension of a port
 STATE = {"long_name": "state of the diagram"}
 STATES = {"long_name": "states of the diagram, each in its own unit"}
+COMPLETED = Status.FINISHED.sentence
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
 
 Labels = tuple[str, ...]
@@ -81,6 +83,11 @@ class DatasetTemplate:
             copy = type(axis)(axis.dims, axis._data, axis.attrs, fastpath=True)
             variables[name] = copy
         attributes = {**self.attributes, **solver_attributes(solution)}
+        if attributes["message"] == COMPLETED:
+            unit = (self.time_attributes or {}).get("units", "")
+            attributes["message"] += f" (t = {solution.t[-1]:g} {unit})".replace(
+                " )", ")"
+            )
         if self.note:
             attributes["message"] += f"; {self.note}"
         indexes = {name: index for name, (index, _) in axes.items()}

@@ -99,8 +99,8 @@ class DiagramRun(SystemRun):
                 continue
             if np.any(state[columns["alpha"]] != np.ravel(p.alpha_0)):
                 raise SimulationError(
-                    "initial_state: alpha is not adaptation.alpha_0, of which the readout is made; "
-                    "give both, or learning.parameters of the scenario"
+                    "initial_state: alpha is not adaptation.alpha_0, of which the readout is made. "
+                    "Give both, or learning.parameters of the scenario"
                 )
 
     @cached_property

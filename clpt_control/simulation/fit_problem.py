@@ -148,7 +148,7 @@ class FitProblem:
             pairs = zip(self.names, values, strict=True)
             point = ", ".join(f"{name} = {value:.6g}" for name, value in pairs)
             raise SimulationError(
-                f"at {point}: {error}; begin closer, or give bounds"
+                f"at {point}: {error}. Begin closer, or give bounds"
             ) from None
         if len(run.outputs) < len(self.measured):
             raise SimulationError(

@@ -93,7 +93,7 @@ def fit_parameters(
         unknown |= measured.keys() & ports_of(run.input_labels).keys()
     if unknown:
         raise ArgumentError(
-            f"data: {min(unknown)} is no output; they are {', '.join(ports_of(run.labels))}; "
+            f"data: {min(unknown)} is not an output; they are {', '.join(ports_of(run.labels))}; "
             "inputs= takes inputs"
         )
     return problem.fit()

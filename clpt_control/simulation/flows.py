@@ -126,14 +126,14 @@ def explained_variance(
     """
     if scenario.field_path is None:
         raise DataError(
-            "the scenario's true flow is no gridded field; shares of variance are for scenarios "
+            "the scenario's true flow is not a gridded field; shares of variance are for scenarios "
             "with flow.field, such as `clpt fit` writes"
         )
     phi = scenario.basis_block()
     if run.sizes.get("basis") != phi.noutputs:
         raise DataError(
-            f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}; "
-            "give the scenario that was run"
+            f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}. "
+            "Give the scenario that was run"
         )
     field = read_field(scenario.field_path, scenario.units)
     truth = gridded_flow(field, "clip")

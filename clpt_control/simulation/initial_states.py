@@ -124,7 +124,7 @@ def initial_state(system: Scenario | Diagram) -> np.ndarray:
         return state_of(system, paper_blocks(system))
     if system.origin is None:
         raise DiagramError(
-            f"{system.name}: knows no scenario; one that closed_loop makes does"
+            f"{system.name}: has no scenario. Give a diagram made by closed_loop"
         )
     return state_of(system.origin.scenario, system.syslist, system.origin.changes.law)
 
@@ -132,7 +132,7 @@ def initial_state(system: Scenario | Diagram) -> np.ndarray:
 def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
     """Return the state of a run's diagram at one of its times; at a jump the one after it."""
     if "states" not in run.variables:
-        raise DataError("the run carries no states; one that clpt.simulate gives does")
+        raise DataError("the run has no states. Give a run made by clpt.simulate")
     times = run.time.values
     nearest = ""
     if len(times) and np.isfinite(t):
@@ -141,5 +141,5 @@ def state_at(run: "xarray.Dataset", t: float) -> np.ndarray:
             return np.array(run.states.values[k], dtype=float)
         nearest = f"; the nearest of its times is {times[k]:.9g}"
     raise DataError(
-        f"t = {t}: the run has no sample there{nearest}; simulate it with timepts that hold t"
+        f"t = {t}: the run has no sample there{nearest}. Simulate it with timepts that include t"
     )

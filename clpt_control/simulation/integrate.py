@@ -125,17 +125,17 @@ def simulate(
     if isinstance(system, Scenario | Team):
         if stop is not None:
             raise SimulationError(
-                "stop: is for a diagram; simulate closed_loop(scenario) with it"
+                "stop: is for a diagram. Simulate closed_loop(scenario) with it"
             )
         if inputs is not None:
             raise SimulationError(
-                "a scenario has no inputs; simulate closed_loop(..., external=)"
+                "inputs: a scenario has none. Simulate closed_loop(..., external=)"
             )
         timepts, skipped = _times_from_zero(system, timepts)
         if initial_state is not None or params:
             if isinstance(system, Team):
                 raise SimulationError(
-                    "initial_state, params: a team has its own; change its scenarios, or simulate "
+                    "initial_state, params: a team has its own. Change its scenarios, or simulate "
                     "closed_loop(team)"
                 )
             system = closed_loop(system)

@@ -121,7 +121,7 @@ def _check_law(scenario: Scenario, law: Part) -> None:
         )
     if scenario.learning.row.at_fixes:
         raise DiagramError(
-            f"{law.name}: a law of your own reads the position at all times; set "
+            f"{law.name}: a law of your own reads the position at all times. Set "
             "localization.interval to 0, or leave the law out"
         )
     if scenario.learning.sample is not None:

@@ -94,7 +94,7 @@ def loop_of(system: Scenario | Diagram) -> ClosedLoop:
     read_anew(system)
     if not loop.is_unchanged(wiring_of(system)):
         raise DiagramError(
-            f"{system.name}: was changed after closed_loop made it; give closed_loop what it is to "
+            f"{system.name}: was changed after closed_loop made it. Give closed_loop what it is to "
             "have, with replace and insert"
         )
     return loop
@@ -168,7 +168,7 @@ def closed_loop(
         if wrong or (errors and isinstance(scenario, Team)):
             raise DiagramError(
                 f"closed_loop: {wrong[0] if wrong else 'errors'} does not go with "
-                f"{'errors=True' if errors and wrong else 'a team'}; leave it out"
+                f"{'errors=True' if errors and wrong else 'a team'}. Leave it out"
             )
         return (
             team_loop(scenario) if isinstance(scenario, Team) else error_loop(scenario)

@@ -23,7 +23,7 @@ from .serialization.run_record import diagram_of_text, equations_text
 if TYPE_CHECKING:
     import xarray
 
-NO_RUN = "is no run: it has no variable 'clpe', nor the signals of a diagram"
+NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
 LOST = "it was saved without them, by another way than clpt.save_run"
 # attributes for changes of a loop that are not in its scenario
 BEYOND = (file.OWN_LAW, file.OWN_PARTS, file.CHANGED)
@@ -60,9 +60,9 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
     True
     """
     if "clpe" not in run.variables and not is_response(run):
-        raise DataError(f"{path}: {NO_RUN}; clpt.simulate gives runs")
+        raise DataError(f"{path}: {NO_RUN}; Make a run with clpt.simulate")
     if not set(run.data_vars) - {"states"}:
-        raise DataError(f"{path}: the run has no signal; give its system outputs")
+        raise DataError(f"{path}: the run has no signal. Give its system outputs")
     write_file(path, as_written(run, Path(path)))
 
 
@@ -116,7 +116,7 @@ def load_run(path: str | Path) -> "xarray.Dataset":
     with open_netcdf(Path(path), MOST_BYTES) as data:
         file.check_form(data.attrs, path)
         if "clpe" not in data.variables and not is_response(data):
-            raise DataError(f"{path}: {NO_RUN}; `clpt run` writes one")
+            raise DataError(f"{path}: {NO_RUN}; Make a run with: clpt run")
         run = data.load()
     try:
         if is_response(run):
@@ -170,7 +170,7 @@ def load_diagram(path: str | Path) -> Diagram:
     Raises
     ------
     DataError
-        If the file is missing or damaged, or its run holds no equations; the sentence says why.
+        If the file is missing or damaged, or its run contains no equations; the sentence says why.
 
     Examples
     --------
@@ -192,7 +192,9 @@ def load_diagram(path: str | Path) -> Diagram:
         return closed_loop(file.load_vehicle_scenario(path))
     if not text:
         reason = attributes.get(file.NOT_REPEATED)
-        raise DataError(f"{path}: holds no equations{f': {reason}' if reason else ''}")
+        raise DataError(
+            f"{path}: contains no equations{f': {reason}' if reason else ''}"
+        )
     try:
         diagram = diagram_of_text(text)
         if "scenario" in attributes:

@@ -185,7 +185,7 @@ class SensitivityRun:
                 raise SimulationError(
                     f"{label}: differences of runs do not confirm its derivative by {name}, for a "
                     "function jumps where the run crosses something that moves with it (look in "
-                    f"{', '.join(self.jumping)}); make the jump steep but smooth, such as np.tanh"
+                    f"{', '.join(self.jumping)}). Make the jump steep but smooth, such as np.tanh"
                 )
 
     def _wrong_signals(
@@ -297,7 +297,7 @@ def _dataset(system_run: SensitivityRun, run: RunWithDerivatives) -> "xarray.Dat
     ]
     if "parameter" in datasets[0].variables:
         raise SimulationError(
-            "parameter: is a dimension of the result; rename it in the system"
+            "parameter: is a dimension of the result. Rename it in the system"
         )
     names = xarray.Variable("parameter", [*system_run.varied])
     data = xarray.concat(datasets, names, combine_attrs="override")

@@ -92,7 +92,7 @@ def changes_of(law: Any, replace: Any = None, insert: Any = None) -> Changes:
     if law is not None:
         if LAW in replacements:
             raise DiagramError(
-                f"law and replace = {LAW!r}: are one and the same; give one of them"
+                f"law and replace = {LAW!r}: both replace the law. Give one of them"
             )
         replacements[LAW] = law
     changes = Changes(
@@ -165,7 +165,7 @@ def inserted(components: Sequence[Part], insert: Mapping[Any, Part]) -> list[Par
         ]
         strangers = [user for user in users if user not in readers]
         if strangers or not readers:
-            remedy = "; give a signal that is taken"
+            remedy = ". Give a signal that is taken"
             if strangers:
                 remedy = f", not to {strangers[0]!r}"
             raise DiagramError(
@@ -242,8 +242,8 @@ def _between(
     ):
         if port not in ports:
             raise DiagramError(
-                f"{argument}: {component.name} {verb} {', '.join(ports)}; call the one that is "
-                f"meant '{port}', or give a part with one input port and one output port"
+                f"{argument}: {component.name} {verb} {', '.join(ports)}. Rename the intended "
+                f"port to '{port}', or give a part with one input port and one output port"
             )
     is_scalar = component.ninputs == component.noutputs == 1
     if is_linear(component) and is_scalar and source[1] == result[1] != 1:

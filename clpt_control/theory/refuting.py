@@ -99,7 +99,7 @@ def refute(
     'not refuted'
     """
     if law not in LAWS:
-        raise ScenarioError(f"law: '{law}' is no law; `clpt laws` lists them")
+        raise ScenarioError(f"law: '{law}' is not a law. List the laws with: clpt laws")
     random, began, runs = np.random.default_rng(seed), time.monotonic(), 0
     best: dict[str, tuple[float, np.ndarray]] = {}
     refutation: Scenario | None = None

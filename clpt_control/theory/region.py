@@ -123,7 +123,7 @@ def _operation(e: sympy.Expr, ranges: dict[Any, Interval]) -> Interval:
     if name == "where":
         return _chosen(*of)
     raise DiagramError(
-        f"within: {short(e, 60)} is no function whose range in a box is known"
+        f"within: {short(e, 60)} is not a function whose range in a box is known"
     )
 
 
@@ -221,7 +221,7 @@ class Region:
             )
         if not is_smooth(V):
             raise DiagramError(
-                f"within: V = {short(V, 60)} bends; give one that is smooth"
+                f"within: V = {short(V, 60)} bends. Give one that is smooth"
             )
         self.least = V.xreplace(self.rest)
         both = ((e, normal_form(e)) for e in (V - self.least, rate))

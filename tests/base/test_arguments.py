@@ -284,7 +284,7 @@ SAID = {  # call -> the sentence
         "simulate: rtol = nan: must be a number or None"
     ),
     lambda: clpt.tune_law(SCENARIO, laws="sigma"): (
-        "tune_law: laws = 'sigma': must be Iterable[str]; give a list: ['sigma']"
+        "tune_law: laws = 'sigma': must be Iterable[str]. Give a list: ['sigma']"
     ),
 }
 

@@ -170,9 +170,9 @@ def test_what_is_no_file_is_not_replaced_and_nothing_is_written(tmp_path):
     (tmp_path / "folder").mkdir()
     (tmp_path / "device").symlink_to(os.devnull)
     kinds = {
-        "pipe": "no regular file",
+        "pipe": "not a regular file",
         "folder": "a folder",
-        "device": "no regular file",
+        "device": "not a regular file",
     }
     for name, why in kinds.items():
         both = {tmp_path / "first.txt": "text", tmp_path / name: "text"}
@@ -190,10 +190,7 @@ def test_a_small_file_that_says_it_holds_much_is_refused(tmp_path):
     assert (tmp_path / "r.nc").stat().st_size < 10**5
     for read in (clpt_control.load_run, read_dive_file):
         says(
-            DataError,
-            r"r.nc: holds 1.6e\+04 GB of numbers; at most 4 ",
-            read,
-            tmp_path / "r.nc",
+            DataError, r"has 1.6e\+04 GB of numbers; the limit", read, tmp_path / "r.nc"
         )
 
 
@@ -239,7 +236,7 @@ def test_a_global_heap_that_does_not_end_is_refused(tmp_path):
     for longer in (2048, 2048 + 64):  # to where there are zeros
         struct.pack_into("<Q", raw, first + 8, longer)
         path.write_bytes(raw)
-        said = "a.nc: damaged: a heap of its HDF5 does not end"
+        said = "damaged: its HDF5 heap has no end."
         says(DataError, said, clpt_control.load_run, path)
 
 
@@ -293,4 +290,4 @@ def test_a_file_of_a_zarr_folder_that_becomes_a_pipe_is_not_waited_for(tmp_path,
     chunk = tmp_path / "z" / "a" / "c" / "0"
     chunk.rename(chunk.with_name("moved"))
     BECOMES[kind](chunk)
-    says((DataError, OSError), r"is no regular file|symbolic links", read)
+    says((DataError, OSError), r"is not a regular file|symbolic links", read)

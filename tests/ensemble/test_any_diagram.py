@@ -268,7 +268,7 @@ def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     np.testing.assert_array_equal(here["west/y"].isel(member=0), run["west/y"])
     odd = clpt.simulate(control.ss(-1, 1, 1, 0, outputs="<y>"), TIMES, 1.0)
     with pytest.raises(
-        clpt.ClptError, match=r"run.nc: NetCDF has no name '.*call it othe"
+        clpt.ClptError, match=r"run.nc: NetCDF has no name '.*Rename it"
     ):
         clpt.save_run(odd, tmp_path / "run.nc")
 
@@ -332,7 +332,7 @@ def test_a_summary_is_refused_where_it_is_not_computed(tmp_path):
     for summary, options, said in (
         ({"a": lambda run: 1.0}, {"out": tmp_path / "a.zarr"}, "result in memory"),
         ({"a": lambda run: run.y}, {}, "summary: a returned .* Return one number"),
-        ({"y_final": lambda run: 1.0}, {}, "y_final is twice a name"),
+        ({"y_final": lambda run: 1.0}, {}, "y_final is used twice as a name"),
     ):
         says(
             clpt.ScenarioError,

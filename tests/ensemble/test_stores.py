@@ -65,7 +65,7 @@ def put(make):
     return replace
 
 
-LOST = "(is no ensemble|damaged, .*its {array} is)"
+LOST = "(is not an ensemble|damaged, .*its {array} is)"
 DAMAGES = [  # a file, what happens to it, what is said: its array is not as it was made
     ("gain_error/zarr.json", os.unlink, LOST),
     ("learning.gain/zarr.json", edited("shape", [7]), LOST),
@@ -88,13 +88,13 @@ DAMAGES = [  # a file, what happens to it, what is said: its array is not as it 
     (
         "mine",
         lambda at: shutil.copytree(at.parent / "end", at),
-        "holds mine, which is no part of",
+        "mine, which is not part of",
     ),
-    ("status/c/0", put(os.mkfifo), "c/0: is no regular file"),
+    ("status/c/0", put(os.mkfifo), "c/0: is not a regular file"),
     (
         "status/c/0",
         put(lambda at: at.symlink_to(at.parent / "1")),
-        "c/0: is no regular file",
+        "c/0: is not a regular file",
     ),
     ("", put(lambda at: at.write_text("text")), "(is a file|cannot be read as NetCDF)"),
     ("zarr.json", os.unlink, "is a folder without an ensemble"),
@@ -163,7 +163,7 @@ def test_what_lacks_is_neither_mixed_nor_written_over(whole, out):
     store.group.attrs["digests"] = json.dumps(store.digests())
     run_ensemble(out=out, **whole[1])
     store.group["done"][1] = 0
-    says(DataError, "begun by other versions", run_ensemble, out=out, **whole[1])
+    says(DataError, "by other versions", run_ensemble, out=out, **whole[1])
     store.group.attrs.update(kept)
     put(lambda at: (at / "mine").mkdir(parents=True))(one)
     says(
@@ -186,7 +186,7 @@ def test_another_ensemble_is_refused(whole, out, what, value):
         given["system"] = given["system"].with_values({"learning.gain": gain})
     says(
         DataError,
-        f"holds an ensemble of another {what}",
+        f"contains an ensemble of another {what}",
         run_ensemble,
         out=out,
         **given,

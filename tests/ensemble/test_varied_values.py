@@ -52,7 +52,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         "tua cannot vary; did you mean tau\\? May vary: tau, lag.tau, x",
     ),
     (lag(), {"lag.tua": [1]}, {}, r"lag\.tua cannot vary; did you mean lag\.tau\?"),
-    (lag(), {"tau[0]": [1.0]}, {}, r"tau\[0\] is no element of tau"),
+    (lag(), {"tau[0]": [1.0]}, {}, r"tau\[0\] is not an element of tau"),
     (
         lag(),
         {"tau": 2.0},
@@ -62,12 +62,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
     (lag(), {"tau": []}, {}, "must be a list of values"),
     (lag(), {"tau": [[1.0, 2.0]]}, {}, "each value must be a number"),
     (lag(), {"tau": [np.inf]}, {}, r"tau = \[Infinity\]: each value must be a number"),
-    (
-        lag(),
-        {"tau": stats.uniform(0.5, 1)},
-        {},
-        "members: is required where values are drawn",
-    ),
+    (lag(), {"tau": stats.uniform(0.5, 1)}, {}, "members: is required for ranges and"),
     (lag(), {"tau": stats.norm([0, 1], 1)}, {"members": 3}, "must be a list of values"),
     (lag(), {"tau": [1.0, 2.0]}, {"members": 3}, "this grid must have 2 members"),
     (
@@ -92,7 +87,7 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         lag(),
         {"tau": [1]},
         {"times": [1.0]},
-        "times: is for a scenario; a diagram has timepts; le",
+        "times: is for a scenario; a diagram has timepts. Le",
     ),
     (
         lag(),
@@ -112,13 +107,13 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         springs(),
         {"one.K": [[1, 2]], "one.K[0]": [1]},
         {},
-        r"one\.K\[0\] and one\.K are one num",
+        r"one\.K\[0\] and one\.K are the same num",
     ),
     (springs(), {"one.turns": [1.0]}, {}, r"one\.turns cannot vary; may vary: one\.K"),
-    (springs(), {"one.K[2]": [1.0]}, {}, r"one\.K\[2\] is no element of one\.K"),
-    (springs(), {"one.K[-1]": [1.0]}, {}, r"one\.K\[-1\] is no element of one\.K"),
-    (mrac(), {"a": [1], "plant.a": [1]}, {}, r"plant\.a and a are one number"),
-    (PAPER, {"learning.gain": [1.0]}, {}, "timepts: is for a diagram, with timepts; l"),
+    (springs(), {"one.K[2]": [1.0]}, {}, r"one\.K\[2\] is not an element of one\.K"),
+    (springs(), {"one.K[-1]": [1.0]}, {}, r"one\.K\[-1\] is not an element of one\.K"),
+    (mrac(), {"a": [1], "plant.a": [1]}, {}, r"plant\.a and a are the same number"),
+    (PAPER, {"learning.gain": [1.0]}, {}, "timepts: is for a diagram, with timepts. L"),
     (
         two_shapes([1, 2]),
         {"K": [1, 2]},
@@ -131,18 +126,23 @@ MISTAKES = [  # a diagram, what varies, what else is given, the sentence
         {},
         "x is more than one of a parameter, an initial state and",
     ),
-    (called("member"), {"member": [1.0]}, {}, "member is twice a name of the result"),
+    (
+        called("member"),
+        {"member": [1.0]},
+        {},
+        "member is used twice as a name in the result",
+    ),
     (
         called("y_final"),
         {"y_final": [1.0]},
         {},
-        "y_final is twice a name of the result",
+        "y_final is used twice as a name in the result.",
     ),
     (
         called("y_index"),
         {"y_index": [1.0]},
         {},
-        "y_index is twice a name of the result",
+        "y_index is used twice as a name in the result",
     ),
 ]
 
@@ -160,9 +160,7 @@ def test_mistakes_are_one_sentence(tmp_path, made, vary, more, sentence):
 def test_a_name_that_zarr_does_not_have_is_told(label, tmp_path):
     block = system(lambda t, x, u, p: -x, states=[label], outputs=[label], inputs=["u"])
     for out in (None, tmp_path / "e.zarr"):
-        with pytest.raises(
-            clpt.DataError, match=r"Zarr has no name .* call that signal otherwise"
-        ):
+        with pytest.raises(clpt.DataError, match=r"Zarr has no name .* Rename it"):
             clpt.run_ensemble(
                 block, {"u": [1.0, 2.0]}, timepts=TIMES, out=out, trajectories=True
             )
@@ -181,7 +179,9 @@ def test_an_output_named_as_a_summary_of_another_is_refused():
         control.nlsys(*functions, **ports),
         {"timepts": TIMES, "initial_state": 1.0},
     )
-    with pytest.raises(ClptError, match="y_final is twice a name of the result"):
+    with pytest.raises(
+        ClptError, match=r"y_final is used twice as a name in the result."
+    ):
         clpt.run_ensemble(two, {"k": [1.0]}, trajectories=True, **given)
     assert clpt.run_ensemble(two, {"k": [1.0]}, **given).y_final_final.values == 7.0
 

@@ -174,9 +174,12 @@ MISTAKES = [
     ({"data": {"place": ["a"] * 101}}, "place = .* must be an array of numbers"),
     (
         {"data": {"place": TIMES, "sped": TIMES}},
-        "sped is no output; they are place, speed",
+        "sped is not an output; they are place, speed",
     ),
-    ({"data": pushed(), "inputs": None}, "force is no output; .* inputs= takes inputs"),
+    (
+        {"data": pushed(), "inputs": None},
+        "force is not an output; .* inputs= takes inputs",
+    ),
     (
         {
             "data": xarray.Dataset({"place": ("time", TIMES)}, {"time": DAYS}),
@@ -212,7 +215,7 @@ def test_a_try_that_escapes_is_taken_back():
     )
     assert found.values == pytest.approx({"a": a, "b": b}, abs=1e-8)
     with pytest.raises(
-        clpt.SimulationError, match=r"at a = 0.3, b = 0.5: .*begin closer"
+        clpt.SimulationError, match=r"at a = 0.3, b = 0.5: .*Begin closer,"
     ):
         clpt.fit_parameters(
             growth, data, {"a": 0.3, "b": 0.5}, times, initial_state=[1.0]

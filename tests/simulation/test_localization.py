@@ -168,7 +168,7 @@ REFUSED = [  # the key that is named, the values, the sentence
         "learns at fixes, and needs localization.interval",
     ),
     ("learning.gain", {"learning.gain": 0.8}, "has no use for it"),
-    ("learning.feedback", {"learning.feedback": [1.0, 1.0]}, "remove the key"),
+    ("learning.feedback", {"learning.feedback": [1.0, 1.0]}, "Remove the key"),
     ("localization.dropouts", {"localization.dropouts": 1.0}, "less than 1"),
     ("localization.latency", {"localization.latency": 5.0}, "below the interval"),
     (

@@ -248,7 +248,7 @@ def test_what_cannot_be_recorded_says_so(tmp_path):
         says(clpt.DataError, why, clpt.load_diagram, tmp_path / "run.nc")
     mute = control.nlsys(rate, lambda t, x, u, p: [], inputs=0, outputs=0, states=1)
     with pytest.raises(
-        clpt.DataError, match="the run has no signal; give its system outputs"
+        clpt.DataError, match=r"the run has no signal. Give its system outputs"
     ):
         clpt.save_run(
             clpt.simulate(mute, TIMES, initial_state=[1.0]), tmp_path / "none.nc"

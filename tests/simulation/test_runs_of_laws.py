@@ -190,7 +190,7 @@ def test_what_is_not_sampled_says_so():
     both = {"a": sampled, "b": sampled.with_values({"vehicle.position": [1.0, 0.0]})}
     for said, ask in {
         "sample yours by": lambda: clpt.closed_loop(sampled, law=own_law(SLOW)),
-        "proofs speak of continuous time alone": lambda: clpt.prove(
+        "proofs are for continuous time. Prove": lambda: clpt.prove(
             clpt.closed_loop(sampled)
         ),
         r"learning\.sample cannot vary; ": lambda: clpt.run_ensemble(

@@ -182,7 +182,7 @@ def test_a_calm_run_says_nothing_and_its_share_is_right():
         "run.output_step": 0.125,
     }
     run = clpt.simulate(drifting(**start))
-    assert run.attrs["message"] == "finished: the end of the span was reached"
+    assert run.attrs["message"] == "completed (t = 16 s)"
     share = run.attrs["share_at_speed_limit"]
     # the sample where it ends may count
     assert share == pytest.approx(0.25, abs=1 / 128)

@@ -108,13 +108,13 @@ UNFIT = [
     ({"insert": {"v_x": WIDE}}, r"'v_x_w' has 3 signals, but vehicle takes 2; both must"),
     ({"insert": {"v_x": clpt.parts.saturation(-1, 1)}}, r"vehicle takes 2; .* signals="),
     ({"insert": {"v_x": control.summing_junction(["a", "b"], "c", name="sum")}},
-     r"sum takes a, b; call the one that is meant 'v_x'"),
+     r"sum takes a, b. Rename the intended port to 'v_x'"),
     ({"insert": {("v_x", 3): LAG}}, "not to 3"),
     ({"insert": {(): LAG}}, "must begin with one of"),
     ({"law": "sigma"}, "law = 'sigma': must be a Block"),
     ({"law": law_blocks.papers_law(N=2)}, r"alpha of N = 2 functions; the scenario has 3"),
     ({"law": clpt.paper_blocks(PAPER)[0]}, r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
-    ({"law": law_blocks.papers_law(), "replace": {LAW: WIDE}}, "one and the same"),
+    ({"law": law_blocks.papers_law(), "replace": {LAW: WIDE}}, "both replace the law"),
 ]  # fmt: skip
 
 
@@ -182,24 +182,22 @@ def test_nothing_is_told_of_a_run_whose_parts_its_scenario_does_not_hold():
     )
     run = clpt.simulate(lagging, times)
     says(
-        ClptError, "the run has parts given in Python, v_x to vehicle: lag", decay, run
+        ClptError, "The run has parts given in Python, v_x to vehicle: lag", decay, run
     )
     says(ClptError, "v_x .* its vehicle is not known", clpt.currents.flow_estimate, run)
     rests = lambda t, x, u, p: {"zc": [np.cos(t), 0.0]}  # noqa: E731
     still = clpt.Block("reference", output=rests, outputs={"zc": 2})
     run = clpt.simulate(clpt.closed_loop(PAPER, replace={"reference": still}), times)
-    says(
-        ClptError, "made with a reference that its scenario does not hold", gramian, run
-    )
+    says(ClptError, "made with a reference that its scenario does not", gramian, run)
     wide = clpt.simulate(loop, times, params={"basis_x.widths": np.full(3, 1e3)})
     says(
-        ClptError, "made with a basis_x that its scenario does not hold", gramian, wide
+        ClptError, "made with a basis_x that its scenario does not have", gramian, wide
     )
     slow = clpt.simulate(loop, times, params={"adaptation.gain": 1e-3})
     assert gramian(slow).window == 20.0
-    says(ClptError, r'the run has parameters {"adaptation.gain": 0.001}', decay, slow)
+    says(ClptError, r'The run has parameters {"adaptation.gain": 0.001}', decay, slow)
     run = clpt.simulate(own_law, times)
-    says(ClptError, "no certificate: .* the run has the law mine", decay, run)
+    says(ClptError, "no certificate: .* The run has the law mine", decay, run)
     assert gramian(run).eigenvalues["x1"][0] > 0
 
 
@@ -299,9 +297,9 @@ def test_the_state_is_in_the_order_of_the_diagram():
     team = clpt.Team(members={"west": PAPER, "east": PAPER}, coupling=0.5)
     both = clpt.simulate(team, [0, 1])
     assert both.state.values.tolist() == clpt.closed_loop(team).state_labels
-    said = "nearest of its times is 7; simulate it with timepts"
+    said = "nearest of its times is 7. Simulate it with timepts"
     says(ClptError, said, run.clpt.state, 7.5)
-    says(DataError, "carries no states", run.drop_vars("states").clpt.state, 7)
+    says(DataError, "has no states.", run.drop_vars("states").clpt.state, 7)
 
 
 @pytest.mark.parametrize(

@@ -283,7 +283,7 @@ TOO_MUCH = {  # -> what is said
     "choices of choices": (lambda: law(without_end), "own.update has more than 5000"),
     "a throw": (
         driven("e*random.default_rng().random()"),
-        "^own.update: .* draws by chance",
+        "^own.update: .* draws random numbers",
     ),
     "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
     "one z": (
@@ -292,7 +292,7 @@ TOO_MUCH = {  # -> what is said
     ),
     "two states of one symbol": (  # K[2] is K_1 and K_2, and so is a state K_1
         beside("K_1' = K_1", {"K_1": ()}),
-        "two states are called K_1; rename one",
+        "two states are called K_1. Rename one",
     ),
     "no name": (lambda: Block("", update=memory, states=MORE), "must not be empty"),
     "a port with a dot": (driven("e", more={"a.b": 1}), "'a.b' of a block"),

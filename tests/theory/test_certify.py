@@ -166,13 +166,13 @@ def test_the_time_is_the_first_from_which_the_bound_holds():
 
 
 NOT_CERTIFIED = [
-    ({"learning.law": "sigma"}, "of the learned-flow law in a flow with parameters"),
+    ({"learning.law": "sigma"}, "for the learned-flow law in a flow with parameters"),
     ({"localization": {"noise": 0.1, "noise_period": 1.0}}, "localization.noise"),
     ({"learning.sample": 0.5}, "learning.sample"),
     ({"vehicle.max_speed": 1.0, "learning.hedging": False}, "hedging"),
-    ({"learning.adapt_gains": False}, "learning.feedback is held and is not"),
+    ({"learning.adapt_gains": False}, "learning.feedback is fixed and differs"),
     (pushed("noise", [1, 1], period=1), "has no bound"),
-    ({"reference.radius": 1e20}, "too many to follow"),
+    ({"reference.radius": 1e20}, "too many to compute"),
 ]
 
 

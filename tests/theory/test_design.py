@@ -322,7 +322,7 @@ def test_in_a_measured_current_no_track_is_designed(tmp_path):
     )
     says(
         clpt.ScenarioError,
-        r"give flow\.parameters in its place",
+        r"Give flow.parameters in its place,",
         design_track,
         scenario,
     )

@@ -149,7 +149,7 @@ def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
     monkeypatch.setattr(certificates, "MAX_PIECES", 0)
     report = excitation_report(paper, 40.0, 0.0)
     assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
-    assert "too many to follow; give a shorter" in report["not_certified"]
+    assert "too many to compute. Give a shorter" in report["not_certified"]
     assert len(report["eigenvalues"]["x1"]) == 5
 
 

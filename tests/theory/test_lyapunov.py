@@ -150,7 +150,7 @@ MISTAKES = {
     "has no 'W'": (PLANT, "W"),
     "no port 'q'": (PLANT, lambda s: s.q**2),
     "which returns a number and no block": (PLANT, lambda s: None),
-    "is no single number": (theorem_loop(1, "learned-flow"), "e"),
+    "is not a single number": (theorem_loop(1, "learned-flow"), "e"),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),
     "has no states": (

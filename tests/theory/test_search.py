@@ -329,7 +329,7 @@ def test_what_has_no_value_in_a_box_is_not_enclosed():
         assert np.isfinite([low, high]).all(axis=0).tolist() == [False, True]
     says(
         clpt.ClptError,
-        "no function whose range in a box is known",
+        "not a function whose range in a box is known",
         enclosed,
         sympy.gamma(X),
         box,

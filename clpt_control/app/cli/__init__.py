@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     import typer
 
 OUTPUT = {  # what can be wrong with standard output
-    errno.ENOSPC: "no space left; give it a place with more",
-    errno.EBADF: "is closed; give it a file or a terminal",
+    errno.ENOSPC: "no space left. Give it a place with more",
+    errno.EBADF: "is closed. Give it a file or a terminal",
     errno.EFBIG: "may not become larger; allow more (ulimit -f)",
 }
 COMPLETES = "_CLPT_COMPLETE"  # set by a shell that asks how a word may go on
@@ -152,7 +152,7 @@ def _answer(error: BaseException) -> int:
         return 0
     if isinstance(error, MemoryError):
         return _complain(
-            "out of memory; take fewer samples, members, files or places at once", 1
+            "out of memory. Take fewer samples, members, files or places at once", 1
         )
     if isinstance(error, OSError) and error.errno in OUTPUT and error.filename is None:
         if sys.stdout is not None:

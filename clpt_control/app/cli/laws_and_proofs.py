@@ -34,7 +34,7 @@ def laws(
     from ...theory.promises import promises_in_words, what_it_promises
 
     if name is not None and name not in LAWS:
-        raise ClptError(f"{name}: is no law; `clpt laws` lists them")
+        raise ClptError(f"{name}: is not a law. List the laws with: clpt laws")
     laws_listed = list(LAWS.values()) if name is None else [LAWS[name]]
     listed: Report = {}
     rows, keys = [], []

@@ -96,7 +96,7 @@ def fit(
         if sentence
     ]
     result = Result(
-        f"{out}: written, with the field beside it", ["", ""], lines, sentences
+        f"Wrote {out}, with the field next to it", ["", ""], lines, sentences
     )
     finish([result], fitted.report | {"not_learnable": missing}, as_json)
 
@@ -196,7 +196,7 @@ def estimate(
 
     if run.suffix != ".nc":
         raise DataError(
-            f"{run}: is no run; `clpt run {run} --out run.nc` makes one of a scenario"
+            f"{run}: is not a run. Make a run with: clpt run {run} --out run.nc"
         )
     check_out(out, "a scenario")
     data = clpt.load_run(run)
@@ -249,6 +249,6 @@ def estimate(
         if report.get(key) is not None
     ]
     if out is not None:
-        sentences.append(f"{out}: written, with law = known-flow and this estimate")
+        sentences.append(f"Wrote {out}, with law = known-flow and this estimate")
     title = f"{run}: {method}, {report['fixes']} fixes"
     finish([Result(title, columns, rows, sentences)], report, as_json)

@@ -174,7 +174,8 @@ def print_json(value: Report) -> None:
         text = json.dumps(value, indent=1, allow_nan=False)
     except ValueError:
         raise SimulationError(
-            "--json: a figure is not finite, which JSON cannot hold; leave --json out to see which"
+            "--json: a number is not finite, so JSON cannot represent it. Leave --json "
+            "out to see which"
         ) from None
     say(text.replace("\x7f", "\\u007f"))
 
@@ -207,7 +208,7 @@ def finish(
             say(sentence)
     for path in written:
         if path is not None:
-            say(f"{path}: written")
+            say(f"Wrote {path}")
 
 
 def terminal_width() -> int:

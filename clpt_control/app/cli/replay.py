@@ -28,7 +28,7 @@ from .printing import Formats, Json, Report, arg, finish, flag, opt
 def folder_named(text: str) -> Path:
     """Return the folder that an option names, which '' does not."""
     if not text.strip():
-        raise typer.BadParameter("is empty; give the name of a folder")
+        raise typer.BadParameter("is empty. Give the name of a folder")
     return Path(text)
 
 
@@ -147,7 +147,8 @@ def replay(
     """
     if bool(files) + sample != 1:
         raise ScenarioError(
-            "give files of dives, or --sample for those that come with clpt; `clpt watch` is for "
+            "no dive files. Give files, or --sample for the dives of the package; `clpt "
+            "watch` is for "
             "folders that files arrive in"
         )
     job = job_of(
@@ -213,7 +214,7 @@ def watch(
 
     if fleet and (aim or plan or route):
         raise ScenarioError(
-            "--aim, --route and --next are of one vehicle; leave --fleet out"
+            "--aim, --route and --next are for one vehicle. Leave --fleet out"
         )
     command = [] if alert is None else checked_command(alert)
     replay_report.check_pace(every, patience)
@@ -245,7 +246,7 @@ def replay_of(
     if flow_model is None:
         if units is not None:
             raise ScenarioError(
-                f"--units {units}: is for --flow-model FILE; give one, or leave it out"
+                f"--units {units}: is for --flow-model FILE. Give one, or leave it out"
             )
         return clpt.replay.Replay(estimator, model, None)
     forecast = clpt.replay.read_flow_model(flow_model, units)
@@ -273,7 +274,7 @@ def job_of(
 
     plan, aim, route, speed, hours, variation = steering
     if route is not None and aim:
-        raise ScenarioError("--route FILE has the waypoints; leave --aim out")
+        raise ScenarioError("--route FILE has the waypoints. Leave --aim out")
     kinds = checked_formats(formats)
     least = LEAST_DURATION if least_duration is None else least_duration
     if not least >= 0:
@@ -395,7 +396,7 @@ def look_at(
 
     if not top.is_dir():
         raise DataError(
-            f"{top}: no such folder; give one with a folder for each vehicle"
+            f"{top}: folder not found. Give a folder with one subfolder per vehicle"
         )
     make_folder(out)
     rows = []
@@ -419,7 +420,7 @@ def look_at(
                 dives, bad = follower.dives()
                 if not dives:
                     raise DataError(
-                        bad[0].why if bad else f"{folder}: no file is there any more"
+                        bad[0].why if bad else f"{folder}: the folder is empty now"
                     )
                 folders_by_vehicle = pages_of(
                     {dive.vehicle or name for dive in dives}, results_folder
@@ -438,7 +439,9 @@ def look_at(
                         link = (page / "replay.html").relative_to(out).as_posix()
                         rows.append(standing(summary, link, time.time()))
     if not rows:
-        raise DataError(f"{top}: no folder below it has files of dives")
+        raise DataError(
+            f"{top}: no subfolder has dive files. Give a folder with one subfolder per vehicle"
+        )
     fleet = {"folder": str(top), "now": utc(time.time()), "vehicles": ordered(rows)}
     write_file(out / "fleet.html", fleet_page(fleet))
     return fleet, out / "fleet.html"

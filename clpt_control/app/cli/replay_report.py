@@ -64,7 +64,7 @@ class Job:
             check_flown(hypot(*displacement) / time if time > 0 else 0.0, time)
         if not self.targets and (self.speed, self.duration) != (None, None):
             raise ScenarioError(
-                "--speed and --hours are for --aim LAT LON; give a waypoint"
+                "--speed and --hours are for --aim LAT LON. Give a waypoint"
             )
         for target in self.targets:
             checked_target(*target)
@@ -106,8 +106,8 @@ class Job:
         if self.variation is not None:
             if not self.follows and all(dive.turned is None for dive in dives):
                 raise ScenarioError(
-                    f"--variation {self.variation:g}: no dive here has its dead reckoning from a "
-                    "magnetic heading; leave it out"
+                    f"--variation {self.variation:g}: no dive has dead reckoning from a "
+                    "magnetic heading. Leave it out"
                 )
             dives = [with_variation(dive, self.variation) for dive in dives]
         used: list[Any] = []
@@ -116,9 +116,7 @@ class Job:
             used, unused = usable(dives, self.least)
         skipped = [*unread, *unused]
         if not (self.follows or used):
-            raise DataError(
-                f"no dive can be used; dive {unused[0].dive}: {unused[0].why}"
-            )
+            raise DataError(f"no usable dive: dive {unused[0].dive}: {unused[0].why}")
         with self.so_far():
             check_tides(self.replay.model.flow, used)
         with progress_bar("replaying dives", max(len(used), 1)) as report:

@@ -66,10 +66,10 @@ def init(
     file = file or Path(name)
     if os.path.lexists(file):
         raise ClptError(
-            f"{file}: exists already; name another file, or move this one away"
+            f"{file}: already exists. Give another name, or move the file away"
         )
     write_together({file: (resources.files("clpt_control.data") / source).read_bytes()})
-    say(f"{file}: written; {then.format(file)}")
+    say(f"Wrote {file}. {then.format(file)}")
 
 
 INTERPRETATION = (
@@ -138,7 +138,7 @@ def run(
     check_writable(out)
     if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
         raise ClptError(
-            f"{out}: is the scenario; give its run another name, such as run.nc"
+            f"{out}: is the scenario file. Give the run another name, such as run.nc"
         )
     folder = None if figures is None else make_folder(figures)
     if again:
@@ -191,13 +191,13 @@ def export(
         raise ClptError("--out: is missing. Give a file that ends in .c or .fmu")
     if out.suffix in SUFFIXES:
         clpt.export(clpt.load_run(scenario), out)
-        say(f"{out}: written")
+        say(f"Wrote {out}")
         return
     check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES))
     again = repeats_by_equations(scenario)
     load: Any = clpt.load_diagram if again else load_vehicle_scenario
     clpt.export(load(scenario), out)
-    say(f"{out}: written")
+    say(f"Wrote {out}")
 
 
 def _draw_diagram(scenario: Path, out: Path | None) -> None:
@@ -211,7 +211,7 @@ def _draw_diagram(scenario: Path, out: Path | None) -> None:
         say(mermaid(wired))
         return
     clpt.draw(wired, out)
-    say(f"{out}: written")
+    say(f"Wrote {out}")
 
 
 # --- many runs -----------------------------------------------------------------------------------
@@ -409,9 +409,9 @@ def report(
     if film:
         path = out or Path("run.gif")
         clpt.animate(clpt.load_run(run), path, seconds=seconds, fps=fps, width=width)
-        finish([Result(sentences=[f"{path}: written"])], {"film": str(path)}, as_json)
+        finish([Result(sentences=[f"Wrote {path}"])], {"film": str(path)}, as_json)
         return
     out = out or Path("report.html")
     page = clpt.report(run, out, title, figures, formats or ("svg", "pdf"))
-    written = f"{out}: written, {page['bytes'] / 1000:.0f} kB"
+    written = f"Wrote {out}, {page['bytes'] / 1000:.0f} kB"
     finish([Result(sentences=[*page["sentences"], written])], page, as_json)

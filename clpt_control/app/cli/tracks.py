@@ -64,7 +64,7 @@ def excitation(
         else clpt.load_scenario(scenario)
     )
     if figure is not None and is_team(source):
-        raise ClptError("--figure: is for one vehicle; leave it out for a team")
+        raise ClptError("--figure: is for one vehicle. Leave it out for a team")
     check_out(figure, "a figure")
     report = excitation_report(source, window, start)
     if figure is not None:
@@ -179,7 +179,7 @@ def _result(report: Report) -> Result:
     if report["own_track_kept"]:
         sentence = (
             f"no better one of {report['tracks_tried']} tracks was found within these limits, so "
-            "it stays as it is; give another seed, or allow more length, speed or area"
+            "it stays as it is. Give another seed, or allow more length, speed or area"
         )
     return Result(title, ["", "before", "after"], rows, [sentence])
 

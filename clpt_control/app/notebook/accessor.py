@@ -70,9 +70,7 @@ def signal_table(run: "xarray.Dataset") -> "pandas.DataFrame":
 
     ports = [run[name] for name in ports_along(run)]
     if "time" not in run.dims or not ports:
-        raise DataError(
-            "the dataset has no signal along time, of which a table could be made"
-        )
+        raise DataError("the dataset has no signal along time, so it has no table")
     columns = [(named("time", run.time.attrs.get("units")), run.time.values)]
     for port in ports:
         unit = port.attrs.get("units")
@@ -133,8 +131,8 @@ class ClptAccessor:
         if kind := kind_of(self._data):
             return kind
         raise DataError(
-            "the dataset is none of clpt's: its attributes say neither run, ensemble nor replay; "
-            "clpt.load_run reads a run"
+            "the dataset is not a run, ensemble or replay of clpt. "
+            "Read a run with clpt.load_run"
         )
 
     @property
@@ -188,7 +186,8 @@ class ClptAccessor:
         if self.kind != "run" or beyond:
             description = f"{self.kind} with {beyond[0]}" if beyond else self.kind
             raise DataError(
-                f"the dataset of a {description} does not hold its diagram; give it, and the "
+                f"the dataset of a {description} does not contain its diagram. Give the "
+                "diagram, and the "
                 "state of run.clpt.state(t), to clpt.linearize"
             )
         scenario: Any = self.scenario

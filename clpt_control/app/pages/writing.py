@@ -98,7 +98,7 @@ def report(
         replay = replay_facts(source, name)
         if figures is not None:
             raise DataError(
-                "figures: a replay's are written by `clpt replay --out`; leave it out"
+                "figures: not available for a replay. Use clpt replay --out"
             )
         kind = "Replay of a glider's dives"
         title_used = title or f"{replay['vehicle']}: where it comes up next"
@@ -158,7 +158,7 @@ def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[st
     ) as error:
         reason = f"{type(error).__name__}: {error}"
         raise DataError(
-            f"the replay is damaged or of another version, {reason[:80]}; run `clpt replay` again"
+            f"the replay is damaged or of another version, {reason[:80]}. Run `clpt replay` again"
         ) from None
 
 
@@ -192,10 +192,10 @@ def replay_facts(replay: Any, name: str) -> dict[str, Any]:
         facts = summary_in(replay, name)
     if not (isinstance(facts, dict) and "headlines" in facts):
         raise DataError(
-            f"{name}: is a replay of an earlier version; run `clpt replay` again"
+            f"{name}: is a replay of an earlier version. Run `clpt replay` again"
         )
     if not facts.get("each_dive") or facts.get("next_dive") is None:
         raise DataError(
-            f"{name}: is a replay without a dive; there is nothing to show yet"
+            f"{name}: is a replay without a dive. Give a replay with one dive at least"
         )
     return {"vehicle": "glider", "aim": [], **facts}

@@ -126,13 +126,13 @@ def _checked_axes(ax: Any, shape: tuple[int, ...]) -> Any:
     for item in items:
         if not isinstance(item, Axes):
             raise ArgumentError(
-                f"ax = {brief(item)}: must be matplotlib Axes, as pyplot.subplots makes"
+                f"ax = {brief(item)}: must be matplotlib Axes. Make them with pyplot.subplots"
             )
     if len(items) != count:
         size = ", ".join(map(str, shape)) or "1"
         raise ClptError(
-            f"ax: has {len(items)} Axes; this plot draws on {count}, as pyplot.subplots({size}) "
-            "makes"
+            f"ax: has {len(items)} Axes; this plot needs {count}. Make them with "
+            f"pyplot.subplots({size})"
         )
     return np.reshape(items, shape) if shape else items[0]
 

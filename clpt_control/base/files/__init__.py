@@ -100,7 +100,7 @@ def _target(path: AnyPath) -> tuple[Path, int | None]:
             f"{path}: cannot be written: {error.strerror or error}"
         ) from None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-        raise DataError(f"{path}: is no regular file; give the name of one")
+        raise DataError(f"{path}: is not a regular file. Give another name")
     return target, stat.S_IMODE(mode)
 
 
@@ -143,9 +143,7 @@ def _write(result: Any, partial: Path, path: Path) -> None:
     result = renamed(result, "/", SLASH)
     for name, values in result.variables.items():
         if not NETCDF_NAME(str(name)):
-            raise DataError(
-                f"{path}: NetCDF has no name {str(name)!r:.40}; call it otherwise"
-            )
+            raise DataError(f"{path}: NetCDF has no name {str(name)!r:.40}. Rename it")
         has_nan = values.dtype.kind == "f" and bool(values.isnull().any())
         encoding[name] = {"_FillValue": float("nan") if has_nan else None}
         if engine == "netcdf4" and values.ndim and values.dtype.kind in "fiu":
@@ -196,7 +194,7 @@ def check_name(path: AnyPath) -> None:
             (len(component.encode()) for component in Path(path).parts), default=0
         )
     except UnicodeEncodeError:
-        raise DataError(f"{path}: its name holds bytes that are no text") from None
+        raise DataError(f"{path}: its name is not valid text. Rename it") from None
     if longest > LONGEST_NAME or len(str(path)) > LONGEST_PATH:
         raise DataError(f"{str(path)[:40]}...: the name is too long")
 
@@ -210,7 +208,7 @@ def make_folder(path: AnyPath) -> Path:
     try:
         path.mkdir(parents=True, exist_ok=True)
     except FileExistsError:
-        raise ClptError(f"{path}: is a file; give a folder") from None
+        raise ClptError(f"{path}: is a file. Give a folder") from None
     except OSError as error:
         raise ClptError(f"{path}: cannot be made: {error.strerror}") from None
     return path
@@ -224,7 +222,7 @@ def check_writable(path: AnyPath, kind: str = "", endings: Sequence[str] = ()) -
     """
     target, _ = _target(path)
     if target.is_dir():
-        raise DataError(f"{path}: is a folder; give another name, or move it away")
+        raise DataError(f"{path}: is a folder. Give another name, or move it away")
     if not os.access(target.parent, os.W_OK):
         raise DataError(
             f"{path}: cannot be written: the folder {target.parent} is read-only"

@@ -50,7 +50,7 @@ def opened(
     except FileNotFoundError:
         raise DataError(f"{path}: no such file; {hint}") from None
     except IsADirectoryError:
-        raise DataError(f"{path}: is a folder; give a file") from None
+        raise DataError(f"{path}: is a folder. Give a file") from None
     except OSError as error:
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from None
 
@@ -59,7 +59,7 @@ def _check(file: BinaryIO, path: AnyPath, most: float) -> None:
     """Refuse an opened file that is not a regular file, or is too large."""
     state = os.fstat(file.fileno())
     if not stat.S_ISREG(state.st_mode):
-        raise DataError(f"{path}: is no regular file; give one")
+        raise DataError(f"{path}: is not a regular file. Give a file")
     if state.st_size > most:
         raise DataError(_too_large(path, most))
 
@@ -87,9 +87,7 @@ def opened_name(number: int, path: AnyPath) -> str:
 
 
 def _too_large(path: AnyPath, most: float) -> str:
-    return (
-        f"{path}: is larger than {most / 1e6:.0f} MB, the most that is read; split it"
-    )
+    return f"{path}: is larger than the limit of {most / 1e6:.0f} MB. Split it"
 
 
 def read_bytes(
@@ -140,7 +138,7 @@ def zarr_store(folder: Path, read_only: bool = True) -> Any:
             mode = os.lstat(path := Path(parent, name)).st_mode
             if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
                 raise DataError(
-                    f"{path}: is no regular file; {folder} must hold files alone"
+                    f"{path}: is not a regular file; {folder} must contain files only"
                 )
     return LocalStore(_CheckedPath(folder), read_only=read_only)
 
@@ -187,7 +185,7 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
             if data.nbytes > most:
                 size = f"{data.nbytes / 1e9:.3g} GB of numbers"
                 raise DataError(
-                    f"{path}: holds {size}; at most {most / 1e9:g} are read at once"
+                    f"{path}: has {size}; the limit is {most / 1e9:g} are read at once"
                 )
             try:
                 yield renamed(data, SLASH, "/")
@@ -224,7 +222,9 @@ def _check_header(file: BinaryIO, path: AnyPath) -> None:
     """
     start = file.read(4)
     if start == b"CDF\x05":
-        raise DataError(f"{path}: is of 64-bit data; `nccopy -k nc4` makes it NetCDF-4")
+        raise DataError(
+            f"{path}: is in the 64-bit data format. Convert it with: nccopy -k nc4"
+        )
     if start[:3] != b"CDF":
         import_optional("netCDF4")
         raw = file.read() if os.fstat(file.fileno()).st_size <= LARGEST else b""
@@ -250,6 +250,6 @@ def _check_heap(raw: bytes, offset: int, path: AnyPath) -> None:
         number, size = struct.unpack_from("<H6xQ", raw, offset)
         if not (number or size):
             raise DataError(
-                f"{path}: damaged: a heap of its HDF5 does not end; fetch it again"
+                f"{path}: damaged: its HDF5 heap has no end. Download it again"
             )
         offset += 16 + -(-size // 8) * 8 if number else size

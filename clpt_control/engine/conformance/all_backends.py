@@ -80,7 +80,7 @@ def readings(
 
     def no_jump(t: float, x: Any, u: Any) -> np.ndarray:
         raise DiagramError(
-            "python-control knows no jumps of states; clpt.simulate runs them"
+            "python-control has no jumps of states. Run the diagram with clpt.simulate"
         )
 
     return {
@@ -247,7 +247,7 @@ class SymbolicFunction(Symbols):
         if count > MOST:
             raise BlockError(
                 f"{block.name}.{role} takes more than {MOST} operations on single numbers, for "
-                "which SymPy needs minutes; use a smaller size"
+                "which SymPy needs minutes. Use a smaller size"
             )
         self.leaves: dict[tuple, sympy.Symbol] = {}
         self.steps: list[tuple[sympy.Symbol, sympy.Expr]] = []

@@ -108,7 +108,7 @@ def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
         if role != "jump" and not np.all(np.isfinite(python_values(block, role, zero))):
             yield (
                 f"{block.name}.{role} is not finite at zero states and inputs, with which "
-                "python-control starts; keep arguments in range with np.where, np.clip or "
+                "python-control starts. Keep arguments in range with np.where, np.clip or "
                 "np.maximum"
             )
 
@@ -156,7 +156,7 @@ def _pickles(block: Block, samples: list[Sample]) -> Iterator[str]:
         copy = pickle.loads(pickle.dumps(block))
     except Exception as error:
         yield (
-            f"{block.name}: cannot be pickled ({error}); define functions and parameters at the "
+            f"{block.name}: cannot be pickled ({error}). Define functions and parameters at the "
             "top of a module"
         )
         return
@@ -237,8 +237,8 @@ def _unit_failures(
         yield f"{block.name}: units: no port or parameter is called '{min(unknown)}'"
     if missing:
         yield (
-            f"{block.name}: units: '{min(missing)}' has none; give one to each port and each "
-            "parameter that is no whole number, '1' where there is none"
+            f"{block.name}: units: '{min(missing)}' has none. Give one to each port and each "
+            "parameter that is not a whole number, '1' where there is none"
         )
     if unknown or missing:
         return

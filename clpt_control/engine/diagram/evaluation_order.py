@@ -102,8 +102,8 @@ def _without_zero_entries(
     begin = path.index(path[-1])
     loop = " <- ".join(nodes[k].name for k in path[begin:])
     raise DiagramError(
-        f"algebraic loop: {loop} feed each other at once; "
-        "break the circle with a block that has states"
+        f"algebraic loop: {loop} depend on each other without a state. "
+        "Break the loop with a block that has states"
     )
 
 

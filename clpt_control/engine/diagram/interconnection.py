@@ -80,7 +80,7 @@ class Diagram(control.InterconnectedSystem):
             if isinstance(block, Sampled):
                 raise DiagramError(
                     f"{self.name}: {name} samples its inputs, which control.linearize does not "
-                    "see; call clpt.linearize, which gives the discrete system of the loop"
+                    "see. Call clpt.linearize, which gives the discrete system of the loop"
                 )
         return super().linearize(*point, **options)
 
@@ -171,10 +171,10 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
     """Match the ports of blocks; refuse duplicate sources, missing sources and different sizes."""
     external, names = list(external), [block.name for block in blocks]
     if not blocks:
-        raise DiagramError("a diagram of no blocks: give at least one")
+        raise DiagramError("diagram: no blocks. Give at least one")
     for name in names:
         if names.count(name) > 1:
-            raise DiagramError(f"two blocks are called '{name}': rename one")
+            raise DiagramError(f"two blocks are called '{name}'. Rename one")
     sources: dict[str, Port] = {}
     users: dict[str, list[Port]] = {}
     for k, block in enumerate(blocks):
@@ -182,7 +182,7 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             if name in sources:
                 raise DiagramError(
                     f"'{name}' is made by both {names[sources[name].block]} and {block.name}: "
-                    "python-control would add them; rename one port, or wire diagrams by "
+                    "python-control would add them. Rename one port, or wire diagrams by "
                     "control.interconnect"
                 )
             sources[name] = Port(k, signals)
@@ -234,8 +234,8 @@ def _check_fit(name: str, ports: Sequence[Port], blocks: Sequence[Part]) -> None
             declared_unit, owner = unit, block.name
         elif unit and not same_unit(unit, declared_unit):
             raise DiagramError(
-                f"'{name}' is in '{declared_unit}' at {owner} and in '{unit}' at {block.name}; "
-                "give it one unit, or put a block between that converts it"
+                f"'{name}' is in '{declared_unit}' at {owner} and in '{unit}' at {block.name}. "
+                "Give it one unit, or put a block between that converts it"
             )
 
 
@@ -328,7 +328,8 @@ def _check_params(systems: Sequence[Part]) -> None:
             ):
                 raise DiagramError(
                     f"{key} = {brief(value)} of {system.name} is {brief(owner.params[key])} of "
-                    f"{owner.name}: python-control would give both the last; rename one, or give "
+                    f"{owner.name}: python-control would use the last value for both. "
+                    "Rename one, or give "
                     f"both one value and call with params={{'{owner.name}.{key}': ...}}"
                 )
 
@@ -379,8 +380,9 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         )
     if wiring.dt:
         raise DiagramError(
-            f"stop: a diagram of discrete time (dt = {wiring.dt}) has nothing between its samples "
-            "to cross; look at the samples of a whole run"
+            f"stop: a diagram of discrete time (dt = {wiring.dt}) has no values between "
+            "its samples "
+            "to cross. Look at the samples of a whole run"
         )
 
     def distance(t, x, u, p):

@@ -206,8 +206,8 @@ class _About:
         names = np.repeat([*values], counts)
         for name in names[torn & is_finite][:1]:
             raise DiagramError(
-                f"{name} jumps at this point, or has the slope of neither side, so nothing is "
-                "linear there; linearize on one side of it"
+                f"{name} jumps at this point, or has another slope on each side, so it has no "
+                "linearization there. Linearize on one side of it"
             )
         for name in names[bent & is_finite][:1]:
             warn(f"{name} has a kink at this point; the slope is that of one side")

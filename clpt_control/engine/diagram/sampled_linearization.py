@@ -62,7 +62,7 @@ def common_period(blocks: Sequence[SampledBlock]) -> float:
     if max(errors) > ROUNDING or samples > MOST_SAMPLES:
         periods = ", ".join(f"{block.name} {block.period:g}" for block in blocks)
         raise DiagramError(
-            f"the sampled blocks have no small common period ({periods}); give them periods of a "
+            f"the sampled blocks have no small common period ({periods}). Give them periods of a "
             "simple ratio"
         )
     return period

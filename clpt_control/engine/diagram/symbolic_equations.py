@@ -120,13 +120,13 @@ class Equations:
         """
         if self.discrete:
             raise DiagramError(
-                f"{self.name}: is of discrete time, in which nothing has a rate"
+                f"{self.name}: is of discrete time, so its states have no rates"
             )
         value = self[expression] if isinstance(expression, str) else expression
         value = sympy.sympify(value)
         if not isinstance(value, sympy.Expr):
             raise DiagramError(
-                f"{self.name}: {expression} is of several signals; give one of them"
+                f"{self.name}: {expression} has several signals. Give one of them"
             )
         rates = {TIME: sympy.Integer(1), **self.motion}
         terms = [sympy.diff(value, s) * rate for s, rate in rates.items()]
@@ -323,7 +323,7 @@ class _SymbolicRecord:
         for symbol, count in counts.items():
             if count > 1:
                 raise DiagramError(
-                    f"{result.name}: two states are called {symbol}; rename one"
+                    f"{result.name}: two states are called {symbol}. Rename one"
                 )
         return result
 
@@ -390,7 +390,7 @@ def on_symbols(
     for node in wiring.nodes:
         if isinstance(node.system, Sampled) and not with_samples:
             raise DiagramError(
-                f"{node.name}: samples its inputs; give the design that it was sampled from"
+                f"{node.name}: samples its inputs. Give the design that it was sampled from"
             )
     try:
         diagram_names = names(wiring, ports_of(diagram.input_labels))

@@ -119,7 +119,8 @@ def _flatten(system: Part, name: str) -> tuple[list[Row], list[Row]]:
     """Return the rows of the inputs of a system's blocks, and the rows of its outputs."""
     if not isinstance(system, control.NonlinearIOSystem):
         raise DiagramError(
-            f"{name} is a {type(system).__name__}: must be blocks, wired, or a system with states, "
+            f"{name} is a {type(system).__name__}: must be a diagram of blocks, or a "
+            "system with states, "
             "such as control.ss(...)"
         )
     if not isinstance(system, control.InterconnectedSystem):
@@ -241,7 +242,7 @@ def wiring_of(
     inputs, outputs = _flatten(diagram, getattr(diagram, "name", repr(diagram)))
     blocks = blocks_of(diagram, params, sizes)
     if not blocks:
-        raise DiagramError(f"{diagram.name}: has no blocks; give at least one")
+        raise DiagramError(f"{diagram.name}: has no blocks. Give at least one")
     if None in (diagram.nstates, diagram.ninputs, diagram.noutputs):
         # its block knows the sizes
         ((name, diagram),) = blocks
@@ -386,7 +387,7 @@ def sampled(system: Part, period: float, params: Params = None) -> Part:
     """
     if period is True:
         raise DiagramError(
-            f"{system.name}: dt = True does not say how often it samples; give dt a number"
+            f"{system.name}: dt = True is not a sampling time. Give dt a number"
         )
     if isinstance(system, Block):
         return Sampled(system, period)
@@ -414,16 +415,16 @@ def _checked(system: Any) -> Part:
     if not isinstance(system, control.NonlinearIOSystem | control.TransferFunction):
         value = f"a {kind}" if hasattr(system, "name") else f"{system!r:.60}"
         raise DiagramError(
-            f"{value} is no block: give a clpt.Block, a diagram, or control.ss, tf or nlsys"
+            f"{value} is not a block. Give a clpt.Block, a diagram, or control.ss, tf or nlsys"
         )
     if system.name is None or system._generic_name_check():
         raise DiagramError(
             f"a {kind} without a name: parts and their parameters are called by "
-            "name; give it one, such as control.ss(A, B, C, D, name='lag')"
+            "name. Give it one, such as control.ss(A, B, C, D, name='lag')"
         )
     if None in (system.ninputs, system.noutputs):
         raise DiagramError(
-            f"{system.name}: how many inputs and outputs it has is not said; give inputs= and "
+            f"{system.name}: the numbers of inputs and outputs are unknown. Give inputs= and "
             "outputs= to control.nlsys"
         )
     if isinstance(system, control.InterconnectedSystem):

@@ -149,18 +149,18 @@ class Block(ReadBlock):
             output is None
             and outputs is not None
             and shapes_of(outputs) != declared["states"],
-            "without `output` the outputs are the states; leave them out",
+            "without `output` the outputs are the states. Leave them out",
         )
         refuse(
             jump is not None and (breakpoints is None or not states),
-            "a jump sets states at the block's own breakpoints; give `breakpoints` and `states`",
+            "a jump sets states at the block's own breakpoints. Give `breakpoints` and `states`",
         )
         refuse(
             not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time"
         )
         refuse(
             dt and (breakpoints is not None or guard is not None),
-            "a block of discrete time has no breakpoints and no guard; leave them out",
+            "a block of discrete time has no breakpoints and no guard. Leave them out",
         )
         refuse(
             guard is not None and guard.policy not in ("raise", "stop"),
@@ -201,7 +201,7 @@ class Block(ReadBlock):
             if hasattr(Vector, port):
                 raise BlockError(
                     f"{self.name}: the port '{port}' has a name that all arrays of NumPy have, so "
-                    f"that u.{port} would be another thing; call it otherwise"
+                    f"that u.{port} would be another thing. Rename it"
                 )
         p = self.parameters_at(0.0)
         for role, (_, ports) in self._plan.items():
@@ -267,7 +267,7 @@ class Block(ReadBlock):
         """Ignore python-control's empty default; refuse any other value."""
         if value:
             raise BlockError(
-                f"{self.name}.params: are read; set {self.name}.parameters"
+                f"{self.name}.params: is read-only. Set {self.name}.parameters"
             )
 
     def with_params(self, params: Mapping[str, Any] | None) -> Any:
@@ -303,8 +303,8 @@ class Block(ReadBlock):
             fixed = getattr(self.parameters, field)
             if isinstance(fixed, int) and not np.array_equal(value, fixed):
                 raise BlockError(
-                    f"{self.name}.{field} = {value}: is {fixed} since the block was made; "
-                    "make another block, or declare the parameter as a float"
+                    f"{self.name}.{field} = {value}: is {fixed} since the block was made. "
+                    "Make another block, or declare the parameter as a float"
                 )
         if not changes:
             return self.parameters
@@ -337,7 +337,7 @@ class Block(ReadBlock):
         if t0 < 0 and np.any(times <= 0):  # intervals are counted from 0 on
             raise BlockError(
                 f"{self.name}: jumps at {times[0]:g}, and its intervals are counted from time 0 "
-                f"on; begin the run at 0 or later, not at {t0:g}"
+                f"on. Begin the run at 0 or later, not at {t0:g}"
             )
         return times
 
@@ -410,7 +410,7 @@ class Block(ReadBlock):
         if interval != start_interval:
             raise BlockError(
                 f"{self.name}: its states jump between t = {start:.9g} and t = {t:.9g}, and "
-                "python-control integrates over jumps as if there were none; run the diagram with "
+                "python-control ignores the jumps. Run the diagram with "
                 "clpt.simulate"
             )
 

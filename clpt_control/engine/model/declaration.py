@@ -71,7 +71,7 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
         if not word or word[0] in "-+" or set(word) & set(excluded):
             raise BlockError(
                 f"the name {word!r} of a block or port must not be empty, begin with a sign or "
-                "hold . [ ] or a line end; use letters, digits and _"
+                "hold . [ ] or a line end. Use letters, digits and _"
             )
     for port, shape in shapes:
         for size in shape:
@@ -88,7 +88,7 @@ def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) 
     for port, unit in units.items():
         if port not in names:
             raise BlockError(
-                f"{name}: units names {port!r}, which is no port; it has {', '.join(names)}"
+                f"{name}: units names {port!r}, which is not a port; it has {', '.join(names)}"
             )
         if not unit.strip() or not unit.isprintable():
             raise BlockError(
@@ -110,7 +110,7 @@ def powers(unit: str) -> dict[str, int]:
             match = UNIT.fullmatch(word)
             if match is None:
                 raise BlockError(
-                    f"units: {unit!r} is no unit; write such as 'm', 'm/s' or '1/s^2'"
+                    f"units: {unit!r} is not a unit. Write such as 'm', 'm/s' or '1/s^2'"
                 )
             symbol, power = match.groups()
             if symbol not in ("rad", "radians"):
@@ -165,7 +165,7 @@ class Each:
         interval = self.interval(p)
         if t0 < 0:
             raise BlockError(
-                f"what samples or jumps each {interval:g} does so from time 0 on; begin the run at "
+                f"samples and jumps each {interval:g} are counted from time 0. Begin the run at "
                 f"0 or later, not at {t0:g}"
             )
         return multiples(interval, t0, t1)
@@ -186,7 +186,7 @@ class Parameters(SimpleNamespace):
     """A block's parameters: ``p.gain``, ``p["gain"]``, ``p.get("gain", 1.0)``."""
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"parameters stay as they are; set no {name!r}")
+        raise AttributeError(f"parameters stay as they are. Set no {name!r}")
 
     def __getitem__(self, name):
         return getattr(self, name) if isinstance(name, str) else tuple(self)[name]

@@ -40,7 +40,7 @@ def sized(
         for n in shape:
             if isinstance(n, str) and n not in sizes:
                 raise BlockError(
-                    f"{name}.{port}: the size '{n}' is not known; give sizes={{'{n}': 3}}, or an "
+                    f"{name}.{port}: the size '{n}' is not known. Give sizes={{'{n}': 3}}, or an "
                     "array of the parameters that has it by `shapes`"
                 )
         numbers[port] = tuple(map(int, bound(shape, sizes)))

@@ -198,8 +198,8 @@ class System(Block):
                 else (self.noutputs, "outputs")
             )
             warn(
-                f"{self.name}.{role} returns one number, which each of its {count} {signals} gets; "
-                "return a number for each"
+                f"{self.name}.{role} returns one number, which each of its {count} {signals} gets. "
+                "Return a number for each"
             )
 
 
@@ -284,7 +284,7 @@ def _size(system: Any, kind: str, declared: int | None, of_run: int | None) -> i
     size = declared if declared is not None else of_run
     if size is None:
         raise BlockError(
-            f"{system.name}: how many {kind} it has is not said; give {kind}= to control.nlsys"
+            f"{system.name}: the number of {kind} is unknown. Give {kind}= to control.nlsys"
         )
     return int(size)  # python-control takes NumPy's too
 
@@ -387,7 +387,7 @@ def _matrices(
     except ValueError:
         raise DiagramError(
             f"{system.name}: a numerator of higher degree than its denominator differentiates, "
-            "which no block can; add a fast pole, such as tf([1, 0], [0.01, 1])"
+            "which a block cannot. Add a fast pole, such as tf([1, 0], [0.01, 1])"
         ) from None
     matrices = zip(
         *(

@@ -394,8 +394,8 @@ def pace(
             needed_tries = span / advance if advance > 0 else np.inf
             raise SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
-                f"{needed_tries:.0e}; rates change too fast there, or a switch goes to and fro: "
-                "lower the gains, give a switch a hysteresis, or loosen rtol and atol"
+                f"{needed_tries:.0e}. Rates change too fast there, or a switch chatters. "
+                "Lower the gains, give a switch a hysteresis, or loosen rtol and atol"
             )
         last_tries = tries
         last_time = now

@@ -486,7 +486,7 @@ def _refuse(names: Any, case: str) -> None:
     """Refuse options that a kind of run does not have."""
     if names:
         raise SimulationError(
-            f"{', '.join(sorted(names))}: {case} has none; leave it out"
+            f"{', '.join(sorted(names))}: {case} has none. Leave it out"
         )
 
 

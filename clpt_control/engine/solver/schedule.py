@@ -172,12 +172,12 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
         return inputs
     if callable(inputs):
         raise SimulationError(
-            "inputs: a function is none; connect a block whose output it is"
+            "inputs: must be values, not a function. Connect a block with this output"
         )
     inputs = stacked(inputs, times)
     values = np.zeros(count) if inputs is None else numbers("inputs", inputs)
     if not np.isfinite(values).all():
-        raise SimulationError("inputs: must be finite; fill the gaps before the run")
+        raise SimulationError("inputs: must be finite. Fill the gaps before the run")
     samples = (count, len(times))
     if values.shape == samples or (count == 1 and values.shape == times.shape):
         return Inputs((times, values.reshape(samples)))

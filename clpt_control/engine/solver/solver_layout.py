@@ -28,7 +28,7 @@ class Status(IntEnum):
         return status
 
     RUNNING = 0, "not_run", "under way"
-    FINISHED = 1, "finished", "finished: the end of the span was reached"
+    FINISHED = 1, "finished", "completed"
     STEP_TOO_SMALL = (
         2,
         "step_too_small",
@@ -38,19 +38,19 @@ class Status(IntEnum):
     NOT_FINITE = (
         3,
         "not_finite",
-        "a number is not finite; check parameters and the initial state",
+        "a number is not finite. Check parameters and the initial state",
     )
     GUARD_LEFT = 4, "left_the_field", "a guard was left"
     TOO_MANY_STEPS = (
         5,
         "too_many_steps",
-        "too many steps: rates change much faster than the run is long; lower the gains, or loosen "
+        "too many steps: rates change much faster than the run is long. Lower the gains, or loosen "
         "rtol and atol",
     )
     CHATTERING = (
         6,
         "chatters",
-        "switches to and fro without going on; give the switch a hysteresis, a boundary layer "
+        "switches without end (chattering). Give the switch a hysteresis, a boundary layer "
         "(np.clip in place of np.sign), or sample it",
     )
     STIFF = 7, "stiff", "left to an implicit method"

@@ -333,7 +333,7 @@ class Array(NDArrayOperatorsMixin):
             raise TypeError("unhashable type: 'numpy.ndarray'")
         if moves(self):
             raise Unread(
-                "looks a signal up in a dict or set; write `if`, or lookup of a row"
+                "looks a signal up in a dict or set. Write `if`, or lookup of a row"
             )
         return hash(self._tape.numbers(self._ref).item())
 

@@ -86,7 +86,7 @@ class AnsweringTape(Tape):
             k = len(self.answers)
             if k >= MOST_QUESTIONS:
                 raise Unread(
-                    f"asks more than {MOST_QUESTIONS} questions that depend on signals; write "
+                    f"has more than {MOST_QUESTIONS} branches that depend on signals. Write "
                     "np.where, and no `while` on a signal"
                 )
             self.answers[ref] = self.way[k] if k < len(self.way) else True
@@ -97,7 +97,7 @@ class AnsweringTape(Tape):
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         raise Unread(
-            f"{_asking()} asks for the value of a signal; write what it computes in NumPy, "
+            f"{_asking()} needs the value of a signal. Write the computation in NumPy, "
             "and fill arrays where they are made"
         )
 

@@ -44,7 +44,7 @@ def put(array: Array, index: Any, value: Any) -> None:
         target = (
             "truth values" if root._is_condition else "its states, inputs or parameters"
         )
-        raise Unread(f"writes into {target}; write into a copy")
+        raise Unread(f"writes into {target}. Write into a copy")
     root._keep()
     store = array._written()
     assert store is not None
@@ -66,13 +66,13 @@ def lifted(tape: Tape, value: Any) -> Any:
     """Return a number as a float, and an array or nested list as a tracer array."""
     if isinstance(value, Array):
         if value._tape is not tape:
-            raise Unread("keeps values from one call to the next; make them states")
+            raise Unread("stores values between calls. Make them states")
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
     if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
         raise Unread(
-            f"calculating with a {type(value).__name__}; write np.asarray of it"
+            f"calculating with a {type(value).__name__}. Write np.asarray of it"
         )
     try:
         if isinstance(value, np.ndarray) and value.dtype != object:
@@ -147,7 +147,7 @@ def elementwise(name: str, *arguments: Any) -> Any:
         if name not in OF_TRUTHS:
             raise Unread(
                 "calculates with truth values alone, of which NumPy and Python make different "
-                "things; write float(...), or np.logical_or"
+                "things. Write float(...), or np.logical_or"
             )
         name = OF_TRUTHS[name]
     of_python = name in OF_OPERATORS and all_of(map(is_of_python, arguments))
@@ -196,7 +196,7 @@ def all_of(kinds: Iterable[bool | None]) -> bool | None:
 def definite(kind: bool | None) -> bool:
     """Return a kind of number that Python or NumPy depends on; refuse an unknown one."""
     if kind is None:
-        raise Unread("what kind of number it is hangs on a choice; write float(...)")
+        raise Unread("the type of a number depends on a branch. Write float(...)")
     return kind
 
 
@@ -299,7 +299,7 @@ def raise_in_a_try(name: str, *arguments: Any) -> None:
 
 def refuse_in_a_try() -> None:
     """Refuse an operation that may raise an error in a `try`."""
-    raise Unread("may raise in a `try`; ask by `if` before")
+    raise Unread("may raise in a `try`. Test with `if` before")
 
 
 TRACING = f"{__package__}.tracing"  # module that calls the traced function

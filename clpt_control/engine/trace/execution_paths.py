@@ -73,7 +73,9 @@ def merged(
     yes = [path for path in paths if path[0].get(condition) is True]
     no = [path for path in paths if path[0].get(condition) is False]
     if not yes or not no or len(yes) + len(no) < len(paths):
-        raise Unread("asks otherwise from call to call; make what it keeps a state")
+        raise Unread(
+            "takes other branches from call to call. Make what it stores a state"
+        )
     branches = (merged(tape, subset, choose, depth + 1) for subset in (yes, no))
     return [
         a

@@ -215,7 +215,7 @@ class _Walk:
             self._refuse(f"calls {self.label}, {OUTSIDE}")
         if isinstance(value, Iterator):
             self._refuse(
-                "reads an iterator, which goes on at the next call; make it a list"
+                "reads an iterator, which goes on at the next call. Make it a list"
             )
         if is_table(value):
             return id(value), *[
@@ -342,7 +342,7 @@ class _Walk:
         self.names |= dict.fromkeys(names)
         self.texts |= dict.fromkeys(() if own_package else code_texts(code))
         for name in INTERNALS.intersection(names):
-            self._refuse(f"uses {name}; call the function as it is")
+            self._refuse(f"uses {name}. Call the function as it is")
         generated = code.co_filename == "<string>"  # of a dataclass
         self.calls_classes |= not generated and not {"type", "__class__"}.isdisjoint(
             names
@@ -480,7 +480,7 @@ class _Walk:
             f"{self.label}, a {kind.__name__}" if self.label else f"a {kind.__name__}"
         )
         self._refuse(
-            f"uses {name}, where calls may keep or change things unseen; pass its numbers as "
+            f"uses {name}, where calls may store or change data. Pass its numbers as "
             "parameters or arrays"
         )
 

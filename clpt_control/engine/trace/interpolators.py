@@ -236,7 +236,7 @@ def _of_polynomials(f: Any) -> Table:
         raise Unread(f"scipy's {name} of complex numbers, or along another axis")
     if f.extrapolate == "periodic":
         raise Unread(
-            f"scipy's {name} that is periodic; take the remainder of its argument"
+            f"scipy's {name} that is periodic. Use the remainder of its argument"
         )
     table = _of_pieces(
         np.asarray(f.x, float), f.c, (None if f.extrapolate else np.nan,) * 2
@@ -245,7 +245,7 @@ def _of_polynomials(f: Any) -> Table:
     def of_values(tape: Tape, x: Any, nu: int = 0) -> Any:
         if nu:
             raise Unread(
-                f"derivatives of scipy's {name}; call its `derivative` before the run"
+                f"derivatives of scipy's {name}. Call its `derivative` before the run"
             )
         return table(tape, x)
 

@@ -223,7 +223,7 @@ class Rebinding:
             for changed, content in pairs:
                 if not changed.is_same(content):
                     words = f"{name} keeps what its next call reads, in {changed.words}"
-                    raise Unread(f"{words}; make it a state")
+                    raise Unread(f"{words}. Make it a state")
 
         self.tape.check = check
         with LOCK:

@@ -95,10 +95,10 @@ PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
 )
 
 CLOCK = "asks a clock; t is the run's time"
-UNSEEDED = "draws by chance; draw before the run, or take it as an input"
+UNSEEDED = "draws random numbers. Draw them before the run, or make them an input"
 OUTSIDE = (
-    "which may change or read what is outside of the function; "
-    "call it before or after the run"
+    "which may change or read what is outside of the function. "
+    "Call it before or after the run"
 )
 
 

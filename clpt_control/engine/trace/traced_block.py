@@ -56,7 +56,7 @@ class ReadBlock(control.NonlinearIOSystem):
         for field, shape in self.parameter_shapes.items():
             if field not in self._parameters._fields:
                 raise BlockError(
-                    f"{self.name}: `shapes` names {field!r}, which is no parameter"
+                    f"{self.name}: `shapes` names {field!r}, which is not a parameter"
                 )
             actual = np.shape(getattr(self._parameters, field))
             fits = len(actual) == len(shape) and all(

@@ -442,7 +442,7 @@ class TracerModule(ModuleType):
         return self._tracer_value(getattr(self._real, name))
 
     def __setattr__(self, name: str, *value: Any) -> None:
-        raise Unread(f"changes {self.__name__}.{name}; make it a state")
+        raise Unread(f"changes {self.__name__}.{name}. Make it a state")
 
     __delattr__ = __setattr__
 
@@ -450,7 +450,7 @@ class TracerModule(ModuleType):
 def errstate(**arguments):
     """Return np.errstate; refuse to raise, as no operation raises while it is traced."""
     if active() is not None and {"raise", "call", "log"} & {*arguments.values()}:
-        raise Unread("np.errstate that raises; ask by `if` before")
+        raise Unread("np.errstate that raises. Test with `if` before")
     return np.errstate(**arguments)
 
 

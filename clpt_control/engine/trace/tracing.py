@@ -180,7 +180,7 @@ class _Tracing:
                     v is not fields.get(k, p) for k, v in dict.items(p)
                 ):
                     raise Unread(
-                        f"{request.name} changes its params; make what it keeps a state"
+                        f"{request.name} changes its params. Make what it stores a state"
                     )
                 if len(self.paths) > MOST_PATHS:
                     raise Unread(

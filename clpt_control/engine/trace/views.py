@@ -155,7 +155,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
     except Exception:
         module = function.__module__.replace("numpy", "np", 1)
         raise Unread(
-            f"{module}.{function.__name__} of signals is not traced; write its arithmetic, or call "
+            f"{module}.{function.__name__} of signals is not traced. Write its arithmetic, or call "
             "it before the run"
         ) from None
     if result is None and not inputs:
@@ -174,7 +174,7 @@ def into(out, value):
         return value
     if not isinstance(out, Array):
         raise Unread(
-            "writes signals into an array made elsewhere; make it where it is filled"
+            "writes signals into an array made elsewhere. Make it where it is filled"
         )
     out[...] = value
     return out

@@ -108,7 +108,7 @@ def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) ->
         raise DataError(f"has a projected grid, of x and y, and no {quantity}; {CURE}")
     kind = f"{quantity} velocity" if table is VELOCITY else quantity
     criteria = f"no standard_name '{standard[0]}' and none of {', '.join(names)}"
-    remedy = "; give --u and --v, or names=" if table is VELOCITY else ""
+    remedy = ". Give --u and --v, or names=" if table is VELOCITY else ""
     raise DataError(
         f"no {kind}: {criteria} among {', '.join(map(str, data.variables))}{remedy}"
     )
@@ -146,7 +146,7 @@ def find_axis(data: xarray.Dataset, velocity: str, quantity: str) -> xarray.Data
         return axis
     if not axis.size:
         raise DataError(
-            f"{name} has the length zero; must hold at least one {quantity}"
+            f"{name} has the length zero; must have at least one {quantity}"
         )
     most = 90.0 if quantity == "latitude" else 720.0
     degrees = numbers_of(axis)
@@ -187,7 +187,7 @@ def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     # where rows are ragged, the variable says numbers and these do not
     values = variable.values
     if values.dtype.kind not in "iuf":
-        raise DataError(f"{variable.name} holds {values.dtype}; must hold numbers")
+        raise DataError(f"{variable.name} has the type {values.dtype}; must be numbers")
     return values.astype(float)
 
 
@@ -231,9 +231,7 @@ def dates_of(
 ) -> np.ndarray:
     """Return the times of a velocity, to the nearest ms: of means the middles of intervals."""
     if len(when) < least:
-        raise DataError(
-            f"{when.name} has {len(when)} of the {least} steps that are needed"
-        )
+        raise DataError(f"{when.name} has {len(when)} of the {least} required steps")
     _check_missing(when, ~np.isfinite(numbers_of(when)))
     numbers = when.values
     intervals = _intervals(data, when, velocity)
@@ -374,7 +372,7 @@ def check_fill_value(values: np.ndarray, name: str) -> None:
 def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> float:
     """Return in m/s the unit that a file states of a speed, or `units` where it states none."""
     if not (stated_or_given := stated or units):
-        raise DataError(f"{name} has no units; {cure}")
+        raise DataError(f"{name} has no units. {cure}")
     size = speed_in_metres_per_second(stated_or_given, name)
     if stated and units and speed_in_metres_per_second(units, "--units") != size:
         raise DataError(
@@ -392,14 +390,14 @@ def velocity_values(
     of a variable that says none.
     """
     values = data[name]
-    cure = "give --units, such as m/s, or write the attribute"
+    cure = "Give --units, such as m/s, or write the attribute"
     size = speed_unit(said(values), units, name, cure)
     for dim in set(values.dims) - set(index):
         level = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
                 raise DataError(
-                    f"{name} has {values.sizes[dim]} {dim}; choose one, --at LAT LON"
+                    f"{name} has {values.sizes[dim]} {dim}. Choose one, --at LAT LON"
                 )
             level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
         values = values.isel({dim: level})
@@ -410,7 +408,9 @@ def velocity_values(
     try:
         chosen = _in_one_block(values, index).transpose(*index)
     except (ValueError, TypeError):  # of letters that are to be scaled
-        raise DataError(f"{name} holds what is no number; must hold numbers") from None
+        raise DataError(
+            f"{name} has an entry that is not a number. Give numbers only"
+        ) from None
     numbers = numbers_of(chosen)
     _check_packing(chosen, numbers, name)
     return _in_valid_range(chosen, numbers, name) * size

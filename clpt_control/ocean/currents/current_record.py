@@ -109,7 +109,7 @@ def read_record(
         cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
         chosen = file_latitude if latitude is None else latitude
         if chosen is None:
-            raise DataError("does not say its latitude; give --latitude DEG")
+            raise DataError("has no latitude. Give --latitude DEG")
         checked_latitude(chosen)
     return CurrentRecord(times, u, v, float(chosen), shown_name(path))
 
@@ -198,12 +198,10 @@ def of_profiler(data: xarray.Dataset) -> xarray.Dataset:
     names = [str(name) for name in data["dir"].values]
     if system != "earth" or not {"E", "N"} <= set(names):
         raise DataError(
-            f"vel has {', '.join(names)} of '{system}'; dolfyn.rotate2 turns it to earth"
+            f"vel has {', '.join(names)} of '{system}'; Rotate it with dolfyn.rotate2 to earth"
         )
     if "declination" not in data.attrs:
-        raise DataError(
-            "its north is that of the compass; dolfyn.set_declination turns it"
-        )
+        raise DataError("its north is magnetic. Correct it with dolfyn.set_declination")
     components = {}
     for name, direction in (("u", "E"), ("v", "N")):
         component = data["vel"].isel(dir=names.index(direction), drop=True)

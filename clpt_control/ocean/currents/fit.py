@@ -189,7 +189,7 @@ def fit_current(
     )
     if measured.sum() < N:
         raise DataError(
-            f"{path}: {measured.sum()} samples for {N!s:.20} functions; use fewer"
+            f"{path}: {measured.sum()} samples for {N!s:.20} functions. Use fewer"
         )
     lat0, lat1, lon0, lon1 = currents.box
     plane = LocalPlane(round((lat0 + lat1) / 2, 9), round((lon0 + lon1) / 2, 9))

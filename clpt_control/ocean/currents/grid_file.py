@@ -184,7 +184,7 @@ def _files_of(source: Source) -> list[Path] | None:
         return None
     if not isinstance(source, str | Path):
         if not source:
-            raise DataError("source: an empty list; give at least one file")
+            raise DataError("source: an empty list. Give at least one file")
         return [Path(file) for file in source]
     path = Path(source)
     if not path.is_dir() or any((path / name).exists() for name in ZARR):
@@ -192,7 +192,7 @@ def _files_of(source: Source) -> list[Path] | None:
     files = sorted(f for f in path.iterdir() if f.suffix.lower() in SUFFIXES)
     if not files:
         raise DataError(
-            f"{path}: holds neither Zarr nor a NetCDF file ({', '.join(SUFFIXES)})"
+            f"{path}: has neither Zarr nor NetCDF files ({', '.join(SUFFIXES)})"
         )
     return files
 
@@ -220,7 +220,7 @@ def with_all_steps(currents: Currents) -> Currents:
     if missing.sum() > len(currents.time):
         where = currents.time[np.argmax(missing)]
         raise DataError(
-            f"{missing.sum()} steps are missing, most behind {where:.6g} h; cut there"
+            f"{missing.sum()} steps are missing, most behind {where:.6g} h. Cut there"
         )
     rows = np.concatenate([[0], np.cumsum(1 + missing)])
     dates = np.interp(np.arange(rows[-1] + 1), rows, currents.dates.astype(float))
@@ -277,12 +277,12 @@ def _concatenated(path: str, files: list[Currents]) -> Currents:
     )
     steps, last = np.unique(dates[::-1], return_index=True)
     if len(steps) < 2:
-        raise DataError(f"{path}: has 1 of the 2 steps that are needed")
+        raise DataError(f"{path}: has 1 of the 2 required steps")
     rows = len(u) - 1 - last
     file_index = np.repeat(np.arange(len(files)), [len(file.dates) for file in files])
     for k in set(range(len(files))) - set(file_index[rows].tolist()):
         raise DataError(
-            f"{path}: each step of {files[k].source} is in a later file, too. Correct its times "
+            f"{path}: each step of {files[k].source} is in a later file too. Correct its times "
             f"(it begins at {files[k].start}), or remove the file"
         )
     return replace(
@@ -303,7 +303,7 @@ def _read(
     with _opened(path) as data, naming(source):
         if "fit_report" in data.attrs:
             raise DataError(
-                "is the field of a fit; give the .toml file beside it as a flow model"
+                "is the field of a fit. Give the .toml file beside it as a flow model"
             )
         if given is None:
             names = [
@@ -318,7 +318,7 @@ def _read(
         )
         if lat.dims == lon.dims:  # places, and no grid of them
             raise DataError(
-                f"{lat.name} and {lon.name} are of each {lat.dims[0]}, no grid; {cf.CURE}"
+                f"{lat.name} and {lon.name} are along {lat.dims[0]}, not a grid; {cf.CURE}"
             )
         dates = cf.dates_of(data, when, names[0], least)
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
@@ -335,7 +335,7 @@ def _read(
         columns = _inside(longitudes, limits[2:], str(lon.name))
         steps = np.argsort(dates)
         if len(np.unique(dates)) < len(dates):
-            raise DataError(f"{when.name} has a step twice; keep each time once")
+            raise DataError(f"{when.name} has a time twice. Remove the repeated step")
         across = {lat.dims[0]: rows, lon.dims[0]: columns}
         index, depth = {when.dims[0]: steps}, np.zeros(1)
         if column:
@@ -348,7 +348,7 @@ def _read(
         size = np.prod([len(indices) for indices in index.values()], dtype=float)
         if size > MOST:
             raise DataError(
-                f"{names[0]} has {size:.3g} values, at most {MOST:.0g}; cut the file"
+                f"{names[0]} has {size:.3g} values, at most {MOST:.0g}. Cut the file"
             )
         u, v = (cf.velocity_values(data, name, index, units) for name in names)
         nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(limits)}"
@@ -398,7 +398,7 @@ def _inside(axis: np.ndarray, span: tuple, where: str) -> np.ndarray:
         )
     if not np.all(np.diff(axis[inside]) > SAME):
         raise DataError(
-            f"{where} has a value twice (0 and 360 degrees are one); keep it once"
+            f"{where} has a value twice (0 and 360 degrees are the same). Remove one"
         )
     return inside
 

@@ -43,7 +43,7 @@ def check_separable(names: Sequence[str], hours: float, where: str) -> None:
     >>> check_separable(["M2", "S2"], 24.0, "currents.nc")
     Traceback (most recent call last):
         ...
-    clpt_control.DataError: currents.nc: in 24 h, these cannot be told apart: M2 and S2
+    clpt_control.DataError: currents.nc: in 24 h, these cannot be distinguished: M2 and S2
     (354.4 h are needed)
     """
     check_speeds({name: tidal_periods.speed(name) for name in names}, hours, where)
@@ -65,7 +65,7 @@ def check_speeds(speeds: Mapping[str, float], hours: float, where: str) -> None:
             for difference, a, b in too_close
         )
         raise DataError(
-            f"{where}: in {hours:.6g} h, these cannot be told apart: {pairs}"
+            f"{where}: in {hours:.6g} h, these cannot be distinguished: {pairs}"
         )
 
 
@@ -115,7 +115,7 @@ def check_sampling(
     >>> check_sampling(12.0 * np.arange(48), np.array([1 / 12]), ["S2"], "record")
     Traceback (most recent call last):
         ...
-    clpt_control.DataError: record: at its times the mean and S2 look alike; take other
+    clpt_control.DataError: record: at its times the mean and S2 look alike. Take other
     intervals or leave one out
     """
     count = 2 * len(cycles) + 1
@@ -129,7 +129,7 @@ def check_sampling(
     if np.linalg.cond(functions) > WORST:
         functions_text = f"the mean and {', '.join(names)} look alike"
         raise DataError(
-            f"{where}: at its times {functions_text}; take other intervals or leave one out"
+            f"{where}: at its times {functions_text}. Take other intervals or leave one out"
         )
 
 

@@ -125,7 +125,7 @@ def regular_grid(
     x2 = np.linspace(float(south.max()), float(north.min()), len(lat))
     if not (x1[-1] > x1[0] and x2[-1] > x2[0]):
         raise DataError(
-            "the cells hold no rectangle of the local plane; choose a larger box"
+            "the cells contain no rectangle of the local plane. Choose a larger box"
         )
     here_lat, here_lon = plane.to_earth(x1[None, :], x2[:, None])
     nearest_inside = (
@@ -181,7 +181,7 @@ def read_field(
             size = speed_in_metres_per_second(stated[name], name)
             values.append(numbers_of(data[name]) * (size / (length / time)))
             if not np.all(np.isfinite(values[-1])):
-                raise DataError(f"{name} has gaps; `clpt fit` fills them")
+                raise DataError(f"{name} has gaps. Fill them with clpt fit")
     return GriddedField(*axes, *values)
 
 

@@ -86,11 +86,11 @@ def table_of(
                 row = [line]
             rows[k] = [cell.strip() for cell in row]
     if not rows:
-        raise DataError(f"{name}: is empty; must be {must_be}")
+        raise DataError(f"{name}: is empty. Give {must_be}")
     (_, *lines), (header, *rows_below) = rows, rows.values()
     if len(header) * len(rows_below) > MOST:
         raise DataError(
-            f"{name}: has {len(rows_below)} lines of {len(header)} cells; split it"
+            f"{name}: has {len(rows_below)} lines of {len(header)} cells. Split it"
         )
     while len(header) > 1 and not header[-1]:  # each line may end with a mark
         header.pop()
@@ -116,13 +116,13 @@ def other_marks(header: str, name: str) -> str:
     `name` is that of a column that must be there.
 
     >>> other_marks("Time;u (m/s);v (m/s)", "time")
-    'columns are separated by semicolons; use commas, and points in numbers'
+    'columns are separated by semicolons. Use commas, and points in numbers'
     """
     for mark, marks in OTHER_MARKS.items():
         cells = [cell.strip(' "').lower() for cell in header.split(mark)]
         if len(cells) > 1 and name in cells:
             return (
-                f"columns are separated by {marks}; use commas, and points in numbers"
+                f"columns are separated by {marks}. Use commas, and points in numbers"
             )
     return ""
 
@@ -146,7 +146,7 @@ def read_table(
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
     """
     text = read_text(
-        path, "is no text; must be a table of time, u and v, or NetCDF (.nc)"
+        path, "is not text; must be a table of time, u and v, or NetCDF (.nc)"
     )
     cells = table_of(text, path, "a table of time, u and v")
     for line, (_, why) in cells.attrs["wrong_lines"].items():
@@ -247,7 +247,7 @@ def _header(
         if column in ("time", "direction"):
             columns[column] = matches[0], 1.0
             continue
-        cure = "write them behind the name, as in 'u (m/s)'"
+        cure = "Write them behind the name, as in 'u (m/s)'"
         columns[column] = matches[0], speed_unit(unit or comment, units, column, cure)
     return columns
 

@@ -107,7 +107,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
     foreign = [name for name in names if name not in SPEEDS]
     if foreign:
         raise DataError(
-            f"{', '.join(foreign)}: a scenario knows only {', '.join(SPEEDS)}"
+            f"{', '.join(foreign)}: a scenario has only {', '.join(SPEEDS)}"
         )
     size = 1.0 / speed_in_metres_per_second(unit, "theta")
     f, u, V = nodal_corrections(names, checked_times(epoch)[:1], fit.latitude)

@@ -260,7 +260,7 @@ def _names(
         )
         if not names:
             raise DataError(
-                f"{where}: no tide can be told from the mean in {hours[-1]:.4g} h"
+                f"{where}: no tide can be distinguished from the mean in {hours[-1]:.4g} h"
             )
         return names
     # the mean, always there

@@ -134,7 +134,7 @@ def regularised(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
     scaled = h * sd  # in units of the prior
     if not np.all(np.isfinite(scaled)):
         raise DataError(
-            "phi along the tracks is not finite in units of prior and noise; give a smaller prior, "
+            "phi along the tracks is not finite in units of prior and noise. Give a smaller prior, "
             "more noise, or fixes more often"
         )
     U, s, Vt = np.linalg.svd(scaled, full_matrices=len(h) < len(sd))

@@ -28,7 +28,7 @@ class Gradient(Estimator):
     def __init__(self, model: FixModel) -> None:
         if "gaussians" in model.flow:
             raise ScenarioError(
-                "flow gaussians: not in the gradient law; use the estimator gaussian-process"
+                "flow gaussians: not in the gradient law. Use the estimator gaussian-process"
             )
         scatter = np.array([model.priors.gradient.scatter])
         super().__init__(model, scatter, np.ones((1, len(model.optional)), bool))

@@ -79,7 +79,7 @@ def least_squares(
         )
         raise DataError(
             f"the samples cannot separate the basis functions {listed}: condition number "
-            f"{condition:.3g}, at most {WORST:g} is allowed; use a longer record, fewer "
+            f"{condition:.3g}, at most {WORST:g} is allowed. Use a longer record, fewer "
             "constituents or centers, a smaller box or another width"
         )
     residuals = flow - phi @ theta

@@ -65,7 +65,7 @@ class RunTrack:
                 f"{name} each {span:g} {unit}" for name, span in self.periods.items()
             )
             raise ScenarioError(
-                f"run.output_step: there change the {spans}; run it with a "
+                f"run.output_step: there change the {spans}. Run it with a "
                 f"step that divides that into {LEAST} samples at least"
             )
         rows = np.concatenate([np.arange(a, b + 1) for a, b in pairwise(rows_of_edges)])
@@ -119,7 +119,7 @@ def run_segments(
     if scenario.localization is not None and scenario.localization.fixes is not None:
         raise ScenarioError(
             "localization.interval: the vehicle of this run steers on its prediction between "
-            "fixes, so its velocity is not known; estimate from a run with interval = 0"
+            "fixes, so its velocity is not known. Estimate from a run with interval = 0"
         )
     track = RunTrack(run, scenario)
     fix = scenario.reference.dwell / 10 if every is None else every
@@ -140,7 +140,7 @@ def run_segments(
     if track.doubt > COARSE * moved:
         raise DataError(
             f"the run's samples let the way through the water be known to {track.doubt:.2g} "
-            f"{scenario.units.length} only; run it with a smaller run.output_step"
+            f"{scenario.units.length} only. Run it with a smaller run.output_step"
         )
     return segments
 
@@ -153,12 +153,12 @@ def run_scenario(run: xarray.Dataset) -> Scenario:
         if attribute in run.attrs:
             raise DataError(
                 f"the run was made with {BEYOND[attribute][0]}, {run.attrs[attribute]}, so its "
-                "vehicle is not known; estimate from a run without them"
+                "vehicle is not known. Estimate from a run without them"
             )
     scenario = scenario_of_run(run)
     if run.sizes.get("time", 0) < 2:
         raise DataError(
-            "the run has fewer than two samples; run it with a smaller output_step"
+            "the run has fewer than two samples. Run it with a smaller output_step"
         )
     names, noisy = ["time", "position", "reference"], scenario.localization
     if noisy is not None and not noisy.fixes:

@@ -126,7 +126,7 @@ def flow_estimate(
     n, sizes = len(segments.error), list(basis.output_ports.values())
     if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
         raise ScenarioError(
-            f"{basis.name}: is no basis, a block x[2] -> phi_x[N] without states"
+            f"{basis.name}: is not a basis, a block x[2] -> phi_x[N] without states"
         )
     N = sizes[0]
     sd = _numbers("prior", PRIOR.usual(known) if prior is None else prior, (N,))
@@ -138,7 +138,7 @@ def flow_estimate(
         scaled, residuals = whitened(segments, h, r), segments.error - h @ theta.T
     if not all(np.all(np.isfinite(values)) for values in (theta, P, scaled)):
         raise DataError(
-            "the estimate is not finite; give a smaller prior or more noise"
+            "the estimate is not finite. Give a smaller prior or more noise"
         )
     s = np.linalg.svd(scaled, compute_uv=False)
     condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf

@@ -234,7 +234,7 @@ def usual(
     V = reckoned if speed is None else speed
     if V == 0.0:
         raise ScenarioError(
-            "--aim: 0 m/s, given or of the last dives, leads nowhere; give --speed"
+            "--aim: 0 m/s, given or of the last dives, reaches no waypoint. Give --speed"
         )
     T = float(median(dive.duration for dive in dives)) if duration is None else duration
     check_flown(V, T)

@@ -229,9 +229,7 @@ def checked_command(text: str) -> list[str]:
     with suppress(ValueError):  # a quotation without its end
         words = shlex.split(text)
     if not words or shutil.which(words[0]) is None:
-        raise ScenarioError(
-            f"--alert {text}: no such command; give one that can be run"
-        )
+        raise ScenarioError(f"--alert {text}: command not found. Give an executable")
     return words
 
 
@@ -256,7 +254,7 @@ class Alerts:
         self.failed: set[str] = set()
         with suppress(DataError, ValueError):
             # none yet, or none that can be read: told again
-            keys = json.loads(read_text(self.path, "is no text"))
+            keys = json.loads(read_text(self.path, "is not text"))
             self.told = [str(key) for key in keys] if isinstance(keys, list) else []
 
     def tell(self, report: dict[str, Any]) -> None:

@@ -139,8 +139,9 @@ class Fitted(FlowModel):
                 raise ValueError("of other functions")
         except (ValueError, KeyError, TypeError):
             raise DataError(
-                f"{path}: is no fit with its field beside it, which has theta, origin, box and a "
-                "date; write both anew with `clpt fit`"
+                f"{path}: is not a fit with its field beside it, which has theta, "
+                "origin, box and a "
+                "date. Write both anew with `clpt fit`"
             ) from None
         self.source = shown_name(path)
 
@@ -209,12 +210,13 @@ def read_flow_model(path: str | Path, units: str | None = None) -> FlowModel:
     kind = path.suffix.lower()
     if not path.exists() or (kind not in (".toml", *SUFFIXES) and not path.is_dir()):
         raise DataError(
-            f"{path}: {'is no flow model' if path.exists() else 'no such file'}; must be a NetCDF "
+            f"{path}: {'is not a flow model' if path.exists() else 'no such file'}; "
+            "must be a NetCDF "
             "file (.nc) of a current on time, latitude and longitude, or the .toml file that "
             "`clpt fit` writes"
         )
     if kind == ".toml" and units is not None:
         raise DataError(
-            f"{path}: a fit has its units in the file; leave out units ({units})"
+            f"{path}: a fit has its units in the file. Leave out units ({units})"
         )
     return Fitted(path) if kind == ".toml" else Forecast(path, units)

@@ -98,12 +98,12 @@ class Follower:
             record = stored_file(read_bytes(path))
         except (DataError, LookupError, TypeError, ValueError, RecursionError):
             raise DataError(
-                f"{path}: is no state of this version's clpt watch; {away}"
+                f"{path}: is not a state of this version's clpt watch; {away}"
             ) from None
         if record.folder != self._where:
             raise DataError(
-                f"{self.state}: keeps what was read in {record.folder}, not in {self._where}; "
-                f"give another --out, or {away}"
+                f"{self.state}: has the files read from {record.folder}, not from {self._where}. "
+                f"Give another --out, or {away}"
             )
         return record
 
@@ -229,12 +229,14 @@ def _inside(folder: Path, fault: str) -> list[Path]:
 def following(folder: Path, out: Path) -> Iterator[Follower]:
     """Open a follower whose state is out/state; refuse a second process and a wrong folder."""
     if not os.path.isdir(folder):  # noqa: PTH112 - never raises
-        raise DataError(f"{folder}: no such folder; give the folder where dives arrive")
+        raise DataError(
+            f"{folder}: folder not found. Give the folder where dives arrive"
+        )
     for results_folder in (out, out / "state"):
         if os.path.exists(results_folder) and os.path.samefile(results_folder, folder):  # noqa: PTH110, PTH121
             raise DataError(
-                f"--out {out}: results would lie in the followed folder {folder} and count as new "
-                "files there; give another folder, or leave --out out"
+                f"--out {out}: results would be in the watched folder {folder} and count as new "
+                "files there. Give another folder, or leave --out out"
             )
     filelock = import_optional("filelock")
     state = make_folder(out / "state")

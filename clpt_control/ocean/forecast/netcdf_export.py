@@ -59,7 +59,7 @@ def report_of(source: Source) -> dict[str, Any]:
     report: Any = source
     if isinstance(source, Replay):
         if not source.steps:
-            raise DataError("the replay has no dive yet; feed one, as Replay.step does")
+            raise DataError("the replay has no dive. Add one with Replay.step")
         report = {
             **summary(source),
             "next_dive": next_dive(source).as_dict(),
@@ -69,7 +69,7 @@ def report_of(source: Source) -> dict[str, Any]:
         report = summary_in(source, "the dataset")
     if not (isinstance(report, dict) and report.get("each_dive")):
         raise DataError(
-            f"{type(source).__name__}: is no replay; clpt.replay.replay_dives(dives) gives one, "
+            f"{type(source).__name__}: is not a replay; clpt.replay.replay_dives(dives) gives one, "
             "`clpt replay` writes its dataset, replay.nc"
         )
     return report
@@ -177,5 +177,5 @@ def summary_in(data: xarray.Dataset, name: str) -> Any:
         return json.loads(str(data[SUMMARY].values))
     except (KeyError, ValueError, RecursionError):
         raise DataError(
-            f"{name}: is a replay's NetCDF without its summary; run `clpt replay --out` again"
+            f"{name}: is a replay's NetCDF without its summary. Run `clpt replay --out` again"
         ) from None

@@ -46,7 +46,7 @@ Area = tuple[str, list[Place]]  # a name and a ring
 
 def read_route(path: File) -> tuple[list[Place], list[Area]]:
     """Return the waypoints in a file in their order, and the areas to stay out of."""
-    text = read_text(path, "is no text; must be GeoJSON or lines of places", LARGEST)
+    text = read_text(path, "is not text; must be GeoJSON or lines of places", LARGEST)
     with naming(path):
         return _route(text)
 
@@ -60,15 +60,15 @@ def _route(text: str) -> tuple[list[Place], list[Area]]:
         raise DataError(why) from None
     for lat, lon in (point for _, points in shapes for point in points):
         if not is_place(lat, lon):
-            raise DataError(f"latitude {lat:g}, longitude {lon:g} is no place")
+            raise DataError(f"latitude {lat:g}, longitude {lon:g} is not a position")
     targets = [point for name, points in shapes if name is None for point in points]
     if not targets:
-        raise DataError("has no waypoint; give points, or a line of them")
+        raise DataError("has no waypoint. Give points, or a line of them")
     areas = [(name, points) for name, points in shapes if name is not None]
     count = sum(len(ring) for _, ring in areas)
     if len(targets) > DIVES or count > MOST_PLACES:
         raise DataError(
-            f"has {len(targets)} waypoints, and areas of {count} places; at most {DIVES}, as so "
+            f"has {len(targets)} waypoints, and areas of {count} points; at most {DIVES}, as so "
             f"many dives are drawn, and {MOST_PLACES}"
         )
     return targets, areas

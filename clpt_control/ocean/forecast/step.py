@@ -178,6 +178,6 @@ def check_next(dive: Dive, last: Dive | None) -> None:
         )
     if last is not None and dive.t_gpse <= last.t_gpse:
         raise DataError(
-            f"dive {dive.number} ends before dive {last.number}, which was learned; feed dives "
+            f"dive {dive.number} ends before dive {last.number}, which was learned. Feed dives "
             "in the order of their ends"
         )

@@ -50,7 +50,7 @@ def wide(ahead: dict[str, Any]) -> str:
 
     >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_90_long": 900.0,
     ...       "basis": "repeated"})
-    'wide: no plan in the files; give --next or --aim'
+    'wide: no plan in the files. Give --next or --aim'
     """
     if ahead["ellipse_90_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
         return ""
@@ -59,7 +59,7 @@ def wide(ahead: dict[str, Any]) -> str:
     why = "no plan in the files"
     if ahead.get("plan_in_files"):
         why = "few dives went along the plan in the files"
-    return f"wide: {why}; give --next or --aim"
+    return f"wide: {why}. Give --next or --aim"
 
 
 BASES = {  # what the next dive is guessed by

@@ -76,7 +76,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
             inside = list(path.iterdir()) if S_ISDIR(path.stat().st_mode) else None
         except (FileNotFoundError, NotADirectoryError):
             raise DataError(
-                f"{path}: no such file; give {KINDS}, or a folder of them"
+                f"{path}: no such file. Give {KINDS}, or a folder of them"
             ) from None
         except OSError as error:
             raise DataError(f"{path}: cannot be read: {error.strerror}") from None
@@ -89,7 +89,7 @@ def dive_paths(paths: Iterable[str | Path]) -> list[Path]:
         ):
             dives = dive_paths(sent)
         if not dives:
-            raise DataError(f"{path}: the folder has no {KINDS}")
+            raise DataError(f"{path}: no dive files in this folder. Give {KINDS}")
         files += sorted(dives, key=in_order)
     return files
 
@@ -99,7 +99,7 @@ def read_dive_file(path: str | Path) -> tuple[list[Dive], list[Skipped]]:
     path = Path(path)
     raw = read_bytes(path, (*NETCDF, slocum.MAGIC))
     if not raw:
-        raise DataError(f"{path}: is empty; must be one of {KINDS}")
+        raise DataError(f"{path}: is empty. Give one of {KINDS}")
     if raw in NETCDF:
         return _dives_and_skipped(*_of_netcdf(path))
     name = name_of_file(path.name)
@@ -132,8 +132,9 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
         names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
-        f"{names}, not the fixes and the displacement through the water that a dive needs; a CSV "
-        "table of dives can give both"
+        f"{names}, not the fixes and the displacement through the water that a dive "
+        "requires. Convert it to a CSV "
+        "table of dives with both"
     )
 
 
@@ -258,4 +259,4 @@ def read_all_dives(
         raise DataError(skipped[0].why)
     reason = skipped[0].why if skipped else "no dives"
     where = files[0] if len(files) == 1 else f"{len(files)} files"
-    raise DataError(f"{where}: no dive; the first reason: {reason}")
+    raise DataError(f"{where}: no dive. First reason: {reason}")

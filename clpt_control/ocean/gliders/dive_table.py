@@ -99,7 +99,7 @@ def _check_current(dives: list[Dive], path: str | Path) -> None:
     best = min(likely, key=lambda cause: median_off(causes[cause]), default="")
     raise DataError(
         f"{path}: dr_east_m, dr_north_m contradict dac_east, dac_north by {1e3 * off:.0f} mm/s in "
-        f"most dives{best and f': {best}'}; correct one pair, or leave the wrong columns out"
+        f"most dives{best and f': {best}'}. Correct one pair, or leave the wrong columns out"
     )
 
 
@@ -121,7 +121,7 @@ def _check_header(header: list[str], name: str | Path) -> None:
     ]
     if double:
         raise DataError(
-            f"{name}: the column {', '.join(double)} stands there twice; once is allowed"
+            f"{name}: the column {', '.join(double)} appears twice. Remove one"
         )
 
 
@@ -160,7 +160,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         if None in current:
             through_water = nan, nan
             notes.append(
-                "dac_east or dac_north is no number, and there is no dead reckoning"
+                "dac_east or dac_north is not a number, and there is no dead reckoning"
             )
         else:
             through_water = without_current(start, end, current)

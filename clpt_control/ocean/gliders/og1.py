@@ -169,7 +169,7 @@ def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
     if not dives:
         raise DataError(
             f"no two fixes more than {LEAST_GAP:g} s apart in LATITUDE_GPS, LONGITUDE_GPS; "
-            "a dive needs one before and one after it"
+            "a dive requires one before and one after it"
         )
     return dives
 

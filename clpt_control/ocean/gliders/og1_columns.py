@@ -92,8 +92,8 @@ def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
         doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
         return [f"{doubt}; if they are radians, set its units to 'radian'"]
     raise DataError(
-        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians; "
-        "set its units to 'radian', or to 'degrees' if they are degrees"
+        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians. "
+        "Set its units to 'radian', or to 'degrees' if they are degrees"
     )
 
 
@@ -268,7 +268,7 @@ def _fix_columns(
     if missing:
         raise DataError(
             f"no variable {' and no '.join(missing)}; OG1 has the fixes there, which are "
-            "needed, as is the displacement through the water; a CSV table of dives can give both"
+            "needed, as is the displacement through the water; a CSV table of dives with both"
         )
     time = seconds(data, file_names[names[0]])
     coordinates = [

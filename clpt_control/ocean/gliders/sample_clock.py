@@ -67,7 +67,7 @@ def with_steady_clock(of: pandas.DataFrame, fix_clock: str) -> pandas.DataFrame:
         if fix_clock.upper() == "TIME":
             raise DataError(
                 f"TIME falls by {late:.0f} s in row {row} (from 0), under water, and has the fixes "
-                "too; correct it there, or give the receiver's times of the fixes in TIME_GPS"
+                "too. Correct it there, or give the receiver's times of the fixes in TIME_GPS"
             )
         until = time.size
         for k in row + np.flatnonzero(np.isfinite(fix[row:]) & np.isfinite(time[row:])):

@@ -109,7 +109,7 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay
     if dates is None:
         raise DataError(
-            f"{name} is in '{units}'; must be such as 'seconds since 1970-01-01 00:00:00'"
+            f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
         )
     epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
         1, "s"

@@ -192,7 +192,7 @@ def dives_of(path: Path) -> list[Dive]:
     fixes, _ = _fixes_and_wet(of)
     if of.m_depth.isna().all() and cut_dives(fixes, None, LEAST_GAP):
         raise DataError(
-            f"{path}: the Slocum file has fixes and no m_depth, by which dives are found; give "
+            f"{path}: the Slocum file has fixes and no m_depth, by which dives are found. Give "
             "files with m_depth, such as .dbd or .mbd, or a CSV table of dives"
         )
     ends = set(log.index[log.m_gps_lat.notna()])

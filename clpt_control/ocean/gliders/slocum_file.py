@@ -207,8 +207,8 @@ def _list_of(path: Path, check_sum: str) -> tuple[Path, bytes]:
             except DataError as error:
                 raise NotYet(str(error)) from None
     raise NotYet(
-        f"{path}: its list of sensors {name} was not found beside it or in a folder 'cac' there; "
-        "get it from the glider's or dockserver's 'cache' and put it there, or name its folder in "
+        f"{path}: its list of sensors {name} was not found next to it or in a folder 'cac' there. "
+        "Get it from the glider's or dockserver's 'cache' and put it there, or name its folder in "
         "CLPT_CAC"
     )
 
@@ -231,7 +231,8 @@ def _listed(listed: bytes, total: int, path: Path) -> list[tuple[str, int]]:
         if len(rows) == total and all(mark == b"s:" for mark, *_ in entries):
             return in_order
     raise NotYet(
-        f"{path}: is no list of {total} sensors of a Slocum; get it again from the glider or its "
+        f"{path}: is not a list of {total} sensors of a Slocum. Get it again from the "
+        "glider or its "
         "dockserver"
     )
 
@@ -243,12 +244,12 @@ def _cycles(
     order = ORDERS.get(raw[offset : offset + 4])
     if len(raw) < offset + KNOWN or order is None:
         raise DataError(
-            f"{path}: the Slocum file has no cycles behind its header, or is damaged"
+            f"{path}: the Slocum file has no cycles after its header, or is damaged"
         )
     if states != (len(sensors) + 3) // 4:
         raise DataError(
             f"{path}: has {states} state bytes in a cycle, its list of sensors {len(sensors)} "
-            "sensors: the list is of another file; get the right one from the glider"
+            "sensors: the list belongs to another file. Get the right list from the glider"
         )
     indices = {name: k for k, (name, _) in enumerate(sensors) if name in (TIME, *NAMES)}
     sizes = np.array([size for _, size in sensors])

@@ -106,7 +106,7 @@ def check_one_vehicle(dives: Iterable[Dive]) -> None:
     if len(names) > 1:
         listing = ", ".join(sorted(names.values()))
         raise DataError(
-            f"{listing}: are {len(names)} vehicles in one replay; give the files of one, or "
+            f"{listing}: are {len(names)} vehicles in one replay. Give the files of one, or "
             "clpt watch FOLDER --fleet, which replays each vehicle of a folder on its own"
         )
 
@@ -230,7 +230,7 @@ def _in_minutes(lat: float, lon: float) -> str:
     """Return what a place would be if it were written in degrees and minutes, empty if it is none.
 
     >>> _in_minutes(5141.048, -12818.018)
-    'looks like ddmm.mmm, degrees and minutes; give decimal degrees, 51.684133 -128.300300'
+    'looks like ddmm.mmm, degrees and minutes. Give decimal degrees, 51.684133 -128.300300'
     >>> _in_minutes(51.68, -128.3), _in_minutes(199.0, 8.0)
     ('', '')
     """
@@ -243,7 +243,7 @@ def _in_minutes(lat: float, lon: float) -> str:
     if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
         return ""
     return (
-        "looks like ddmm.mmm, degrees and minutes; give decimal degrees, "
+        "looks like ddmm.mmm, degrees and minutes. Give decimal degrees, "
         f"{degrees[0]:.6f} {degrees[1]:.6f}"
     )
 

@@ -89,7 +89,7 @@ class LawContext(NamedTuple):
         R = float(np.max(np.linalg.norm(points - self.waypoints.mean(axis=0), axis=1)))
         if R == 0:
             raise ScenarioError(
-                "reference: start and waypoints lie at one place; give prior and noise "
+                "reference: start and waypoints lie at one place. Give prior and noise "
                 "in the law's own table"
             )
         return R

@@ -136,7 +136,7 @@ class Scenario(tables.Table):
         if self.learning.hedging is not None and self.vehicle.max_speed is None:
             yield (
                 f"learning.hedging = {str(self.learning.hedging).lower()}: is allowed only with "
-                "vehicle.max_speed, which it tells the learner of; remove the key or give the limit"
+                "vehicle.max_speed, which it tells the learner of. Remove the key or give the limit"
             )
         row, fixes, sample = self.learning.row, self.localization, self.learning.sample
         if row.at_fixes != (fixes is not None and fixes.interval > 0):
@@ -361,7 +361,7 @@ class Scenario(tables.Table):
                 table = table.setdefault(name, {})
                 if not isinstance(table, dict):
                     raise ScenarioError(
-                        f"scenario: unknown key {key}: {name} is no table of keys"
+                        f"scenario: unknown key {key}: {name} is not a table of keys"
                     )
             if value is None:
                 table.pop(leaf_key, None)

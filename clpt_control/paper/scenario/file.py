@@ -90,7 +90,7 @@ def tables_of(text: str, name: str) -> Nested:
         ) from None
     except ValueError:  # a whole number of thousands of digits
         raise ScenarioError(
-            f"{name}: a number has too many digits; write it as 1e300"
+            f"{name}: a number has too many digits. Write it as 1e300"
         ) from None
 
 

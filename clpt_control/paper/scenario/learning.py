@@ -145,7 +145,7 @@ class Learning(OwnTables):
         ]
         for key in set_keys:
             if key in self._unused:
-                yield f"learning.{key}: {law} has no use for it; remove the key"
+                yield f"learning.{key}: {law} has no use for it. Remove the key"
         for key in self._required:
             if key not in set_keys:
                 condition = "" if self.adapt_gains else " with adapt_gains = false"
@@ -153,13 +153,13 @@ class Learning(OwnTables):
         if self.gain == 0 and self.row.settings:
             yield (
                 "learning.gain: 0 learns nothing with the paper's laws, learned-flow and "
-                f"known-flow; {law} learns by its own table too; give a positive number"
+                f"known-flow; {law} learns by its own table too. Give a positive number"
             )
         if self.gain is not None and self.gains is not None:
             yield "learning.gains: give either gain or gains, one of the two"
         for key, value in self.gains or ():
             if (value is not None) != (key in adapted):
                 yield (
-                    f"learning.gains.{key}: {law} adapts {', '.join(adapted) or 'nothing'} here; "
-                    "give a gain for each of these, and no other"
+                    f"learning.gains.{key}: {law} adapts {', '.join(adapted) or 'nothing'} here. "
+                    "Give a gain for each of these, and no other"
                 )

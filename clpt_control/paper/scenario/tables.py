@@ -301,7 +301,7 @@ class Localization(Table):
         for key in ("dropouts", "latency") if self.interval == 0 else ():
             if getattr(self, key) > 0:
                 yield (
-                    f"localization.{key} = {getattr(self, key)}: is of fixes; give an interval "
+                    f"localization.{key} = {getattr(self, key)}: is of fixes. Give an interval "
                     "above 0, or remove the key"
                 )
         margin = SHORT * self.interval

@@ -99,7 +99,7 @@ class Team(Table):
         if learning.law != TEAM_LAW:
             yield f'learning.law = "{learning.law}": must be "{TEAM_LAW}", the law of a team'
         if learning.sample is not None:
-            yield "learning.sample: a team learns at all times; remove the key"
+            yield "learning.sample: a team learns at all times. Remove the key"
 
     def _seed_mistakes(self) -> Iterator[str]:
         seeds: dict[int, str] = {}
@@ -110,7 +110,7 @@ class Team(Table):
             if owner != name:
                 yield (
                     f"members.{name}: localization.seed = {fixes.seed or 0} is that of {owner}, so "
-                    "that both would have the same noise; give each its own"
+                    "that both would have the same noise. Give each its own"
                 )
 
     def _edge_mistakes(self) -> Iterator[str]:
@@ -126,7 +126,7 @@ class Team(Table):
                 yield f"edges[{k}] = {list(edge)}: must join two vehicles, each pair once"
             pairs.add(frozenset(edge))
         if not self.connectivity > LEAST_CONNECTIVITY:
-            yield "edges: no path joins all vehicles; join each to the others, or run it alone"
+            yield "edges: no path joins all vehicles. Join each to the others, or run it alone"
 
     def __repr__(self) -> str:
         names = shortened(", ".join(self.members), 60)

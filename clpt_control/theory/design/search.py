@@ -177,8 +177,9 @@ def best_waypoints(
     tracks, kappa, excess = map(np.concatenate, zip(*candidates, strict=True))
     if kappa.max() < 0:
         raise ScenarioError(
-            "no track was found that keeps to the limits in this flow all the time; the nearest "
-            f"is {100 * excess.min():.2g} % beyond; allow more speed or a larger area, or give "
+            "no track satisfies the limits in this flow at all times: the best "
+            f"track exceeds them by {100 * excess.min():.2g} %. Allow more speed or a "
+            "larger area, or give "
             "another seed"
         )
     order = np.argsort(-kappa, kind="stable")

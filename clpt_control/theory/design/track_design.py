@@ -241,7 +241,7 @@ def _check(scenario: Scenario, goal: str) -> None:
         )
     if scenario.flow.parameters is None:
         raise ScenarioError(
-            "flow.field: a track is designed for parameters theta; give flow.parameters in its "
+            "flow.field: a track is designed for parameters theta. Give flow.parameters in its "
             "place, which `clpt fit` finds"
         )
 

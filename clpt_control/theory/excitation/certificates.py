@@ -96,7 +96,7 @@ def refuse_turns(turns: float) -> None:
     """Raise an error for a window in which e and eta turn too many radians."""
     if turns > MAX_PIECES * TURN:
         raise ScenarioError(
-            f"e and eta turn {turns:.3g} rad in a window, too many to follow; give a shorter one, "
+            f"e and eta turn {turns:.3g} rad in a window, too many to compute. Give a shorter one, "
             "waypoints nearer to 0, or smaller gains"
         )
 
@@ -211,7 +211,7 @@ def refuse_unproved(scenario: Scenario) -> None:
     for setting, present in refused.items():
         if present:
             raise ScenarioError(
-                f"no certificate: {setting} changes V' of the theorems; leave it out"
+                f"no certificate: {setting} changes V' of the theorems. Leave it out"
             )
 
 
@@ -233,7 +233,7 @@ def certificate(
     paper_law = law in ("learned-flow", "known-flow")
     if regressor.python_parts or not paper_law or not gains.shared:
         raise ScenarioError(
-            "no certificate: it is of the paper's two laws with one gain for all, the run has "
+            "no certificate: it is for the paper's two laws with one gain for all. The run has "
             f"{regressor.python_parts or f'the law {law}'}"
             + ("" if gains.shared else " with a gain each")
         )

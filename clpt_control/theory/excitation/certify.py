@@ -223,7 +223,7 @@ def _check(scenario: Scenario) -> None:
     learning, vehicle = scenario.learning, scenario.vehicle
     if learning.law != "learned-flow" or scenario.flow.parameters is None:
         raise ScenarioError(
-            "no certificate: it is of the learned-flow law in a flow with parameters theta"
+            "no certificate: it is for the learned-flow law in a flow with parameters theta"
         )
     refuse_unproved(scenario)
     if not bounded(scenario):
@@ -234,8 +234,9 @@ def _check(scenario: Scenario) -> None:
         fixed = getattr(learning.used_gains, name) == 0
         if fixed and getattr(learning, name) != getattr(vehicle, name):
             raise ScenarioError(
-                f"no certificate: learning.{name} is held and is not vehicle.{name}, so CLPE does "
-                "not end; hold the vehicle's own"
+                f"no certificate: learning.{name} is fixed and differs from "
+                f"vehicle.{name}, so CLPE "
+                "does not vanish. Fix it at the vehicle's value"
             )
 
 

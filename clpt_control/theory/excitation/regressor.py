@@ -51,8 +51,8 @@ def system_of(source: AnySource) -> Scenario | Team:
     check_run(source, system, "time", POSITION, PREDICTED)
     if unknown := REGRESSOR_BLOCKS & unknown_parts(source):
         raise DataError(
-            f"the run was made with a {unknown.pop()} that its scenario does not hold, so the "
-            "regressor along it is not known; give a run of the scenario's own"
+            f"the run was made with a {unknown.pop()} that its scenario does not have, so the "
+            "regressor along it is not known. Give a run of the scenario's own"
         )
     return system
 
@@ -67,7 +67,7 @@ def span_of(source: AnySource) -> tuple[float, float]:
     if isinstance(source, Scenario | Team):
         return 0.0, float(source.run.duration)
     if source.sizes.get("time", 0) < 2:
-        raise DataError("the dataset is no run: it needs two times or more")
+        raise DataError("the dataset is not a run: it needs two times or more")
     return float(source.time[0]), float(source.time[-1])
 
 
@@ -278,7 +278,7 @@ def _regressor(
         if fixes is not None and fixes.interval > 0:
             raise DataError(
                 "localization.interval: z of a recorded run jumps at fixes, and is not known "
-                "between samples; give the scenario in place of the run"
+                "between samples. Give the scenario in place of the run"
             )
         dwell = scenario.reference.dwell
         x, z = (positions_between(samples, v, dwell, times) for v in positions)

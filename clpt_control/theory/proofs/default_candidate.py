@@ -192,7 +192,7 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
     """Return V of the user: a function of signals, or of the truth that returns a block."""
     if isinstance(V, control.InputOutputSystem):
         raise DiagramError(
-            f"{V.name}: is made, and would know one truth; give V(truth) or V(truth, parameters), "
+            f"{V.name}: is made, and would know one truth. Give V(truth) or V(truth, parameters), "
             "a function that makes a Block with the output V[1]"
         )
 

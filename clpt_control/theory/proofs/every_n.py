@@ -138,7 +138,7 @@ def base_and_term(expression: Expr, index: str = "k") -> tuple[Expr, Expr]:
         atoms = [f for f in sympy.Mul.make_args(summand) if f.func == SUM]
         factor = summand / sympy.Mul(*atoms)
         if len(atoms) != 1 or len(atoms[0].args) != 3 or factor.has(SUM):
-            raise Unread(f"{summand} is no sum over one index")
+            raise Unread(f"{summand} is not a sum over one index")
         renamed = {_indices(atoms[0])[0]: index}
         term += factor * reindexed(atoms[0].args[0], renamed)
     return base, term

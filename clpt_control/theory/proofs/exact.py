@@ -125,7 +125,7 @@ def normal_form(expression: Expr) -> Expr:
     """
     if terms_of(expression) > MOST_TERMS:
         raise DiagramError(
-            f"V' has more than {MOST_TERMS} terms; make the law or its N smaller"
+            f"V' has more than {MOST_TERMS} terms. Make the law or its N smaller"
         )
     exponentials = expression.atoms(sympy.exp)
     is_nested = any(e.args[0].atoms(sympy.exp) for e in exponentials)

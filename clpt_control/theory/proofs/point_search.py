@@ -87,7 +87,7 @@ class PointSearch:
         numbers = Numbers(*(e.xreplace(self.eq.values) for e in expressions))
         symbols = {TIME, *self.states, *self.inputs, *self.jumping, *self.sources}
         if unknown := {*numbers.symbols} - symbols:
-            raise DiagramError(f"{unknown.pop()} has no number")
+            raise DiagramError(f"{unknown.pop()} has no value")
         return numbers
 
     def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:

@@ -79,7 +79,7 @@ def compare(search: PointSearch, points: tuple, count: int) -> tuple[bool, str]:
 def _problem(difference: float, lost: float) -> str:
     """Describe a difference between an expression and the running blocks."""
     if np.isnan(difference):
-        return "is no number"
+        return "is not a number"
     if difference <= TOLERANCE:
         return f"loses {lost:.0f} of {DIGITS} digits in rounding"
     return f"differs by {difference:.1e} of its terms"

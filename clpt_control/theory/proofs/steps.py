@@ -138,7 +138,7 @@ def worked_out(name: str) -> Iterator[None]:
         text = "".join(format_exception_only(error))
         text = text.rpartition(f"{type(error).__module__}.")[2]
         cause = " ".join(text.split())  # in one line
-        raise DiagramError(f"{name}: V' cannot be worked out: {cause}") from None
+        raise DiagramError(f"{name}: V' cannot be computed: {cause}") from None
 
 
 def checked(

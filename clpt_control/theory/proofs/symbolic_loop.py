@@ -93,7 +93,7 @@ def refuse_names(name: str, names: Iterable[str]) -> None:
     """Reject a state, a signal or a parameter with the name of time or of a function."""
     for reserved in sorted({"t", "Abs", *NUMPY_OF} & {*names}):
         raise DiagramError(
-            f"{name}: has a {reserved}, as time or a function is called; rename it"
+            f"{name}: has a {reserved}, as time or a function is called. Rename it"
         )
 
 
@@ -118,7 +118,7 @@ class Numbers:
         unknown = {str(call.func) for call in calls - inputs} - NUMPY_OF.keys()
         if unknown or terms.has(sympy.Derivative):
             names = ", ".join(sorted(unknown)) or "a derivative of an input"
-            raise DiagramError(f"{names} has no numbers, so V' cannot be compared")
+            raise DiagramError(f"{names} has no values, so V' cannot be compared")
         self.symbols = sorted(terms.free_symbols - {TIME}, key=str)
         self.symbols += sorted(inputs, key=str)
         self.symbols += [TIME] if terms.has(TIME) else []
@@ -290,7 +290,7 @@ def no_value(owner: str, name: str, arguments: tuple) -> str | None:
     if any(count > LONG or depth > DEEPEST for count, depth in sizes):
         raise DiagramError(
             f"{owner} has more than {LONG} parts or {DEEPEST} levels on "
-            "symbols, too long to prove anything of; make it simpler or its N smaller"
+            "symbols, too long for a proof. Make it simpler or its N smaller"
         )
     return undefined(name, arguments)
 
@@ -299,8 +299,8 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
     """Reject parameters whose values select the equations, as an `if` does."""
     for name, parameter in sorted(pinned):
         raise DiagramError(
-            f"{name}: asks for the value of its parameter {parameter}, as an `if` does, so nothing "
-            f"would be proved of other values; write np.where, or give {parameter} as a whole "
+            f"{name}: asks for the value of its parameter {parameter}, as an `if` does, so a "
+            f"proof would not cover other values. Write np.where, or give {parameter} as a whole "
             "number"
         )
 
@@ -310,11 +310,12 @@ def refuse_unproved(wiring: Wiring, jumps: bool) -> None:
     for block in [node.system for node in wiring.nodes]:
         if block.first_held is not None or wiring.dt:
             raise DiagramError(
-                f"{block.name}: is of discrete time, and proofs speak of continuous time alone; "
-                "prove the design that it was sampled from"
+                f"{block.name}: is of discrete time, and proofs are for continuous time. "
+                "Prove the design that it was sampled from"
             )
         if block.jump_function is not None and not jumps:
             raise DiagramError(
-                f"{block.name}: its states jump, and this proof speaks of no jumps; prove the "
+                f"{block.name}: its states jump, and proofs are for states without "
+                "jumps. Prove the "
                 "block without its `jump`"
             )

@@ -51,7 +51,7 @@ def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
         if name != identifier and counts[identifier] > 1:
             clash = f"{name} and {identifier} are both s.{identifier}"
             raise DiagramError(
-                f"{eq.name}: {clash} in a function of signals; rename one"
+                f"{eq.name}: {clash} in a function of signals. Rename one"
             )
     symbols = {names[name]: symbols for name, symbols in eq.named.items()}
     is_allowed = {
@@ -122,7 +122,7 @@ class SystemCandidate(Candidate):
         name, eq = self.system.name, self.eq
         if eq.discrete:
             raise DiagramError(
-                f"{name}: is of discrete time, in which nothing has a rate"
+                f"{name}: is of discrete time, so its states have no rates"
             )
         if not eq.motion:
             raise DiagramError(f"{name}: has no states, so V' says nothing")
@@ -142,7 +142,7 @@ class SystemCandidate(Candidate):
             return self._traced(source)
         value = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(value, sympy.Expr):
-            raise DiagramError(f"{self.system.name}: {source} is no single number")
+            raise DiagramError(f"{self.system.name}: {source} is not a single number")
         return value
 
     def _traced(self, source: Callable[[Any], Any]) -> sympy.Expr:

@@ -70,9 +70,9 @@ def test_init_writes_examples_and_never_over_a_file(clpt, refused_for):
     assert clpt_control.load_scenario("paper.toml") == clpt_control.paper_scenario()
     keys = [line for line in text.splitlines() if " = " in line or line.startswith("[")]
     assert all("#" in line for line in keys if "title" not in line and line != "[run]")
-    refused_for(["exists already"], "init")
+    refused_for(["already exists"], "init")
     said, place = (
-        "is the scenario; give its run another name",
+        "is the scenario file. Give the run another name",
         Path("paper.toml").absolute(),
     )
     refused_for([said], "run", "paper.toml", "--out", place)
@@ -104,7 +104,7 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
     )
     assert Path("p.toml").read_text() == before
     for name, *words in (("p.svg", "--drawing"), ("p.c",), ("p.fmu",)):
-        assert clpt("export", "p.toml", *words, "-o", name).out == f"{name}: written\n"
+        assert clpt("export", "p.toml", *words, "-o", name).out == f"Wrote {name}\n"
     assert "adaptation" in Path("p.svg").read_text()
     assert "void closed_loop_step(" in Path("p.c").read_text()
     assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
@@ -134,10 +134,10 @@ def test_interrupt_ends_cleanly():
 
 
 STREAMS = {  # what a shell does with streams -> status, what is said on standard error
-    ">&-": (2, "clpt: standard output: is closed; give it a file or a terminal\n"),
+    ">&-": (2, "clpt: standard output: is closed. Give it a file or a terminal\n"),
     ">/dev/full": (
         2,
-        "clpt: standard output: no space left; give it a place with more\n",
+        "clpt: standard output: no space left. Give it a place with more\n",
     ),
     "2>&-": (0, ""),
     "2>/dev/full": (0, ""),
@@ -307,7 +307,7 @@ def test_brackets_in_tables_are_as_they_are(capsys):
 
 
 def test_figures_that_json_cannot_hold_are_said(capsys):
-    said = "a figure is not finite, which JSON cannot hold"
+    said = "a number is not finite, so JSON cannot represent it"
     says(clpt_control.SimulationError, said, print_json, {"figure": float("inf")})
     assert capsys.readouterr().out == ""
 

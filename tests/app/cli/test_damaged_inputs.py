@@ -130,13 +130,13 @@ def test_what_is_no_file_is_not_waited_for(refused_for, name):
         ("export", name, "--drawing"),
         ("excitation", name),
     ):
-        refused_for(["is no regular file; give one"], *arguments)
+        refused_for(["is not a regular file. Give a file"], *arguments)
 
 
 @pytest.mark.parametrize("name", ["x" * 5000, "x" * 255, "x/" * 2000, "\udcff"])
 def test_names_that_no_file_can_have(refused_for, name):
     write({})
-    words = ["bytes that are no text" if name == "\udcff" else "name is too long"]
+    words = ["not valid text" if name == "\udcff" else "name is too long"]
     for arguments in (
         *(("run", "s.toml", "--out", f"{name}.nc"), (*RUN, "--figures", name)),
         (
@@ -238,7 +238,7 @@ RUN_DAMAGES = {
     ),
     "a huge place": (
         lambda run: run.assign(position=run.position + 1e308),
-        "no finite number",
+        "not a finite number",
     ),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
     "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
@@ -256,10 +256,10 @@ RUN_DAMAGES = {
     ),
     "a gap": (
         lambda run: run.assign(reference=run.reference.where(run.time > 30)),
-        "no finite",
+        "not a finite",
     ),
     "one sample": (lambda run: run.isel(time=[0]), "has fewer than two samples"),
-    "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "no finite number"),
+    "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "not a finite number"),
 }
 NEEDED_BY_ESTIMATE = ("no waypoints", "a gap", "one sample")
 

@@ -171,7 +171,10 @@ def test_mistakes_are_one_sentence(refused_for, run):
             ("a smaller prior", run, "--noise", "1e-320", "--method", one)
             for one in METHODS
         ),
-        *(("is no run; `clpt run", "paper.toml"), ("none.nc", "none.nc")),
+        *(
+            ("is not a run. Make a run with: clpt run", "paper.toml"),
+            ("none.nc", "none.nc"),
+        ),
         ("a scenario's name must end in .toml", run, "--out", run),
     ):
         refused_for([said], "estimate", *words)

@@ -113,7 +113,7 @@ def test_a_run_is_linearized_at_one_of_its_times(scenario):
         output="nothing",
     )
     changed = clpt.simulate(scenario, params={"basis_x.widths": [1.0, 2.0, 3.0]})
-    says(clpt.DataError, "does not hold its diagram", changed.clpt.linearize, 10.0)
+    says(clpt.DataError, "does not contain its diagram.", changed.clpt.linearize, 10.0)
 
 
 # --- a run as a table, read back by csv and by scipy.io.loadmat ----------------------------------

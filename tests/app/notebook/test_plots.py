@@ -68,7 +68,7 @@ def test_on_given_axes(kind, name, count, made):
     assert not axes[count].has_data()
     figure.draw_without_rendering()
     many = (
-        rf"has {count + 1} Axes; this plot draws on {count}"
+        rf"has {count + 1} Axes; this plot needs {count}"
         if count > 1
         else "must be an Axes"
     )
@@ -126,7 +126,7 @@ def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
     file, words = tmp_path / "run.gif", ("report", tmp_path / "run.nc", "--film", "-o")
     save_run(run, tmp_path / "run.nc")
     done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
-    assert done.out == f"{file}: written\n"
+    assert done.out == f"Wrote {file}\n"
     refused_for(["must end in .gif"], *words, tmp_path / "film.doc")
     with Image.open(file) as film:
         assert (film.n_frames, film.width) == (10, 300)

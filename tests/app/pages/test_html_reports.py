@@ -111,7 +111,7 @@ def test_nothing_of_a_run_is_markup(run, monkeypatch):
 def test_a_number_that_is_none_is_refused(run):
     for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
         bad = run.assign({name: run[name].where(run.time < 40)})
-        says(DataError, f"run's {name} holds what is no finite number", page_of, bad)
+        says(DataError, f"run's {name} holds what is not a finite number", page_of, bad)
     page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
 
 
@@ -314,7 +314,7 @@ def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeyp
     for name, said in {
         **{name: said for name, (_, said) in NO_SUMMARY.items()},
         **dict.fromkeys(no_page, "cannot be read as NetCDF"),
-        **{"folder": "give ", "nowhere.nc": "no such file"},
+        **{"folder": "Give ", "nowhere.nc": "no such file"},
     }.items():
         refused_for([said], "report", name, "-o", "r.html")
     for target in ("r.txt", "no/r.html", "folder"):

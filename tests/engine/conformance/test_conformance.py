@@ -32,7 +32,7 @@ def test_package_block_conforms(block):
 
 
 def test_docstrings_name_the_equation():
-    """Of the package's own blocks; a user's equation has no number in the paper."""
+    """Of the package's own blocks; a user's equation has no value in the paper."""
     for block in BLOCKS:
         functions = [getattr(block, f"{role}_function") for role in roles(block)]
         texts = [
@@ -210,7 +210,7 @@ SMALLER = [
     (leaky, {"t": "h"}, r"smaller h "),
     (leaky, {"velocity": "m/s"}, r"no port or parameter is called 'velocity'"),
     (leaky, {"gain": None}, r"units: 'gain' has none"),
-    (leaky, {"e": "m per s!"}, r"'m per s!' is no unit; write such as"),
+    (leaky, {"e": "m per s!"}, r"'m per s!' is not a unit. Write such as"),
 ]
 
 

@@ -74,15 +74,15 @@ UNFIT = [
     (
         [through("a", "u", "v"), through("b", "v", "u")],
         (),
-        "loop: .*[ab].* break .* has states",
+        "loop: .*[ab].* Break .* has states",
     ),
     ([through("mine", "u", "u")], (), "algebraic loop: mine"),
-    (["vehicle"], (), "'vehicle' is no block: give"),
+    (["vehicle"], (), "'vehicle' is not a block. Give"),
     ([control.tf(1, [1, 1])], "u", r"a TransferFunction without a name: .* name='lag'"),
     (
         [*PAPERS, control.ss(-1, 1, 1, 0, True, name="held")],
         "u",
-        "held: dt = True does not say",
+        "held: dt = True is not a sampling time",
     ),
     (
         [control.tf([1, 0, 1], [1, 1], name="pd")],
@@ -92,7 +92,7 @@ UNFIT = [
     (
         [control.nlsys(lambda t, x, u, p: -x, states=1, name="q")],
         (),
-        "q: how many inputs",
+        "q: the numbers of inputs",
     ),
     ([*PAPERS, through("p", "zc", "q")], (), r"'zc' has 2 .*signals="),
 ]

@@ -133,7 +133,7 @@ def test_discrete_time_has_next_states_and_no_derivative():
     assert str(eq).splitlines()[0] == "x[0]+ = x[0]/2 + u[0](t)".replace("[0]", "")
     says(clpt.DiagramError, "discrete time", eq.derivative, eq["x"])
     with pytest.raises(
-        clpt.DiagramError, match="x is of several signals; give one of them"
+        clpt.DiagramError, match=r"x has several signals. Give one of them"
     ):
         clpt.equations(control.ss(np.eye(2), np.eye(2), np.eye(2), 0)).derivative("x")
 

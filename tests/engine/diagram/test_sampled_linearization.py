@@ -95,7 +95,7 @@ def test_a_nonlinear_loop_is_linearized_at_its_point():
 
 def test_python_control_is_refused_where_it_would_be_wrong():
     loop = clpt.connect([error(), law(0.5), plant()], external="r")
-    said = "law samples its inputs, which control.linearize does not see; call clpt.linearize"
+    said = "law samples its inputs, which control.linearize does not see. Call clpt.linearize"
     says(clpt.DiagramError, said, control.linearize, loop, np.zeros(4), [0.0])
     smooth = clpt.connect([error(), plant(inputs="e")], external="r")
     np.testing.assert_allclose(

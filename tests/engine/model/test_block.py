@@ -73,7 +73,7 @@ def test_parameters_are_a_dict_a_named_tuple_or_a_dataclass(parameters):
     assert pickle.loads(pickle.dumps(p)) is not p
     with pytest.raises(TypeError, match="assignment"):
         block.params["mine.gain"] = 2.0
-    with pytest.raises(BlockError, match=r"set mine\.parameters"):
+    with pytest.raises(BlockError, match=r"Set mine.parameters"):
         block.params = {"mine.gain": 2.0}
     block.parameters = block.parameters._replace(gain=2.0)
     np.testing.assert_array_equal(block.output(0, [], phi), 2 * THETA @ phi)
@@ -158,7 +158,7 @@ CANNOT = [
     (OUT | {"parameters": {"a": "b"}}, r"mine\.a = 'b'"),
     (OUT | {"parameters": {"a b": 1.0}}, "'a b' must be a Python name"),
     (OUT | {"breakpoints": lambda p, a, b: []}, "`interval = -1"),
-    (OUT | {"shapes": {"a": "N"}}, "'a', which is no parameter"),
+    (OUT | {"shapes": {"a": "N"}}, "'a', which is not a parameter"),
     (OUT | {"dt": -1}, "dt = -1"),
     (OUT | {"dt": 1.0, "breakpoints": min}, "no breakpoints"),
 ]

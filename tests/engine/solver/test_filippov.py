@@ -103,7 +103,7 @@ SEVERAL = {  # rates lead back to more than one switch at once
 @pytest.mark.parametrize("several", SEVERAL)
 def test_several_switches_at_once_are_refused(several):
     """The sentence names the switch and the remedies."""
-    sentence = "in plant.update switches to and fro without going on; give the switch a hysteresis"
+    sentence = r"in plant.update switches without end \(chattering\). Give the switch a hysteresis,"
     with pytest.raises(clpt.SimulationError, match=sentence):
         clpt.simulate(system(SEVERAL[several], 2), T, None, [0.3, 0.2])
 

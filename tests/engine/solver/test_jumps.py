@@ -81,7 +81,7 @@ def test_a_jump_before_time_0_is_refused_and_none_is_missed():
     own = {"breakpoints": lambda p, t0, t1: at[(at > t0) & (at <= t1)], "name": "once"}
     block = ticking(grow, lambda t, x, u, p: x.s + 10.0, **own)
     with pytest.raises(
-        BlockError, match=r"once: jumps at -1, .* begin the run at 0 or later"
+        BlockError, match=r"once: jumps at -1, .* Begin the run at 0 or later,"
     ):
         clpt.simulate(block, [-2.0, 0.0, 2.0])
     assert clpt.simulate(block, [-0.5, 0.0, 2.0]).s.values.tolist() == pytest.approx(
@@ -159,7 +159,7 @@ def test_python_control_reads_points_and_the_time_between_jumps():
     "lacking", [{"breakpoints": None}, {"states": None, "update": None}]
 )
 def test_a_jump_needs_states_and_breakpoints(lacking):
-    said = r"^b: a jump sets states at the block's own breakpoints; give `breakpoints` and `states`"
+    said = r"^b: a jump sets states at the block's own breakpoints. Give `breakpoints` and `states`"
     own = {
         "update": scale,
         "states": {"s": 1},

@@ -221,7 +221,7 @@ def test_a_value_has_the_same_key_again():
 )
 def test_a_value_that_may_change_unseen_has_none(value):
     with pytest.raises(
-        Unread, match=r"call it before or after|pass its numbers|make it a list"
+        Unread, match=r"Call it before or after|Pass its numbers|Make it a list"
     ):
         reachable(lambda: value)
 

@@ -67,8 +67,8 @@ EFFECTS = {  # what the sentence names -> what happens
     "sqlite3.connect": fills_a_table,
     "np.save": lambda: np.save("other.npy", np.zeros(2)),
     "np.seterr": lambda: np.seterr(under="warn"),
-    "chance": lambda: random.seed(7),
-    "by chance": lambda: np.random.seed(7),  # noqa: NPY002
+    "random": lambda: random.seed(7),
+    "draws random": lambda: np.random.seed(7),  # noqa: NPY002
     "MEMORY": lambda: MEMORY.write(b"full"),
     "NUMBER": lambda: setattr(NUMBER, "value", 1.0),
     "FLAG": lambda: FLAG.set(),

@@ -206,11 +206,11 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
         "no eastward velocity: .*'eastward_sea_water_velocity'.*p, v",
     ),
     (lambda data: data.drop_vars("lat"), "no latitude: .*standard_name 'latitude'"),
-    (saying("u", units=None), "u has no units; give --units"),
-    (saying("u", units="kelvin"), "u: units = 'kelvin' is no speed"),
+    (saying("u", units=None), "u has no units. Give --units"),
+    (saying("u", units="kelvin"), "u: units = 'kelvin' is not a speed"),
     (
         lambda data: data.assign_coords(lat=data.lat.astype(str)),
-        "lat holds .*; must hold numbers",
+        "lat has the type .*; must be numbers",
     ),
     (time_says("hours since 0001-01-01"), "'hours since 0001.* and no calendar"),
     (no_dates("360_day"), "calendar '360_day', whose dates are not real. Convert"),
@@ -221,12 +221,12 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
         "time is not finite at 10 of 10 steps, .* data.isel.time=data.time",
     ),
     ({"lat": SOUTH}, "lat reaches nan; must be a latitude"),
-    ({"time": np.zeros(10)}, "time has a step twice"),
+    ({"time": np.zeros(10)}, "time has a time twice."),
     (
         {"lon": np.append(LON[:-1], LON[2] + 360.0 + 1e-10)},
         "lon has a value twice .0 and",
     ),
-    ({"flow": sample()[:, :1], "time": TIME[:1]}, "time has 1 of the 2 steps"),
+    ({"flow": sample()[:, :1], "time": TIME[:1]}, "time has 1 of the 2 required steps"),
     ({"flow": np.full((2, 10, 6, 8), np.nan)}, "no finite value in the box"),
     ({"flow": np.full((2, 10, 6, 8), 9999.0)}, "reaches 9999 m/s: check its units"),
     (of_levels([-30.0, -1.0]), "reaches"),
@@ -235,8 +235,8 @@ REFUSED = [  # a change, or how a file is written, and what is said of it
         "depth counts up from",
     ),
     (of_levels([0.5, 10.0], positive="up"), "depth counts up from"),
-    (empty("lat"), "lat has the length zero; must hold at least one"),
-    (empty("lon"), "lon has the length zero; must hold at least one"),
+    (empty("lat"), "lat has the length zero; must have at least one"),
+    (empty("lon"), "lon has the length zero; must have at least one"),
 ]
 
 
@@ -284,7 +284,7 @@ PROJECTED = {
 }
 UNLIKE = [
     (("y", "x"), places_on("y", "x"), CURVED),
-    (("node",), places_on("node"), "lat and lon are of each node, no grid; regrid it"),
+    (("node",), places_on("node"), "lat and lon are along node, not a grid; regrid it"),
     (
         ("y", "x"),
         PROJECTED,

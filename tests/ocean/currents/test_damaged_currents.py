@@ -290,7 +290,7 @@ def test_a_file_of_a_folder_that_is_not_used_is_refused(tmp_path, count, shared)
         )
         part.to_netcdf(tmp_path / f"day{k}.nc")
     with pytest.raises(
-        ClptError, match=r"each step of day\d.nc is in a later file, too"
+        ClptError, match=r"each step of day\d.nc is in a later file too"
     ):
         read_currents(tmp_path)
 

@@ -149,7 +149,7 @@ def test_steps_without_any_measurement_do_not_lengthen_a_record(tmp_path):
     u[12:] = np.nan
     path, said = (
         write(tmp_path / "c.nc", u, v),
-        r"in 11 h, these .* apart: steady and M2 \(12.43 h",
+        r"in 11 h, these .*cannot be distinguished: steady and M2 \(12.43 h",
     )
     refuses(said, fit_current, path, BOX, rows=1, columns=1, width_km=30.0)
 
@@ -294,7 +294,7 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
     refuses(
         "basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3))
     )
-    refuses("no gridded field", explained_variance, clpt.paper_scenario(), run)
+    refuses("not a gridded field;", explained_variance, clpt.paper_scenario(), run)
     track = share(run.true_flow.values[late], learned)
     assert shares["track"] == pytest.approx(track, rel=1e-9)
     with netCDF4.Dataset(scenario.field_path) as file:

@@ -129,9 +129,9 @@ def test_a_step_of_two_files_is_one_however_it_is_counted(tmp_path, minutes):
 
 
 def test_a_folder_without_a_current_is_one_sentence(tmp_path):
-    refuses("holds neither Zarr nor a NetCDF file", read_currents, tmp_path)
+    refuses("has neither Zarr nor NetCDF files", read_currents, tmp_path)
     current().isel(time=[3]).to_netcdf(tmp_path / "3.nc")
-    refuses("has 1 of the 2 steps", read_currents, tmp_path)
+    refuses("has 1 of the 2", read_currents, tmp_path)
 
 
 def test_a_box_is_read_as_one_block(tmp_path, monkeypatch):
@@ -191,7 +191,7 @@ def test_plane_both_ways_and_true_distances():
         np.full(50, -69.45), np.full(50, 41.225), lon, lat
     )
     np.testing.assert_allclose(np.hypot(x1, x2), metres / 1000, rtol=1e-9)
-    refuses("choose a smaller box", NANTUCKET.to_plane, 60.0, -69.0)
+    refuses("Choose a smaller box", NANTUCKET.to_plane, 60.0, -69.0)
     refuses("km from the origin", NANTUCKET.to_plane, np.nan, -69.0)
     refuses("latitude", LocalPlane, 91.0, 0.0)
 
@@ -345,11 +345,11 @@ def test_velocities_by_the_names_of_the_user(tmp_path):
     same(read_currents(current()), read_currents(tmp_path / "own.nc", names=names))
     swapped = read_currents(data, names={"u": "speed_y", "v": "speed_x"})
     np.testing.assert_array_equal(swapped.u, read_currents(data, names=names).v)
-    refuses("give --u and --v, or names=", read_currents, data)
+    refuses("Give --u and --v, or names=", read_currents, data)
     said = "Dataset: no variable w; must be one of speed_x, speed_y"
     refuses(said, read_currents, data, names=names | {"u": "w"})
     refuses("names: has u; must have u and v", read_currents, data, names={"u": "w"})
-    refuses("an empty list; give at least one file", read_currents, [])
+    refuses("an empty list. Give at least one file", read_currents, [])
 
 
 def test_a_missing_time_is_refused_in_a_file_and_in_a_dataset(tmp_path):

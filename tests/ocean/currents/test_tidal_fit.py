@@ -158,7 +158,7 @@ def test_utide_chooses_by_itself():
     }
     assert {*KNOWN} < names
     assert "K2" not in names
-    said = "no tide can be told from the mean in 2 h"
+    said = "no tide can be distinguished from the mean in 2 h"
     refuses(said, fit_tides, time[:3], *flow[:, :3], LATITUDE, "auto")
 
 
@@ -171,7 +171,7 @@ def test_rayleigh_says_which_and_how_long():
     assert refuses(
         "x.nc: ", check_separable, ["M2", "S2", "K2", "steady"], 11.0, "x.nc"
     ) == (
-        "x.nc: in 11 h, these cannot be told apart: S2 and K2 (4383 h are needed), M2 and S2 "
+        "x.nc: in 11 h, these cannot be distinguished: S2 and K2 (4383 h are needed), M2 and S2 "
         "(354.4 h are needed), M2 and K2 (327.9 h are needed), M2 and steady (12.43 h are needed), "
         "S2 and steady (12 h are needed), K2 and steady (11.97 h are needed)"
     )
@@ -179,7 +179,7 @@ def test_rayleigh_says_which_and_how_long():
 
 
 def test_rayleigh_on_a_measured_day(printed, refused, tmp_path):
-    sentence = "in 23 h, these cannot be told apart: M2 and S2 (354.4 h are needed)"  # 24 steps
+    sentence = "in 23 h, these cannot be distinguished: M2 and S2 (354.4 h are needed)"  # 24 steps
     out = tmp_path / "s.toml"
     assert sentence in refused(
         "fit", MARACOOS, "--constituents", "steady,M2,S2", "--out", out
@@ -275,8 +275,8 @@ BAD_TABLES = [
     (HEADER, "has a header and no rows"),
     ("the quick brown fox\n", "no column time"),
     ("time,u (m/s),v (m/s),u (m/s)\n", "more than one column u"),
-    ("time,u,v\n" + ROW.format(1), "u has no units; write them behind the name"),
-    ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is no speed"),
+    ("time,u,v\n" + ROW.format(1), "u has no units. Write them behind the name"),
+    ("time,u (kelvin),v (m/s)\n", "u: units = 'kelvin' is not a speed"),
     (HEADER + "yesterday,1,2\n", "line 3: time is 'yesterday'"),
     (HEADER + "2201,1,2\n", "the year 1700 to 2200"),
     (HEADER + "\n# a gap\n2019-01-01,1,2\n2019-01-02,1,o2\n", "line 6: v is 'o2'"),
@@ -290,7 +290,7 @@ BAD_TABLES = [
         HEADER.replace("m/s", "cm/s") + "2019,-999,-999\n",
         "9.99 m/s: check its units and fill",
     ),
-    (HEADER.split("\n", 1)[1] + ROW.format(1), "does not say its latitude"),
+    (HEADER.split("\n", 1)[1] + ROW.format(1), "has no latitude"),
     (HEADER.replace("41", "141") + ROW.format(1), "latitude = 141.0"),
     (
         HEADER.replace("41", "north") + ROW.format(1),
@@ -307,7 +307,7 @@ BAD_TABLES = [
     ),
     (
         HEADER.replace(",", ";") + "0;1;2\n",
-        "columns are separated by semicolons; use commas",
+        "columns are separated by semicolons. Use commas",
     ),
     (HEADER + ROW.format(1), "1 of 1 times have both components"),
     (
@@ -333,8 +333,8 @@ def test_each_bad_file_is_one_sentence(refused, tmp_path):
     for path, arguments, sentence in (
         (tmp_path / "none.nc", m2, "no such file"),
         (tmp_path / "text.nc", m2, "cannot be read as NetCDF"),
-        (tmp_path / "bytes.csv", m2, "is no text"),
-        (tmp_path / "fifo.csv", m2, "is no regular file; give one"),
+        (tmp_path / "bytes.csv", m2, "is not text"),
+        (tmp_path / "fifo.csv", m2, "is not a regular file. Give a file"),
         (
             write_netcdf(tmp_path / "a.nc", time, np.nan * flow),
             m2,
@@ -364,7 +364,7 @@ def test_records_that_are_blind_to_a_tide():
         (
             times(30, step=720),
             ["S2"],
-            "the mean and S2 look alike; take other intervals",
+            "the mean and S2 look alike. Take other intervals",
         ),
         (times(30, step=1440), ["M2", "S2"], "look alike"),
         (
@@ -415,7 +415,9 @@ def test_a_profilers_file_is_a_record(tmp_path):
     refuses("set_declination", read_record, tmp_path / "magnetic.nc")
     profiler("inst", declination=0.0).to_netcdf(tmp_path / "inst.nc")
     refuses(
-        "of 'inst'; dolfyn.rotate2 turns it to earth", read_record, tmp_path / "inst.nc"
+        "of 'inst'; Rotate it with dolfyn.rotate2 to earth",
+        read_record,
+        tmp_path / "inst.nc",
     )
 
 

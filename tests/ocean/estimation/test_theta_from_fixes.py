@@ -172,7 +172,7 @@ def test_what_is_not_allowed_is_said(lap):
         ({"every": 300.0}, "every = 300: must be positive, at most"),
         ({"prior": 0.0}, "prior: must be a positive number, or 3 of them"),
         ({"noise": [1.0, 2.0]}, "noise: must be a positive number, or 100 of them"),
-        ({"basis": clpt.paper_blocks(PAPER)[0]}, "reference: is no basis"),
+        ({"basis": clpt.paper_blocks(PAPER)[0]}, "reference: is not a basis"),
     ):
         refuses(said, estimate, lap, error=clpt.ScenarioError, **change)
 
@@ -187,7 +187,7 @@ def test_runs_that_tell_too_little_are_refused(lap):
         (lap.drop_attrs(), "carries no scenario"),
         (run({"run.duration": 20}, params=parameters), "parameters given at call time"),
         (lap.sel(time=slice(19.7, 60)), "into 5 samples at least"),
-        (run({"run.output_step": 4}), r"to 0\.\d+ m only; run it with a smaller"),
+        (run({"run.output_step": 4}), r"to 0\.\d+ m only. Run it with a smaller"),
         (run({"run.output_step": 0.7}), "a step that divides that"),
         (run({**fixes, "run.duration": 40}), "steers on its prediction between fixes"),
     ):
@@ -297,7 +297,7 @@ def test_a_run_that_is_read_with_noise_says_how_well_it_tells():
     # five segments
     assert np.mean([covered(one.theta, one.covariance) for one in found]) >= 0.95
     beside = read_with_noise(0, period=0.25)
-    said = r"the noise each 0\.25 s; run it with a step"
+    said = r"the noise each 0\.25 s. Run it with a step"
     refuses(said, estimate, beside, error=clpt.ScenarioError)
     bare = noisy[0.01].drop_vars("measured_position")
     refuses("the run has no measured_position over time, axis", estimate, bare)

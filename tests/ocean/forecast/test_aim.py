@@ -321,16 +321,16 @@ MANY = together(shape("Polygon", RING), shape("Point", 8.0, 40.0))
 NO_ROUTES = [
     ("", "has no waypoint"),
     ("-42.8 8.4 7\n", "is neither GeoJSON nor a latitude"),
-    ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is no place"),
+    ("8.4 -942.8\n", "latitude 8.4, longitude -942.8 is not a position"),
     ('{"type": "Circle"}', "has no waypoint"),
     (json.dumps(shape("Polygon", SQUARE)), "has no waypoint"),
     ("{" * 10**5, "is neither GeoJSON"),
     (json.dumps(shape("LineString", [[8.0, 40.0]])), "places are pairs"),
     (json.dumps(shape("Point", 10**400, 1)), "is neither GeoJSON"),
     (json.dumps(shape("Polygon", SQUARE[:2])), "at least three corners"),
-    ("-42.8 8.4\n" * 101, "has 101 waypoints, and areas of 0 places; at most 100,"),
-    (json.dumps(MANY), "and areas of 20001 places; at most 100,"),
-    (" " * 10**7 + "1", "is larger than 10 MB"),
+    ("-42.8 8.4\n" * 101, "has 101 waypoints, and areas of 0 points; at most 100,"),
+    (json.dumps(MANY), "and areas of 20001 points; at most 100,"),
+    (" " * 10**7 + "1", "is larger than the limit of 10 MB"),
 ]
 
 

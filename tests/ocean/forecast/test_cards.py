@@ -154,11 +154,11 @@ def test_a_waypoint_against_the_current_is_said_on_its_card():
 @pytest.mark.parametrize(
     ("basis", "plan", "says"),
     [
-        ("repeated", False, "wide: no plan in the files; give --next or --aim"),
+        ("repeated", False, "wide: no plan in the files. Give --next or --aim"),
         (
             "planned",
             True,
-            "wide: few dives went along the plan in the files; give --next",
+            "wide: few dives went along the plan in the files. Give --next",
         ),
         ("given", False, "wide: longer than the way through the water; more dives"),
     ],

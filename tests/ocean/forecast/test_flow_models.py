@@ -297,14 +297,14 @@ def test_files_that_are_no_flow_model(known, tmp_path):
     levels = {"depth": [0.0, 0.5, 1.0], "change": saying("depth", units="1")}
     write(tmp_path / "sigma.nc", deep, deep, hours=HOURS[:2], **levels)
     for name, says in (
-        ("model.csv", "is no flow model"),
+        ("model.csv", "is not a flow model"),
         ("none.nc", "no such file"),
-        ("fit_field.nc", "give the .toml file"),
-        ("bare.toml", "is no fit with its field"),
+        ("fit_field.nc", "Give the .toml file"),
+        ("bare.toml", "is not a fit with its field"),
         ("deep.nc", "each once"),
         ("sigma.nc", "depth has units '1'"),
     ):
         refuses(says, read_flow_model, tmp_path / name)
     with netCDF4.Dataset(tmp_path / "fit_field.nc", "a") as file:
         file.fit_report = report.replace('"theta": [[', '"theta": [[0.0, ', 1)
-    refuses("write both anew", read_flow_model, tmp_path / "fit.toml")
+    refuses("Write both anew", read_flow_model, tmp_path / "fit.toml")

@@ -102,14 +102,14 @@ def test_results_never_lie_in_the_followed_folder(inbox, tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "state").symlink_to(inbox)
     for out in (inbox, tmp_path / "link", tmp_path / "out"):
-        refused("would lie in the followed folder", inbox, out)
+        refused("would be in the watched folder", inbox, out)
     with following(inbox, inbox / "." / ".."):  # the folder above is another
         pass
     with following(inbox, inbox / "replay") as follower:
         assert len(follower.look()) == 3
     (tmp_path / "loop").symlink_to("loop")
     for missing in ("none", "in/dive304.csv", "loop"):
-        refused("no such folder", tmp_path / missing, tmp_path / "other")
+        refused("the folder", tmp_path / missing, tmp_path / "other")
         assert not (tmp_path / "other").exists()
 
 
@@ -119,7 +119,10 @@ def test_a_state_belongs_to_its_folder(follower, inbox, tmp_path, monkeypatch):
     one_file_each(other, vehicle(3, 2))
     kept = {path.name: path.read_bytes() for path in state.iterdir()}
     refuses(
-        "keeps what was read in .*/in, not in .*/other vehicle", Follower, other, state
+        "has the files read from .*/in, not from .*/other vehicle",
+        Follower,
+        other,
+        state,
     )
     assert kept == {path.name: path.read_bytes() for path in state.iterdir()}
     monkeypatch.chdir(tmp_path)
@@ -151,7 +154,7 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv"]
     found, why = numbers(follower)
     assert found == [304, 306]
-    assert "dive305.csv: is no regular file; give one" in why[0]
+    assert "dive305.csv: is not a regular file. Give a file" in why[0]
 
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
@@ -243,7 +246,7 @@ def whole(tmp_path):
 def is_no_state(path, text):
     """Whether a state with this text is refused, and left as it is."""
     path.write_bytes(text.encode("utf-8", "surrogateescape"))
-    said = "is no state of this version's clpt watch.*move the folder .* away"
+    said = "is not a state of this version's clpt watch.*move the folder .* away"
     refuses(said, Follower, path.parents[1] / "in", path.parent)
     assert path.read_bytes() == text.encode("utf-8", "surrogateescape")
 
@@ -327,7 +330,10 @@ def test_what_is_no_json_is_seen(whole):
         path.unlink()
         make(path)
         refuses(
-            "dive1.csv.json: is no state", Follower, path.parents[1] / "in", path.parent
+            "dive1.csv.json: is not a state",
+            Follower,
+            path.parents[1] / "in",
+            path.parent,
         )
 
 

@@ -86,16 +86,16 @@ def test_the_table_keeps_what_matters(width, sample, capsys, monkeypatch):
 
 
 MISTAKES = [
-    ("", "give files"),
-    ("--sample a.csv", "give files"),
+    ("", "Give files"),
+    ("--sample a.csv", "Give files"),
     ("--sample --flow M2", "must begin with steady"),
-    ("--sample --flow steady,M2,S2", "cannot be told apart: M2 and S2"),
+    ("--sample --flow steady,M2,S2", "cannot be distinguished: M2 and S2"),
     ("--sample --flow steady,model", "needs --flow-model"),
     ("--sample --flow-model state.toml", "state.toml"),
     ("--sample --flow-model model.txt", "no such file"),
     ("--sample --units m/s", "--units m/s: is for --flow-model FILE"),
     ("--sample --least-duration 1e9", "must last longer"),
-    ("--sample --variation 3", "no dive here has its dead reckoning from a magnetic"),
+    ("--sample --variation 3", "no dive has dead reckoning from a magnetic"),
     ("--sample --variation nan", "must be -180 to 180"),
     ("--sample --next 0 0 0", "a dive of 0 hours"),
     ("--sample --next nan 0 0", "a dive of nan hours"),
@@ -103,21 +103,24 @@ MISTAKES = [
     ("--sample --next 14400 0 3000", "to 720 hours"),
     ("--sample --aim 4304.27 8.0", "decimal degrees"),
     ("--sample --aim nan 8", "must be a latitude"),
-    ("--sample --speed 0.2", "give a waypoint"),
+    ("--sample --speed 0.2", "Give a waypoint"),
     ("--sample --aim 40 8 --speed -1", "at -1 m/s"),
-    ("--sample --aim 40 8 --speed 0", "leads nowhere; give --speed"),
+    ("--sample --aim 40 8 --speed 0", "reaches no waypoint. Give --speed"),
     ("--sample --aim 40 8 --hours 1e9", "to 720 hours"),
-    ("watch . --fleet", "no folder below it has files of dives"),
-    ("watch no --fleet", "no such folder"),
-    ("watch . --fleet --aim 1 2", "are of one vehicle"),
-    ("watch . --fleet --alert no-such-command-here", "no such command"),
-    ('watch . --fleet --alert "echo \'a"', "no such command"),
-    ("watch none", "no such folder"),
+    (
+        "watch . --fleet",
+        "no subfolder has dive files. Give a folder with one subfolder per vehicle",
+    ),
+    ("watch no --fleet", "folder not found"),
+    ("watch . --fleet --aim 1 2", "are for one vehicle"),
+    ("watch . --fleet --alert no-such-command-here", "command not found"),
+    ('watch . --fleet --alert "echo \'a"', "command not found"),
+    ("watch none", "folder not found"),
     ("watch . --every inf", "--every inf s: must be above 0 s and at most 86400 s"),
     ("watch . --every nan", "at most 86400 s"),
     ("watch . --every 0", "above 0 s"),
     ("watch . --patience nan", "--patience nan s: must be 0 s or more"),
-    ("watch . --out .", "would lie in the followed folder"),
+    ("watch . --out .", "would be in the watched folder"),
     ("watch . --out ''", "'--out': is empty"),
     ("watch ''", "'FOLDER': is empty"),
 ]
@@ -268,7 +271,8 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     assert (tmp_path / "replay" / "replay.nc").exists()
     assert "so far, flow steady,M2,S2" in done.stderr
     assert (
-        "so far, --aim: 0 m/s, given or of the last dives, leads nowhere" in done.stderr
+        "so far, --aim: 0 m/s, given or of the last dives, reaches no waypoint"
+        in done.stderr
     )
     assert set(found["clpe_rms"].values()) == {None}
     assert found["clpe_rms_all"]["no_flow"] > 0

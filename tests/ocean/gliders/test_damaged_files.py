@@ -82,7 +82,7 @@ NOT_USED = [  # a share of the file, its bytes, a missing variable, or those tha
     (timed(since, {"units": "fortnights since 1970-01-01"}), "'fortnights since"),
     (
         {EAST: (CTD, steps[:, 0], {"units": "furlong"})},
-        "'furlong'; must be such as 'm'",
+        "'furlong'; use a unit such as 'm'",
     ),
     ({NORTH: (("two",), [1.0, 2.0], M)}, "differ in length"),
     (NORTH, "no variables east_displacement"),
@@ -152,7 +152,7 @@ def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_pat
 
 
 def test_what_was_named_must_exist(tmp_path):
-    refuses("the folder has no", read_all_dives, tmp_path)
+    refuses("no dive files in this folder", read_all_dives, tmp_path)
     for name in ("a.nc", "b.nc"):
         (tmp_path / name).write_bytes(b"")
     refuses("2 files: no dive", read_all_dives, tmp_path)
@@ -178,7 +178,7 @@ SLOCUM = [
     (lambda raw: b"", "is empty"),
     (lambda raw: raw[:2], "no column dive"),
     (lambda raw: raw[:177], NO_HEADER),
-    (lambda raw: raw[: raw.index(KNOWN)], "no cycles behind its header"),
+    (lambda raw: raw[: raw.index(KNOWN)], "no cycles after its header"),
     (lambda raw: raw[: raw.index(KNOWN) + 16], ""),
     (lambda raw: raw[: int(0.3 * len(raw))], ""),
     (lambda raw: raw[: int(0.99 * len(raw))], CUT),
@@ -197,7 +197,7 @@ SLOCUM = [
     (lambda raw: raw.replace(b"6b016a2e", b"../../et", 1), "names no list of sensors"),
     (
         lambda raw: raw.replace(b"sors:    27\n", b"sors:    99\n", 1),
-        "no list of 99 sensors",
+        "not a list of 99 sensors",
     ),
     (lambda raw: raw.replace(b"per_cycle:    7", b"per_cycle:    9", 1), "state bytes"),
     (

@@ -36,10 +36,10 @@ def table(tmp_path):
 def test_tables_of_other_kinds_are_told_what_to_change(table):
     text = table.read_text()
     for content, sentence in (
-        (text.replace(",", ";"), "columns are separated by semicolons; use"),
-        (text.replace(",", "\t"), "columns are separated by tabs; use"),
-        (text.replace("dac_qc,", "dive,"), "the column dive stands there tw"),
-        (text.replace("gps_", "vehicle,"), "the column vehicle stands"),
+        (text.replace(",", ";"), "columns are separated by semicolons. Use"),
+        (text.replace(",", "\t"), "columns are separated by tabs. Use"),
+        (text.replace("dac_qc,", "dive,"), "the column dive appears twice"),
+        (text.replace("gps_", "vehicle,"), "the column vehicle appears"),
         (text.upper(), "no column dive, .* begins with dive,"),
         (
             text.replace("dr_east_m", "DR_east_m"),
@@ -72,7 +72,7 @@ def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence)
     assert (dive.number, usable([dive])[0]) == (2147483647, [dive])
     assert re.search(sentence, skipped.why)
     path.write_text(HEAD + 2 * ROW.format(*cells))
-    refuses(r"dives.csv: no dive; the first reason: .*line 2", read_all_dives, path)
+    refuses(r"no dive. First reason:.*line 2", read_all_dives, path)
 
 
 def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
@@ -129,7 +129,7 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
             (same.dr_east, same.dr_north)
         )
         assert dive.notes == ("dead reckoning computed from dac_east, dac_north",)
-    assert "dac_east or dac_north is no number" in usable(found)[1][-1].why
+    assert "dac_east or dac_north is not a number" in usable(found)[1][-1].why
     (tmp_path / "none.csv").write_text(HEAD.replace(",dr_east_m,dr_north_m", ""))
     said = "no column dr_east_m, dr_north_m; .* may stand instead"
     refuses(said, read_all_dives, tmp_path / "none.csv")
@@ -159,7 +159,7 @@ def test_a_current_that_contradicts_dead_reckoning_is_refused(tmp_path, cause, c
     assert (noted, skipped) == ([True] + [False] * 13, [])
     write_dive_table([with_current(dive, change) for dive in dives], path)
     said = refuses("contradict dac_east, dac_north by .* mm/s in", read_all_dives, path)
-    assert f"{cause}; correct one pair, or leave the wrong columns out" in said
+    assert f"{cause}. Correct one pair, or leave the wrong columns out" in said
 
 
 def test_angles_that_are_none_are_left_out_and_said(tmp_path):
@@ -202,8 +202,8 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
     os.mkfifo(tmp_path / "fifo.csv")
     (tmp_path / "dives.csv").touch()
     for path, sentence in (
-        (tmp_path / "fifo.csv", "is no regular file; give one"),
-        ("/dev/zero", "is no regular file; give one"),
+        (tmp_path / "fifo.csv", "is not a regular file. Give a file"),
+        ("/dev/zero", "is not a regular file. Give a file"),
         (tmp_path / "dives.csv" / "x.csv", "no such file"),
         (tmp_path / ("x" * 300), "cannot be read: File name too long"),
     ):
@@ -212,7 +212,7 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
     (tmp_path / "folder.nc").mkdir()
     found, skipped = read_all_dives(tmp_path)
     assert len(found) == 14
-    why = ["is no regular file; give one", "is a folder; give a file"]
+    why = ["is not a regular file. Give a file", "is a folder. Give a file"]
     assert [one.why.split(": ")[1] for one in skipped] == why
 
     def closed(path, *_, **__):
@@ -243,7 +243,7 @@ def later(number, **changes):
 WEEKS = 1024 * 7 * 86400.0  # s
 
 
-DEGREES = "degrees and minutes; give decimal degrees, 51.684133 -128.300300"
+DEGREES = "degrees and minutes. Give decimal degrees, 51.684133 -128.300300"
 
 
 NOT_USED = [
@@ -347,7 +347,7 @@ def test_two_vehicles_are_refused_with_both_names():
     assert len(usable(dives[:3])[0]) == 3
     for given in (dives, dives[::-1]):
         refuses(
-            "are 2 vehicles in one replay; give .*clpt watch FOLDER --fleet",
+            "are 2 vehicles in one replay. Give .*clpt watch FOLDER --fleet",
             usable,
             given,
         )

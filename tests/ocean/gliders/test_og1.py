@@ -304,8 +304,8 @@ def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
             "no variable LONGITUDE_GPS; OG1 has the fixes there",
         ),
         ({"drop": ("TIME",)}, "no variable TIME_GPS; OG1"),
-        (of("TIME", "seconds since the start"), "TIME.*must be such as"),
-        (of("DEPTH", "dbar"), "DEPTH.*'dbar'.*must be such as"),
+        (of("TIME", "seconds since the start"), "TIME.*unit such as"),
+        (of("DEPTH", "dbar"), "DEPTH.*'dbar'.*unit such as"),
     ):
         refuses(said, mission, tmp_path, **how)
 
@@ -428,7 +428,7 @@ def test_a_clock_that_is_set_back_under_water_costs_the_track_alone(
 def test_a_clock_that_is_set_back_with_its_fixes_is_refused(tmp_path):
     columns = og1_rows()
     columns["TIME"][FIX[4] + 150 :] -= 3600.0
-    refuses("TIME falls by 36.. s in row .*; correct it", mission, tmp_path, columns)
+    refuses("TIME falls by 36.. s in row .*. Correct it", mission, tmp_path, columns)
 
 
 def test_rows_in_any_order_and_twice(tmp_path):

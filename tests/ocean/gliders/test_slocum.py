@@ -416,7 +416,7 @@ def test_a_dive_with_depths_on_the_descent_alone_is_read(tmp_path):
 def test_a_file_without_depths_says_what_to_give(tmp_path):
     sensors = tuple(name for name in SENSORS if name != "m_depth")
     Mission(tmp_path / "sbd", sensors).dive(0)
-    said = "has fixes and no m_depth, by which dives are found; give files with m_depth"
+    said = "has fixes and no m_depth, by which dives are found. Give files with m_depth"
     refuses(said, read_all_dives, tmp_path / "sbd")
 
 
@@ -516,7 +516,7 @@ def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
     Mission(tmp_path / "beside").dive(0)
     assert read_all_dives(path) == read_all_dives(tmp_path / "beside")
     path.write_bytes(raw[: raw.index(b"m_depth")])
-    refuses(r"is no list of \d+ sensors", read_all_dives, path)
+    refuses(r"is not a list of \d+ sensors", read_all_dives, path)
 
 
 @pytest.mark.parametrize("said", ["a waypoint", "a heading", "nothing"])

@@ -342,7 +342,7 @@ def test_a_seed_varies_by_a_list_and_every_member_has_its_own_noise():
         own = clpt.simulate(NOISY.with_values({"localization.seed": k}))
         np.testing.assert_allclose(position, own.position, rtol=0, atol=1e-10)
     for vary, said in (
-        ("=0:3", "list the values"),
+        ("=0:3", "List the values"),
         ("=[1, 2.5]", "must be a whole number"),
     ):
         says(

@@ -123,7 +123,7 @@ def test_priors_must_fit_and_a_track_without_length_needs_the_scales():
         ),
         ({"priors": [-1.0] * 3}, {}, "priors"),
         ({"priors": [0.0] * 3}, {}, "priors: must be .* not all 0"),
-        ({}, AT_REST, "lie at one place.*give prior and noise"),
+        ({}, AT_REST, "lie at one place.*Give prior and noise"),
     ):
         says(clpt.ScenarioError, said, with_priors, table, **more)
     assert with_priors({"prior": 1.0, "noise": 0.3}, **AT_REST).sizes["time"] == 21

@@ -204,7 +204,7 @@ def test_a_block_of_ones_own_may_make_the_estimate():
 
 
 def test_alpha_and_its_start_are_those_of_the_known_flow_law():
-    said = 'parameters: law = "kalman-flow" has no use for it; remove'
+    said = 'parameters: law = "kalman-flow" has no use for it. Remove'
     says(
         clpt.ScenarioError,
         said,

@@ -65,7 +65,9 @@ def test_a_table_of_its_own_is_checked_too():
     )
     given = PAPER.with_values({**other, "reference.points": [[0, 1]]}).reference
     assert (given.points, given.dwell) == (((0, 1),), PAPER.reference.dwell)
-    says(ScenarioError, "gain is no table", PAPER.with_values, {"learning.gain.x": 2})
+    says(
+        ScenarioError, "gain is not a table", PAPER.with_values, {"learning.gain.x": 2}
+    )
 
 
 def test_a_right_scenario_is_the_same_by_every_way(tmp_path):
@@ -146,7 +148,7 @@ def test_a_mistake_is_a_sentence():
         ),
         (
             {**OF_EACH, **HELD},
-            "learning.gains.feedback: .* adapts parameters here; .* no other",
+            "learning.gains.feedback: .* adapts parameters here..* no other",
         ),
         (
             {**HELD, "learning.feedback": None},
