@@ -108,9 +108,9 @@ def test_jumps_of_two_blocks_at_one_time(engine):
 def test_status_statistics_and_progress():
     reached = []
     run = clpt.simulate(CALM, progress=reached.append)
-    assert (run.status, run.message[:8], run.solver_restarts) == (
+    assert (run.status, run.message[:9], run.solver_restarts) == (
         "finished",
-        "finished",
+        "completed",
         8,
     )
     assert run.attrs["solver_steps"] >= 8  # 5.0 / 0.7: intervals begun

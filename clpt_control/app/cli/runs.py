@@ -36,8 +36,8 @@ from .tracks import WaypointSearch, tune_waypoints
 
 Four = tuple[float, float, float, float]
 MOST_SHOWN = 15  # candidates in the table; --json has all
-RUN = "run it with `clpt run {} --out run.nc`"
-FIT = "fit it with `clpt fit {} --out mine.toml`"
+RUN = "Run it with: clpt run {} --out run.nc"
+FIT = "Fit it with: clpt fit {} --out mine.toml"
 EXAMPLES = {  # of `clpt init`: the name that it is given, the file in the package, what to do then
     "paper": ("paper.toml", "paper.toml", RUN),
     "team": ("team.toml", "team.toml", RUN),

@@ -1,4 +1,4 @@
-; sha256 fd9bbea0cd4327c3456c662d4188d30dfb5df0ea8f0286dd5125209515cf9099
+; sha256 473caceb826c5bcf38616282163d10262fee9ee3ab766dda22088b2b21d990bf
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
