@@ -16,10 +16,11 @@ from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import promises_in_words
 
 PAGE = Path(__file__).parents[1] / "docs" / "each_law.md"
-USUAL = (
-    "K and Gamma adapt, or are held at the vehicle's own; the functions span the flow; positions "
-    "are exact (at fixes z(0) too)"
-)
+CONDITIONS = {  # of promises, by letter
+    "K and Gamma adapt, or are held at the vehicle's own": "a",
+    "the functions span the flow": "b",
+    "positions are exact (at fixes z(0) too)": "c",
+}
 GREEK = ("alpha", "gamma", "theta", "phi", "eta", "kappa", "sigma", "lambda", "rho")
 NAMES = {
     **{name: f"\\{name}" for name in (*GREEK, "Gamma", "Phi", "Delta")},
@@ -145,12 +146,22 @@ def plain(text: str) -> str:
     return re.sub(r"([*_<>|])", r"\\\1", text)
 
 
+def promise(text: str) -> str:
+    """Return a promise as Markdown, frequent conditions as letters."""
+    claim, _, conditions = text.partition(", where: ")
+    names = [CONDITIONS.get(name, name) for name in conditions.split("; ") if name]
+    return typeset(claim) + (f" ({typeset(', '.join(names))})" if names else "")
+
+
 def whole_page() -> str:
     """Return the page: all laws, those of one page together, and what they share."""
+    conditions = "; ".join(
+        f"({letter}) {typeset(text)}" for text, letter in CONDITIONS.items()
+    )
     found = [
-        "# Each law\n\nWhich to take when: [laws](laws.md). `clpt laws NAME` prints a section in "
-        "plain text. What is asked along runs, `clpt prove --search` asks; *as usual* says: where "
-        f"{typeset(USUAL)}.\n"
+        "# Each law\n\nChoice: [laws](laws.md). `clpt laws NAME` prints a section as plain text. "
+        "`clpt prove --search` tests the promises along runs, under conditions in brackets: "
+        f"{conditions}.\n"
     ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
@@ -158,13 +169,8 @@ def whole_page() -> str:
             f"## {', '.join(f'`{law.name}`' for law in rows)}\n\n{markdown(page)}\n"
         )
         for law in rows:
-            words = promises_in_words(law).values()
-            said = [
-                f"- {typeset(one.replace(f'where: {USUAL}', 'as usual'))}"
-                for one in words
-            ]
-            found.append(f"`{law.name}` promises, asked along runs:\n")
-            found.append("\n".join(said) + "\n")
+            promises = "; ".join(map(promise, promises_in_words(law).values()))
+            found.append(f"`{law.name}` promises: {promises}.\n")
     found.append(f"## Shared: `regressions`\n\n{markdown(str(regressions.__doc__))}\n")
     return "\n".join(found)
 
