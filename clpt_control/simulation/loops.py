@@ -142,7 +142,7 @@ def closed_loop(
     Diagram
         A `control.InterconnectedSystem`; states x, z, and those of the law, first
         alpha, K, Gamma, and those of inserted parts. It knows its scenario: `simulate`,
-        `run_ensemble`, `initial_state` and `theory.prove` take it in the scenario's place.
+        `run_ensemble`, `initial_state` and `prove` accept the loop instead of the scenario.
 
     Raises
     ------
