@@ -145,7 +145,7 @@ def explained_variance(
     inside = (t >= begin) & (t <= end)
     if not inside.any():
         raise DataError(
-            f"the window {begin:g} to {end:g} holds no sample of the run, which covers "
+            f"the window {begin:g} to {end:g} has no sample of the run, which covers "
             f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
         )
     # along the track, with the estimate of each time: theta_hat(t) phi(x(t), t)

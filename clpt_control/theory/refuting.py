@@ -148,7 +148,7 @@ def _run(scenario: Scenario, tolerances: dict[str, float]) -> dict[str, float]:
         now = time.process_time()
         deadline = deadline or now + LONGEST
         if now > deadline:
-            raise SimulationError("this takes too long")
+            raise SimulationError("the computation takes too long")
 
     try:
         return checked_promises(scenario, progress=check_time, **tolerances)

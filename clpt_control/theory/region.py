@@ -217,7 +217,7 @@ class Region:
                 else f"it moves with {', '.join(map(str, moving))}"
             )
             raise DiagramError(
-                f"within: {case.system.name} has no region that lasts, for {why}"
+                f"within: {case.system.name} has no region that lasts, because {why}"
             )
         if not is_smooth(V):
             raise DiagramError(

@@ -444,7 +444,7 @@ BUILT = pytest.mark.skipif(
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """Files of the site and the visiting page; what is asked for and missing is kept."""
+    """Files of the site and the visiting page; what was requested and missing is kept."""
 
     def __init__(self, *arguments, missing, visits, **words):
         self.missing, self.visits = missing, visits

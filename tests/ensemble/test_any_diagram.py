@@ -151,7 +151,7 @@ def climbed(period):
 
 
 def not_read(sampled):
-    """A function that is not read could read any name; it is asked for none."""
+    """A function that is not read could read any name; it was requested none."""
     rate = lambda t, x, u, p: [-p["k"] * float(str(x[0])) + u[0]]  # noqa: E731
     names = {"inputs": ["r"], "states": ["y"], "outputs": ["y"], "name": "decay"}
     decay = control.nlsys(rate, params={"k": 2.0}, **names)

@@ -184,6 +184,9 @@ def test_the_paper_s_contraction(true_paper):
 
 def test_times_and_bounds_at_their_limits():
     assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
+    decay = certificates.Certificate(0.0, 10.0, "", {"x1": 1.0}, {"x1": 0.75})
+    assert decay.ultimate_bound(0.1) == ultimate_bound(10.0, 0.1, 1.0)
+    assert decay.ultimate_bound(0.1, guaranteed=True) == ultimate_bound(10, 0.1, 0.75)
     assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)
     assert ultimate_bound(1.0, 1.0, 1e-20) == pytest.approx(2e20)
     drops = 0.0, 0.5, 0.99, 1.0  # of V a half each: 2^-7 < 0.01 < 2^-6

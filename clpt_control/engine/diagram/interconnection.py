@@ -199,7 +199,7 @@ def match_ports(blocks: Sequence[Part], external: Iterable[str]) -> MatchedPorts
             raise DiagramError(
                 f"'{name}', an input of {names[ports[0].block]}, is made by no block"
                 f"{suggestion}; there are {', '.join(available)}; "
-                f"external='{name}' takes it from outside"
+                f"external='{name}' supplies it from outside"
             )
         _check_fit(name, ports, blocks)
 

@@ -287,7 +287,7 @@ class Block(ReadBlock):
                     or "none"
                 )
                 raise BlockError(
-                    f"unknown parameter '{key}': block {self.name} knows {names}"
+                    f"unknown parameter '{key}': block {self.name} has {names}"
                 )
         return self.with_values(changes)
 

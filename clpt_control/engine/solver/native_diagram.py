@@ -51,7 +51,7 @@ class Structure:
 
 
 class Code:
-    """The program of a structure, and its machine code once it is asked for.
+    """The program of a structure, and its machine code once it was requested.
 
     `sparsity` is the pattern of df/dx, for an implicit method.
     """

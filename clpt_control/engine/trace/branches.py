@@ -205,7 +205,7 @@ class Ports(Array):
         has_sizes = all(map(is_known, shapes.values()))
         size: Any = sum(map(prod, shapes.values())) if has_sizes else f"len({group})"
         super().__init__(tape, -1, (size,))
-        del self._node  # until it is asked for
+        del self._node  # until it was requested
         self._fixed = fixed
         for leaf in self._ports.values():
             leaf._fixed = True

@@ -493,5 +493,5 @@ def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) ->
             and np.abs(others - end).min() > np.ptp(others)
         ):
             raise DataError(
-                f"{where} holds {end} {at_end.sum()} times, a gap: correct _FillValue"
+                f"{where} holds {end} {at_end.sum()} times, a gap. Correct _FillValue"
             )

@@ -149,7 +149,7 @@ def _nearest(axis: np.ndarray, degrees: float, quantity: str) -> int:
     cell = np.abs(np.diff(np.sort(axis))).max() if len(axis) > 1 else 1.0
     if not abs(distance[k]) <= cell:  # also where not finite
         raise DataError(
-            f"{quantity} {degrees:g} lies outside: {axis.min():.6g} to {axis.max():.6g}"
+            f"{quantity} {degrees:g} is outside: {axis.min():.6g} to {axis.max():.6g}"
         )
     return k
 

@@ -69,7 +69,8 @@ def report_of(source: Source) -> dict[str, Any]:
         report = summary_in(source, "the dataset")
     if not (isinstance(report, dict) and report.get("each_dive")):
         raise DataError(
-            f"{type(source).__name__}: is not a replay; clpt.replay.replay_dives(dives) gives one, "
+            f"{type(source).__name__}: is not a replay. Make one with "
+            "clpt.replay.replay_dives(dives); "
             "`clpt replay` writes its dataset, replay.nc"
         )
     return report

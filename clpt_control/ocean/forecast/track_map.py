@@ -2,7 +2,7 @@
 
 It has longitude and latitude as axes, in degrees and minutes, drawn so long that its middle is
 true to scale and angle.  Longitudes are counted from that of the first place, so that no chart is
-cut at 180 degrees.  A waypoint that would make it much larger lies outside: the line to it ends at
+cut at 180 degrees.  A waypoint that would make it much larger is outside: the line to it ends at
 the edge.  On the page a script zooms it; each fix is a link to its row of the table.
 """
 

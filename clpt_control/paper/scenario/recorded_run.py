@@ -87,7 +87,7 @@ def check_response(run: "xarray.Dataset") -> None:
         )
         if not finite or (name in run.data_vars and "time" not in variable.dims):
             raise DataError(
-                f"the run's {name!s:.40} holds no finite numbers along time. Run it again"
+                f"the run's {name!s:.40} has no finite numbers along time. Run it again"
             )
         if not isinstance(variable.attrs.get("units", ""), str):
             raise DataError(f"the units of the run's {name!s:.40} are no text")
@@ -116,7 +116,8 @@ def check_variable(
     is_number = variable.dtype.kind in "iuf"
     if not is_number or (finite and not np.all(np.abs(variable.values) <= LARGEST)):
         raise DataError(
-            f"the run's {name} holds what is not a finite number, or one beyond {LARGEST:g}. Run "
+            f"the run's {name} contains a number that is not finite, or one beyond "
+            f"{LARGEST:g}. Run "
             "it again"
         )
 

@@ -93,7 +93,7 @@ def block_of(plain: Mapping[str, Any]) -> Block:
         labels = plain["labels"][kind]
         count = getattr(block, f"n{kind}s")
         if len(labels) != count or not all(isinstance(n, str) for n in labels):
-            raise BlockError(f"{block.name}: the labels of its {kind}s are none")
+            raise BlockError(f"{block.name}: the labels of its {kind}s are missing")
         getattr(block, f"set_{kind}s")(list(labels))
     return block
 
@@ -179,7 +179,7 @@ class RecordedBlock(Block):
             if not np.array_equal(changes[field], value):
                 raise BlockError(
                     f"{self.name}.{field}: the record was made with its value, "
-                    f"{value}, and holds for no other"
+                    f"{value}, and is valid for no other"
                 )
         return super().with_values(changes)
 
@@ -200,7 +200,7 @@ def _listed_breakpoints(
     """Return the listed breakpoints in (t0, t1]; the list ends at `until`."""
     if t1 > until:
         raise BlockError(
-            f"jumps are recorded up to t = {until:g}; t = {t1:g} is asked for"
+            f"jumps are recorded up to t = {until:g}; t = {t1:g} was requested"
         )
     return times[(times > t0) & (times <= t1)]
 

@@ -81,7 +81,7 @@ def check_record(
     count = sum(map(prod, shapes))
     if count > MAX_RECORD_SIZE:
         raise BlockError(
-            f"a record has {count:.3g} numbers; at most {MAX_RECORD_SIZE:g} can be held"
+            f"a record has {count:.3g} numbers; at most {MAX_RECORD_SIZE:g} are allowed"
         )
     for outputs in (record.outputs, record.shapes):
         if len(outputs) != len(ports):
@@ -100,7 +100,7 @@ def _argument_shape(ref: Any, shapes: Sequence[BoundShape]) -> BoundShape:
         return ()
     if type(ref) is not int or not 0 <= ref < len(shapes):
         raise BlockError(
-            f"a record speaks of its value {ref!r:.20}, which is not there yet"
+            f"a record refers to its value {ref!r:.20}, which is not defined yet"
         )
     return shapes[ref]
 

@@ -124,6 +124,6 @@ def _recorded_conditions(plain: dict[str, Any], diagram: Diagram) -> dict[str, A
     if not (np.all(np.diff(times) > 0) and np.all(np.diff(plain["timepts"]) > 0)):
         raise DataError("its times do not increase")
     if min(tolerances + steps) < 0 or not isinstance(plain["method"], str | None):
-        raise DataError("its tolerances, steps or method are none")
+        raise DataError("its tolerances, steps or method are not valid")
     conditions = {name: plain[name] for name in CONDITIONS}
     return {**conditions, "inputs": Inputs((times, values))}

@@ -192,7 +192,7 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
     """Return V of the user: a function of signals, or of the truth that returns a block."""
     if isinstance(V, control.InputOutputSystem):
         raise DiagramError(
-            f"{V.name}: is made, and would know one truth. Give V(truth) or V(truth, parameters), "
+            f"{V.name}: is a Block for one truth. Give V(truth) or V(truth, parameters), "
             "a function that makes a Block with the output V[1]"
         )
 
@@ -224,7 +224,7 @@ class LawSignals:
         if hasattr(self._parameters, name):
             return getattr(self._parameters, name)
         names = ", ".join([*self._ports, *self._parameters._fields])
-        raise DiagramError(f"V asks for s.{name}; s has {names}")
+        raise DiagramError(f"V needs s.{name}; s has {names}")
 
 
 def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Block:

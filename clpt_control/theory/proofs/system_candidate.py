@@ -125,7 +125,7 @@ class SystemCandidate(Candidate):
                 f"{name}: is of discrete time, so its states have no rates"
             )
         if not eq.motion:
-            raise DiagramError(f"{name}: has no states, so V' says nothing")
+            raise DiagramError(f"{name}: has no states, so V' is not defined")
         refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
         for s, rate in eq.motion.items():
             if rate.xreplace(eq.values).has(*NO_VALUE):

@@ -359,7 +359,7 @@ THEOREMS: dict[str, Callable[[], Proof]] = {
 
 
 def numbers_of(theorem: str | None) -> list[str]:
-    """Return the theorem that is asked for, or all."""
+    """Return the theorem that was requested, or all."""
     if theorem is not None and theorem not in THEOREMS:
         raise ClptError(f"theorem {theorem}: must be one of {', '.join(THEOREMS)}")
     return list(THEOREMS) if theorem is None else [theorem]

@@ -111,7 +111,12 @@ def test_nothing_of_a_run_is_markup(run, monkeypatch):
 def test_a_number_that_is_none_is_refused(run):
     for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
         bad = run.assign({name: run[name].where(run.time < 40)})
-        says(DataError, f"run's {name} holds what is not a finite number", page_of, bad)
+        says(
+            DataError,
+            f"run's {name} contains a number that is not finite",
+            page_of,
+            bad,
+        )
     page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
 
 

@@ -37,7 +37,7 @@ PAPER, VEHICLE = clpt.paper_scenario(), vehicle.vehicle()
 BASIS = flow.flow_basis("basis_z", "z", "gaussian", np.zeros((2, 2)), *np.eye(3)[:, :2])
 PAPERS = clpt.paper_blocks(PAPER)
 UNFIT = [
-    (with_a_law(), (), r"'r'.*there are h, u; external='r' takes it from outside"),
+    (with_a_law(), (), r"'r'.*there are h, u; external='r' supplies it from outside"),
     (with_a_law(), "rr", r"did you mean rr\?; there are h, rr, u"),
     (
         with_a_law(signals=2),

@@ -137,7 +137,7 @@ def test_what_argmax_counts_with_is_a_place_of_its_row():
     block = static(longest_served, outputs=3)
     as_it_runs(block, "output", 0.0, [], (0.2, 1.5, -0.3))
     kinds = [one.kind for one in block.array_record("output").operations]
-    assert kinds.count("eq") == 2  # no fourth place is asked for, nor one from the end
+    assert kinds.count("eq") == 2  # no fourth place was requested, nor one from the end
 
 
 def looked_up(t, x, u, p):

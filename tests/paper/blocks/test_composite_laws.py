@@ -89,7 +89,7 @@ def test_K_and_Gamma_come_from_the_commanded_velocity():
 
 @pytest.mark.parametrize("law", LAWS)
 def test_a_limited_speed_does_not_spoil_what_is_learned(law):
-    """The regression has the velocity that is flown, K and Gamma that which is asked for."""
+    """The regression has the velocity that is flown, K and Gamma that which was requested."""
     run = clpt.simulate(of_law(law, {"vehicle.max_speed": 1.5, "run.duration": 400.0}))
     assert off(run)[-1] < 1e-2
     assert np.abs(run.feedback_gain.isel(time=-1) - 1).max() < 1e-2
