@@ -263,7 +263,7 @@ def test_a_parameter_that_the_record_holds_stays(again):
     np.testing.assert_allclose(clpt.simulate(diagram).y, np.exp(-2 * TIMES), atol=1e-7)
     says(
         clpt.BlockError,
-        "holds for no other",
+        "is valid for no other",
         clpt.simulate,
         diagram,
         params={"b.count": 3.0},

@@ -268,7 +268,7 @@ IMPOSSIBLE = [
     ({"area": (1.0, 2.0, 1.0, 2.0)}, "with vehicle.position in it"),
     ({"window": 500.0}, "must be positive and lie within the run"),
     pytest.param(
-        {"max_speed": 0.05, "window": 60.0}, "no track was found that keeps", marks=SLOW
+        {"max_speed": 0.05, "window": 60.0}, "no track satisfies the limits", marks=SLOW
     ),
 ]
 

@@ -247,7 +247,7 @@ NO_REGION = [
     (
         "x' = -x*(2 + sin(t))",
         {"x": (-1, 1)},
-        "no region that lasts, for it moves with t",
+        "no region that lasts, because it moves with t",
     ),
 ]
 

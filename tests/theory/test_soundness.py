@@ -225,7 +225,7 @@ def of_squares(s):
 def test_a_V_of_a_law_is_a_function_of_signals():
     verdict = prove(user_laws.paper(), of_squares, points=POINTS)
     assert (verdict.status, verdict.for_every_N) == ("proved", True)
-    with pytest.raises(ClptError, match=r"V asks for s\.q; s has .*alpha.*theta"):
+    with pytest.raises(ClptError, match=r"V needs s\.q; s has .*alpha.*theta"):
         prove(user_laws.paper(), lambda s: s.e @ s.e + s.q)
 
 

@@ -301,6 +301,11 @@ def job_of(
     return job
 
 
+def _resolved(path: Path) -> Path:
+    """Return a path without links; unlike `Path.resolve`, a loop of links is not an error."""
+    return Path(os.path.realpath(path))
+
+
 def name_by_files(files: Sequence[Path]) -> str:
     """Return the name of an unnamed vehicle: its file, or the folder of several.
 
@@ -309,7 +314,7 @@ def name_by_files(files: Sequence[Path]) -> str:
     >>> name_by_files([Path("m/1.csv"), Path("m/2.csv")])
     'm'
     """
-    paths = [file.resolve() for file in files]
+    paths = [_resolved(file) for file in files]
     if len(paths) > 1:
         return Path(os.path.commonpath([path.parent for path in paths])).name
     return "".join(path.name if path.is_dir() else path.stem for path in paths)
@@ -342,11 +347,11 @@ def folders(top: Path, out: Path) -> Iterator[tuple[Path, str]]:
     """
     from ...ocean.gliders.dive_files import may_hold_dives
 
-    root = top.resolve()
-    visited = {root, out.resolve()}
+    root = _resolved(top)
+    visited = {root, _resolved(out)}
 
     def is_new(folder: Path) -> bool:
-        resolved = folder.resolve()
+        resolved = _resolved(folder)
         of_tree = resolved.is_relative_to(root) or root.is_relative_to(resolved)
         if resolved in visited or (folder.is_symlink() and of_tree):
             return False
@@ -411,7 +416,7 @@ def look_at(
     for folder, fault in folders(top, out):
         results_folder = out / folder.relative_to(top)
         named = folder.parent if folder.name.lower() == FROM_GLIDER else folder
-        name = named.resolve().name
+        name = _resolved(named).name
         with or_unread(name):
             if fault:
                 raise DataError(fault)

@@ -133,6 +133,11 @@ def test_what_is_no_file_is_not_waited_for(refused_for, name):
         refused_for(["is not a regular file. Give a file"], *arguments)
 
 
+def test_a_link_to_itself_is_one_sentence(refused_for):
+    Path("dive.nc").symlink_to("dive.nc")
+    refused_for(["Too many levels of symbolic links"], "replay", "dive.nc", "--json")
+
+
 @pytest.mark.parametrize("name", ["x" * 5000, "x" * 255, "x/" * 2000, "\udcff"])
 def test_names_that_no_file_can_have(refused_for, name):
     write({})
@@ -238,7 +243,7 @@ RUN_DAMAGES = {
     ),
     "a huge place": (
         lambda run: run.assign(position=run.position + 1e308),
-        "not a finite number",
+        "not finite",
     ),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
     "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
@@ -256,10 +261,10 @@ RUN_DAMAGES = {
     ),
     "a gap": (
         lambda run: run.assign(reference=run.reference.where(run.time > 30)),
-        "not a finite",
+        "not finite",
     ),
     "one sample": (lambda run: run.isel(time=[0]), "has fewer than two samples"),
-    "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "not a finite number"),
+    "words": (lambda run: run.assign(clpe=run.clpe.astype(str)), "not finite"),
 }
 NEEDED_BY_ESTIMATE = ("no waypoints", "a gap", "one sample")
 

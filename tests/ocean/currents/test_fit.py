@@ -290,7 +290,7 @@ def test_shares_are_what_their_definition_says(fit, tmp_path):
     learned = np.einsum("tan,tn->ta", theta[late], phi(run.time.values[late], *x.T))
     shares = explained_variance(scenario, run)
     assert shares["window"] == [3.0, 4.0]
-    refuses("holds no sample", explained_variance, scenario, run, window=(7.0, 8.0))
+    refuses("has no sample", explained_variance, scenario, run, window=(7.0, 8.0))
     refuses(
         "basis functions", explained_variance, scenario, run.isel(basis=slice(0, 3))
     )

@@ -191,7 +191,7 @@ def test_rayleigh_on_a_measured_day(printed, refused, tmp_path):
     assert 0.5 < tide["major"] < 1.1  # strong and clockwise on the shoals
     assert tide["minor"] < 0
     for mistake, what in (
-        ((50, -69.5), "latitude 50 lies outside"),
+        ((50, -69.5), "latitude 50 is outside"),
         ((41.2, 10), "longitude 10"),
     ):
         assert what in refused(
