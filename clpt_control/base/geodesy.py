@@ -110,10 +110,19 @@ class LocalPlane:
         aeqd = {"proj": "aeqd", "ellps": "WGS84", "units": unit}
         self._projection = import_optional("pyproj").Proj(aeqd, lat_0=lat, lon_0=lon)
 
+    def _project(
+        self, first: np.ndarray, second: np.ndarray, inverse: bool = False
+    ) -> tuple[np.ndarray, np.ndarray]:
+        # pyproj converts an array of one element to a number, which NumPy deprecates.
+        if first.size != 1:
+            return self._projection(first, second, inverse=inverse)
+        pair = self._projection(first.item(), second.item(), inverse=inverse)
+        return np.full(first.shape, pair[0]), np.full(first.shape, pair[1])
+
     def to_plane(self, lat: Any, lon: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return x1 and x2 of places in degrees, 1000 km from the origin at most."""
         lat, lon = np.broadcast_arrays(lat, lon)
-        x1, x2 = self._projection(lon, lat)
+        x1, x2 = self._project(lon, lat)
         distance = np.hypot(x1, x2)
         if not np.all(distance <= self.widest):  # also where not finite
             distance_text = (
@@ -130,7 +139,7 @@ class LocalPlane:
         The longitude lies within 180 degrees of the origin's.
         """
         x1, x2 = np.broadcast_arrays(x1, x2)
-        lon, lat = self._projection(x1, x2, inverse=True)
+        lon, lat = self._project(x1, x2, inverse=True)
         return lat, angle_near(lon, self.lon)
 
     def rotate(
