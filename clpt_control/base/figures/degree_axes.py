@@ -13,7 +13,7 @@ from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
 
 from ..geodesy import LocalPlane, east_of
 
-BAR = 5  # bars in the width of a chart, about
+BARS_PER_WIDTH = 5  # about
 
 
 class _Degrees:
@@ -72,7 +72,7 @@ def degree_axes(ax: Any, plane: LocalPlane, unit: str) -> None:
         axis.set_major_locator(_DegreeLocator(degrees))
         axis.set_major_formatter(_DegreeFormatter(degrees))
     ax.set(xlabel="longitude ($x_1$, east)", ylabel="latitude ($x_2$, north)")
-    length = float(f"{np.ptp(ax.get_xlim()) / BAR:.0e}")
+    length = float(f"{np.ptp(ax.get_xlim()) / BARS_PER_WIDTH:.0e}")
     text = f"{length:g} {unit}"
     bar = AnchoredSizeBar(ax.transData, length, text, "lower right", sep=3)
     bar.patch.set(edgecolor="none", alpha=0.8)
