@@ -23,6 +23,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
     "commands",
+    "law_sections",
     "mathml",
     "notebook_downloads",
     "public_names",

@@ -1,21 +1,18 @@
-"""Print docs/each_law.md, a section for each law, from their pages and rows.
+"""Append to the page docs/each_law.md a section for each law, from its docstring and its promises.
 
-    python tools/print_laws.py
-
-A page is a docstring: its equations, four letters in, become formulas, and so do symbols in its
+The equations of a docstring, indented by four letters, become formulas, and so do symbols in its
 sentences; what comes after "Source:" stays as it is.
 """
 
 import inspect
 import re
 from itertools import groupby
-from pathlib import Path
 
 from clpt_control.paper.laws import regressions
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.theory.promises import promises_in_words
 
-PAGE = Path(__file__).parents[1] / "docs" / "each_law.md"
+PAGE = "each_law"
 CONDITIONS = {  # of promises, by letter
     "K and Gamma adapt, or are held at the vehicle's own": "a",
     "the functions span the flow": "b",
@@ -153,16 +150,9 @@ def promise(text: str) -> str:
     return typeset(claim) + (f" ({typeset(', '.join(names))})" if names else "")
 
 
-def whole_page() -> str:
-    """Return the page: all laws, those of one page together, and what they share."""
-    conditions = "; ".join(
-        f"({letter}) {typeset(text)}" for text, letter in CONDITIONS.items()
-    )
-    found = [
-        "# Each law\n\nChoice: [laws](laws.md). `clpt laws NAME` prints a section as plain text. "
-        "`clpt prove --search` tests the promises along runs, under conditions in brackets: "
-        f"{conditions}.\n"
-    ]
+def sections() -> str:
+    """Return the sections of all laws, those of one docstring together, and what they share."""
+    found = []
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
         found.append(
@@ -175,5 +165,13 @@ def whole_page() -> str:
     return "\n".join(found)
 
 
-if __name__ == "__main__":
-    PAGE.write_text(whole_page(), "utf-8")
+def append_sections(app, page: str, source: list[str]) -> None:
+    """Append the sections to the text of the page that lists them."""
+    if page == PAGE:
+        source[0] += "\n" + sections()
+
+
+def setup(app):
+    """Append the sections when Sphinx has read the page's file."""
+    app.connect("source-read", append_sections)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
