@@ -14,8 +14,8 @@ LEFT_OUT = "\nLeft out: {lines}.\n"
 PAPER = """
 ## The paper's run
 
-Section IV, t = 0 to 2000, {rounds} rounds at most, rtol 1e-8, atol 1e-10. Error: max |state - reference|
-at the times of `tests/reference/paper.json` (an independent simulation).
+Section IV, t = 0 to 2000, {rounds} rounds at most, rtol 1e-8, atol 1e-10. Error: max |state -
+reference| at the times of `tests/reference/paper.json` (an independent simulation).
 
 """
 BASIS = """
@@ -119,13 +119,13 @@ def markdown(results: dict) -> str:
         text += _paper(results["paper"])
     if any(results.get("basis", {}).values()):
         text += _basis(results)
-    for name, write in (
-        ("ensemble", _ensemble),
-        ("particles", _particles),
-    ):
+    for name, write in (("ensemble", _ensemble), ("particles", _particles)):
         if results.get(name):
             text += write(results[name])
-    return text + "\n![Times, growth with N and with the members of an ensemble](performance.png)\n"
+    return (
+        text
+        + "\n![Times, growth with N and with the members of an ensemble](performance.png)\n"
+    )
 
 
 OURS = "#0072B2"
