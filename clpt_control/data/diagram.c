@@ -1,5 +1,5 @@
 /*
- * ${title}: made by clpt-control (export_c). C99, math.h alone.
+ * ${title}: made by clpt.export. C99, math.h alone.
  *
  * double x[${name}_nx];  copy ${name}_x0 into it; p: ${name}_p0, or your own copy.
  * ${name}_outputs(t, x, u, p, y): all outputs.

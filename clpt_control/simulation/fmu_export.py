@@ -87,7 +87,7 @@ def _packed(file: CFile) -> bytes:
     if file.wiring.dt:
         raise DiagramError(
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
-            "time is discrete; export_c has its step"
+            "time is discrete; clpt.export to C has its step"
         )
     text = file.text
     token = hashlib.sha256(text.encode()).hexdigest()[:32]

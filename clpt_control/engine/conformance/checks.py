@@ -17,11 +17,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any, NamedTuple
 
+import control
 import numpy as np
 
 from ...base.arguments import Seed, public
 from ...base.errors import BlockError, ClptError, DiagramError
 from ..diagram.linearization import linearize
+from ..diagram.wiring import blocks_of
 from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled
@@ -339,7 +341,7 @@ class ConformanceReport(NamedTuple):
 
 @public
 def check(
-    block: Block,
+    block: Block | control.NonlinearIOSystem,
     seed: Seed = 0,
     samples: int = 20,
     units: Mapping[str, str] | None = None,
@@ -348,8 +350,8 @@ def check(
 
     Parameters
     ----------
-    block : Block
-        Any block.
+    block : Block or control.NonlinearIOSystem
+        Any block, or a `control.nlsys` or `control.ss`.
     seed : int, optional
         Seed of the random arguments.
     samples : int, optional
@@ -357,7 +359,7 @@ def check(
     units : mapping of str to str, optional
         Unit of each port and each parameter that is not a whole number, such as
         ``{"e": "m", "gain": "1/s"}``, and of the time ``t``, ``"s"`` by default. The equations
-        are then tested in other units, too.
+        are then tested in other units, too. For a Block only.
 
     Returns
     -------
@@ -376,6 +378,12 @@ def check(
     >>> print(clpt.check(vehicle()))
     vehicle: conforms (6 checks)
     """
+    if isinstance(block, control.InterconnectedSystem):
+        raise BlockError(f"{block.name}: is a diagram. Check each of its blocks")
+    if not isinstance(block, Block):
+        if units is not None:
+            raise BlockError(f"{block.name}: units: has no ports. Write it as a Block")
+        [(_, block)] = blocks_of(block)
     report = check_block(block, seed, samples, units)
     if not report.ok:
         raise BlockError(str(report))

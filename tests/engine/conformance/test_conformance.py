@@ -55,6 +55,31 @@ def test_a_report_counts_its_checks_and_repeats():
     says(ArgumentError, "block = 3: must be a Block", check, 3)
 
 
+def adapting(t, x, u, params):
+    """theta' = gain e phi."""
+    return params["gain"] * u[0] * u[1:]
+
+
+def counted(t, x, u, params, calls=[0.0]):  # noqa: B006 - memory of the function
+    """x' = calls x."""
+    calls[0] += 1.0
+    return calls[0] * x
+
+
+def test_systems_of_python_control_are_checked():
+    names = {"inputs": ["e", "phi[0]", "phi[1]"], "states": ["theta[0]", "theta[1]"]}
+    law = control.nlsys(adapting, **names, params={"gain": 2.0}, name="law")
+    assert str(check(law)) == "law: conforms (6 checks)"
+    assert check(control.ss(0.5, 1, 1, 0, 0.1, name="sampled")).ok
+    memory = control.nlsys(counted, inputs=0, states=1, outputs=1, name="memory")
+    with pytest.raises(BlockError, match=r"memory\.update gives another value"):
+        check(memory)
+    with pytest.raises(BlockError, match="units: has no ports"):
+        check(law, units={"e": "m"})
+    loop = control.interconnect([law], inputs=names["inputs"], outputs=names["states"])
+    says(BlockError, "is a diagram. Check each of its blocks", check, loop)
+
+
 # --- blocks of a user, each with one mistake ---------------------------------------------------
 
 
