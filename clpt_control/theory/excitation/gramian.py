@@ -180,7 +180,8 @@ class Excitation:
             return ""
         counts = [f"{count} along {axis}" for axis, count in self._counts().items()]
         sentence = (
-            f"of the combinations of parameters this track teaches {', '.join(counts)}: "
+            "parameters that this track does not teach (of their combinations it teaches "
+            f"{', '.join(counts)}): "
             f"{'; '.join(self.not_learnable)}"
         )
         ending = " ... (`clpt excitation` names all)"

@@ -257,7 +257,7 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
     scenario = tmp_path / "s.toml"
     words = (known[0], "--out", scenario, "--width-km", "6")
     said = printed("fit", *words)["not_learnable"]
-    assert said.startswith("of the combinations of parameters this")
+    assert said.startswith("parameters that this track does not teach")
     _, out, _ = clpt("fit", *words)
     assert "along x2: theta_1[1]" in out
     of_run = printed("run", scenario, "--out", tmp_path / "run.nc")["not_learnable"]
