@@ -12,6 +12,7 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from textwrap import shorten
@@ -162,27 +163,37 @@ class Excitation:
         excited in combinations only share one.
         """
         sentences = []
-        for axis, idle in self._idle().items():
-            length = np.linalg.norm(self.directions[axis][:, idle], axis=1)
-            single = length > np.sqrt(1 - INVOLVED**2)
-            names = np.array(self.names[axis])
-            sentences += [f"{n} is not learnable on this track" for n in names[single]]
-            if mixed := names[(length > INVOLVED) & ~single].tolist():
+        for single, mixed in self._not_learnable_names():
+            sentences += [f"{name} is not learnable on this track" for name in single]
+            if mixed:
                 joined = ", ".join(mixed[:-1])
                 joined = f"{joined} and {mixed[-1]}" if joined else mixed[0]
                 sentences.append(f"{joined} are not learnable one by one on this track")
         return sentences
 
+    def _not_learnable_names(self) -> Iterator[tuple[list[str], list[str]]]:
+        """Yield the parameters of each axis that are not excited, alone and in combinations."""
+        for axis, idle in self._idle().items():
+            length = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+            single = length > np.sqrt(1 - INVOLVED**2)
+            names = np.array(self.names[axis])
+            mixed = names[(length > INVOLVED) & ~single]
+            yield names[single].tolist(), mixed.tolist()
+
     @property
     def in_one_sentence(self) -> str:
         """Summary of `not_learnable`; "" if every parameter is learnable."""
-        if not self.not_learnable:
+        names = [
+            name
+            for single, mixed in self._not_learnable_names()
+            for name in single + mixed
+        ]
+        if not names:
             return ""
         counts = [f"{count} along {axis}" for axis, count in self._counts().items()]
         sentence = (
             "parameters that this track does not teach (of their combinations it teaches "
-            f"{', '.join(counts)}): "
-            f"{'; '.join(self.not_learnable)}"
+            f"{', '.join(counts)}): {', '.join(names)}"
         )
         ending = " ... (`clpt excitation` names all)"
         return shorten(sentence, MAX_LETTERS, placeholder=ending)

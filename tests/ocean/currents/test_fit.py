@@ -259,7 +259,7 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
     said = printed("fit", *words)["not_learnable"]
     assert said.startswith("parameters that this track does not teach")
     _, out, _ = clpt("fit", *words)
-    assert "along x2: theta_1[1]" in out
+    assert "along x2): theta_1[1]" in out
     of_run = printed("run", scenario, "--out", tmp_path / "run.nc")["not_learnable"]
     learned = printed("excitation", tmp_path / "run.nc")["dimension"]
     assert all(f"{n} of 29 along {axis}" in of_run for axis, n in learned.items())
