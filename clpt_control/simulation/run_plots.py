@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 DIRECTIONS = "east", "north"  # of x1 and x2
 GAINS = {"feedback": "K", "feedforward": r"\Gamma"}
 MANY = 100  # samples of an interval, for its mean square
+LEGEND_COLUMNS = 3
+LEGEND_ROW = 0.25  # of the height of the data
 MAX_FUNCTIONS = 6  # basis functions in a legend
 OVERVIEW = [
     ["track", "clpe"],
@@ -126,8 +128,9 @@ def learning_plot(
     with run_style(axes, label, color):
         _draw_estimates(axes[0], run, scenario, axis)
         _draw_gains(axes[1], run, scenario, axis)
-        for panel in axes:
-            panel.legend(frameon=False, fontsize=9, ncols=3)
+        if label is None:  # the legend of one of several runs stands beside the axes
+            for panel in axes:
+                _draw_legend_above_data(panel)
         _set_learning_time(axes, run, scenario)
     return axes
 
@@ -171,6 +174,15 @@ def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -
             _draw_truth(ax, getattr(scenario.vehicle, name)[i], style)
     ax.set_title(f"Gains{', true values thin' if has_truth else ''}", **TITLE)
     ax.set_ylabel(f"gain (1/{scenario.units.time})")
+
+
+def _draw_legend_above_data(ax: Any) -> None:
+    """Draw a legend of three columns in room that is added above the data."""
+    ax.autoscale(axis="y")
+    low, high = ax.get_ylim()
+    rows = -(-len(ax.get_legend_handles_labels()[0]) // LEGEND_COLUMNS)
+    ax.set_ylim(low, high + LEGEND_ROW * rows * (high - low))
+    ax.legend(frameon=False, fontsize=9, ncols=LEGEND_COLUMNS, loc="upper right")
 
 
 def _draw_truth(ax: Any, value: float, style: dict[str, Any]) -> None:

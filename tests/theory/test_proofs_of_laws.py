@@ -65,7 +65,7 @@ def test_a_wrong_law_would_not_stand_in_the_table(rates, said, monkeypatch):
         proofs, name, partial(proof_of_law, LAWS[name]._replace(rates=rates))
     )
     found = all_proofs.Statement("laws", name).prove()
-    assert (found.status, found.holds) == ("open", False)
+    assert (found.status, found.as_expected) == ("open", False)
     assert said in found.claim
 
 
@@ -224,7 +224,7 @@ def test_a_jump_that_breaks_the_proof_leaves_the_law_open(change, said):
 
     found = proof_of_law(LAW._replace(jump=jump))
     assert found.status == "open"
-    assert found.claim.startswith(said)
+    assert said in found.claim
 
 
 def jumping(text, gain=0.5):

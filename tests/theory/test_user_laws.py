@@ -98,7 +98,7 @@ def test_a_V_that_fades_proves_nothing():
     assert verdict.status == "open"
     first = next(step for step in verdict.steps if not step.holds)
     assert first.claim.startswith("V is positive definite")
-    assert repr(verdict).startswith("<Verdict open: V is positive definite")
+    assert repr(verdict).startswith("<Verdict open: not shown: V is positive definite")
 
 
 @pytest.mark.parametrize("make", [user_laws.turned, user_laws.paper])

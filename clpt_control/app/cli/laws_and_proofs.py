@@ -163,7 +163,9 @@ def prove(
                 _result(title.format(name), proof) for name, proof in proofs.items()
             ]
         wrong += [
-            f"{title.format(k)}{_failure(p)}" for k, p in proofs.items() if not p.holds
+            f"{title.format(k)}{_failure(p)}"
+            for k, p in proofs.items()
+            if not p.as_expected
         ]
     misprints = outcomes[requested[-1]]
     proved_at = max(cached.times[statement] for statement in requested)

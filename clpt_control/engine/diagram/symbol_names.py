@@ -25,8 +25,11 @@ from .wiring import Node, Wiring
 TIME = sympy.Symbol("t", real=True)
 
 
-def typeset(expression: Any) -> str:
-    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its index and its block."""
+def typeset(expression: Any, accent: str = "{}") -> str:
+    """Return an expression as LaTeX, ``plant.x[0]`` as an x with its index and its block.
+
+    The accent, such as a dot, is set over each letter, not over its index.
+    """
     expression = sympy.sympify(expression)
     inputs = {}
     for function in expression.atoms(AppliedUndef):
@@ -40,6 +43,8 @@ def typeset(expression: Any) -> str:
         text = sympy.latex(sympy.Symbol(name))
         if text == name and len(name) > 1:
             text = rf"\mathrm{{{name}}}"
+        letter, underscore, own_index = text.partition("_")
+        text = accent.format(letter) + underscore + own_index
         if index:
             text = f"{{{text}}}_{{{index}}}"
         if block:

@@ -140,50 +140,67 @@ class Equations:
 
     # --- text and LaTeX ---------------------------------------------------------------------
 
-    def _rows(self, rate: str, jump: str) -> Iterator[tuple[str, Any, Any]]:
-        """Yield format, symbol and value: of rates, signals that are no states, jumps."""
+    def _rows(self) -> Iterator[tuple[str, str, Any, Any]]:
+        """Yield mark, period, symbol and value: of rates, signals that are no states, jumps."""
         sampled = {s for block in self.periods for s in self.jumps[block]}
         for s, value in self.motion.items():
             if s not in sampled:
-                yield jump if self.discrete else rate, s, value
+                yield "+" if self.discrete else "'", "", s, value
         inputs = {s for symbols in self.inputs.values() for s in symbols.flat}
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in self.motion and value not in inputs:
                     name = element_name(port, values.shape, index)
-                    yield "{}", sympy.Symbol(name), value
+                    yield "", "", sympy.Symbol(name), value
         for block, changes in self.jumps.items():
             period = f" (each {self.periods[block]:g})" if block in self.periods else ""
             for s, value in changes.items():
                 if value != s:
-                    yield jump + period, s, value
+                    yield "+", period, s, value
 
     def _lines(
-        self, print_as: Callable[[Any], str], rate: str, jump: str
+        self, print_as: Callable[[Any], str], left_side: Callable[[Any, str], str]
     ) -> Iterator[str]:
         """Yield the equations as text."""
-        rows = [*self._rows(rate, jump)]
-        for form, s, value in rows[:MOST_EQUATIONS]:
+        rows = [*self._rows()]
+        for mark, period, s, value in rows[:MOST_EQUATIONS]:
             size, _ = extent(sympy.sympify(value))
             if size > LONG:
                 value = sympy.Symbol(f"({size} parts)")
-            yield f"{form.format(print_as(s))} = {print_as(value)}"
+            yield f"{left_side(s, mark)}{period} = {print_as(value)}"
         if len(rows) > MOST_EQUATIONS:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 
     def __repr__(self) -> str:
-        return "\n".join(self._lines(str, "{}'", "{}+"))
+        return "\n".join(self._lines(str, lambda symbol, mark: f"{symbol}{mark}"))
 
-    def _repr_latex_(self) -> str:
+    def latex(self) -> str:
+        r"""Return the equations as LaTeX, an `aligned` environment.
+
+        Examples
+        --------
+        >>> import control
+        >>> import clpt_control as clpt
+        >>> print(clpt.equations(control.ss(-1, 1, 1, 0, name="lag")).latex())
+        \begin{aligned}\dot{x} &= u - x\end{aligned}
+        """
         lines = []
-        for line in self._lines(typeset, r"\dot{{{}}}", "{}^{{+}}"):
+        for line in self._lines(typeset, _left_side):
             is_equation = " = " in line
             lines.append(
                 line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= "
             )
-        return (
-            "$\\displaystyle\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}$"
-        )
+        return "\\begin{aligned}" + r" \\ ".join(lines) + "\\end{aligned}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle{self.latex()}$"
+
+
+def _left_side(symbol: Any, mark: str) -> str:
+    """Return a symbol as LaTeX with its mark: a dot of a rate, a plus of a next value."""
+    if mark == "'":
+        return typeset(symbol, r"\dot{{{}}}")
+    return typeset(symbol) + ("^{+}" if mark else "")
 
 
 class _SymbolicRecord:

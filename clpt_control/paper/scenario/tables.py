@@ -182,10 +182,18 @@ class Basis(Table):
     def _mistakes(self) -> Iterator[str]:
         if (self.periods is None) == (self.constituents is None):
             yield "basis.periods: give either periods or constituents, one of the two"
-        for key in ("widths", "periods", "constituents", "phases"):
-            value = getattr(self, key)
-            if value is not None and len(value) != self.N:
-                yield f"basis.{key} = {list(value)}: must have {self.N} entries, one per center"
+        keys = ("widths", "periods", "constituents", "phases")
+        values = {key: getattr(self, key) for key in keys}
+        wrong = [
+            f"basis.{key} has {len(value)}"
+            for key, value in values.items()
+            if value is not None and len(value) != self.N
+        ]
+        if wrong:
+            yield (
+                f"{', '.join(wrong)} entries: must have {self.N}, one per center, as the rows of "
+                "flow.parameters, model.parameters and learning.parameters"
+            )
         for name in self.constituents or ():
             period(name)
 

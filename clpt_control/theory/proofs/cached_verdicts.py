@@ -80,7 +80,7 @@ def rows() -> Any:
 def holds(outcome: "Outcome") -> bool:
     """Return whether an outcome is what the package claims."""
     if isinstance(outcome, Proof):
-        return outcome.holds
+        return outcome.as_expected
     return all(misprint["confirmed"] for misprint in outcome)
 
 

@@ -28,6 +28,8 @@ ROUNDS = 15  # of a search
 PER_ROUND = 500  # points
 BEST = 5  # points of a round that the next one starts from
 DISTANCES = (1.0, 10.0, 100.0)  # factors of the distance from the rest
+ENLARGED = (1e4, 1e3, 100.0, 10.0, 1.0)  # so that a point is not near the rest
+LARGE_STATE = 10.0  # to which points are enlarged
 SIGNIFICANT = 1e-7  # of the size of its terms; smaller values may be rounding errors
 PER_JUMP = 300  # points
 LATEST_JUMP = 1000.0  # time until which jumps are searched
@@ -211,12 +213,18 @@ class PointSearch:
 
         With `sign` -1, V' is below the claim.
         """
-        for point in self.highest(sign * (rate - claim), still):
-            (value,), (size,), _ = self.rates_at(point, point.x[None])
-            claimed = self.value_at(claim, point)
-            excess = sign * (value - claimed)
-            if excess > SIGNIFICANT * max(size, abs(claimed)):
-                return point, float(value)
+        for found in self.highest(sign * (rate - claim), still):
+            rest = self.rest_at(found.x[:, None])[:, 0]
+            states = rest + np.outer(ENLARGED, found.x - rest)
+            is_small = np.abs(states).max(axis=1, initial=0.0) <= LARGE_STATE
+            is_small[-1] = True  # the point itself
+            points = [found._replace(x=x) for x in states[is_small]]
+            values, sizes, _ = self.rates_at(found, states[is_small])
+            for point, value, size in zip(points, values, sizes, strict=True):
+                claimed = self.value_at(claim, point)
+                excess = sign * (value - claimed)
+                if excess > SIGNIFICANT * max(size, abs(claimed)):
+                    return point, float(value)
         return None
 
     def rises_far_off(self, rate: Expr, fixed: set) -> Failure | None:

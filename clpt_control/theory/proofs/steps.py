@@ -55,8 +55,8 @@ class Proof:
     not_proved: tuple[str, ...] = ()
 
     @property
-    def holds(self) -> bool:
-        """True if the outcome is as the package claims."""
+    def as_expected(self) -> bool:
+        """Return whether the status is as the package claims; "corrected" of Theorem 3.1."""
         return self.status in ("proved", "cited", "corrected", "sampled", "bounded")
 
     @property
@@ -194,7 +194,9 @@ def first_failure(steps: Iterable[Step]) -> str:
     """Return the claim and the detail of the first step that does not hold, or ""."""
     for step in steps:
         if not step.holds:
-            return f"{step.claim} ({step.detail or 'not shown'})"
+            if step.detail:
+                return f"{step.claim} ({step.detail})"
+            return f"not shown: {step.claim}"
     return ""
 
 

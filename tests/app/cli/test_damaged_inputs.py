@@ -33,7 +33,7 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
     ({"learning." + "g" * 5000: 1.0}, "unknown key learning.ggg", "feedback"),
     ({"basis.widths": None}, "basis.widths", "missing"),
     ({"flow.parameters": [[1.0, 2.0], [1.0, 2.0]]}, "flow.parameters", "2 rows of 3"),
-    ({"basis.widths": [5.0, 5.0]}, "basis.widths", "3 entries"),
+    ({"basis.widths": [5.0, 5.0]}, "basis.widths", "must have 3"),
     ({"vehicle.position": [float("nan"), 0.0]}, "vehicle.position[0]", "finite"),
     ({"vehicle.position": 3.0}, "vehicle.position = 3.0: must be a list, in brackets"),
     ({"basis.periods": [0.0, 1.0, 1.0]}, "basis.periods[0]", "positive"),

@@ -38,6 +38,9 @@ def test_a_function_of_python_control():
     assert str(clpt.equations(plant, numbers=True)) == "y' = -2*y + u(t)"
     lines = r"\begin{aligned}\dot{y} &= - \mathrm{am}\,y + u\end{aligned}"
     assert eq._repr_latex_() == rf"$\displaystyle{lines}$"
+    assert eq._repr_latex_() == f"$\\displaystyle{eq.latex()}$"
+    indexed = clpt.equations(control.ss(-np.eye(2), [[1], [0]], [1, 0], 0, name="a"))
+    assert r"{\dot{x}}_{1} &= - {x}_{1}" in indexed.latex()  # over the letter alone
     arrays = clpt.equations(PENDULUM)
     assert [str(s) for s in arrays["w"]] == ["w[0]", "w[1]"]
     assert r"\dot{\theta} &= \omega" in arrays._repr_latex_()
