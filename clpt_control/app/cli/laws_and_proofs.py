@@ -176,8 +176,12 @@ def prove(
         [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
         for m in misprints
     ]
-    before = f"judged on {proved_at} of the same equations; --again judges anew"
-    results.append(Result("Misprints", columns, rows, [] if new else [before]))
+    if theorem is None:
+        results.append(Result("Misprints", columns, rows, []))
+    if not new:
+        before = f"judged on {proved_at} of the same equations; --again judges anew"
+        last = results[-1]
+        results[-1] = last._replace(sentences=[*last.sentences, before])
     finish(results, summary, as_json)
     wrong += [
         f"the misprint of {m['equation']} is not confirmed"
