@@ -45,7 +45,7 @@ def test_the_second_time_says_the_same_and_that_it_was_judged_before(
         patch.setattr(Statement, "prove", None)  # nothing is judged
         second, judged = clpt(*words), printed(*words)["judged"]
     told, last = second.out.rstrip("\n").rsplit("\n", 1)
-    assert told == first.out.rstrip("\n")
+    assert told.rstrip("\n") == first.out.rstrip("\n")
     assert last.startswith("judged on 2")
     assert judged["time"] in last
     assert (judged["before"], printed(*words, "--again")["judged"]["before"]) == (

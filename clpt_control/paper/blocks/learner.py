@@ -8,8 +8,8 @@
 
 Eq. (2) with Eqs. (4) and (6) is the learner's closed loop, Eq. (8).
 z is the predicted position (length).  The known-flow law uses Eq. (13), the learned-flow law
-Eq. (20), where alpha converges to -theta.  The print of Eqs. (12)-(13) lost the hat of the
-estimate theta_hat, which is given or estimated by a law.  With hedging, d is the commanded
+Eq. (20), where alpha converges to -theta.  Eq. (12) is Eq. (13) with theta_hat = theta, the
+estimate that is given or estimated by a law.  With hedging, d is the commanded
 velocity minus the flown velocity (`speed_limit`).
 
 | block | inputs | output |

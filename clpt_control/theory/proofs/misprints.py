@@ -166,7 +166,7 @@ def equation_18(printed: bool) -> Any:
 def equation_25(
     K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False
 ):
-    """V' of the learned-flow law by Eq. (25) or, with Delta, (34), with terms as printed."""
+    """V' of the learned-flow law by Eq. (25) or, with Delta, Eq. (34), as printed."""
     loop = any_gains("learned-flow", delta)
     total = modelled_flow(loop, flow) + loop.inputs.get("delta", 0)
     return brackets(loop, total, K, alpha)
@@ -318,15 +318,15 @@ MISPRINTS = (
     ),
     Misprint(
         "(12)-(16), Assumption 3.3",
-        "theta where theta_hat is meant",
+        "theta where theta_hat is meant; the text that was read has no hats",
         "theta_hat in (13), theta - theta_hat in (16)",
         "V' of (17) along the traced known-flow loop",
         hats,
     ),
     Misprint(
         "(5)",
-        "exp of -|x - c|/(2 sigma), called Gaussian",
-        "exp(-|x - c|^2/(2 sigma^2)) is Gaussian; the printed exponent is ambiguous",
+        "an exponent called Gaussian; read as -|x - c|/(2 sigma) it is none",
+        "exp(-|x - c|^2/(2 sigma^2)), or exp(-|x - c|^2/sigma)",
         "log phi is quadratic in the distance",
         gaussian,
     ),

@@ -297,7 +297,7 @@ def same_dynamics(errors: ArrayLoop) -> tuple[bool, str]:
 
 
 def theorem_3_4() -> Proof:
-    """Judge Theorem 3.4: the bound (33) under a disturbance."""
+    """Judge Theorem 3.4: the bound (33) under a disturbance, by Eq. (35)."""
     paper = PaperLoop("learned-flow", disturbed=True)
     decay = -np.sum(paper.KD * paper.e**2)
     claim = "V' = -e^T KD e + e^T Delta"
