@@ -152,7 +152,13 @@ def promise(text: str) -> str:
 
 def sections() -> str:
     """Return the sections of all laws, those of one docstring together, and what they share."""
-    found = []
+    conditions = "; ".join(
+        f"({letter}) {typeset(text)}" for text, letter in CONDITIONS.items()
+    )
+    found = [
+        "`clpt prove --search` tests the promises along runs, under conditions in brackets: "
+        f"{conditions}.\n"
+    ]
     for page, laws in groupby(LAWS.values(), key=lambda law: law.page):
         rows = list(laws)
         found.append(

@@ -41,6 +41,23 @@ def of_scenarios():
     return {"0.8": clpt.simulate(SCENARIO), "2": clpt.simulate(other)}
 
 
+def test_the_legend_of_what_is_learned_stands_above_the_data():
+    """Four functions make a legend of two rows."""
+    four = {"centers": [[0, 0], [10, 10], [5, 5], [-4, 2]], "widths": [5.0] * 4}
+    four |= {"kernel": "exponential", "periods": [12.42, 10.42, 24.42, 30.0]}
+    theta = [[1.0, 0.4, 0.8, 0.2], [0.9, 0.4, 0.8, -0.3]]
+    without = {"model.parameters": None, "learning.parameters": None}
+    scenario = SCENARIO.with_values(
+        {"basis": four, "flow.parameters": theta, **without}
+    )
+    for ax in learning_plot(clpt.simulate(scenario)):
+        ax.figure.canvas.draw()
+        box = ax.get_legend().get_window_extent()
+        lines = [line for line in ax.lines if line.get_label()[0] != "_"]
+        tops = [ax.transData.transform(line.get_xydata())[:, 1].max() for line in lines]
+        assert max(tops) < box.y0
+
+
 def test_dimensions_are_named_after_ports_and_count_from_0():
     run = clpt.simulate(loop(), TIMES, 1.0)
     assert run.h.dims == ("time", "h_index")

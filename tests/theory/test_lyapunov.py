@@ -32,6 +32,17 @@ EXACT = {  # V' in the user's own signals
 LONG = ("no value at a point", "a pull of powers without a number", "a needle")
 
 
+def test_a_point_that_refutes_is_not_near_the_equilibrium():
+    """V' = -v (x + v/5) of V = v^2/2 + x^2 along x'' = -3 x - x'/5."""
+    rates = lambda t, x, u, p: [x[1], -3.0 * x[0] - 0.2 * x[1]]  # noqa: E731
+    spring = control.nlsys(rates, inputs=0, states=["x", "v"], name="spring")
+    found = lyapunov(spring, lambda s: s.v**2 / 2 + s.x**2)
+    assert found.status == "refuted"
+    assert 1.0 < np.abs(found.point.x).max() <= point_search.LARGE_STATE
+    x, v = found.point.x
+    assert found.value == pytest.approx(-v * (x + v / 5))
+
+
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CASES]
 )

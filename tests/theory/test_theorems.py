@@ -61,7 +61,7 @@ def test_what_is_found_of_a_theorem(proofs, number):
     assert [text.split(" points")[0] for text in called] == [
         f"N = 3, {n}" for n in points
     ]
-    assert all((proof.assumptions, proof.not_proved))
+    assert all((proof.assumptions, proof.not_proved, proof.as_expected))
     one = Step("for N = 2 alone", True, "exact", every_N=False)
     assert not theorem("", (), (*proof.steps, one), "").for_every_N
 
@@ -123,6 +123,7 @@ def test_prove_one_theorem_and_refuse_another(clpt, refused):
     outcome = clpt("prove", "--theorem", "3.2")
     assert outcome.status == 0
     assert "Theorem 3.2: proved" in outcome.out
+    assert "Misprints" not in outcome.out
     assert "3.1, 3.2, 3.3, 3.4" in refused("prove", "--theorem", "4.1")
 
 

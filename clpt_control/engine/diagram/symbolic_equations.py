@@ -200,7 +200,10 @@ def _left_side(symbol: Any, mark: str) -> str:
     """Return a symbol as LaTeX with its mark: a dot of a rate, a plus of a next value."""
     if mark == "'":
         return typeset(symbol, r"\dot{{{}}}")
-    return typeset(symbol) + ("^{+}" if mark else "")
+    text = typeset(symbol)
+    if mark:
+        return (f"{{{text}}}" if "^" in text else text) + "^{+}"
+    return text
 
 
 class _SymbolicRecord:

@@ -41,6 +41,10 @@ def test_a_function_of_python_control():
     assert eq._repr_latex_() == f"$\\displaystyle{eq.latex()}$"
     indexed = clpt.equations(control.ss(-np.eye(2), [[1], [0]], [1, 0], 0, name="a"))
     assert r"{\dot{x}}_{1} &= - {x}_{1}" in indexed.latex()  # over the letter alone
+    steps = [control.ss(0.5, 1, 1, 0, 0.1, states=["x"], name=name) for name in "ab"]
+    links = [["a.u[0]", "b.y[0]"], ["b.u[0]", "a.y[0]"]]
+    pair = control.interconnect(steps, links, inplist=["a.u[0]"], outlist=["a.y[0]"])
+    assert r"{x^{\mathrm{a}}}^{+}" in clpt.equations(pair).latex()  # one superscript
     arrays = clpt.equations(PENDULUM)
     assert [str(s) for s in arrays["w"]] == ["w[0]", "w[1]"]
     assert r"\dot{\theta} &= \omega" in arrays._repr_latex_()

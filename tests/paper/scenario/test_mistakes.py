@@ -52,6 +52,15 @@ def test_a_wrong_value_is_one_sentence(words):
     says(ScenarioError, words, PAPER.with_values, tables)
 
 
+def test_all_keys_of_another_number_of_functions_are_named_at_once():
+    four = {"basis.centers": [[0, 0], [10, 10], [5, 5], [-4, 2]]}
+    keys = ("basis.widths", "basis.periods", "basis.phases", "model.parameters")
+    with pytest.raises(ScenarioError) as caught:
+        PAPER.with_values(four)
+    assert [key for key in keys if key not in str(caught.value)] == []
+    assert "must have 4" in str(caught.value)
+
+
 def test_a_table_of_its_own_is_checked_too():
     says(
         ScenarioError, "learning: law = 'none': must be", Learning, law="none", gain=1.0
