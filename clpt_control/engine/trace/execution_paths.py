@@ -17,20 +17,17 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, active, key_of, moves, operand
+from .arrays import Array, Unread, active, moves, operand
 from .elementwise import (
     chosen,
     common,
     elementwise,
     in_a_try,
     is_of_python,
-    is_truth,
     is_whole,
     lifted,
-    where,
 )
-from .isolation import Content, copied, elements_of, items_of, put
-from .references import attributes_of, is_library, root_of
+from .heaps import Entry, Joining, NotMergeable, decision_tree, heap_of, put_back
 from .views import tape_of
 
 # paths of one helper or statement, and runs of all together
@@ -60,206 +57,78 @@ def each_path(tape: Any) -> Iterator[None]:
         tape.way = [*outcomes[:-1], False]
 
 
-def merged(
-    tape: Tape,
-    paths: list[tuple[dict[int, bool], list[Any]]],
-    choose: Callable,
-    depth: int = 0,
-) -> list[Any]:
-    """Join the results of paths by the conditions, from that at `depth` on, which differ."""
-    if len(paths) == 1:
-        return paths[0][1]
-    condition = list(paths[0][0])[depth]
-    yes = [path for path in paths if path[0].get(condition) is True]
-    no = [path for path in paths if path[0].get(condition) is False]
-    if not yes or not no or len(yes) + len(no) < len(paths):
-        raise Unread(
-            "takes other branches from call to call. Make what it stores a state"
-        )
-    branches = (merged(tape, subset, choose, depth + 1) for subset in (yes, no))
-    return [
-        a
-        if key_of(operand(a)) == key_of(operand(b))
-        else choose(Array(tape, condition, ()), a, b)
-        for a, b in zip(*branches, strict=True)
-    ]
-
-
-class NotMergeable(Exception):
-    """The results of paths have no common form: these paths are those of the caller."""
-
-
 # --- one helper, statement or expression --------------------------------------------------------
 
 
 class Region:
-    """Code whose paths are merged when it ends: the variables and values that it may change."""
+    """Code whose paths are merged when it ends.
 
-    def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
+    It may change what it reaches from `roots`, and nothing that outlives the function.  Variables
+    in `dead` are not read afterwards.
+    """
+
+    def __init__(
+        self,
+        tape: Any,
+        run: Callable[[], Any],
+        roots: Iterable[Any],
+        dead: Iterable[CellType] = (),
+    ):
         self.tape = tape
         self.run = run
-        self.content: list[Content] = []
-        self._seen: set[int] = set(tape.persistent)
-        for root in roots:
-            self._add(root)
+        self.roots = [*roots]
+        self.dead = {*map(id, dead)}
 
-    def _add(self, value: Any) -> None:
-        """Add the lists, dicts, arrays and objects that code reaches through a value."""
-        if isinstance(value, Array):
-            value = value._root
-            if value._fixed or value._is_condition:
-                return
-        elif not isinstance(value, list | dict | tuple | np.ndarray | CellType):
-            attributes = attributes_of(value)
-            if type(attributes) is not dict or isinstance(value, type | FunctionType):
-                return
-            if is_library(root_of(type(value))):
-                return
-            value = attributes
-        if id(value) in self._seen:
-            return
-        self._seen.add(id(value))
-        if not isinstance(value, tuple):
-            self.content.append(Content(value))
-        if isinstance(value, CellType):
-            self._add(self.content[-1].before[0])
-        elif isinstance(value, list | tuple):
-            for item in value:
-                self._add(item)
-        elif isinstance(value, dict):
-            for item in value.values():
-                self._add(item)
+    def merged(self) -> Any:
+        """Run the code on each path; return its result, and leave one heap behind.
 
-    def merged(self, dead: Iterable[CellType] = ()) -> Any:
-        """Run the code on each path; return its result, and leave merged content behind.
-
-        Variables in `dead` are not read afterwards.  If paths cannot be merged, the code runs once
-        more, and its paths are those of the code around it.
+        If heaps cannot be joined, the paths are those of the code around the region.
         """
-        tape, before = self.tape, (self.tape.answers, self.tape.way, self.tape.texts)
-        paths = list[tuple[dict[int, bool], list[Any]]]()
+        tape = self.tape
+        try:
+            before = heap_of(self.roots, tape.persistent)
+        except NotMergeable:
+            return self.run()
+        answers, way, texts = tape.answers, tape.way, tape.texts
+        paths: list[tuple[dict[int, bool], Any, dict[int, Entry]]] = []
         try:
             for _ in each_path(tape):
                 if paths:
-                    self.restore()
+                    put_back(before)
                 result = self.run()
-                contents = [copied(content.value) for content in self.content]
-                paths.append((tape.answers, [result, *contents]))
-                if len(paths) > 1:
-                    tape.check()
+                if len(tape.answers) == len(answers):
+                    return result
+                tape.check()
+                left = [entry.value for k, entry in before.items() if k not in self.dead]
+                paths.append((tape.answers, result, heap_of([result, *left], tape.persistent)))
                 if len(paths) > MOST_MERGED:
                     raise NotMergeable
-            if len(paths) == 1:
-                return result
-            return self._merge(paths, len(before[0]), {*map(id, dead)})
+            return self._joined(paths, len(answers), before)
         except NotMergeable:
             pass
         except RAISED:
             if tape.stopped is not None:
                 raise
         finally:
-            tape.answers, tape.way = before[:2]
-        tape.texts = before[2]
-        self.restore()
-        return self.run()
-
-    def restore(self) -> None:
-        """Put back the content with which the code began."""
+            tape.answers, tape.way = answers, way
+        tape.texts = texts
         try:
-            for content in self.content:
-                content.put_back()
+            put_back(before)
         except Exception as error:  # not one of the function, whose path would be NaN
             raise Unread(f"its paths cannot be traced: {error}") from None
+        return self.run()
 
-    def _merge(self, paths: list[Any], depth: int, dead: set[int]) -> Any:
-        answers = [outcomes for outcomes, _ in paths]
-        columns = [*zip(*(row for _, row in paths), strict=True)]
-        merge = functools.partial(_merged_values, self.tape, answers, depth, self._seen)
-        result = merge(columns[0])
-        contents = list[Any]()
-        for changed, column in zip(self.content, columns[1:], strict=True):
-            if id(changed.value) in dead:
-                contents.append(column[0])
-            else:
-                contents.append(_merged_contents(changed.value, column, merge))
-        for changed, content in zip(self.content, contents, strict=True):
-            if id(changed.value) not in dead:
-                put(changed.value, content)
+    def _joined(self, paths: Any, depth: int, before: dict[int, Entry]) -> Any:
+        """Return the result for all paths, and join what they leave behind."""
+        answers, results, heaps = zip(*paths, strict=True)
+        tree = decision_tree([*enumerate(answers)], depth)
+        joining = Joining(self.tape, tree, before, heaps)
+        result = joining.value(results)
+        for key, entry in before.items():
+            if key not in self.dead:
+                joining.value([entry.value] * len(paths))
+        joining.write()
         return result
-
-
-def _merged_contents(value: Any, contents: Any, merge: Callable) -> Any:
-    """Return the merged content of a list, dict, array or variable, one for all paths."""
-    first = contents[0]
-    if isinstance(value, Array):  # None is what nothing was written into
-        contents = [
-            elements_of(value) if content is None else content for content in contents
-        ]
-    if isinstance(value, np.ndarray) and not all(
-        np.array_equal(content, first) for content in contents
-    ):
-        raise NotMergeable  # it holds no signals
-    if isinstance(value, dict) and any(
-        content.keys() != first.keys() for content in contents
-    ):
-        raise NotMergeable
-    rows = [items_of(content) for content in contents]
-    if len({len(row) for row in rows}) > 1:
-        raise NotMergeable
-    items = [merge(column) for column in zip(*rows, strict=True)]
-    if isinstance(value, dict):
-        return dict(zip(first, items, strict=True))
-    if isinstance(value, list | CellType):
-        return items
-    if isinstance(value, np.ndarray):
-        return first
-    elements = np.empty(len(items), dtype=object)
-    elements[:] = items
-    return elements.reshape(value.shape)
-
-
-def _merged_values(
-    tape: Tape, answers: list[dict], depth: int, earlier: set[int], values: tuple
-) -> Any:
-    """Return the merged value of paths; `earlier` are identities of values before the paths."""
-    first = values[0]
-    if all(value is first for value in values):
-        return first
-    if type(first) in (int, str, bool) and all(
-        type(value) is type(first) and value == first for value in values
-    ):
-        return first
-    rows = [
-        (outcomes, [value]) for outcomes, value in zip(answers, values, strict=True)
-    ]
-    if all(map(is_truth, values)) and not any(np.ndim(value) for value in values):
-        return merged(tape, rows, where, depth)[0]
-    if all(map(_is_number, values)) and not all(type(value) is int for value in values):
-        return merged(tape, rows, chosen, depth)[0]
-    shapes = {isinstance(value, Array) and value.shape for value in values}
-    if len(shapes) == 1 and all(shapes):
-        new = merged(tape, rows, where, depth)[0]
-        # writing into it would write into one of the paths' arrays
-        new._fixed = any(value._fixed or id(value._root) in earlier for value in values)
-        return new
-    kinds = {type(value) for value in values}
-    if (
-        len(kinds) == 1
-        and kinds <= {tuple, list}
-        and len({len(value) for value in values}) == 1
-    ):
-        columns = zip(*values, strict=True)
-        return type(first)(
-            _merged_values(tape, answers, depth, earlier, outcomes)
-            for outcomes in columns
-        )
-    raise NotMergeable
-
-
-def _is_number(value: Any) -> bool:
-    if isinstance(value, Array):
-        return not (value.shape or value._boxed or value._is_condition)
-    return type(value) in NUMBERS
 
 
 # --- where regions begin --------------------------------------------------------------------------
@@ -291,17 +160,16 @@ def merge_value(run: FunctionType) -> Any:
     return Region(tape, run, run.__closure__ or ()).merged()
 
 
-def merge_statement(run: FunctionType, read_later: tuple[str, ...]) -> None:
+def merge_statement(run: FunctionType, dead: tuple[str, ...]) -> None:
     """Run an `if` statement, a function of no arguments, and merge what its paths leave behind.
 
-    Variables that are not `read_later` may be left as one path has them.
+    Variables in `dead` are not read afterwards.
     """
     if (tape := merging()) is None:
         run()
         return
     cells = dict(zip(run.__code__.co_freevars, run.__closure__ or (), strict=True))
-    dead = [cell for name, cell in cells.items() if name not in read_later]
-    Region(tape, run, cells.values()).merged(dead)
+    Region(tape, run, cells.values(), [cells[name] for name in dead]).merged()
 
 
 # --- items of lists at an index that is a signal -------------------------------------------------

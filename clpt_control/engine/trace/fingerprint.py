@@ -26,11 +26,9 @@ from types import (
     BuiltinFunctionType,
     CellType,
     FunctionType,
-    MethodDescriptorType,
     MethodType,
     MethodWrapperType,
     ModuleType,
-    WrapperDescriptorType,
 )
 from typing import Any
 
@@ -57,6 +55,7 @@ from .references import (
     code_names,
     code_texts,
     is_library,
+    is_plain,
     is_pure,
     module_of,
     reason,
@@ -93,8 +92,6 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     **dict.fromkeys((classmethod, abc.abstractclassmethod), ("__func__",)),
 }
 NUMBERS = frozenset((int, float, bool))
-# methods of a class that is written in C
-OF_C = (WrapperDescriptorType, MethodDescriptorType)
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
 
 
@@ -237,7 +234,7 @@ class _Walk:
         if isinstance(value, tuple) and is_library(root_of(kind)):
             # also sys.float_info
             return kind, *self._items(value)
-        if not _is_plain(kind):
+        if not is_plain(kind):
             self._refuse_object(kind)
             return id(value)
         if root_of(kind) == PACKAGE:
@@ -487,20 +484,6 @@ class _Walk:
     def _refuse(self, sentence: str) -> None:
         if not self.trusted:
             raise Unread(f"{self.where}{sentence}")
-
-
-@functools.lru_cache(maxsize=256)
-def _is_plain(kind: type) -> bool:
-    """Return whether the state of an object is in attributes, items or slots that Python has."""
-    classes = [base for base in kind.__mro__ if base not in PLAIN_BASES]
-    methods = (
-        method
-        for base in classes
-        for method in vars(base).values()
-        if isinstance(method, OF_C)
-    )
-    library = any(is_library(root_of(base)) for base in classes)
-    return not library and not any(method.__objclass__ in classes for method in methods)
 
 
 @functools.lru_cache(maxsize=256)

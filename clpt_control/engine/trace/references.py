@@ -74,6 +74,8 @@ class _Named(NamedTuple):
 # of slots and of named tuples
 FIELDS = (MemberDescriptorType, type(vars(_Named)["field"]))
 PURE_OBJECTS = (np.r_, np.c_, np.s_, np.index_exp, np.mgrid, np.ogrid)
+# methods of a class that is written in C
+OF_C = (WrapperDescriptorType, MethodDescriptorType)
 CHANCE = (np.random.Generator, np.random.RandomState, random.Random)
 PLAIN_BASES = frozenset(  # whose objects keep nothing but items and attributes
     (
@@ -208,6 +210,20 @@ def attributes_of(value: Any) -> dict[str, Any] | None:
         return object.__getattribute__(value, "__dict__")
     except AttributeError:
         return None
+
+
+@functools.lru_cache(maxsize=256)
+def is_plain(kind: type) -> bool:
+    """Return whether the state of an object is in attributes, items or slots that Python has."""
+    classes = [base for base in kind.__mro__ if base not in PLAIN_BASES]
+    methods = (
+        method
+        for base in classes
+        for method in vars(base).values()
+        if isinstance(method, OF_C)
+    )
+    library = any(is_library(root_of(base)) for base in classes)
+    return not library and not any(method.__objclass__ in classes for method in methods)
 
 
 def is_pure(value: Any) -> bool:

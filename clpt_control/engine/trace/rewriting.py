@@ -3,7 +3,7 @@
     if a > 1:                       def __statement__():
         y = 2.0               ->        nonlocal y
     else:                               if a > 1: ...
-        y = a                       __merge_statement__(__statement__, ("y",))
+        y = a                       __merge_statement__(__statement__, ())
 
 `execution_paths` runs such a function on each of its paths and merges them, so a loop over six
 limits takes 12 paths and not 2^6.  ``row[k]`` of a list and a signal k becomes one `pick`.  The
@@ -178,12 +178,12 @@ class _Rewriter(ast.NodeTransformer):
         self.generic_visit(node)
         binding = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # never runs
         declaration = f"nonlocal {', '.join(stored)}" if stored else "pass"
-        read_later = tuple(name for name in stored if name in later)
+        dead = tuple(name for name in stored if name not in later)
         source = f"""\
 {binding}
 def {STATEMENT}():
     {declaration}
-__merge_statement__({STATEMENT}, {read_later})
+__merge_statement__({STATEMENT}, {dead})
 """
         new: Any = ast.parse(source).body
         for statement in new:

@@ -22,8 +22,9 @@ from ..record.graph import Record, Shape, compact
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .branches import AnsweringTape, Outside, Params, Ports, located
 from .elementwise import as_number, filled, lifted, where
-from .execution_paths import each_path, merged
+from .execution_paths import each_path
 from .fingerprint import Fingerprint, reachable
+from .heaps import NotMergeable, decision_tree, joined
 from .isolation import isolated
 from .rebinding import Rebinding
 
@@ -186,7 +187,15 @@ class _Tracing:
                     raise Unread(
                         f"{request.name} has more than {MOST_PATHS} execution paths"
                     )
-        refs = [operand(value) for value in merged(tape, self.paths, where)]
+        answers, values = zip(*self.paths, strict=True)
+        try:
+            tree = decision_tree([*enumerate(answers)])
+        except NotMergeable:
+            raise Unread(
+                f"{request.name} takes other branches from call to call"
+            ) from None
+        ports = zip(*values, strict=True)
+        refs = [operand(joined(tape, tree, value, where)) for value in ports]
         record = compact(tape.operations, refs, request.out.values())
         texts = frozenset(rebinding.texts)
         names = frozenset(names_read)

@@ -1,0 +1,448 @@
+"""Heap of a piece of code: the mutable values within its reach, and one heap for all its paths.
+
+A region, such as an `if` statement, runs once for each of its paths.  Each path leaves a heap: the
+contents of every list, dict, array, object and variable that the region reaches.  Heaps of paths
+that differ in numbers alone are joined into one:
+
+    y = [1, x] if x > 0,  y = [2, 0] otherwise  ->  y = [where(x > 0, 1, 2), where(x > 0, x, 0)]
+
+Heaps are walked in step.  An object on one path corresponds to one object on each other path, so
+names of one object stay names of one object.  An object that is older than the region corresponds
+to itself alone.  Values of a kind that is not listed here, such as iterators, are never joined.
+"""
+
+import functools
+from collections import Counter, OrderedDict, defaultdict, deque
+from collections.abc import Callable, Iterable, Sequence
+from enum import Enum
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    FunctionType,
+    MethodType,
+    ModuleType,
+    SimpleNamespace,
+)
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+
+from .arrays import Array, Tape, key_of, operand
+from .branches import Params
+from .elementwise import common, is_of_python, is_truth, is_whole, lifted, where
+from .isolation import UNBOUND, slot_values
+from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
+
+Answers = dict[int, bool]  # the conditions of one path in their order, with their outcomes
+Tree = Any  # of decisions: the number of a path, or (condition, tree if true, tree if false)
+OF_PYTHON = (int, float, bool)
+NUMBERS = (*OF_PYTHON, np.float64, np.bool_)
+PLAIN = frozenset((int, bool, str, bytes, type(None)))  # equal ones are the same
+
+
+class NotMergeable(Exception):
+    """Heaps of paths have no common form: these paths are those of the code around the region."""
+
+
+def decision_tree(paths: Sequence[tuple[int, Answers]], depth: int = 0) -> Tree:
+    """Return the tree of the decisions by which numbered paths differ, from `depth` on."""
+    (number, answers), *others = paths
+    if not others:
+        return number
+    condition = [*answers][depth]
+    branches = {
+        outcome: [path for path in paths if path[1].get(condition) is outcome]
+        for outcome in (True, False, None)
+    }
+    if branches[None] or not (branches[True] and branches[False]):
+        raise NotMergeable  # the function chooses by something else than its conditions
+    yes, no = (decision_tree(branches[outcome], depth + 1) for outcome in (True, False))
+    return condition, yes, no
+
+
+def joined(tape: Tape, tree: Tree, values: Sequence[Any], choose: Callable) -> Any:
+    """Return one value for those of all paths, chosen by the decisions."""
+    if type(tree) is int:
+        return values[tree]
+    condition, yes, no = tree
+    a = joined(tape, yes, values, choose)
+    b = joined(tape, no, values, choose)
+    if key_of(operand(a)) == key_of(operand(b)):
+        return a
+    return choose(Array(tape, condition, ()), a, b)
+
+
+# --- kinds of values ------------------------------------------------------------------------------
+
+
+class Kind(NamedTuple):
+    """How a kind of value is read and written.
+
+    read : value -> its structure, which is the same on all paths, and its items.
+    write : value, structure, items -> None; None of a kind that nothing changes.
+    """
+
+    read: Callable[[Any], tuple[Any, Sequence[Any]]]
+    write: Callable[[Any, Any, Sequence[Any]], None] | None = None
+
+
+def _read_dict(value: dict) -> tuple[Any, list[Any]]:
+    keys = [*dict.keys(value)]
+    if any(isinstance(key, Array) for key in keys):
+        raise NotMergeable
+    factory = getattr(value, "default_factory", None)
+    return (type(value), factory, [*map(type, keys)], keys), [*dict.values(value)]
+
+
+def _write_dict(value: dict, structure: Any, items: Sequence[Any]) -> None:
+    value.clear()
+    dict.update(value, zip(structure[-1], items, strict=True))
+
+
+def _read_set(value: Any) -> tuple[Any, list[Any]]:
+    if not {*map(type, value)} <= PLAIN:
+        raise NotMergeable
+    return (type(value), [*map(type, value)], [*value]), []
+
+
+def _write_set(value: set, structure: Any, items: Sequence[Any]) -> None:
+    value.clear()
+    value.update(structure[-1])
+
+
+def _write_list(value: Any, structure: Any, items: Sequence[Any]) -> None:
+    value.clear()
+    value.extend(items)
+
+
+def _read_cell(cell: CellType) -> tuple[bool, list[Any]]:
+    is_bound = cell != CellType()
+    return is_bound, [cell.cell_contents] if is_bound else []
+
+
+def _write_cell(cell: CellType, is_bound: bool, items: Sequence[Any]) -> None:
+    if is_bound:
+        (cell.cell_contents,) = items
+    elif cell != CellType():
+        del cell.cell_contents
+
+
+def _read_numbers(value: np.ndarray) -> tuple[Any, list[Any]]:
+    if value.dtype.hasobject:
+        raise NotMergeable
+    place = None if value.base is None else value.__array_interface__["data"]
+    return (value.dtype.str, value.shape, place, value.tobytes()), []
+
+
+def _write_numbers(value: np.ndarray, structure: Any, items: Sequence[Any]) -> None:
+    if value.flags.writeable:
+        value[...] = np.frombuffer(structure[-1], value.dtype).reshape(value.shape)
+
+
+def _read_tuple(value: tuple) -> tuple[Any, list[Any]]:
+    if attributes_of(value):
+        raise NotMergeable
+    return type(value), [*value]
+
+
+def _read_function(value: FunctionType) -> tuple[Any, list[Any]]:
+    cells = value.__closure__ or ()
+    defaults = value.__defaults__, value.__kwdefaults__
+    return value.__code__, [*cells, *defaults, vars(value)]
+
+
+def _read_object(value: Any) -> tuple[Any, list[Any]]:
+    slots = slot_values(value)
+    return [type(value), *slots], [type(value), attributes_of(value), *slots.values()]
+
+
+def _write_object(value: Any, structure: Any, items: Sequence[Any]) -> None:
+    names = structure[1:]
+    for name in slot_values(value).keys() - {*names}:
+        object.__delattr__(value, name)
+    for name, item in zip(names, items[2:], strict=True):
+        object.__setattr__(value, name, item)
+
+
+def _is_number(value: Any) -> bool:
+    """Return whether a value is one number, or one truth value, which nothing changes."""
+    if isinstance(value, Array):
+        return not (value.shape or value._boxed)
+    return type(value) in NUMBERS
+
+
+def _is_pythons(value: Any) -> bool | None:
+    """Return whether a number, or a truth value, is of Python's own type."""
+    return value._of_python if isinstance(value, Array) else type(value) in OF_PYTHON
+
+
+def _read_elements(array: Array) -> tuple[Any, Any]:
+    """Return the elements of a tracer array; None if nothing was written into it."""
+    return array.shape, None if array._store is None else array._store.copy()
+
+
+def _write_elements(array: Array, structure: Any, elements: Any) -> None:
+    if elements is None and array._store is None:
+        return
+    if elements is None:
+        elements = Array(array._tape, array._node, array.shape)._elements()
+    array._keep()
+    array._store[...] = elements  # type: ignore[index]  # in place: views share it
+
+
+LIST = Kind(lambda value: (type(value), [*value]), _write_list)
+DICT = Kind(_read_dict, _write_dict)
+TUPLE = Kind(_read_tuple)
+OBJECT = Kind(_read_object, _write_object)
+ELEMENTS = Kind(_read_elements, _write_elements)
+KINDS: dict[type, Kind | None] = {  # None: nothing changes such a value
+    **dict.fromkeys(IMMUTABLE | {float, np.float64, np.bool_, np.int64, type(np.sum)}),
+    list: LIST,
+    deque: Kind(lambda value: ((deque, value.maxlen), [*value]), _write_list),
+    **dict.fromkeys((dict, OrderedDict, defaultdict, Counter, Params), DICT),
+    set: Kind(_read_set, _write_set),
+    frozenset: Kind(_read_set),
+    tuple: TUPLE,
+    CellType: Kind(_read_cell, _write_cell),
+    np.ndarray: Kind(_read_numbers, _write_numbers),
+    FunctionType: Kind(_read_function),
+    MethodType: Kind(lambda value: (MethodType, [value.__self__, value.__func__])),
+    BuiltinFunctionType: Kind(lambda value: (value.__name__, [value.__self__])),
+    functools.partial: Kind(
+        lambda value: (functools.partial, [value.func, value.args, value.keywords])
+    ),
+    SimpleNamespace: OBJECT,
+}
+UNCHANGING = (np.generic, np.dtype, np.ufunc, ModuleType, Enum, control.InputOutputSystem)
+CONTAINERS = (list, dict, set, frozenset, deque, np.ndarray, str, bytes, int, float)
+UNLISTED = object()
+
+
+def kind_of(value: Any) -> Kind | None:
+    """Return the kind of a value; None if nothing changes it."""
+    kind = KINDS.get(type(value), UNLISTED)
+    if kind is not UNLISTED:
+        return kind  # type: ignore[return-value]
+    if isinstance(value, tuple):
+        return TUPLE
+    if isinstance(value, UNCHANGING) or root_of(type(value)) == PACKAGE:
+        return None
+    if isinstance(value, type):
+        if is_library(root_of(value)) or root_of(value) in ("builtins", PACKAGE):
+            return None
+        raise NotMergeable  # a class that is made anew at each call
+    if isinstance(value, CONTAINERS) or not is_plain(type(value)):
+        raise NotMergeable
+    return OBJECT
+
+
+class Entry(NamedTuple):
+    """A value that code may change, or which holds such values, with its content."""
+
+    value: Any
+    kind: Kind
+    structure: Any
+    items: Any  # of a tracer array: its elements, or None
+
+
+def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
+    """Return the contents that code reaches from roots, by identity.
+
+    Values in `persistent` outlive the function and are left out: they must not change at all.
+    """
+    heap: dict[int, Entry] = {}
+    stack = [*roots]
+    while stack:
+        value = stack.pop()
+        kind: Kind | None = ELEMENTS
+        if isinstance(value, Array):
+            value = value._root
+            if value._fixed or value._is_condition or _is_number(value):
+                continue
+        if id(value) in heap or id(value) in persistent:
+            continue
+        if not isinstance(value, Array):
+            kind = kind_of(value)
+        if kind is None:
+            continue
+        structure, items = kind.read(value)
+        heap[id(value)] = Entry(value, kind, structure, items)
+        if kind is not ELEMENTS:
+            stack += items
+    return heap
+
+
+def put_back(heap: dict[int, Entry]) -> None:
+    """Give every value of a heap the content that it had."""
+    for value, kind, structure, items in heap.values():
+        if kind.write is not None:
+            kind.write(value, structure, items)
+
+
+def _all_equal(values: Sequence[Any]) -> bool:
+    first = values[0]
+    return all(type(value) is type(first) and value == first for value in values)
+
+
+# --- one heap for all paths -----------------------------------------------------------------------
+
+
+class Joining:
+    """The heaps of all paths, walked in step; `before` is the heap with which each path began."""
+
+    def __init__(
+        self,
+        tape: Tape,
+        tree: Tree,
+        before: dict[int, Entry],
+        heaps: Sequence[dict[int, Entry]],
+    ):
+        self.tape = tape
+        self.tree = tree
+        self.before = before
+        self.heaps = heaps
+        self._joined: dict[tuple[int, ...], Any] = {}
+        # of each path: which values an object corresponds to
+        self._partners: list[dict[int, tuple[int, ...]]] = [{} for _ in heaps]
+        self._arrays: dict[int, Any] = {}  # arrays that are read-only with an older one
+        self._writes: list[Entry] = []
+
+    def write(self) -> None:
+        """Give the values their joined contents."""
+        for value, kind, structure, items in self._writes:
+            assert kind.write is not None
+            kind.write(value, structure, items)
+
+    def value(self, values: Sequence[Any]) -> Any:
+        """Return one value for those of all paths, whose contents `write` joins."""
+        first = values[0]
+        if all(value is first for value in values):
+            if isinstance(first, Array):
+                self._contents([first._root] * len(values))
+                return first
+            return self._contents(values)
+        if all(map(_is_number, values)):
+            return self._number(values)
+        if all(isinstance(value, Array) for value in values):
+            return self._array(values)
+        if type(first) in PLAIN and _all_equal(values):
+            return first
+        return self._contents(values)
+
+    def _contents(self, values: Sequence[Any]) -> Any:
+        """Return the value of the first path for all; note the contents that it gets."""
+        first = values[0]
+        key = (*map(id, values),)
+        if key in self._joined:
+            return self._joined[key]
+        contents = [heap.get(k) for heap, k in zip(self.heaps, key, strict=True)]
+        found = [content for content in contents if content is not None]
+        is_same = len({*key}) == 1
+        if not found and is_same:
+            return first  # nothing changes it
+        _, kind, structure, items = found[0] if found else (None,) * 4
+        if len(found) < len(key) or any(
+            content.kind is not kind or content.structure != structure for content in found
+        ):
+            raise NotMergeable
+        if kind.write is not None:
+            if not is_same and not self.before.keys().isdisjoint(key):
+                raise NotMergeable
+            for partners, k in zip(self._partners, key, strict=True):
+                if partners.setdefault(k, key) != key:
+                    raise NotMergeable
+        self._joined[key] = first  # of a value that holds itself
+        if kind is ELEMENTS:
+            new_items = self._elements(first, [content.items for content in found])
+        else:
+            columns = zip(*(content.items for content in found), strict=True)
+            new_items = [*map(self.value, columns)]
+        if kind.write is not None:
+            self._writes.append(Entry(first, kind, structure, new_items))
+        elif any(a is not b for a, b in zip(new_items, items, strict=True)):
+            if kind is not TUPLE:
+                raise NotMergeable
+            self._joined[key] = getattr(structure, "_make", structure)(new_items)
+        return self._joined[key]
+
+    def _number(self, values: Sequence[Any]) -> Any:
+        """Return one number, or one truth value, with the type that all have in common."""
+        if all(type(value) is int for value in values) and not _all_equal(values):
+            raise NotMergeable  # they may count, or be indices
+        truths = {*map(is_truth, values)}
+        if len(truths) > 1:
+            raise NotMergeable
+        new = joined(self.tape, self.tree, values, where)
+        of_python = common(map(_is_pythons, values))
+        whole = common(map(is_whole, values))
+        ref = operand(new)
+        if type(ref) is float:
+            if of_python is None or whole is None:
+                raise NotMergeable
+            return new
+        number = Array(self.tape, ref, ())
+        number._of_python = of_python
+        number._whole = whole and truths == {False}
+        return number
+
+    def _elements(self, array: Array, stores: Sequence[Any]) -> Any:
+        """Return the elements of an array after all paths; None if none was written."""
+        if all(store is None for store in stores):
+            return None
+        old = Array(array._tape, array._node, array.shape)._elements
+        rows = [(old() if store is None else store).ravel() for store in stores]
+        elements = np.empty(array.size, dtype=object)
+        for k, column in enumerate(zip(*rows, strict=True)):
+            elements[k] = joined(self.tape, self.tree, column, where)
+        return elements.reshape(array.shape)
+
+    def _array(self, values: Sequence[Array]) -> Array:
+        """Return one array for different ones, into which nothing may be written if it is a view.
+
+        An older array, or one with several names, is read-only from now on, as its partner is.
+        """
+        first = values[0]
+        facts = {(value.shape, value._is_condition, value._boxed) for value in values}
+        if len(facts) > 1:
+            raise NotMergeable
+        roots = [value._root for value in values]
+        key = (*map(id, roots),)
+        if key in self._joined and all(
+            value is root for value, root in zip(values, roots, strict=True)
+        ):
+            return self._joined[key]
+        ends = [
+            Array(self.tape, self._end(value, heap), value.shape)
+            for value, heap in zip(values, self.heaps, strict=True)
+        ]
+        end = joined(self.tape, self.tree, ends, where)
+        new = Array(self.tape, operand(end), first.shape)
+        new._boxed = first._boxed
+        new._whole = common(root._whole for root in roots)
+        is_shared = any(
+            root._fixed or value is not root or id(root) in self.before or id(root) in partners
+            for value, root, partners in zip(values, roots, self._partners, strict=True)
+        )
+        for root, partners in zip(roots, self._partners, strict=True):
+            partners.setdefault(id(root), key)
+            if is_shared:
+                root._fixed = new._fixed = True
+                if (other := self._arrays.get(id(root))) is not None:
+                    other._fixed = True
+            self._arrays[id(root)] = new
+        if not is_shared:
+            self._joined[key] = new
+        return new
+
+    def _end(self, array: Array, heap: dict[int, Entry]) -> Any:
+        """Return the value of an array at the end of a path."""
+        elements = self._elements_at_end(array, heap)
+        return array._node if elements is None else operand(lifted(self.tape, elements))
+
+    def _elements_at_end(self, array: Array, heap: dict[int, Entry]) -> Any:
+        if array._parent is None:
+            content = heap.get(id(array))
+            return array._store if content is None else content.items
+        above = self._elements_at_end(array._parent, heap)
+        return None if above is None else np.asarray(array._select(above), dtype=object)
