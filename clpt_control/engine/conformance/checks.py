@@ -173,17 +173,30 @@ def _linearizes(block: Block, samples: list[Sample]) -> Iterator[str]:
     """python-control's `linearize`, which has no samples, agrees with the exact one."""
     if block.opaque or isinstance(block, Sampled):
         return
+    system = block if block.ninputs else _with_an_input(block)
     for t, x, u, _ in samples[:3]:
-        approximate = block.linearize(x, u, t=t)
+        approximate = system.linearize(x, u if block.ninputs else [0.0], t=t)
         try:
             exact = linearize(block, x, u, t)
         except DiagramError:  # a jump at this point, or nothing to linearize
             return
-        for name in "ABCD":
+        for name in "ABCD" if block.ninputs else "AC":
             matrix, expected = getattr(approximate, name), getattr(exact, name)
             if differ(matrix, expected, LINEAR):
                 yield f"{block.name}: linearize gives {name} = {matrix}, exactly it is {expected}"
                 return
+
+
+def _with_an_input(block: Block) -> control.NonlinearIOSystem:
+    """Return a system without inputs with one that it ignores, as `linearize` needs one."""
+    return control.nlsys(
+        lambda t, x, u, params: block.dynamics(t, x, []),
+        lambda t, x, u, params: block.output(t, x, []),
+        inputs=1,
+        outputs=block.noutputs,
+        states=block.nstates,
+        dt=block.dt,
+    )
 
 
 def _jumps(block: Block, samples: list[Sample]) -> Iterator[str]:

@@ -5,11 +5,11 @@ operation: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  An array into which a 
 (``y[0] = ...``) stores its elements one by one, and its views share them, as NumPy's views do.
 """
 
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import partial
 from math import prod
-from operator import attrgetter
 from threading import local
 from typing import Any
 
@@ -63,6 +63,7 @@ class Tape:
         self.parameters: Mapping[str, Any] = {}  # as they were given
         self.runs = 0  # execution paths so far, of helpers too
         self.texts: Unread | None = None  # error of a text that was made of a signal
+        self.merging = False  # whether statements and helpers are merged
         self.free: list[
             bool
         ] = []  # of each: whether it depends on time, states or inputs
@@ -165,7 +166,12 @@ class Array(NDArrayOperatorsMixin):
 
     # --- the value ----------------------------------------------------------------------
 
-    shape = property(attrgetter("_shape"), doc="Shape, which is read-only.")
+    @property
+    def shape(self) -> Shape:
+        """Shape, which is read-only."""
+        if self._of_python:
+            refuse_of_python("shape")
+        return self._shape
 
     @property
     def _ref(self) -> Ref:
@@ -202,16 +208,22 @@ class Array(NDArrayOperatorsMixin):
     @property
     def ndim(self) -> int:
         """Number of axes."""
-        return len(self.shape)
+        if self._of_python is not False:
+            refuse_of_python("ndim")
+        return len(self._shape)
 
     @property
     def size(self) -> int:
         """Number of elements."""
+        if self._of_python is not False:
+            refuse_of_python("size")
         return prod(self._counted())
 
     @property
     def dtype(self) -> np.dtype:
         """Type of the numbers: bool or float."""
+        if self._of_python is not False:
+            refuse_of_python("dtype")
         return np.dtype(bool if self._is_condition else float)
 
     @property
@@ -273,11 +285,15 @@ class Array(NDArrayOperatorsMixin):
         return self._tape.numbers(self._ref).astype(dtype or self.dtype)
 
     def __getattr__(self, name: str) -> Any:
+        if self._of_python is not False:
+            refuse_of_python(name)
         if (method := HOOKS["method"](name)) is not None:
             return partial(method, self)
         raise AttributeError(f"an array of the record has no {name!r}")
 
     def __eq__(self, other):
+        if getattr(other, "__array_ufunc__", self) is None:
+            return NotImplemented
         return (
             False if other is None or isinstance(other, str) else np.equal(self, other)
         )
@@ -348,6 +364,16 @@ class Array(NDArrayOperatorsMixin):
 
     def __repr__(self) -> str:
         return f"<v{self._node} {self.shape}>"
+
+
+ENGINE = __package__.rpartition(".")[0]
+
+
+def refuse_of_python(name: str) -> None:
+    """Raise where a user's function reads an attribute that Python's own numbers do not have."""
+    user = sys._getframe(2).f_globals.get("__name__", "")
+    if not (user.startswith((ENGINE, "numpy")) or hasattr(0.0, name)):
+        raise AttributeError(f"'float' object has no attribute {name!r}")
 
 
 def moves(value: Any) -> bool:

@@ -73,7 +73,6 @@ class AnsweringTape(Tape):
         self.answers: dict[int, bool] = {}
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
         self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
-        self.merging = False  # whether statements and helpers are merged
         # identities of values that outlive the function
         self.persistent: set[int] = set()
         self.check: Callable[[], None] = lambda: None  # refuses a change of these

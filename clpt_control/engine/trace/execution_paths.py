@@ -99,8 +99,12 @@ class Region:
                 if len(tape.answers) == len(answers):
                     return result
                 tape.check()
-                left = [entry.value for k, entry in before.items() if k not in self.dead]
-                paths.append((tape.answers, result, heap_of([result, *left], tape.persistent)))
+                left = [
+                    entry.value for k, entry in before.items() if k not in self.dead
+                ]
+                paths.append(
+                    (tape.answers, result, heap_of([result, *left], tape.persistent))
+                )
                 if len(paths) > MOST_MERGED:
                     raise NotMergeable
             return self._joined(paths, len(answers), before)
@@ -156,8 +160,8 @@ def merge_calls(function: FunctionType) -> Any:
 def merge_value(run: FunctionType) -> Any:
     """Return the value of a conditional expression, its paths merged."""
     if (tape := merging()) is None:
-        return run()
-    return Region(tape, run, run.__closure__ or ()).merged()
+        return _run(run)
+    return Region(tape, lambda: _run(run), run.__closure__ or ()).merged()
 
 
 def merge_statement(run: FunctionType, dead: tuple[str, ...]) -> None:
@@ -166,10 +170,24 @@ def merge_statement(run: FunctionType, dead: tuple[str, ...]) -> None:
     Variables in `dead` are not read afterwards.
     """
     if (tape := merging()) is None:
-        run()
+        _run(run)
         return
     cells = dict(zip(run.__code__.co_freevars, run.__closure__ or (), strict=True))
-    Region(tape, run, cells.values(), [cells[name] for name in dead]).merged()
+    dead_cells = [cells[name] for name in dead]
+    Region(tape, lambda: _run(run), cells.values(), dead_cells).merged()
+
+
+def _run(run: FunctionType) -> Any:
+    """Run rewritten code, whose variables without a value are still local ones to the function."""
+    try:
+        return run()
+    except NameError as error:
+        if error.name in run.__code__.co_freevars and "free variable" in str(error):
+            raise UnboundLocalError(
+                f"cannot access local variable '{error.name}' where it is not associated with a "
+                "value"
+            ) from None
+        raise
 
 
 # --- items of lists at an index that is a signal -------------------------------------------------
@@ -177,8 +195,8 @@ def merge_statement(run: FunctionType, dead: tuple[str, ...]) -> None:
 ITEMS = (*NUMBERS, np.int64)  # numbers of which a signal picks one
 
 
-def item_of(values, index):
-    """Return values[index]."""
+def item_of(values, index, read_only=False):
+    """Return values[index]; a row that is read only may be a copy."""
     is_signal = isinstance(index, Array) and not index.shape and index._whole is True
     if (
         not is_signal
@@ -187,11 +205,11 @@ def item_of(values, index):
         or in_a_try()
     ):
         return values[index]
-    item = picked_from(values, index)
+    item = picked_from(values, index, (tuple, list) if read_only else (tuple,))
     return values[index] if item is None else item
 
 
-def picked_from(values: Any, index: Array) -> Any:
+def picked_from(values: Any, index: Array, rows: tuple[type, ...] = (tuple,)) -> Any:
     """Return the item of a list of numbers, or of rows of numbers; None of other lists."""
     if all(map(_is_item, values)):
         return _picked_number(values, index)
@@ -200,7 +218,7 @@ def picked_from(values: Any, index: Array) -> Any:
         for value in values
     }
     kind, length = next(iter(kinds), (None, 0))
-    if len(kinds) != 1 or kind not in (list, tuple):
+    if len(kinds) != 1 or kind not in rows:
         return None
     columns = [
         picked_from([value[j] for value in values], index) for j in range(length)

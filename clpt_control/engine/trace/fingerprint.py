@@ -326,6 +326,8 @@ class _Walk:
     def _function(self, function: FunctionType) -> Any:
         """Return the key of a function: its code, and the values that it references."""
         if is_library(root_of(function)):
+            if registry := getattr(function, "registry", None):  # of singledispatch
+                return id(function), *map(self.key_of, registry.values())
             if not is_pure(function):
                 self._refuse(reason(self.label or function.__qualname__, function))
             return id(function)

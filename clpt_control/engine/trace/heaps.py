@@ -34,7 +34,9 @@ from .elementwise import common, is_of_python, is_truth, is_whole, lifted, where
 from .isolation import UNBOUND, slot_values
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
-Answers = dict[int, bool]  # the conditions of one path in their order, with their outcomes
+Answers = dict[
+    int, bool
+]  # the conditions of one path in their order, with their outcomes
 Tree = Any  # of decisions: the number of a path, or (condition, tree if true, tree if false)
 OF_PYTHON = (int, float, bool)
 NUMBERS = (*OF_PYTHON, np.float64, np.bool_)
@@ -214,7 +216,14 @@ KINDS: dict[type, Kind | None] = {  # None: nothing changes such a value
     ),
     SimpleNamespace: OBJECT,
 }
-UNCHANGING = (np.generic, np.dtype, np.ufunc, ModuleType, Enum, control.InputOutputSystem)
+UNCHANGING = (
+    np.generic,
+    np.dtype,
+    np.ufunc,
+    ModuleType,
+    Enum,
+    control.InputOutputSystem,
+)
 CONTAINERS = (list, dict, set, frozenset, deque, np.ndarray, str, bytes, int, float)
 UNLISTED = object()
 
@@ -343,7 +352,8 @@ class Joining:
             return first  # nothing changes it
         _, kind, structure, items = found[0] if found else (None,) * 4
         if len(found) < len(key) or any(
-            content.kind is not kind or content.structure != structure for content in found
+            content.kind is not kind or content.structure != structure
+            for content in found
         ):
             raise NotMergeable
         if kind.write is not None:
@@ -421,7 +431,10 @@ class Joining:
         new._boxed = first._boxed
         new._whole = common(root._whole for root in roots)
         is_shared = any(
-            root._fixed or value is not root or id(root) in self.before or id(root) in partners
+            root._fixed
+            or value is not root
+            or id(root) in self.before
+            or id(root) in partners
             for value, root, partners in zip(values, roots, self._partners, strict=True)
         )
         for root, partners in zip(roots, self._partners, strict=True):

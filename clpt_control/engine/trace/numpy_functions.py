@@ -338,10 +338,9 @@ def like(a: Array, value: float, dtype: Any = None, **options: Any) -> Any:
 
 
 def taken(a, indices, axis=None):
-    """Return np.take(a, indices, axis)."""
-    if axis is None:
-        return np.ravel(a)[indices]
-    return np.moveaxis(a, axis, 0)[indices]
+    """Return np.take(a, indices, axis), which shares no memory with a."""
+    rows = np.ravel(a) if axis is None else np.moveaxis(a, axis, 0)
+    return views.copied(rows[indices])
 
 
 def bins_of(x: Any, bins: Any, right: bool = False) -> Any:

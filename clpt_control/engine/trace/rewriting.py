@@ -27,6 +27,7 @@ from .execution_paths import (
     merge_statement,
     merge_value,
 )
+from .identities import TRUTHS, is_same
 from .references import all_code, code_names
 
 NAMES = {
@@ -35,6 +36,9 @@ NAMES = {
     "__merge_calls__": merge_calls,
     "__item_of__": item_of,
     "__index_of__": index_of,
+    "__is_same__": is_same,
+    "__true__": TRUTHS[True],
+    "__false__": TRUTHS[False],
 }
 STATEMENT = "__statement__"
 LEAVING = (
@@ -49,6 +53,12 @@ LEAVING = (
 FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
+SELF_MATCHING = (
+    "float",
+    "int",
+    "bool",
+)  # classes of which `case float(q)` names the number
+UNKNOWN = object()
 FUTURE = 0x1FF0000  # flags of `from __future__ import ...`
 
 
@@ -84,10 +94,24 @@ def _may_branch(code: CodeType) -> bool:
         for line in dis.get_instructions(inner):
             index = line.opname == "BINARY_SUBSCR" or line.argrepr == "[]"
             jumps = "JUMP" in line.opname and "IF" in line.opname
-            if jumps or line.opname == "PUSH_EXC_INFO" or (index and not constant):
+            rewrites = line.opname in ("PUSH_EXC_INFO", "IS_OP")
+            if jumps or rewrites or (index and not constant):
                 return True
             constant = line.opname in ("LOAD_CONST", "LOAD_SMALL_INT")
     return "index" in code_names(code)
+
+
+@functools.lru_cache(maxsize=4096)
+def compares_identities(code: CodeType) -> bool:
+    """Return whether code compares identities by an `is` that was not rewritten."""
+    constant: Any = UNKNOWN
+    for line in dis.get_instructions(code):
+        if line.opname == "IS_OP" and constant not in (None, ...):
+            return (
+                code.co_filename != "<string>"
+            )  # of a dataclass, whose classes are compared
+        constant = line.argval if line.opname == "LOAD_CONST" else UNKNOWN
+    return False
 
 
 @functools.lru_cache(maxsize=256)
@@ -124,10 +148,12 @@ def _compiled(file: str, number: int, flags: int) -> tuple[frozenset[CodeType], 
 
 
 def _position(code: CodeType) -> Any:
-    """Return the name and position of a function in the source."""
+    """Return the name and line of a function, and the column of a lambda."""
     starts = ((line, column) for line, _, column, _ in code.co_positions())
     positions = [(line, column) for line, column in starts if line and column]
-    return code.co_name, code.co_firstlineno, min(positions, default=None)
+    is_lambda = code.co_name.startswith("<")
+    column = min(positions, default=None) if is_lambda else None
+    return code.co_name, code.co_firstlineno, column
 
 
 class _Rewriter(ast.NodeTransformer):
@@ -236,12 +262,51 @@ __merge_statement__({STATEMENT}, {dead})
     def visit_Subscript(self, node: ast.Subscript) -> Any:
         """Read items by a function, which takes signals as indices of lists."""
         self.generic_visit(node)
-        fixed = isinstance(
-            node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp
-        )
-        if self.function is None or fixed or not isinstance(node.ctx, ast.Load):
+        if self.function is None or not isinstance(node.ctx, ast.Load):
+            return node
+        row = node.value
+        if isinstance(row, ast.Call) and getattr(row.func, "id", "") == "__item_of__":
+            row.args.append(
+                _place_at(ast.Constant(True), node)
+            )  # nothing writes into it
+        if isinstance(node.slice, ast.Constant | ast.Slice | ast.Tuple | ast.UnaryOp):
             return node
         return self._call("__item_of__", node, [node.value, node.slice])
+
+    def visit_Compare(self, node: ast.Compare) -> Any:
+        """Compare identities by a function, which knows signals."""
+        self.generic_visit(node)
+        operator, *others = node.ops
+        is_identity = isinstance(operator, ast.Is | ast.IsNot) and not others
+        if self.function is None or not is_identity:
+            return node
+        (right,) = node.comparators
+        if isinstance(right, ast.Constant) and right.value is None:
+            return node
+        same: Any = self._call("__is_same__", node, [node.left, right])
+        if isinstance(operator, ast.Is):
+            return same
+        return ast.copy_location(ast.UnaryOp(ast.Not(), same), node)
+
+    # --- patterns ---------------------------------------------------------------------------
+
+    def visit_MatchSingleton(self, node: ast.MatchSingleton) -> Any:
+        """Compare with True and False by objects that know signals."""
+        if node.value is None:
+            return node
+        name = f"__{str(node.value).lower()}__"
+        value: Any = ast.parse(f"{name}.value", mode="eval").body
+        return _place_at(ast.MatchValue(value), node)
+
+    def visit_MatchClass(self, node: ast.MatchClass) -> Any:
+        """Write `case float(q)` as `case float() as q`, which a tracer type has too."""
+        self.generic_visit(node)
+        if getattr(node.cls, "id", "") in SELF_MATCHING and len(node.patterns) == 1:
+            (pattern,) = node.patterns
+            if isinstance(pattern, ast.MatchAs) and pattern.pattern is None:
+                node.patterns = []
+                return ast.copy_location(ast.MatchAs(node, pattern.name), node)
+        return node
 
     def visit_Call(self, node: ast.Call) -> Any:
         """Find values in lists by a function, which takes signals."""
@@ -279,18 +344,21 @@ class _Function:
         self.reads, self.loops = _reads(body), 0
 
     def read_outside(self, statement: ast.stmt) -> set[str]:
-        """Return the variables that are read by other code than a statement, or when it repeats."""
-        counts = {} if self.loops else _reads([statement])
+        """Return the variables that are read by other code than a statement, or when it repeats.
+
+        A function within the statement is other code, as it may be called later.
+        """
+        counts = {} if self.loops else _reads([statement], _within)
         return {
             name for name, count in self.reads.items() if count > counts.get(name, 0)
         }
 
 
-def _reads(body: Iterable[ast.AST]) -> dict[str, int]:
+def _reads(body: Iterable[ast.AST], nodes: Any = ast.walk) -> dict[str, int]:
     """Return how often code reads each name, functions in it included."""
     counts: dict[str, int] = {}
     for statement in body:
-        for node in ast.walk(statement):
+        for node in nodes(statement):
             if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store):
                 counts[node.id] = counts.get(node.id, 0) + 1
             elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):

@@ -179,10 +179,10 @@ def _of_example(value: Array, answer: Callable[[Any], Any]) -> Any:
     number = ref if type(ref) is float else value._tape.parameter(ref)
     if number is not None:
         return answer(number)
-    if value._is_condition:
-        return answer(np.bool_(False))
-    is_int = is_whole(value)
     is_python = is_of_python(value)
+    if value._is_condition:
+        return answer(False if definite(is_python) else np.bool_(False))
+    is_int = is_whole(value)
     answers = {
         answer(example)
         for example_is_int, example_is_python, example in EXAMPLES
@@ -203,6 +203,7 @@ CONVERSIONS: dict[type, Callable] = {
     float: as_float,
     np.float64: lambda value: converted(value[()]),
     int: lambda value: of_python(np.trunc(as_float(value)), is_int=True),
+    bool: bool,
     np.int64: lambda value: converted(value[()], np.int64),
 }
 TYPES = {real: tracer_type(real, convert) for real, convert in CONVERSIONS.items()}

@@ -149,7 +149,7 @@ class _Tracing:
         self.request = request
         self.tape = AnsweringTape(request.parameters)
         self.tape.merging = merging
-        self.rebinding = Rebinding(self.tape, reached, merging)
+        self.rebinding = Rebinding(self.tape, reached, request.trusted)
         self.paths: list[tuple[dict[int, bool], list[Any]]] = []
         self.spreads = False
 

@@ -355,11 +355,13 @@ def _is_row_index(array: Array, index: tuple, axis: int) -> bool:
         isinstance(item, kinds) or getattr(item, "shape", 0) == () for item in index
     ):
         return False
+    root = array._root
     return (
         is_known(array.shape)
         and axis < array.ndim
         and array._written() is None
         and not in_a_try()
+        and (array.ndim == 1 or root._fixed or array._tape.merging)
     )
 
 
@@ -371,8 +373,10 @@ def _row(array: Array, index: Array) -> Any:
     size = prod(array.shape[1:])
     flat = part(array, lambda a: np.reshape(a, -1))
     positions = lifted(tape, index * float(size) + np.arange(size, dtype=float))
-    row = tape.add("pick", (operand(flat), operand(positions)), (size,))
-    return part(row, lambda a: np.reshape(a, array.shape[1:]))
+    picked = tape.add("pick", (operand(flat), operand(positions)), (size,))
+    # a view in NumPy: what is written into either would be lost in the other
+    picked._fixed = array._root._fixed = True
+    return part(picked, lambda a: np.reshape(a, array.shape[1:]))
 
 
 def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:

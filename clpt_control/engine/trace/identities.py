@@ -1,0 +1,49 @@
+"""Identity and class of traced values: `is`, ``case True``, and attributes of Python's own numbers.
+
+Python asks no method of a value for `is`, so functions are rewritten to ask `is_same` (`rewriting`).
+A signal is no constant, such as None, and is itself True or False only if it is a truth value of
+Python's own.  Whether two numbers are one object is not recorded: such a function is not traced.
+"""
+
+from typing import Any
+
+from .arrays import Array, Unread, active
+from .elementwise import definite
+
+COPIED = (int, float, complex)  # numbers that merged paths replace
+
+
+def is_same(a: Any, b: Any) -> bool:
+    """Return `a is b`."""
+    tape: Any = active()
+    if tape is None:
+        return a is b
+    for value, other in ((a, b), (b, a)):
+        if isinstance(value, Array):
+            if isinstance(other, bool):
+                is_truth = value._is_condition and not value.shape
+                return is_truth and definite(value._of_python) and bool(value) is other
+            if isinstance(other, Array | float | int):
+                raise Unread("compares signals by `is`. Write ==")
+            return False
+    if tape.merging and type(a) in COPIED and type(b) in COPIED:
+        raise Unread("compares numbers by `is`. Write ==")
+    return a is b
+
+
+class Truth:
+    """True or False as a pattern of `match`, which is equal to the object itself alone."""
+
+    __array_ufunc__ = None  # NumPy's values leave the comparison to this class
+
+    def __init__(self, truth: bool):
+        self.truth = truth
+        self.value = self
+
+    def __eq__(self, other: object) -> bool:
+        return is_same(other, self.truth)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+TRUTHS = {truth: Truth(truth) for truth in (True, False)}
