@@ -17,7 +17,7 @@ from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.ports import labels as labels_of_ports
 from ..engine.model.ports import ports_of
-from ..engine.trace.traced_block import on_arrays
+from ..engine.trace.on_arrays import on_arrays
 from ..paper.blocks.localization import TRUE
 from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P

@@ -35,7 +35,7 @@ from ..solver.native_diagram import NativeDiagram
 from ..solver.runner import PythonDiagram
 from ..solver.schedule import JUMPS
 from ..trace.arrays import Unread
-from ..trace.traced_block import leaf_values
+from ..trace.on_arrays import leaf_values
 
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 

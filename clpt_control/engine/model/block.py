@@ -21,7 +21,8 @@ from numpy.typing import ArrayLike
 from ...base.arguments import brief, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..trace.branches import located
-from ..trace.traced_block import READ, ReadBlock, on_arrays
+from ..trace.on_arrays import on_arrays
+from ..trace.traced_block import READ, ReadBlock
 from ..trace.tracing import RAISED
 from .declaration import (
     Each,

@@ -10,6 +10,7 @@ block has no parameter D.
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 import control
@@ -19,7 +20,7 @@ from scipy.linalg import block_diag
 from ...base.errors import BlockError, DiagramError
 from ...base.progress import warn
 from ..record.graph import MOST_NUMBERS, Record
-from ..trace.arrays import Unread
+from ..trace.arrays import Unread, active
 from ..trace.branches import EVERY
 from ..trace.tracing import read
 from .block import Block
@@ -166,7 +167,14 @@ class System(Block):
         ports = self.declared["states"], self.declared["inputs"]
         try:
             result = read(
-                function, role, *ports, self._params, shapes, out, of_control=True
+                function,
+                role,
+                *ports,
+                self._params,
+                shapes,
+                out,
+                of_control=True,
+                confirm=partial(self._difference, role),
             )
         except Unread as error:
             return Unread(f"{self.name}.{role}: {error}")
@@ -184,7 +192,7 @@ class System(Block):
         function, where = self._plan[role]
         returned = function(t, np.array(x), np.array(u), self._params_with(p))
         values = flattened(f"{self.name}.{role}", returned, where, size, spreads=True)
-        if size > 1 and np.size(returned) == 1:
+        if size > 1 and np.size(returned) == 1 and active() is None:
             self._warn_of_spread(role)
         return values
 

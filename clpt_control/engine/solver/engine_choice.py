@@ -18,7 +18,7 @@ from ...base.progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
 from ..trace.arrays import Unread
-from ..trace.traced_block import on_arrays
+from ..trace.on_arrays import on_arrays
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram

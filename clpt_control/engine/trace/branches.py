@@ -71,6 +71,7 @@ class AnsweringTape(Tape):
         self.pinned: set[str] = set()  # parameters whose value Python asked for
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
+        self.asked: set[int] = set()  # conditions of all paths
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
         self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
         # identities of values that outlive the function
@@ -89,6 +90,7 @@ class AnsweringTape(Tape):
                     "np.where, and no `while` on a signal"
                 )
             self.answers[ref] = self.way[k] if k < len(self.way) else True
+            self.asked.add(ref)
         return self.answers[ref]
 
     def numbers(self, ref: Ref) -> np.ndarray:

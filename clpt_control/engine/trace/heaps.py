@@ -30,8 +30,8 @@ import numpy as np
 
 from .arrays import Array, Tape, key_of, operand
 from .branches import Params
-from .elementwise import common, is_of_python, is_truth, is_whole, lifted, where
-from .isolation import UNBOUND, slot_values
+from .elementwise import common, is_truth, is_whole, lifted, where
+from .isolation import slot_values
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
 Answers = dict[

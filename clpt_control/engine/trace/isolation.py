@@ -54,7 +54,13 @@ REFUSED: tuple[
 )
 OPENING = (builtins, "open"), (io, "open"), (os, "open")
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-DROPPED = (warnings, "warn"), (warnings, "showwarning"), (logging.Logger, "handle")
+DROPPED = (
+    (warnings, "warn"),
+    (warnings, "showwarning"),
+    (logging, "basicConfig"),
+    (logging.Logger, "handle"),
+    (logging.Logger, "setLevel"),
+)
 LOCK = threading.RLock()
 _installed: list[
     tuple[Any, str, Any, Any]

@@ -32,13 +32,7 @@ from .references import (
     root_of,
 )
 from .rewriting import NAMES, compares_identities, rewritten
-from .tracer_modules import (
-    BUILTINS,
-    TracerModule,
-    real_type,
-    tracer_value,
-    type_of,
-)
+from .tracer_modules import BUILTINS, TracerModule, real_type, tracer_value, type_of
 
 LOCK = threading.RLock()  # while tracer values are in objects and classes
 ENGINE = __package__.rpartition(".")[0]

@@ -2,11 +2,11 @@
 
 A function is traced with open sizes, so that one record holds for every N.  If that fails, it is
 traced with the sizes of its block.  Records are cached until a parameter, a port or a value that a
-function references changes.  `on_arrays` evaluates a record in NumPy at many points at once.
+function references changes.
 """
 
 from collections.abc import Callable, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import control
@@ -15,9 +15,10 @@ import numpy as np
 from ...base.errors import BlockError
 from ..model.declaration import Guard
 from ..model.ports import counts_of, labels, places, port_of, sized, sizes_of
-from ..record.graph import Record, Shape, evaluated
+from ..record.graph import Record, Shape
 from .arrays import Unread
-from .tracing import read, record_of_states
+from .confirmation import difference
+from .tracing import Read, read, record_of_states
 
 READ = ("_read_records", "feedthrough")  # attributes that cache results of tracing
 Shapes = dict[str, Shape]  # of ports or parameters by name
@@ -212,7 +213,15 @@ class ReadBlock(control.NonlinearIOSystem):
             p = {**shapes, **self.parameter_shapes} if stay_open else shapes
             try:
                 result = read(
-                    function, name, x, u, values, p, out, trusted=self.of_package
+                    function,
+                    name,
+                    x,
+                    u,
+                    values,
+                    p,
+                    out,
+                    trusted=self.of_package,
+                    confirm=partial(self._difference, role),
                 )
             except (Unread, BlockError) as error:
                 if not stay_open and isinstance(error, BlockError):
@@ -222,6 +231,11 @@ class ReadBlock(control.NonlinearIOSystem):
             self.read_with[role] = result.pinned, why
             return self._outside(result.record)
         return Unread(f"{name}: {why}")
+
+    def _difference(self, role: str, result: Read) -> str:
+        """Return a sentence on a new record that Python does not confirm, or ""."""
+        records = map(self._outside, (result.record, result.conditions))
+        return difference(self, role, *records, result.pinned)
 
     @cached_property
     def of_package(self) -> bool:
@@ -267,58 +281,3 @@ class ReadBlock(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
-
-
-# --- vectorized evaluation in NumPy ----------------------------------------------------------
-
-
-def leaf_values(
-    block: ReadBlock, t: Any, x: Any, u: Any, p: Any
-) -> Callable[[str, str], np.ndarray]:
-    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
-    states = places(block.state_shapes)
-    inputs = places(block.input_shapes)
-
-    def leaf(group: str, name: str) -> np.ndarray:
-        if group == "t":
-            return np.asarray(t, dtype=float)
-        if group == "p":
-            return np.asarray(getattr(p, name), dtype=float)
-        ports = states if group == "x" else inputs
-        vector = x if group == "x" else u
-        positions, shape = ports[name]
-        values = vector[positions]
-        return values.reshape((*shape, *values.shape[1:]))
-
-    return leaf
-
-
-def on_arrays(
-    block: ReadBlock, role: str, t: Any, x: Any, u: Any, p: Any = None
-) -> np.ndarray:
-    """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
-
-    Its parameters are the block's, or those given; their `interval` may be one for each time.
-    """
-    shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
-    count = int(np.prod(shape))
-
-    def flat(vector: Any) -> np.ndarray:
-        size = len(vector)
-        return np.broadcast_to(vector, (size, *shape)).reshape(size, count)
-
-    times = np.broadcast_to(t, shape).reshape(count)
-    parameters = block.parameters if p is None else p
-    leaf = leaf_values(block, times, flat(x), flat(u), parameters)
-
-    def at_each_time(group: str, name: str) -> np.ndarray:
-        value = leaf(group, name)
-        varies = name == "interval" and value.ndim
-        is_constant = group == "p" and not varies
-        return value[..., None] if is_constant else value
-
-    record = block.array_record(role)
-    outputs = evaluated(record, at_each_time, block.sizes, count)
-    rows = [output.reshape(-1, count) for output in outputs]
-    matrix = np.concatenate([np.zeros((0, count)), *rows])
-    return matrix.reshape((-1, *shape))

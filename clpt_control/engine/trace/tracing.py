@@ -18,6 +18,7 @@ import numpy as np
 from ...base.errors import BlockError
 from ..model.declaration import Parameters
 from ..model.ports import check_ports, places, shaped
+from ..record.both_sides import conditions_of
 from ..record.graph import Record, Shape, compact
 from .arrays import Array, Tape, Unread, objects, operand, reading_on
 from .branches import AnsweringTape, Outside, Params, Ports, located
@@ -42,6 +43,9 @@ RAISED = (
 OF_PATHS = (*RAISED, RuntimeError, SystemError, Outside)
 
 
+NO_CONDITIONS = Record((), (), ())
+
+
 class Read(NamedTuple):
     """Result of tracing a function."""
 
@@ -50,6 +54,7 @@ class Read(NamedTuple):
     texts: frozenset[Any] = frozenset()  # in the functions
     names: frozenset[Any] = frozenset()  # for which python-control's params were asked
     spreads: bool = False  # it returns one number for all states or outputs
+    conditions: Record = NO_CONDITIONS  # comparisons on its paths
 
 
 class Request(NamedTuple):
@@ -66,6 +71,8 @@ class Request(NamedTuple):
     # p are python-control's params, else the Parameters of a block
     of_control: bool = False
     trusted: bool = False  # a function of this package, without hidden state
+    # returns a sentence on a new record that gives other numbers than the function
+    confirm: Callable[[Read], str] = lambda result: ""
 
     @property
     def name(self) -> str:
@@ -130,16 +137,19 @@ def _values(parameters: Mapping[str, Any], names: frozenset[str]) -> list[Any]:
 
 
 def _traced(request: Request, reached: Fingerprint) -> Read:
-    """Trace a function, with merged paths if possible."""
+    """Trace a function, with merged paths if possible, and confirm the record."""
     if request.trusted:
         return _Tracing(request, reached, merging=False).read()
-    try:
-        return _Tracing(request, reached, merging=True).read()
-    except Unread as error:
-        try:  # the following code may not accept merged values
-            return _Tracing(request, reached, merging=False).read()
-        except Unread:
-            raise error from None
+    errors = []
+    for merging in (True, False):  # the following code may not accept merged values
+        try:
+            result = _Tracing(request, reached, merging).read()
+            if sentence := request.confirm(result):
+                raise Unread(sentence)
+            return result
+        except Unread as error:
+            errors.append(error)
+    raise errors[0]
 
 
 class _Tracing:
@@ -199,7 +209,9 @@ class _Tracing:
         record = compact(tape.operations, refs, request.out.values())
         texts = frozenset(rebinding.texts)
         names = frozenset(names_read)
-        return Read(record, frozenset(tape.pinned), texts, names, self.spreads)
+        conditions = conditions_of(tape.operations, [*refs, *tape.asked])
+        pinned = frozenset(tape.pinned)
+        return Read(record, pinned, texts, names, self.spreads, conditions)
 
     def _leaf(self, name: str) -> Array:
         leaf = self.tape.add("leaf", (), self.request.shapes[name], ("p", name))

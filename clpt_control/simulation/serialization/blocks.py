@@ -18,7 +18,7 @@ from ...engine.model.ports import sized, sizes_of
 from ...engine.model.sampled import Sampled, inner_parameters, other_equations
 from ...engine.record.graph import Record, Shape
 from ...engine.trace.arrays import Unread
-from ...engine.trace.traced_block import on_arrays
+from ...engine.trace.on_arrays import on_arrays
 from .records import check_record, plain_record, record_of, shape_of, size_of
 
 KINDS = ("input", "output", "state")

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...engine.diagram.wiring import wiring_of
 from ...engine.solver.evaluation_pass import Sweep
-from ...engine.trace.traced_block import on_arrays
+from ...engine.trace.on_arrays import on_arrays
 
 # rates (n, nx) and V (n,); NaN where there are none
 Values = tuple[np.ndarray, np.ndarray]

@@ -1,0 +1,70 @@
+"""Records of a block evaluated in NumPy, at many points at once.
+
+on_arrays(block, "update", t, x, u)    with x of shape (n, points)    ->    (n, points)
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ..model.ports import places
+from ..record.graph import Record, evaluated
+
+
+def leaf_values(
+    block: Any, t: Any, x: Any, u: Any, p: Any
+) -> Callable[[str, str], np.ndarray]:
+    """Return the function (group, name) -> array of a leaf; more axes, such as times, are last."""
+    states = places(block.state_shapes)
+    inputs = places(block.input_shapes)
+
+    def leaf(group: str, name: str) -> np.ndarray:
+        if group == "t":
+            return np.asarray(t, dtype=float)
+        if group == "p":
+            return np.asarray(getattr(p, name), dtype=float)
+        ports = states if group == "x" else inputs
+        vector = x if group == "x" else u
+        positions, shape = ports[name]
+        values = vector[positions]
+        return values.reshape((*shape, *values.shape[1:]))
+
+    return leaf
+
+
+def on_arrays(
+    block: Any, role: str, t: Any, x: Any, u: Any, p: Any = None
+) -> np.ndarray:
+    """Return what a function gives at each time, state x[k] and input u[k]: (size, ...).
+
+    Its parameters are the block's, or those given; their `interval` may be one for each time.
+    """
+    return record_on_arrays(block, block.array_record(role), t, x, u, p)
+
+
+def record_on_arrays(
+    block: Any, record: Record, t: Any, x: Any, u: Any, p: Any = None
+) -> np.ndarray:
+    """Return the outputs of a record with a block's leaves, as `on_arrays` does."""
+    shape = np.broadcast_shapes(np.shape(t), np.shape(x)[1:], np.shape(u)[1:])
+    count = int(np.prod(shape))
+
+    def flat(vector: Any) -> np.ndarray:
+        size = len(vector)
+        return np.broadcast_to(vector, (size, *shape)).reshape(size, count)
+
+    times = np.broadcast_to(t, shape).reshape(count)
+    parameters = block.parameters if p is None else p
+    leaf = leaf_values(block, times, flat(x), flat(u), parameters)
+
+    def at_each_time(group: str, name: str) -> np.ndarray:
+        value = leaf(group, name)
+        varies = name == "interval" and value.ndim
+        is_constant = group == "p" and not varies
+        return value[..., None] if is_constant else value
+
+    outputs = evaluated(record, at_each_time, block.sizes, count)
+    rows = [output.reshape(-1, count) for output in outputs]
+    matrix = np.concatenate([np.zeros((0, count)), *rows])
+    return matrix.reshape((-1, *shape))
