@@ -337,7 +337,7 @@ def test_a_function_that_keeps_runs_in_python_and_is_called_once_for_each_sample
     )
     said = (
         r"^worn runs in Python, not as machine code: worn.output: "
-        ".*keeps what its next call reads"
+        ".*which outlives the call"
     )
     with pytest.warns(UserWarning, match=said) as warned:
         run = clpt.simulate(worn, T, np.sin(3 * T))

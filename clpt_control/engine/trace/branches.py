@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Mapping
 from math import prod
 from traceback import walk_tb
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from ..record.graph import Ref, Shape, compact, is_known, reached
 from .arrays import Array, Tape, Unread
 
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
+STATEMENT = "__statement__"  # name of a function that is a statement of the user's
 MOST_QUESTIONS = 64  # conditions of one path
 MOST_PLACES = 64  # values of a signal that is an index
 
@@ -182,13 +183,19 @@ def located(function: Any, *errors: BaseException) -> str:
     """
     for error in errors:
         lines = [
-            f"{frame.f_code.co_name}, line {line}: "
+            f"{_name_in_source(frame.f_code)}, line {line}: "
             for frame, line in walk_tb(error.__traceback__)
             if not _not_users(frame)
         ]
         if lines:
             return lines[-1]
     return f"{getattr(function, '__name__', 'it')}: "
+
+
+def _name_in_source(code: CodeType) -> str:
+    """Return the name of a function, not of a statement in it that became one."""
+    qualname = code.co_qualname.replace(f".<locals>.{STATEMENT}", "")
+    return qualname.rpartition(".")[2]
 
 
 class Ports(Array):

@@ -225,9 +225,13 @@ def of_numpy(number):
 
 
 def of_python(number, is_int=False):
-    """Return a number as one of Python's: a float, or a whole one, which is never -0."""
+    """Return a number as one of Python's: a float, or a whole one, which is never -0.
+
+    A truth value stays one.
+    """
     if not isinstance(number, Array) or number.shape:
         return number
+    is_int = is_int and not number._is_condition
     new = Array(number._tape, (number + 0.0 if is_int else number)._ref, ())
     new._of_python = True
     new._whole = is_int

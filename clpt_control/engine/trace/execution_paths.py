@@ -151,7 +151,7 @@ def merge_calls(function: FunctionType) -> Any:
     def helper(*arguments, **options):
         if (tape := merging()) is None:
             return function(*arguments, **options)
-        roots = (*arguments, *options.values(), *(function.__closure__ or ()))
+        roots = (function, *arguments, *options.values())
         return Region(tape, lambda: function(*arguments, **options), roots).merged()
 
     return helper

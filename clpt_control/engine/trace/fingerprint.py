@@ -273,11 +273,7 @@ class _Walk:
     def _note(self, value: Any, owner: type | None = None, *fields: Any) -> None:
         """Note a value that a function may change; what is trusted changes none."""
         if not self.trusted:
-            words = (
-                f"an attribute of {owner.__name__}"
-                if owner
-                else f"a {type(value).__name__}"
-            )
+            words = owner.__name__ if owner else f"a {type(value).__name__}"
             self.mutables.append(Content(value, words, *fields))
 
     def _items(self, values: Any) -> Iterator[Any]:
@@ -450,7 +446,8 @@ class _Walk:
             return id(kind)
         self._numbers.setdefault(id(kind), len(self._numbers))
         self.identity(kind)
-        if is_pure(kind) or kind in PLAIN_BASES or issubclass(kind, BaseException):
+        is_error = issubclass(kind, BaseException) and is_library(root_of(kind))
+        if is_pure(kind) or kind in PLAIN_BASES or is_error:
             return id(kind)
         if is_library(root_of(kind)):
             self._refuse(reason(self.label or kind.__qualname__, kind))

@@ -31,7 +31,7 @@ import numpy as np
 from .arrays import Array, Tape, key_of, operand
 from .branches import Params
 from .elementwise import common, is_truth, is_whole, lifted, where
-from .isolation import slot_values
+from .isolation import slot_values, slots_of
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
 Answers = dict[
@@ -90,16 +90,18 @@ class Kind(NamedTuple):
 
 
 def _read_dict(value: dict) -> tuple[Any, list[Any]]:
-    keys = [*dict.keys(value)]
+    keys = [*(dict.keys(value) if type(value) is Params else value)]
     if any(isinstance(key, Array) for key in keys):
         raise NotMergeable
     factory = getattr(value, "default_factory", None)
-    return (type(value), factory, [*map(type, keys)], keys), [*dict.values(value)]
+    items = [dict.__getitem__(value, key) for key in keys]
+    return (type(value), factory, [*map(type, keys)], keys), items
 
 
 def _write_dict(value: dict, structure: Any, items: Sequence[Any]) -> None:
     value.clear()
-    dict.update(value, zip(structure[-1], items, strict=True))
+    for key, item in zip(structure[-1], items, strict=True):
+        value[key] = item
 
 
 def _read_set(value: Any) -> tuple[Any, list[Any]]:
@@ -243,7 +245,8 @@ def kind_of(value: Any) -> Kind | None:
         raise NotMergeable  # a class that is made anew at each call
     if isinstance(value, CONTAINERS) or not is_plain(type(value)):
         raise NotMergeable
-    return OBJECT
+    has_attributes = attributes_of(value) is not None or slots_of(type(value))
+    return OBJECT if has_attributes else None
 
 
 class Entry(NamedTuple):

@@ -1,8 +1,8 @@
-"""Identity and class of traced values: `is`, ``case True``, and attributes of Python's own numbers.
+"""Identity of traced values: `is`, `id` and ``case True``.
 
-Python asks no method of a value for `is`, so functions are rewritten to ask `is_same` (`rewriting`).
-A signal is no constant, such as None, and is itself True or False only if it is a truth value of
-Python's own.  Whether two numbers are one object is not recorded: such a function is not traced.
+Python calls no method of a value for `is`: functions are rewritten to call `is_same` (`rewriting`).
+A signal is no constant, such as None, and is True or False only if it is a truth value of Python's
+own.  Whether two numbers are one object is not recorded, so such a comparison is refused.
 """
 
 from typing import Any
@@ -10,7 +10,15 @@ from typing import Any
 from .arrays import Array, Unread, active
 from .elementwise import definite
 
-COPIED = (int, float, complex)  # numbers that merged paths replace
+COPIED = (
+    int,
+    float,
+    complex,
+    str,
+    bytes,
+    tuple,
+    frozenset,
+)  # which merged paths replace
 
 
 def is_same(a: Any, b: Any) -> bool:
@@ -27,8 +35,18 @@ def is_same(a: Any, b: Any) -> bool:
                 raise Unread("compares signals by `is`. Write ==")
             return False
     if tape.merging and type(a) in COPIED and type(b) in COPIED:
-        raise Unread("compares numbers by `is`. Write ==")
+        raise Unread("compares constants by `is`. Write ==")
     return a is b
+
+
+def identity(value: Any) -> int:
+    """Return id(value)."""
+    tape: Any = active()
+    if isinstance(value, Array) or (
+        tape is not None and tape.merging and type(value) in COPIED
+    ):
+        raise Unread("compares by `id`. Write ==")
+    return id(value)
 
 
 class Truth:

@@ -25,7 +25,7 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
-from operator import is_
+from math import copysign
 from types import CellType, FunctionType, MemberDescriptorType
 from typing import Any
 
@@ -166,7 +166,7 @@ class Content:
     value: (
         Any  # a list, dict, array, cell, class, object with slots, or table of pandas
     )
-    words: str = ""  # what it is, for a sentence
+    words: str = "a value"  # for a sentence
     names: Iterable[str] | None = None  # attributes that the referenced code names
     ignored: frozenset[str] = frozenset()  # attributes that any call may change
     before: Any = field(init=False)
@@ -174,8 +174,11 @@ class Content:
     def __post_init__(self) -> None:
         self.before = copied(self.value)
 
-    def is_same(self, expected: Any, strictly: bool = False) -> bool:
-        """Return whether the content is identical to another, but for what calls may change."""
+    def changed(self, expected: Any, strictly: bool = False) -> str:
+        """Return words for what differs from another content, "" for nothing.
+
+        Attributes that any call may change are passed over, unless `strictly`.
+        """
         now = copied(self.value)
         if self.ignored and not strictly:
             now, expected = (
@@ -187,26 +190,40 @@ class Content:
                 for content in (now, expected)
             )
         if isinstance(now, bytes):
-            return now == expected
+            return "" if now == expected else self.words
         if isinstance(now, np.ndarray) and not now.dtype.hasobject:
-            return now.dtype == expected.dtype and now.tobytes() == expected.tobytes()
-        if isinstance(now, dict) and now.keys() != expected.keys():
-            return False
+            same = now.dtype == expected.dtype and now.tobytes() == expected.tobytes()
+            return "" if same else self.words
+        if isinstance(now, dict):
+            for name in {**now, **expected}:
+                if not _is_same(now.get(name, UNBOUND), expected.get(name, UNBOUND)):
+                    return f"{name!r} of {self.words}"
+            return "" if [*now] == [*expected] else f"the order of {self.words}"
         items = items_of(now)
         expected_items = items_of(expected)
-        return len(items) == len(expected_items) and all(
-            map(is_, items, expected_items)
+        same = len(items) == len(expected_items) and all(
+            map(_is_same, items, expected_items)
         )
+        return "" if same else self.words
 
     def put_back(self) -> None:
         """Replace the content by that before."""
         put(self.value, self.before)
 
 
+def _is_same(a: Any, b: Any) -> bool:
+    """Return whether values are one object, or equal numbers or texts."""
+    if a is b:
+        return True
+    if type(a) is not type(b) or type(a) not in (float, int, str):
+        return False
+    return a == b and (type(a) is not float or copysign(1.0, a) == copysign(1.0, b))
+
+
 def restore(contents: Iterable[Content]) -> None:
     """Put back the content before tracing."""
     for content in contents:
-        if not content.is_same(content.before, strictly=True):
+        if content.changed(content.before, strictly=True):
             content.put_back()
 
 

@@ -34,6 +34,10 @@ from .references import (
 from .rewriting import NAMES, compares_identities, rewritten
 from .tracer_modules import BUILTINS, TracerModule, real_type, tracer_value, type_of
 
+REMEMBERS = (
+    "writes to {}, which outlives the call, and machine code keeps nothing between calls. "
+    "Make it a state, set it in a jump, or use parts.relay or parts.backlash"
+)
 LOCK = threading.RLock()  # while tracer values are in objects and classes
 ENGINE = __package__.rpartition(".")[0]
 TRACER_MODULES = tuple(
@@ -236,9 +240,8 @@ class Rebinding:
 
         def check() -> None:
             for changed, content in pairs:
-                if not changed.is_same(content):
-                    words = f"{name} keeps what its next call reads, in {changed.words}"
-                    raise Unread(f"{words}. Make it a state")
+                if what := changed.changed(content):
+                    raise Unread(f"{name} {REMEMBERS.format(what)}")
 
         self.tape.check = check
         with LOCK:

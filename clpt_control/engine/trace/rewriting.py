@@ -20,6 +20,7 @@ from collections.abc import Iterable, Iterator
 from types import CodeType
 from typing import Any
 
+from .branches import STATEMENT
 from .execution_paths import (
     index_of,
     item_of,
@@ -40,7 +41,6 @@ NAMES = {
     "__true__": TRUTHS[True],
     "__false__": TRUTHS[False],
 }
-STATEMENT = "__statement__"
 LEAVING = (
     ast.Return,
     ast.Yield,
@@ -51,6 +51,7 @@ LEAVING = (
     ast.Delete,
 )
 FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
+UNBOUND_LOCAL = "UnboundLocalError"  # which a function in a statement cannot catch
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 SELF_MATCHING = (
@@ -227,7 +228,7 @@ __merge_statement__({STATEMENT}, {dead})
             return False
         for inner in _within(statement):
             if isinstance(inner, LEAVING) or (
-                isinstance(inner, ast.Name) and inner.id in FRAMES
+                isinstance(inner, ast.Name) and inner.id in (*FRAMES, UNBOUND_LOCAL)
             ):
                 return False
             if isinstance(inner, ast.Raise) and not isinstance(statement, ast.Try):

@@ -13,6 +13,7 @@ import builtins
 import functools
 import logging
 import math
+import operator
 import sys
 from collections import deque
 from collections.abc import Callable, Iterable
@@ -36,6 +37,7 @@ from .elementwise import (
     raise_in_a_try,
     where,
 )
+from .identities import identity, is_same
 from .interpolators import function_of, searched
 from .numpy_functions import apply_function
 from .references import OF_LOGGING, UNSEEDED
@@ -278,6 +280,11 @@ def of_values(real: Callable, record: Callable[[list], Any]) -> Callable:
 
     @functools.wraps(real)
     def function(*arguments, **options):
+        tape = active()
+        if real in (any, all) and tape is not None and not tape.merging:
+            return real(
+                *arguments
+            )  # which leaves the values behind the first that decides
         values = list(arguments[0]) if len(arguments) == 1 else list(arguments)
         if options or tape_of(values) is None:
             return real(values, **options)
@@ -335,14 +342,15 @@ BUILTIN_FUNCTIONS: dict[str, Any] = {
     "max": of_values(max, functools.partial(best, np.greater)),
     "min": of_values(min, functools.partial(best, np.less)),
     "any": of_values(
-        any, lambda values: functools.reduce(np.logical_or, values, False)
+        any, lambda values: of_python(functools.reduce(np.logical_or, values, False))
     ),
     "all": of_values(
-        all, lambda values: functools.reduce(np.logical_and, values, True)
+        all, lambda values: of_python(functools.reduce(np.logical_and, values, True))
     ),
     "isinstance": is_instance,
     "hasattr": has_attribute,
     "type": type_of,
+    "id": identity,
     "print": printed,
     **({"sum": compensated} if sys.version_info >= (3, 12) else {}),
 }
@@ -483,6 +491,8 @@ _known: dict[int, Any] = {  # by the identity of the real value
     **{id(getattr(logging, name)): getattr(SILENT, name) for name in OF_LOGGING},
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
+    id(operator.is_): is_same,
+    id(operator.is_not): lambda a, b: not is_same(a, b),
     **{id(real): traced for real, traced in TYPES.items()},
     **{id(traced.real): traced for traced in MATH_FUNCTIONS},
     **{

@@ -27,7 +27,7 @@ from .execution_paths import each_path
 from .fingerprint import Fingerprint, reachable
 from .heaps import NotMergeable, decision_tree, joined
 from .isolation import isolated
-from .rebinding import Rebinding
+from .rebinding import REMEMBERS, Rebinding
 
 MOST_PATHS = 256
 # errors of numbers, or of variables that this path does not set: the path gives NaN
@@ -190,9 +190,7 @@ class _Tracing:
                 if not named and any(
                     v is not fields.get(k, p) for k, v in dict.items(p)
                 ):
-                    raise Unread(
-                        f"{request.name} changes its params. Make what it stores a state"
-                    )
+                    raise Unread(f"{request.name} {REMEMBERS.format('its params')}")
                 if len(self.paths) > MOST_PATHS:
                     raise Unread(
                         f"{request.name} has more than {MOST_PATHS} execution paths"

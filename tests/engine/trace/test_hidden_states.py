@@ -380,7 +380,7 @@ def test_a_log_of_numbers_runs_in_python_and_stays_a_log():
     system = control.nlsys(logged, inputs=0, outputs=1, states=1, name="logged")
     for _ in range(2):
         with pytest.warns(
-            UserWarning, match="logged keeps what its next call reads, in a list"
+            UserWarning, match="logged writes to a list, which outlives the call"
         ):
             found = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
         assert found.attrs["engine"] == "python"
