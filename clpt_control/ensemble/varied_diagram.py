@@ -79,7 +79,8 @@ class VariedDiagram:
         read_anew(diagram)
         sizes = request.sizes()
         self.params = dict(params or {})
-        self.wiring = wiring_of(diagram, self.params, sizes)
+        with request.drawn_around():
+            self.wiring = wiring_of(diagram, self.params, sizes)
         self.outputs, input_labels, states = labels_of(diagram, self.wiring)
         if undeclared := self._undeclared(varies, [input_labels, states]):
             self.params |= undeclared

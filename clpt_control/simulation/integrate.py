@@ -5,6 +5,7 @@ be repeated.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import control
@@ -16,6 +17,7 @@ from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times, stacked
+from ..engine.trace.confirmation import drawn_around
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.team import Team
 from .diagram_runs import DiagramRun
@@ -151,7 +153,10 @@ def simulate(
         skipped += request.skipped
         arguments = request.diagram, params, request.sizes(), engine
         key = diagram_key(*arguments) if stop is None else None
-        with cached_run(key, lambda: DiagramRun(*arguments, stop)) as run:
+        with (
+            request.drawn_around(),
+            cached_run(key, lambda: DiagramRun(*arguments, stop)) as run,
+        ):
             data = run.run(
                 request.times, request.inputs, request.initial_state, **request.options
             )
@@ -198,6 +203,10 @@ class RunRequest(NamedTuple):
     inputs: Any
     initial_state: Any
     options: dict[str, Any]
+
+    def drawn_around(self) -> AbstractContextManager[None]:
+        """Confirm new records of functions around the numbers of this run."""
+        return drawn_around(self.times, self.initial_state, self.inputs)
 
     def sizes(self) -> Sizes:
         """Return the numbers of states and inputs that the diagram leaves open, or None."""

@@ -81,7 +81,8 @@ class SensitivityRun:
         self.skipped = request.skipped
         self.solver = request.options
         try:
-            run = compiled(request.diagram, params, request.sizes())
+            with request.drawn_around():
+                run = compiled(request.diagram, params, request.sizes())
             self.wiring = run.wiring
             self.states = run.states
             self.parameters = run.runner.sweep.parameters

@@ -26,6 +26,7 @@ from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..trace.arrays import Tape, Unread, operand
+from ..trace.confirmation import drawn_around
 from ..trace.elementwise import lifted
 from .interconnection import changed_parameters
 from .merged_record import TapeRecord
@@ -273,10 +274,23 @@ def linearize(
     array([[0.  , 1.  ],
            [9.81, 0.  ]])
     """
-    read_anew(system)
-    wiring = wiring_of(system, params)
     u = getattr(x, "inputs", u)
     x = getattr(x, "states", x)
+    with drawn_around(t, x, u):
+        return _linearized(system, x, u, t, params, minimal)
+
+
+def _linearized(
+    system: control.NonlinearIOSystem,
+    x: Any,
+    u: Any,
+    t: float,
+    params: Mapping[str, Any] | None,
+    minimal: bool,
+) -> control.StateSpace:
+    """Return the linear system at a point."""
+    read_anew(system)
+    wiring = wiring_of(system, params)
     n = wiring.nodes[-1].states.stop
     m = wiring.ninputs
     if not n + m:

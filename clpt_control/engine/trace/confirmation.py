@@ -47,10 +47,14 @@ def drawn_around(times: Any, states: Any, inputs: Any) -> Iterator[None]:
 
 
 def _flat(values: Any) -> np.ndarray:
-    """Return numbers, which may be arrays in a list, as a vector."""
+    """Return numbers, which may be arrays in a list, as a vector; none if they are no numbers."""
     values = values if isinstance(values, list | tuple) else [values]
-    arrays = [np.ravel(np.asarray(v, float)) for v in values if v is not None]
-    return np.concatenate([np.zeros(0), *arrays])
+    try:
+        arrays = [np.ravel(np.asarray(v, float)) for v in values if v is not None]
+    except (TypeError, ValueError):  # of which the run itself says more
+        arrays = []
+    numbers = np.concatenate([np.zeros(0), *arrays])
+    return numbers[np.isfinite(numbers)]
 
 
 def difference(

@@ -37,8 +37,9 @@ import numpy as np
 
 from ..model.declaration import Parameters
 from .arrays import Tape, Unread, reading_on
+from .contents import PANDAS, UNBOUND, Mutable, slot_values, slots_of
 from .interpolators import is_table
-from .isolation import UNBOUND, Content, copied, isolated, slot_values, slots_of
+from .isolation import isolated
 from .references import (
     CALLABLE,
     CHANCE,
@@ -100,7 +101,7 @@ class Fingerprint:
     """Key of functions, and the values that they may change."""
 
     key: tuple  # functions of equal keys are traced alike
-    mutables: tuple[Content, ...]  # what the functions may change
+    mutables: tuple[Mutable, ...]  # what the functions may change
     # objects whose identities are in the key; they must stay alive
     referenced: tuple[Any, ...]
 
@@ -143,7 +144,7 @@ class _Walk:
 
     def __init__(self, trusted: bool):
         self.trusted = trusted
-        self.mutables: list[Content] = []
+        self.mutables: list[Mutable] = []
         self.names: dict[str, None] = {}  # attributes that referenced code names
         self.texts: dict[str, None] = {}  # texts, by which getattr may name attributes
         self.alive: list[Any] = []
@@ -226,7 +227,7 @@ class _Walk:
             return kind, self.key_of(value.py_func)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
             self._note(value)
-            return kind, copied(value)
+            return kind, PANDAS.read(value).items[0]
         return self._container(kind, value)
 
     def _container(self, kind: type, value: Any) -> Any:
@@ -274,7 +275,7 @@ class _Walk:
         """Note a value that a function may change; what is trusted changes none."""
         if not self.trusted:
             words = owner.__name__ if owner else f"a {type(value).__name__}"
-            self.mutables.append(Content(value, words, *fields))
+            self.mutables.append(Mutable(value, words, *fields))
 
     def _items(self, values: Any) -> Iterator[Any]:
         """Yield the keys of items; numbers, or tuples of numbers, are one key."""

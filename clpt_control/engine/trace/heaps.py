@@ -30,8 +30,19 @@ import numpy as np
 
 from .arrays import Array, Tape, key_of, operand
 from .branches import Params
+from .contents import (
+    ARRAY,
+    ATTRIBUTES,
+    CELL,
+    DEQUE,
+    DICT,
+    LIST,
+    Content,
+    Kind,
+    slot_values,
+    slots_of,
+)
 from .elementwise import common, is_truth, is_whole, lifted, where
-from .isolation import slot_values, slots_of
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
 Answers = dict[
@@ -78,95 +89,33 @@ def joined(tape: Tape, tree: Tree, values: Sequence[Any], choose: Callable) -> A
 # --- kinds of values ------------------------------------------------------------------------------
 
 
-class Kind(NamedTuple):
-    """How a kind of value is read and written.
-
-    read : value -> its structure, which is the same on all paths, and its items.
-    write : value, structure, items -> None; None of a kind that nothing changes.
-    """
-
-    read: Callable[[Any], tuple[Any, Sequence[Any]]]
-    write: Callable[[Any, Any, Sequence[Any]], None] | None = None
-
-
-def _read_dict(value: dict) -> tuple[Any, list[Any]]:
-    keys = [*(dict.keys(value) if type(value) is Params else value)]
-    if any(isinstance(key, Array) for key in keys):
-        raise NotMergeable
-    factory = getattr(value, "default_factory", None)
-    items = [dict.__getitem__(value, key) for key in keys]
-    return (type(value), factory, [*map(type, keys)], keys), items
-
-
-def _write_dict(value: dict, structure: Any, items: Sequence[Any]) -> None:
-    value.clear()
-    for key, item in zip(structure[-1], items, strict=True):
-        value[key] = item
-
-
-def _read_set(value: Any) -> tuple[Any, list[Any]]:
+def _read_set(value: Any) -> Content:
     if not {*map(type, value)} <= PLAIN:
         raise NotMergeable
-    return (type(value), [*map(type, value)], [*value]), []
+    return Content(type(value), [*value], [])
 
 
-def _write_set(value: set, structure: Any, items: Sequence[Any]) -> None:
+def _write_set(value: set, content: Content) -> None:
     value.clear()
-    value.update(structure[-1])
+    value.update(content.keys)
 
 
-def _write_list(value: Any, structure: Any, items: Sequence[Any]) -> None:
-    value.clear()
-    value.extend(items)
-
-
-def _read_cell(cell: CellType) -> tuple[bool, list[Any]]:
-    is_bound = cell != CellType()
-    return is_bound, [cell.cell_contents] if is_bound else []
-
-
-def _write_cell(cell: CellType, is_bound: bool, items: Sequence[Any]) -> None:
-    if is_bound:
-        (cell.cell_contents,) = items
-    elif cell != CellType():
-        del cell.cell_contents
-
-
-def _read_numbers(value: np.ndarray) -> tuple[Any, list[Any]]:
-    if value.dtype.hasobject:
-        raise NotMergeable
-    place = None if value.base is None else value.__array_interface__["data"]
-    return (value.dtype.str, value.shape, place, value.tobytes()), []
-
-
-def _write_numbers(value: np.ndarray, structure: Any, items: Sequence[Any]) -> None:
-    if value.flags.writeable:
-        value[...] = np.frombuffer(structure[-1], value.dtype).reshape(value.shape)
-
-
-def _read_tuple(value: tuple) -> tuple[Any, list[Any]]:
+def _read_tuple(value: tuple) -> Content:
     if attributes_of(value):
         raise NotMergeable
-    return type(value), [*value]
+    return Content(type(value), [*range(len(value))], [*value])
 
 
-def _read_function(value: FunctionType) -> tuple[Any, list[Any]]:
+def _read_function(value: FunctionType) -> Content:
     cells = value.__closure__ or ()
     defaults = value.__defaults__, value.__kwdefaults__
-    return value.__code__, [*cells, *defaults, vars(value)]
+    return Content(value.__code__, [], [*cells, *defaults, vars(value)])
 
 
-def _read_object(value: Any) -> tuple[Any, list[Any]]:
+def _read_object(value: Any) -> Content:
     slots = slot_values(value)
-    return [type(value), *slots], [type(value), attributes_of(value), *slots.values()]
-
-
-def _write_object(value: Any, structure: Any, items: Sequence[Any]) -> None:
-    names = structure[1:]
-    for name in slot_values(value).keys() - {*names}:
-        object.__delattr__(value, name)
-    for name, item in zip(names, items[2:], strict=True):
-        object.__setattr__(value, name, item)
+    items = [*slots.values(), type(value), attributes_of(value)]
+    return Content(type(value), [*slots], items)
 
 
 def _is_number(value: Any) -> bool:
@@ -181,12 +130,14 @@ def _is_pythons(value: Any) -> bool | None:
     return value._of_python if isinstance(value, Array) else type(value) in OF_PYTHON
 
 
-def _read_elements(array: Array) -> tuple[Any, Any]:
-    """Return the elements of a tracer array; None if nothing was written into it."""
-    return array.shape, None if array._store is None else array._store.copy()
+def _read_elements(array: Array) -> Content:
+    """Read the elements of a tracer array; None if nothing was written into it."""
+    store: Any = None if array._store is None else array._store.copy()
+    return Content(array.shape, [], store)
 
 
-def _write_elements(array: Array, structure: Any, elements: Any) -> None:
+def _write_elements(array: Array, content: Content) -> None:
+    elements: Any = content.items
     if elements is None and array._store is None:
         return
     if elements is None:
@@ -195,27 +146,30 @@ def _write_elements(array: Array, structure: Any, elements: Any) -> None:
     array._store[...] = elements  # type: ignore[index]  # in place: views share it
 
 
-LIST = Kind(lambda value: (type(value), [*value]), _write_list)
-DICT = Kind(_read_dict, _write_dict)
+def _holding(*names: str) -> Kind:
+    """Return the kind of a value that holds others, which never change, in attributes."""
+    return Kind(
+        lambda value: Content(type(value), [], [getattr(value, n) for n in names])
+    )
+
+
 TUPLE = Kind(_read_tuple)
-OBJECT = Kind(_read_object, _write_object)
+OBJECT = Kind(_read_object, ATTRIBUTES.write)
 ELEMENTS = Kind(_read_elements, _write_elements)
 KINDS: dict[type, Kind | None] = {  # None: nothing changes such a value
     **dict.fromkeys(IMMUTABLE | {float, np.float64, np.bool_, np.int64, type(np.sum)}),
     list: LIST,
-    deque: Kind(lambda value: ((deque, value.maxlen), [*value]), _write_list),
+    deque: DEQUE,
     **dict.fromkeys((dict, OrderedDict, defaultdict, Counter, Params), DICT),
     set: Kind(_read_set, _write_set),
     frozenset: Kind(_read_set),
     tuple: TUPLE,
-    CellType: Kind(_read_cell, _write_cell),
-    np.ndarray: Kind(_read_numbers, _write_numbers),
+    CellType: CELL,
+    np.ndarray: ARRAY,
     FunctionType: Kind(_read_function),
-    MethodType: Kind(lambda value: (MethodType, [value.__self__, value.__func__])),
-    BuiltinFunctionType: Kind(lambda value: (value.__name__, [value.__self__])),
-    functools.partial: Kind(
-        lambda value: (functools.partial, [value.func, value.args, value.keywords])
-    ),
+    MethodType: _holding("__self__", "__func__"),
+    BuiltinFunctionType: _holding("__self__", "__name__"),
+    functools.partial: _holding("func", "args", "keywords"),
     SimpleNamespace: OBJECT,
 }
 UNCHANGING = (
@@ -254,8 +208,7 @@ class Entry(NamedTuple):
 
     value: Any
     kind: Kind
-    structure: Any
-    items: Any  # of a tracer array: its elements, or None
+    content: Content  # of a tracer array: items are its elements, or None
 
 
 def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
@@ -278,18 +231,31 @@ def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
             kind = kind_of(value)
         if kind is None:
             continue
-        structure, items = kind.read(value)
-        heap[id(value)] = Entry(value, kind, structure, items)
+        content = kind.read(value)
+        heap[id(value)] = Entry(value, kind, content)
         if kind is not ELEMENTS:
-            stack += items
+            stack += content.items
     return heap
 
 
 def put_back(heap: dict[int, Entry]) -> None:
     """Give every value of a heap the content that it had."""
-    for value, kind, structure, items in heap.values():
+    for value, kind, content in heap.values():
         if kind.write is not None:
-            kind.write(value, structure, items)
+            kind.write(value, content)
+
+
+def _all_alike(entries: Sequence[Any]) -> bool:
+    """Return whether contents differ in items alone."""
+    first = entries[0]
+    return first is not None and all(
+        entry is not None
+        and entry.kind is first.kind
+        and entry.content.structure == first.content.structure
+        and entry.content.keys == first.content.keys
+        and [*map(type, entry.content.keys)] == [*map(type, first.content.keys)]
+        for entry in entries
+    )
 
 
 def _all_equal(values: Sequence[Any]) -> bool:
@@ -322,9 +288,9 @@ class Joining:
 
     def write(self) -> None:
         """Give the values their joined contents."""
-        for value, kind, structure, items in self._writes:
+        for value, kind, content in self._writes:
             assert kind.write is not None
-            kind.write(value, structure, items)
+            kind.write(value, content)
 
     def value(self, values: Sequence[Any]) -> Any:
         """Return one value for those of all paths, whose contents `write` joins."""
@@ -343,22 +309,18 @@ class Joining:
         return self._contents(values)
 
     def _contents(self, values: Sequence[Any]) -> Any:
-        """Return the value of the first path for all; note the contents that it gets."""
+        """Return the value of the first path for all; note the content that it gets."""
         first = values[0]
         key = (*map(id, values),)
         if key in self._joined:
             return self._joined[key]
-        contents = [heap.get(k) for heap, k in zip(self.heaps, key, strict=True)]
-        found = [content for content in contents if content is not None]
         is_same = len({*key}) == 1
-        if not found and is_same:
+        entries = [heap.get(k) for heap, k in zip(self.heaps, key, strict=True)]
+        if is_same and entries[0] is None:
             return first  # nothing changes it
-        _, kind, structure, items = found[0] if found else (None,) * 4
-        if len(found) < len(key) or any(
-            content.kind is not kind or content.structure != structure
-            for content in found
-        ):
+        if not _all_alike(entries):
             raise NotMergeable
+        kind, content = entries[0][1:]
         if kind.write is not None:
             if not is_same and not self.before.keys().isdisjoint(key):
                 raise NotMergeable
@@ -366,17 +328,18 @@ class Joining:
                 if partners.setdefault(k, key) != key:
                     raise NotMergeable
         self._joined[key] = first  # of a value that holds itself
+        contents = [entry.content.items for entry in entries]
         if kind is ELEMENTS:
-            new_items = self._elements(first, [content.items for content in found])
+            items: Any = self._elements(first, contents)
         else:
-            columns = zip(*(content.items for content in found), strict=True)
-            new_items = [*map(self.value, columns)]
+            items = [*map(self.value, zip(*contents, strict=True))]
         if kind.write is not None:
-            self._writes.append(Entry(first, kind, structure, new_items))
-        elif any(a is not b for a, b in zip(new_items, items, strict=True)):
+            self._writes.append(Entry(first, kind, content._replace(items=items)))
+        elif any(a is not b for a, b in zip(items, content.items, strict=True)):
             if kind is not TUPLE:
                 raise NotMergeable
-            self._joined[key] = getattr(structure, "_make", structure)(new_items)
+            make = getattr(content.structure, "_make", content.structure)
+            self._joined[key] = make(items)
         return self._joined[key]
 
     def _number(self, values: Sequence[Any]) -> Any:
@@ -458,7 +421,7 @@ class Joining:
 
     def _elements_at_end(self, array: Array, heap: dict[int, Entry]) -> Any:
         if array._parent is None:
-            content = heap.get(id(array))
-            return array._store if content is None else content.items
+            entry = heap.get(id(array))
+            return array._store if entry is None else entry.content.items
         above = self._elements_at_end(array._parent, heap)
         return None if above is None else np.asarray(array._select(above), dtype=object)

@@ -11,7 +11,7 @@ import threading
 from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
-from operator import is_
+from operator import is_, is_not
 from types import CellType, FunctionType, MethodType, ModuleType
 from typing import Any
 
@@ -19,10 +19,10 @@ import numpy as np
 
 from ..record.graph import MOST_NUMBERS
 from .arrays import Array, Unread
+from .contents import ARRAY, Content, Mutable, restore
 from .elementwise import boxed, constant
 from .execution_paths import merge_calls
 from .fingerprint import Fingerprint
-from .isolation import Content, put, restore
 from .references import (
     IMMUTABLE,
     LIBRARIES,
@@ -62,10 +62,10 @@ class Rebinding:
         self._unmerged: dict[
             int, FunctionType
         ] = {}  # copies, by those that merge their paths
-        self._spaces: dict[int, Content] = {}  # copied names of each module
-        self._copies: list[Content] = []
+        self._spaces: dict[int, Mutable] = {}  # copied names of each module
+        self._copies: list[Mutable] = []
         # contents with tracer values
-        self._during: list[tuple[Content, Any]] | None = None
+        self._during: list[tuple[Mutable, Content]] | None = None
 
     def of(self, value):
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
@@ -168,22 +168,21 @@ class Rebinding:
             if old != CellType():  # else it is not bound yet
                 cell.cell_contents = self.of(old.cell_contents)
                 self._copies.append(
-                    Content(cell, f"{name!r} of the function around it")
+                    Mutable(cell, f"{name!r} of the function around it")
                 )
-        self._copies.append(Content(vars(result), "an attribute of a function"))
+        self._copies.append(Mutable(vars(result), f"{function.__name__}"))
         for name in code_names(code):
             if name in function.__globals__:
-                space.value[name] = space.before[name] = self.of(
-                    function.__globals__[name]
-                )
+                space.value[name] = self.of(function.__globals__[name])
+        space.before = space.kind.read(space.value)
         return result
 
-    def _space(self, names: dict[str, Any]) -> Content:
+    def _space(self, names: dict[str, Any]) -> Mutable:
         """Return the copied names of a module."""
         if id(names) not in self._spaces:
             builtins = BUILTINS | {"__import__": self._imported}
             copied = {OF_WARNINGS: {}} | names | NAMES | {"__builtins__": builtins}
-            self._spaces[id(names)] = Content(copied, "a global")
+            self._spaces[id(names)] = Mutable(copied, "the globals")
             self._copies.append(self._spaces[id(names)])
         return self._spaces[id(names)]
 
@@ -193,30 +192,25 @@ class Rebinding:
 
     # --- in place ---------------------------------------------------------------------------
 
-    def _contents(self) -> list[tuple[Content, Any]]:
+    def _contents(self) -> list[tuple[Mutable, Content]]:
         """Return the content of every mutable value with tracer values in it."""
         if self._during is None:
             self._during = [
-                (content, self._content(content)) for content in self.reached.mutables
+                (mutable, self._content(mutable)) for mutable in self.reached.mutables
             ]
         return self._during
 
-    def _content(self, content: Content) -> Any:
-        if isinstance(content.before, np.ndarray | bytes):
-            return content.before
-        if isinstance(content.before, list):
-            items = [self.of(value) for value in content.before]
-            return content.before if all(map(is_, items, content.before)) else items
-        names = content.before if content.names is None else content.names
-        attributes = {
-            name: self._attribute(content.before[name])
-            for name in names
-            if name in content.before
-        }
-        is_same = all(
-            value is content.before[name] for name, value in attributes.items()
-        )
-        return content.before if is_same else {**content.before, **attributes}
+    def _content(self, mutable: Mutable) -> Content:
+        before = mutable.before
+        if mutable.kind is ARRAY:
+            return before
+        items = [
+            self._attribute(item)
+            if mutable.names is None or key in mutable.names
+            else item
+            for key, item in zip(before.keys, before.items, strict=True)
+        ]
+        return before._replace(items=items)
 
     def _attribute(self, value):
         """Return the tracer value of an attribute; a descriptor's functions are copied."""
@@ -235,20 +229,20 @@ class Rebinding:
     def installed(self, name: str) -> Iterator[None]:
         """Have tracer values in place for one execution path; refuse a path that changes any."""
         contents = self._contents()
-        pairs = [*((changed, changed.before) for changed in self._copies), *contents]
-        self.tape.persistent |= {id(changed.value) for changed, _ in pairs}
+        pairs = [*((mutable, mutable.before) for mutable in self._copies), *contents]
+        self.tape.persistent |= {id(mutable.value) for mutable, _ in pairs}
 
         def check() -> None:
-            for changed, content in pairs:
-                if what := changed.changed(content):
-                    raise Unread(f"{name} {REMEMBERS.format(what)}")
+            for mutable, content in pairs:
+                if words := mutable.changed(content):
+                    raise Unread(f"{name} {REMEMBERS.format(words)}")
 
         self.tape.check = check
         with LOCK:
             try:
-                for changed, content in contents:
-                    if content is not changed.before:
-                        put(changed.value, content)
+                for mutable, content in contents:
+                    if any(map(is_not, content.items, mutable.before.items)):
+                        mutable.put(content)
                 yield
                 check()
             finally:

@@ -25,7 +25,7 @@ import clpt_control as clpt
 from clpt_control.engine.trace import tracing as reading
 from clpt_control.engine.trace.arrays import Unread
 from clpt_control.engine.trace.fingerprint import reachable
-from clpt_control.engine.trace.isolation import Content, restore
+from clpt_control.engine.trace.contents import Mutable, restore
 
 LOGGER = logging.getLogger("boat")
 Point = namedtuple("Point", "east north")
@@ -231,7 +231,7 @@ def test_contents_are_put_back():
     boat = Boat()
     series = pd.Series({"mass": 2.0})
     values = [[1, 2], {"a": 1}, np.arange(3.0), np.array([1, None], object), vars(boat)]
-    contents = [Content(one) for one in [*values, boat.slotted, Slotted, series]]
+    contents = [Mutable(one) for one in [*values, boat.slotted, Slotted, series]]
     before = list(boat.__dict__)
     values[0].append(3)
     values[1]["b"] = 2
@@ -243,7 +243,7 @@ def test_contents_are_put_back():
     series["mass"] = 3.0
     assert all(one.changed(one.before) for one in contents)
     restore(contents)
-    assert not any(one.changed(one.before, strictly=True) for one in contents)
+    assert not any(one.changed(one.before) for one in contents)
     assert values[:2] == [[1, 2], {"a": 1}]
     assert values[2].tolist() == [0.0, 1.0, 2.0]
     assert values[3].tolist() == [1, None]

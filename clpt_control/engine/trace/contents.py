@@ -1,0 +1,231 @@
+"""Contents of values that code may change: read, compared and written back.
+
+    list [a, b]            structure list,    keys 0, 1,     items a, b
+    dict {"k": a}          structure dict,    keys "k",      items a
+    variable               structure cell,    keys 0,        items a; none if it has no value
+    object with slots      structure class,   keys names,    items values
+    array of numbers       structure its type and shape,  item its bytes
+
+A content is one level deep: its items are the same objects.
+"""
+
+import pickle
+from collections import OrderedDict
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from math import copysign
+from operator import is_
+from types import CellType, FunctionType, MemberDescriptorType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .references import PLAIN_BASES, root_of
+
+UNBOUND = object()  # stands for no value
+
+
+class Content(NamedTuple):
+    """Content of a value; contents of one structure and the same keys differ in items alone."""
+
+    structure: Any
+    keys: list[Any]
+    items: Sequence[Any]
+
+
+class Kind(NamedTuple):
+    """How a kind of value is read and written; None for one into which nothing is written."""
+
+    read: Callable[[Any], Content]
+    write: Callable[[Any, Content], None] | None = None
+
+
+# --- kinds --------------------------------------------------------------------------------------
+
+
+def _read_row(value: Any) -> Content:
+    structure = type(value), getattr(value, "maxlen", None)
+    return Content(structure, [*range(len(value))], [*value])
+
+
+def _write_list(value: list, content: Content) -> None:
+    value[:] = content.items
+
+
+def _write_deque(value: Any, content: Content) -> None:
+    value.clear()
+    value.extend(content.items)
+
+
+def _read_dict(value: dict) -> Content:
+    keys = [*value] if isinstance(value, OrderedDict) else [*dict.keys(value)]
+    structure = type(value), getattr(value, "default_factory", None)
+    return Content(structure, keys, [dict.__getitem__(value, key) for key in keys])
+
+
+def _write_dict(value: dict, content: Content) -> None:
+    kind = OrderedDict if isinstance(value, OrderedDict) else dict
+    kind.clear(value)
+    for key, item in zip(content.keys, content.items, strict=True):
+        kind.__setitem__(value, key, item)
+
+
+def _read_cell(cell: CellType) -> Content:
+    items = [] if cell == CellType() else [cell.cell_contents]
+    return Content(CellType, [*range(len(items))], items)
+
+
+def _write_cell(cell: CellType, content: Content) -> None:
+    if content.items:
+        cell.cell_contents = content.items[0]
+    elif cell != CellType():
+        del cell.cell_contents
+
+
+def _read_array(value: np.ndarray) -> Content:
+    place = None if value.base is None else value.__array_interface__["data"]
+    structure = value.dtype.str, value.shape, place
+    items = [*value.flat] if value.dtype.hasobject else [value.tobytes()]
+    return Content(structure, [*range(len(items))], items)
+
+
+def _write_array(value: np.ndarray, content: Content) -> None:
+    if value.dtype.hasobject:
+        for index, item in zip(np.ndindex(value.shape), content.items, strict=True):
+            value[index] = item
+    elif value.flags.writeable:  # else nothing was written into it
+        value[...] = np.frombuffer(content.items[0], value.dtype).reshape(value.shape)
+
+
+def _read_attributes(value: Any) -> Content:
+    """Read a class's own data and functions, or what an object holds in slots."""
+    if isinstance(value, type):
+        own = {name: item for name, item in vars(value).items() if _is_own(name, item)}
+    else:
+        own = slot_values(value)
+    return Content(type(value), [*own], [*own.values()])
+
+
+def _write_attributes(value: Any, content: Content) -> None:
+    owner: Any = type if isinstance(value, type) else object
+    now = _read_attributes(value)
+    for name in {*now.keys} - {*content.keys}:
+        owner.__delattr__(value, name)
+    current = dict(zip(now.keys, now.items, strict=True))
+    for name, item in zip(content.keys, content.items, strict=False):
+        if current.get(name, UNBOUND) is not item:
+            owner.__setattr__(value, name, item)
+
+
+def _read_table(value: Any) -> Content:
+    return Content(type(value), [0], [pickle.dumps(value)])
+
+
+def _write_table(value: Any, content: Content) -> None:
+    vars(value).update(vars(pickle.loads(content.items[0])))
+
+
+LIST = Kind(_read_row, _write_list)
+DEQUE = Kind(_read_row, _write_deque)
+DICT = Kind(_read_dict, _write_dict)
+CELL = Kind(_read_cell, _write_cell)
+ARRAY = Kind(_read_array, _write_array)
+ATTRIBUTES = Kind(_read_attributes, _write_attributes)
+PANDAS = Kind(_read_table, _write_table)
+BY_BASE = ((list, LIST), (dict, DICT), (np.ndarray, ARRAY), (CellType, CELL))
+
+
+def kind_of_mutable(value: Any) -> Kind:
+    """Return the kind of a list, dict, array, variable, class, table or object with slots."""
+    for base, kind in BY_BASE:
+        if isinstance(value, base):
+            return kind
+    return PANDAS if root_of(type(value)) == "pandas" else ATTRIBUTES
+
+
+def slot_values(value: Any) -> dict[str, Any]:
+    """Return the attributes that an object holds in slots."""
+    values = {}
+    for name, slot in slots_of(type(value)).items():
+        with suppress(AttributeError):  # it is not set
+            values[name] = slot.__get__(value)
+    return values
+
+
+def slots_of(kind: type) -> dict[str, Any]:
+    """Return the slots of a class, in which its objects hold attributes."""
+    bases = (base for base in kind.__mro__ if base not in PLAIN_BASES)
+    attributes = (item for base in bases for item in vars(base).items())
+    return {
+        name: slot
+        for name, slot in attributes
+        if isinstance(slot, MemberDescriptorType)
+    }
+
+
+def _is_own(name: str, value: Any) -> bool:
+    """Return whether a class attribute is data or a function, and none of Python's own."""
+    special = name.startswith("__") and name.endswith("__")
+    return isinstance(value, FunctionType) or not (special or name.startswith("_abc_"))
+
+
+# --- values that outlive a function -------------------------------------------------------------
+
+
+@dataclass
+class Mutable:
+    """A value that a function may change, with its content before."""
+
+    value: Any
+    words: str = "a value"  # for a sentence
+    names: Iterable[str] | None = None  # attributes that the referenced code names
+    ignored: frozenset[str] = frozenset()  # attributes that any call may change
+    kind: Kind = field(init=False)
+    before: Content = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.kind = kind_of_mutable(self.value)
+        self.before = self.kind.read(self.value)
+
+    def put(self, content: Content) -> None:
+        """Replace the content."""
+        assert self.kind.write is not None
+        self.kind.write(self.value, content)
+
+    def changed(self, expected: Content) -> str:
+        """Return words for what differs from a content, "" for nothing."""
+        now = self.kind.read(self.value)
+        if _is_identical(now, expected):
+            return ""
+        before = dict(zip(expected.keys, expected.items, strict=True))
+        after = dict(zip(now.keys, now.items, strict=True))
+        for key in {**after, **before}:
+            same = _is_same(after.get(key, UNBOUND), before.get(key, UNBOUND))
+            if not same and key not in self.ignored:
+                return (
+                    f"{key!r} of {self.words}" if isinstance(key, str) else self.words
+                )
+        in_order = [key for key in expected.keys if key in after]
+        same = [key for key in now.keys if key in before] == in_order
+        return "" if same and now.structure == expected.structure else self.words
+
+
+def _is_identical(a: Content, b: Content) -> bool:
+    return a[:2] == b[:2] and all(map(is_, a.items, b.items))
+
+
+def _is_same(a: Any, b: Any) -> bool:
+    """Return whether values are one object, or equal numbers or texts."""
+    if a is b:
+        return True
+    if type(a) is not type(b) or type(a) not in (float, int, str, bytes):
+        return False
+    return a == b and (type(a) is not float or copysign(1.0, a) == copysign(1.0, b))
+
+
+def restore(values: Iterable[Mutable]) -> None:
+    """Put back the contents before tracing."""
+    for mutable in values:
+        if not _is_identical(mutable.kind.read(mutable.value), mutable.before):
+            mutable.put(mutable.before)
