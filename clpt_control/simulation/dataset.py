@@ -15,9 +15,9 @@ import numpy as np
 
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
+from ..engine.model.on_arrays import on_arrays
 from ..engine.model.ports import labels as labels_of_ports
 from ..engine.model.ports import ports_of
-from ..engine.trace.on_arrays import on_arrays
 from ..paper.blocks.localization import TRUE
 from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P

@@ -13,11 +13,11 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import SimulationError
+from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times, stacked
-from ..engine.trace.confirmation import drawn_around
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.team import Team
 from .diagram_runs import DiagramRun

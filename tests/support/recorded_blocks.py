@@ -3,7 +3,7 @@
 import numpy as np
 
 from clpt_control import Block
-from clpt_control.engine.trace.on_arrays import on_arrays
+from clpt_control.engine.model.on_arrays import on_arrays
 
 
 def recorded(block, role, t, x, u):

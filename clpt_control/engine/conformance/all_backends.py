@@ -26,6 +26,7 @@ from ...base.arguments import public
 from ...base.errors import BlockError, DiagramError
 from ..codegen.machine import LANES
 from ..model.block import Block
+from ..model.on_arrays import leaf_values
 from ..record.graph import Shape, bound
 from ..record.operations import ELEMENTWISE, named
 from ..record.scalar_graph import Index
@@ -35,7 +36,6 @@ from ..solver.native_diagram import NativeDiagram
 from ..solver.runner import PythonDiagram
 from ..solver.schedule import JUMPS
 from ..trace.arrays import Unread
-from ..trace.on_arrays import leaf_values
 
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 

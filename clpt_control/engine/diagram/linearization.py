@@ -21,12 +21,12 @@ from scipy.linalg import orth
 from ...base.arguments import numbers, public
 from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
+from ..conformance.confirmation import drawn_around
 from ..model.ports import ports_of
 from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..trace.arrays import Tape, Unread, operand
-from ..trace.confirmation import drawn_around
 from ..trace.elementwise import lifted
 from .interconnection import changed_parameters
 from .merged_record import TapeRecord

@@ -17,8 +17,8 @@ from ...base.errors import SimulationError, Uncompiled
 from ...base.progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
+from ..model.on_arrays import on_arrays
 from ..trace.arrays import Unread
-from ..trace.on_arrays import on_arrays
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram

@@ -12,7 +12,7 @@ that is a signal, ``points[argmin(d)]``, is one `pick` and not a path for each i
 
 import functools
 from collections.abc import Callable, Iterable, Iterator
-from types import CellType, FunctionType
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -63,21 +63,13 @@ def each_path(tape: Any) -> Iterator[None]:
 class Region:
     """Code whose paths are merged when it ends.
 
-    It may change what it reaches from `roots`, and nothing that outlives the function.  Variables
-    in `dead` are not read afterwards.
+    It may change what it reaches from `roots`, and nothing that outlives the function.
     """
 
-    def __init__(
-        self,
-        tape: Any,
-        run: Callable[[], Any],
-        roots: Iterable[Any],
-        dead: Iterable[CellType] = (),
-    ):
+    def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
         self.tape = tape
         self.run = run
         self.roots = [*roots]
-        self.dead = {*map(id, dead)}
 
     def merged(self) -> Any:
         """Run the code on each path; return its result, and leave one heap behind.
@@ -99,9 +91,7 @@ class Region:
                 if len(tape.answers) == len(answers):
                     return result
                 tape.check()
-                left = [
-                    entry.value for k, entry in before.items() if k not in self.dead
-                ]
+                left = [entry.value for entry in before.values()]
                 paths.append(
                     (tape.answers, result, heap_of([result, *left], tape.persistent))
                 )
@@ -128,9 +118,8 @@ class Region:
         tree = decision_tree([*enumerate(answers)], depth)
         joining = Joining(self.tape, tree, before, heaps)
         result = joining.value(results)
-        for key, entry in before.items():
-            if key not in self.dead:
-                joining.value([entry.value] * len(paths))
+        for entry in before.values():
+            joining.value([entry.value] * len(paths))
         joining.write()
         return result
 
@@ -157,24 +146,14 @@ def merge_calls(function: FunctionType) -> Any:
     return helper
 
 
-def merge_value(run: FunctionType) -> Any:
-    """Return the value of a conditional expression, its paths merged."""
+def merge_paths(run: FunctionType) -> Any:
+    """Return the value of an expression, or run a statement, with its paths merged.
+
+    It is a function of no arguments, whose variables are cells.
+    """
     if (tape := merging()) is None:
         return _run(run)
     return Region(tape, lambda: _run(run), run.__closure__ or ()).merged()
-
-
-def merge_statement(run: FunctionType, dead: tuple[str, ...]) -> None:
-    """Run an `if` statement, a function of no arguments, and merge what its paths leave behind.
-
-    Variables in `dead` are not read afterwards.
-    """
-    if (tape := merging()) is None:
-        _run(run)
-        return
-    cells = dict(zip(run.__code__.co_freevars, run.__closure__ or (), strict=True))
-    dead_cells = [cells[name] for name in dead]
-    Region(tape, lambda: _run(run), cells.values(), dead_cells).merged()
 
 
 def _run(run: FunctionType) -> Any:

@@ -3,7 +3,7 @@
     if a > 1:                       def __statement__():
         y = 2.0               ->        nonlocal y
     else:                               if a > 1: ...
-        y = a                       __merge_statement__(__statement__, ())
+        y = a                       __merge_paths__(__statement__)
 
 `execution_paths` runs such a function on each of its paths and merges them, so a loop over six
 limits takes 12 paths and not 2^6.  ``row[k]`` of a list and a signal k becomes one `pick`.  The
@@ -16,24 +16,17 @@ import copy
 import dis
 import functools
 import linecache
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from types import CodeType
 from typing import Any
 
 from .branches import STATEMENT
-from .execution_paths import (
-    index_of,
-    item_of,
-    merge_calls,
-    merge_statement,
-    merge_value,
-)
+from .execution_paths import index_of, item_of, merge_calls, merge_paths
 from .identities import TRUTHS, is_same
 from .references import all_code, code_names
 
 NAMES = {
-    "__merge_statement__": merge_statement,
-    "__merge_value__": merge_value,
+    "__merge_paths__": merge_paths,
     "__merge_calls__": merge_calls,
     "__item_of__": item_of,
     "__index_of__": index_of,
@@ -187,30 +180,19 @@ class _Rewriter(ast.NodeTransformer):
 
     # --- statements -------------------------------------------------------------------------
 
-    def visit_For(self, node: ast.For | ast.While) -> Any:
-        """Count loops, whose variables may be read again."""
-        if self.function is not None:
-            self.function.loops += 1
-        self.generic_visit(node)
-        if self.function is not None:
-            self.function.loops -= 1
-        return node
-
     def visit_If(self, node: ast.If | ast.Try | ast.Match) -> Any:
         """Make a statement a function whose paths are merged."""
         stored = _stored(node)
         if self.function is None or not self._is_separable(node, stored):
             return self.generic_visit(node)
-        later = self.function.read_outside(node)
         self.generic_visit(node)
         binding = f"if 0: {' = '.join(stored)} = 0" if stored else "pass"  # never runs
         declaration = f"nonlocal {', '.join(stored)}" if stored else "pass"
-        dead = tuple(name for name in stored if name not in later)
         source = f"""\
 {binding}
 def {STATEMENT}():
     {declaration}
-__merge_statement__({STATEMENT}, {dead})
+__merge_paths__({STATEMENT})
 """
         new: Any = ast.parse(source).body
         for statement in new:
@@ -218,7 +200,6 @@ __merge_statement__({STATEMENT}, {dead})
         new[1].body.append(node)
         return new
 
-    visit_While = visit_For
     visit_Try = visit_If
     visit_Match = visit_If
 
@@ -258,7 +239,7 @@ __merge_statement__({STATEMENT}, {dead})
             return node
         function: Any = _place_at(ast.parse("lambda: 0", mode="eval").body, node)
         function.body = node
-        return self._call("__merge_value__", node, [function])
+        return self._call("__merge_paths__", node, [function])
 
     def visit_Subscript(self, node: ast.Subscript) -> Any:
         """Read items by a function, which takes signals as indices of lists."""
@@ -324,7 +305,7 @@ __merge_statement__({STATEMENT}, {dead})
 
 
 class _Function:
-    """The names of a function: its local variables, and how often each is read."""
+    """The local variables of a function, and whether its frame may be left and entered again."""
 
     def __init__(self, node):
         arguments = node.args
@@ -342,29 +323,6 @@ class _Function:
         self.has_frames = any(
             isinstance(item, ast.Yield | ast.YieldFrom | ast.Await) for item in inner
         )
-        self.reads, self.loops = _reads(body), 0
-
-    def read_outside(self, statement: ast.stmt) -> set[str]:
-        """Return the variables that are read by other code than a statement, or when it repeats.
-
-        A function within the statement is other code, as it may be called later.
-        """
-        counts = {} if self.loops else _reads([statement], _within)
-        return {
-            name for name, count in self.reads.items() if count > counts.get(name, 0)
-        }
-
-
-def _reads(body: Iterable[ast.AST], nodes: Any = ast.walk) -> dict[str, int]:
-    """Return how often code reads each name, functions in it included."""
-    counts: dict[str, int] = {}
-    for statement in body:
-        for node in nodes(statement):
-            if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Store):
-                counts[node.id] = counts.get(node.id, 0) + 1
-            elif isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
-                counts[node.target.id] = counts.get(node.target.id, 0) + 1
-    return counts
 
 
 def _within(statement: ast.AST) -> Iterator[ast.AST]:

@@ -14,11 +14,11 @@ from ...base.errors import BlockError
 from ...engine.codegen.diagram_record import is_read
 from ...engine.model.block import Block
 from ...engine.model.declaration import Each, Guard
+from ...engine.model.on_arrays import on_arrays
 from ...engine.model.ports import sized, sizes_of
 from ...engine.model.sampled import Sampled, inner_parameters, other_equations
 from ...engine.record.graph import Record, Shape
 from ...engine.trace.arrays import Unread
-from ...engine.trace.on_arrays import on_arrays
 from .records import check_record, plain_record, record_of, shape_of, size_of
 
 KINDS = ("input", "output", "state")

@@ -10,8 +10,8 @@ import control
 import numpy as np
 
 from ...engine.diagram.wiring import wiring_of
+from ...engine.model.on_arrays import on_arrays
 from ...engine.solver.evaluation_pass import Sweep
-from ...engine.trace.on_arrays import on_arrays
 
 # rates (n, nx) and V (n,); NaN where there are none
 Values = tuple[np.ndarray, np.ndarray]

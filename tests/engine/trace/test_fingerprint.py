@@ -24,8 +24,8 @@ from scipy.interpolate import interp1d
 import clpt_control as clpt
 from clpt_control.engine.trace import tracing as reading
 from clpt_control.engine.trace.arrays import Unread
-from clpt_control.engine.trace.fingerprint import reachable
 from clpt_control.engine.trace.contents import Mutable, restore
+from clpt_control.engine.trace.fingerprint import reachable
 
 LOGGER = logging.getLogger("boat")
 Point = namedtuple("Point", "east north")

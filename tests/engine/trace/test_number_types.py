@@ -9,8 +9,8 @@ import pytest
 from functions_with_side_effects import PARAMS, READ, REFUSED
 
 from clpt_control.engine.diagram.wiring import wiring_of
+from clpt_control.engine.model.on_arrays import leaf_values
 from clpt_control.engine.trace.arrays import Unread
-from clpt_control.engine.trace.on_arrays import leaf_values
 
 STATES = (
     [0.3, -0.7, 2.0],

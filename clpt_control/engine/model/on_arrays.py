@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..model.ports import places
 from ..record.graph import Record, evaluated
+from .ports import places
 
 
 def leaf_values(

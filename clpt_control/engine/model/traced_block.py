@@ -13,12 +13,12 @@ import control
 import numpy as np
 
 from ...base.errors import BlockError
-from ..model.declaration import Guard
-from ..model.ports import counts_of, labels, places, port_of, sized, sizes_of
+from ..conformance.confirmation import Confirmation
 from ..record.graph import Record, Shape
-from .arrays import Unread
-from .confirmation import difference
-from .tracing import Read, read, record_of_states
+from ..trace.arrays import Unread
+from ..trace.tracing import Read, read, record_of_states
+from .declaration import Guard
+from .ports import counts_of, labels, places, port_of, sized, sizes_of
 
 READ = ("_read_records", "feedthrough")  # attributes that cache results of tracing
 Shapes = dict[str, Shape]  # of ports or parameters by name
@@ -234,8 +234,15 @@ class ReadBlock(control.NonlinearIOSystem):
 
     def _difference(self, role: str, result: Read) -> str:
         """Return a sentence on a new record that Python does not confirm, or ""."""
+        given = {**self.parameters._asdict(), **getattr(self, "_params", {})}
+        free = tuple(
+            name
+            for name in self.parameters._fields
+            if name not in (*result.pinned, "interval")
+            and not isinstance(given[name], int | np.integer)
+        )
         records = map(self._outside, (result.record, result.conditions))
-        return difference(self, role, *records, result.pinned)
+        return Confirmation(self, role, *records, free).difference()
 
     @cached_property
     def of_package(self) -> bool:

@@ -1,0 +1,205 @@
+"""Confirmation: a new record is compared with its function before it is used.
+
+Points are drawn around the times, states and inputs of the caller (`drawn_around`), on both sides
+of each condition and next to its threshold (`record.both_sides`), with the block's parameters and
+with others.  If Python gives another number at one of them, the record is not used, and a sentence
+says which number, at which point, and both values.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from threading import local
+from typing import Any
+
+import numpy as np
+
+from ..model.on_arrays import record_on_arrays
+from ..record.both_sides import (
+    MOST_CONDITIONS,
+    compared_numbers,
+    draws,
+    points_on_both_sides,
+)
+from ..record.graph import Record
+from ..trace.arrays import Tape, reading_on
+from ..trace.isolation import isolated
+
+CLOSE = 1e-7  # relative: rounding of terms that cancel, not another execution path
+FACTORS = (
+    0.8,
+    1.25,
+)  # least and largest of other parameters, relative to the block's own
+TIMES = 0.0, 10.0  # without a caller
+MOVED = 1e-13  # relative: more than rounding, less than the distance from a threshold
+SHOWN = 6  # numbers of a point in a sentence
+NONE = np.zeros(0)
+_caller = local()
+
+
+@contextmanager
+def drawn_around(times: Any, states: Any, inputs: Any) -> Iterator[None]:
+    """Confirm the records that this thread makes around these numbers."""
+    before = getattr(_caller, "numbers", None)
+    _caller.numbers = [*map(_flat, (times, states, inputs))]
+    try:
+        yield
+    finally:
+        _caller.numbers = before
+
+
+def _flat(values: Any) -> np.ndarray:
+    """Return numbers, which may be arrays in a list, as a vector; none if they are no numbers."""
+    values = values if isinstance(values, list | tuple) else [values]
+    try:
+        arrays = [np.ravel(value) for value in values if value is not None]
+        vector = np.concatenate([NONE, *arrays])
+    except (TypeError, ValueError):  # of which the run itself says more
+        vector = NONE
+    return vector[np.isfinite(vector)] if vector.dtype == float else NONE
+
+
+@dataclass(frozen=True)
+class Confirmation:
+    """A new record of a block's function.
+
+    `conditions` is the record of its comparisons; `free` are the parameters for any value of which
+    the record holds.
+    """
+
+    block: Any
+    role: str
+    record: Record
+    conditions: Record
+    free: tuple[str, ...]
+
+    def difference(self) -> str:
+        """Return a sentence on a number that Python gives otherwise than the record, or ""."""
+        random = np.random.default_rng(0)
+        own = self.block.parameters
+        choices = [own]
+        if self.free:
+            factors = random.uniform(*FACTORS, len(self.free))
+            choices.append(self._changed(own, factors))
+        with isolated(), reading_on(Tape()), np.errstate(all="ignore"):
+            for parameters in choices:
+                points = self._points(parameters, random)
+                if sentence := self._difference_at(points, parameters):
+                    return sentence
+        return ""
+
+    def _changed(self, parameters: Any, factors: np.ndarray) -> Any:
+        """Return the parameters, the free ones times these factors."""
+        values = {
+            name: getattr(parameters, name) * factor
+            for name, factor in zip(self.free, factors, strict=True)
+        }
+        return parameters._replace(**values)
+
+    def _points(self, parameters: Any, random: np.random.Generator) -> np.ndarray:
+        """Return points to compare, a column each: time, states, inputs."""
+        times, *vectors = getattr(_caller, "numbers", None) or [NONE] * 3
+        sizes = self.block.nstates or 0, self.block.ninputs or 0
+        centre = [np.zeros(1)]
+        numbers = [compared_numbers(self.conditions), *map(np.ravel, parameters)]
+        for vector, size in zip(vectors, sizes, strict=True):
+            centre.append(vector if len(vector) == size else np.zeros(size))
+            numbers.append([vector.min(), vector.max()] if len(vector) else [])
+        points = draws(np.concatenate(centre), np.concatenate(numbers), random)
+        span = (times.min(), times.max()) if len(times) else TIMES
+        points[0] = random.uniform(*span, points.shape[1])
+
+        def truths_at(columns: np.ndarray) -> np.ndarray:
+            """Return the conditions, elements of arrays one by one, at points."""
+            values = self._evaluated(self.conditions, columns, parameters)
+            return values[:MOST_CONDITIONS] != 0.0
+
+        return points_on_both_sides(points, truths_at)
+
+    def _split(self, points: Any) -> tuple[Any, Any, Any]:
+        """Return time, states and inputs of points."""
+        n = self.block.nstates or 0
+        return points[0], points[1 : 1 + n], points[1 + n :]
+
+    def _evaluated(
+        self, record: Record, points: np.ndarray, parameters: Any
+    ) -> np.ndarray:
+        """Return the outputs of a record at points."""
+        t, x, u = self._split(points)
+        if self.block.breakpoints_function is not None:
+            intervals = [
+                self.block.parameters_at(time, parameters).interval for time in t
+            ]
+            parameters = parameters._replace(interval=np.array(intervals))
+        return record_on_arrays(self.block, record, t, x, u, parameters)
+
+    def _difference_at(self, points: np.ndarray, parameters: Any) -> str:
+        """Return a sentence on the first point at which the record differs from Python, or ""."""
+        traced = self._evaluated(self.record, points, parameters)
+        for point, values in zip(points.T, traced.T, strict=True):
+            expected = self._in_python(point, parameters, len(values))
+            if expected is None:
+                continue
+            finite = np.isfinite(expected)
+            size = np.abs(expected)
+            largest = size[finite].max(initial=0.0)
+            agrees = np.abs(expected - values) <= CLOSE * (size + 1e-3 * largest)
+            agrees |= ~finite & ~np.isfinite(values)
+            raised = np.isnan(expected).all() and not np.isfinite(values).all()
+            if agrees.all() or raised:
+                continue
+            agrees |= np.abs(expected - values) <= self._noise(
+                expected, point, parameters
+            )
+            for k in np.flatnonzero(~agrees)[:1]:
+                return self._sentence(k, values[k], expected[k], point)
+        return ""
+
+    def _in_python(
+        self, point: np.ndarray, parameters: Any, size: int
+    ) -> np.ndarray | None:
+        """Return what the function gives at a point, NaN where it raises.
+
+        Return None for errors of operations, such as 1 / 0, of which the record has a value.
+        """
+        t, x, u = self._split(point)
+        p = self.block.parameters_at(t, parameters)
+        try:
+            return self.block._evaluate(self.role, size, t, x.copy(), u.copy(), p)
+        except (ArithmeticError, ValueError):
+            return None
+        except (Exception, SystemExit):
+            return np.full(size, np.nan)
+
+    def _noise(
+        self, expected: np.ndarray, point: np.ndarray, parameters: Any
+    ) -> np.ndarray:
+        """Return rounding errors where terms cancel: changes next to a point, a hundredfold."""
+        random = np.random.default_rng(1)
+        typical = np.abs(point[1:]).max(initial=0.0) or 1.0
+        noise = np.zeros(len(expected))
+        for _ in range(3):
+            steps = MOVED * random.standard_normal(len(point) + len(self.free))
+            moved = point + (np.abs(point) + typical) * steps[: len(point)]
+            changed = self._changed(parameters, 1.0 + steps[len(point) :])
+            values = self._in_python(moved, changed, len(expected))
+            if values is not None:
+                noise = np.fmax(noise, np.abs(values - expected))
+        return 100.0 * noise
+
+    def _sentence(self, k: int, traced: float, expected: float, point: Any) -> str:
+        """Return the sentence on a number that differs."""
+        is_output = self.role == "output"
+        labels = self.block.output_labels if is_output else self.block.state_labels
+        name = "distance" if self.role == "guard" else labels[k]
+        t, x, u = self._split(point)
+        return (
+            f"{name} is {traced:.9g} as traced and {expected:.9g} in Python, at "
+            f"t = {t:.9g}, x = {_row(x)}, u = {_row(u)}"
+        )
+
+
+def _row(values: np.ndarray) -> str:
+    """Return numbers for a sentence."""
+    texts = [f"{value:.9g}" for value in values[:SHOWN]]
+    return f"[{', '.join(texts)}{', ...' if len(values) > SHOWN else ''}]"
