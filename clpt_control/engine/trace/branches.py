@@ -73,6 +73,9 @@ class AnsweringTape(Tape):
         self.way: list[bool] = []
         self.answers: dict[int, bool] = {}
         self.asked: set[int] = set()  # conditions of all paths
+        # regions whose paths cannot be merged: known before, and found now
+        self.unmergeable: frozenset[Any] = frozenset()
+        self.failed: set[Any] = set()
         self.rows: dict[int, int] = {}  # length of the row in which a signal is a place
         self.last_asked: tuple[int, int] | None = None  # a signal, and the answer
         # identities of values that outlive the function

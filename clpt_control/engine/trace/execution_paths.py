@@ -32,7 +32,7 @@ from .views import tape_of
 
 # paths of one helper or statement, and runs of all together
 MOST_MERGED = 32
-MOST_RUNS = 10_000
+MOST_RUNS = 4_000
 NUMBERS = (int, float, np.float64)
 RAISED = (Exception, SystemExit)
 
@@ -60,77 +60,65 @@ def each_path(tape: Any) -> Iterator[None]:
 # --- one helper, statement or expression --------------------------------------------------------
 
 
-class Region:
-    """Code whose paths are merged when it ends.
-
-    It may change what it reaches from `roots`, and nothing that outlives the function.
-    """
-
-    def __init__(self, tape: Any, run: Callable[[], Any], roots: Iterable[Any]):
-        self.tape = tape
-        self.run = run
-        self.roots = [*roots]
-
-    def merged(self) -> Any:
-        """Run the code on each path; return its result, and leave one heap behind.
-
-        If heaps cannot be joined, the paths are those of the code around the region.
-        """
-        tape = self.tape
-        try:
-            before = heap_of(self.roots, tape.persistent)
-        except NotMergeable:
-            return self.run()
-        answers, way, texts = tape.answers, tape.way, tape.texts
-        paths: list[tuple[dict[int, bool], Any, dict[int, Entry]]] = []
-        try:
-            for _ in each_path(tape):
-                if paths:
-                    put_back(before)
-                result = self.run()
-                if len(tape.answers) == len(answers):
-                    return result
-                tape.check()
-                left = [entry.value for entry in before.values()]
-                paths.append(
-                    (tape.answers, result, heap_of([result, *left], tape.persistent))
-                )
-                if len(paths) > MOST_MERGED:
-                    raise NotMergeable
-            return self._joined(paths, len(answers), before)
-        except NotMergeable:
-            pass
-        except RAISED:
-            if tape.stopped is not None:
-                raise
-        finally:
-            tape.answers, tape.way = answers, way
-        tape.texts = texts
-        try:
-            put_back(before)
-        except Exception as error:  # not one of the function, whose path would be NaN
-            raise Unread(f"its paths cannot be traced: {error}") from None
-        return self.run()
-
-    def _joined(self, paths: Any, depth: int, before: dict[int, Entry]) -> Any:
-        """Return the result for all paths, and join what they leave behind."""
-        answers, results, heaps = zip(*paths, strict=True)
-        tree = decision_tree([*enumerate(answers)], depth)
-        joining = Joining(self.tape, tree, before, heaps)
-        result = joining.value(results)
-        for entry in before.values():
-            joining.value([entry.value] * len(paths))
-        joining.write()
-        return result
-
-
-# --- where regions begin --------------------------------------------------------------------------
-
-
 def merging() -> Any:
     """Return the tape on which this thread traces a function and merges paths, or None."""
     tape: Any = active()
     return tape if tape is not None and tape.merging else None
+
+
+def run_region(
+    tape: Any, run: Callable[[], Any], roots: Iterable[Any], key: Any
+) -> Any:
+    """Run code on each of its paths; return one result, and leave one heap behind.
+
+    The code may change what it reaches from `roots`, and nothing that outlives the function.  If
+    heaps cannot be joined, the paths are those of the code around.  A region whose `key` is known to
+    be unmergeable is not tried.
+    """
+    if key in tape.unmergeable:
+        return run()
+    answers, way, texts = tape.answers, tape.way, tape.texts
+    before: dict[int, Entry] = {}
+    paths: list[tuple[dict[int, bool], Any, dict[int, Entry]]] = []
+    try:
+        before = heap_of(roots, tape.persistent)
+        for _ in each_path(tape):
+            if paths:
+                put_back(before)
+            result = run()
+            if len(tape.answers) == len(answers):
+                return result
+            tape.check()
+            left = [entry.value for entry in before.values()]
+            heap = heap_of([result, *left], tape.persistent)
+            paths.append((tape.answers, result, heap))
+            if len(paths) > MOST_MERGED:
+                raise NotMergeable
+        return _joined(tape, paths, len(answers), before)
+    except NotMergeable:
+        tape.failed.add(key)
+    except RAISED:
+        if tape.stopped is not None:
+            raise
+    finally:
+        tape.answers, tape.way = answers, way
+    tape.texts = texts
+    try:
+        put_back(before)
+    except Exception as error:  # not one of the function, whose path would be NaN
+        raise Unread(f"its paths cannot be traced: {error}") from None
+    return run()
+
+
+def _joined(tape: Any, paths: Any, depth: int, before: dict[int, Entry]) -> Any:
+    """Return the result for all paths, and join what they leave behind."""
+    answers, results, heaps = zip(*paths, strict=True)
+    joining = Joining(tape, decision_tree([*enumerate(answers)], depth), before, heaps)
+    result = joining.value(results)
+    for entry in before.values():
+        joining.value([entry.value] * len(paths))
+    joining.write()
+    return result
 
 
 def merge_calls(function: FunctionType) -> Any:
@@ -140,8 +128,11 @@ def merge_calls(function: FunctionType) -> Any:
     def helper(*arguments, **options):
         if (tape := merging()) is None:
             return function(*arguments, **options)
-        roots = (function, *arguments, *options.values())
-        return Region(tape, lambda: function(*arguments, **options), roots).merged()
+        values = (*arguments, *options.values())
+        shapes = (getattr(value, "_shape", type(value)) for value in values)
+        key = id(function.__code__), *shapes
+        run = functools.partial(function, *arguments, **options)
+        return run_region(tape, run, (function, *values), key)
 
     return helper
 
@@ -153,7 +144,8 @@ def merge_paths(run: FunctionType) -> Any:
     """
     if (tape := merging()) is None:
         return _run(run)
-    return Region(tape, lambda: _run(run), run.__closure__ or ()).merged()
+    cells = run.__closure__ or ()
+    return run_region(tape, lambda: _run(run), cells, id(run.__code__))
 
 
 def _run(run: FunctionType) -> Any:

@@ -15,6 +15,7 @@ import functools
 from collections import Counter, OrderedDict, defaultdict, deque
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
+from itertools import zip_longest
 from types import (
     BuiltinFunctionType,
     CellType,
@@ -283,7 +284,6 @@ class Joining:
         self._joined: dict[tuple[int, ...], Any] = {}
         # of each path: which values an object corresponds to
         self._partners: list[dict[int, tuple[int, ...]]] = [{} for _ in heaps]
-        self._arrays: dict[int, Any] = {}  # arrays that are read-only with an older one
         self._writes: list[Entry] = []
 
     def write(self) -> None:
@@ -324,9 +324,7 @@ class Joining:
         if kind.write is not None:
             if not is_same and not self.before.keys().isdisjoint(key):
                 raise NotMergeable
-            for partners, k in zip(self._partners, key, strict=True):
-                if partners.setdefault(k, key) != key:
-                    raise NotMergeable
+            self._pair(key)
         self._joined[key] = first  # of a value that holds itself
         contents = [entry.content.items for entry in entries]
         if kind is ELEMENTS:
@@ -341,6 +339,13 @@ class Joining:
             make = getattr(content.structure, "_make", content.structure)
             self._joined[key] = make(items)
         return self._joined[key]
+
+    def _pair(self, key: tuple[int, ...], fixed: Iterable[bool] = ()) -> None:
+        """Note that objects correspond to each other, and to no others, unless they are fixed."""
+        pairs = zip_longest(self._partners, key, fixed, fillvalue=False)
+        for partners, k, is_fixed in pairs:
+            if not is_fixed and partners.setdefault(k, key) != key:
+                raise NotMergeable
 
     def _number(self, values: Sequence[Any]) -> Any:
         """Return one number, or one truth value, with the type that all have in common."""
@@ -374,54 +379,34 @@ class Joining:
         return elements.reshape(array.shape)
 
     def _array(self, values: Sequence[Array]) -> Array:
-        """Return one array for different ones, into which nothing may be written if it is a view.
-
-        An older array, or one with several names, is read-only from now on, as its partner is.
-        """
+        """Return one array for arrays that are read-only, or were made on their paths."""
         first = values[0]
-        facts = {(value.shape, value._is_condition, value._boxed) for value in values}
-        if len(facts) > 1:
-            raise NotMergeable
-        roots = [value._root for value in values]
-        key = (*map(id, roots),)
-        if key in self._joined and all(
-            value is root for value, root in zip(values, roots, strict=True)
-        ):
+        key = (*map(id, values),)
+        if key in self._joined:
             return self._joined[key]
-        ends = [
-            Array(self.tape, self._end(value, heap), value.shape)
-            for value, heap in zip(values, self.heaps, strict=True)
+        facts = {(value.shape, value._is_condition, value._boxed) for value in values}
+        fixed = [value._root._fixed or value._is_condition for value in values]
+        older = [id(value._root) in self.before for value in values]
+        views = [value is not value._root for value in values]
+        if len(facts) > 1 or any(
+            not is_fixed and (is_older or is_view)
+            for is_fixed, is_older, is_view in zip(fixed, older, views, strict=True)
+        ):
+            raise NotMergeable
+        self._pair(key, fixed)
+        nodes = [
+            operand(lifted(self.tape, entry.content.items))
+            if (entry := heap.get(id(value))) is not None
+            and entry.content.items is not None
+            else value._ref
+            for heap, value in zip(self.heaps, values, strict=True)
         ]
-        end = joined(self.tape, self.tree, ends, where)
-        new = Array(self.tape, operand(end), first.shape)
-        new._boxed = first._boxed
-        new._whole = common(root._whole for root in roots)
-        is_shared = any(
-            root._fixed
-            or value is not root
-            or id(root) in self.before
-            or id(root) in partners
-            for value, root, partners in zip(values, roots, self._partners, strict=True)
+        ends = [Array(self.tape, node, first.shape) for node in nodes]
+        new = Array(
+            self.tape, operand(joined(self.tape, self.tree, ends, where)), first.shape
         )
-        for root, partners in zip(roots, self._partners, strict=True):
-            partners.setdefault(id(root), key)
-            if is_shared:
-                root._fixed = new._fixed = True
-                if (other := self._arrays.get(id(root))) is not None:
-                    other._fixed = True
-            self._arrays[id(root)] = new
-        if not is_shared:
-            self._joined[key] = new
+        new._boxed = first._boxed
+        new._whole = common(value._root._whole for value in values)
+        new._fixed = any(fixed)
+        self._joined[key] = new
         return new
-
-    def _end(self, array: Array, heap: dict[int, Entry]) -> Any:
-        """Return the value of an array at the end of a path."""
-        elements = self._elements_at_end(array, heap)
-        return array._node if elements is None else operand(lifted(self.tape, elements))
-
-    def _elements_at_end(self, array: Array, heap: dict[int, Entry]) -> Any:
-        if array._parent is None:
-            entry = heap.get(id(array))
-            return array._store if entry is None else entry.content.items
-        above = self._elements_at_end(array._parent, heap)
-        return None if above is None else np.asarray(array._select(above), dtype=object)

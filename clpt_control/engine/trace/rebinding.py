@@ -31,7 +31,7 @@ from .references import (
     is_library,
     root_of,
 )
-from .rewriting import NAMES, compares_identities, rewritten
+from .rewriting import NAMES, rewritten
 from .tracer_modules import BUILTINS, TracerModule, real_type, tracer_value, type_of
 
 REMEMBERS = (
@@ -138,11 +138,7 @@ class Rebinding:
             return function
         if root_of(function) in LIBRARIES:
             return tracer_value(function)
-        code = function.__code__
-        if not self.trusted:
-            code = rewritten(code)
-            if compares_identities(code):
-                return _refusing(function.__name__)
+        code = function.__code__ if self.trusted else rewritten(function.__code__)
         self.texts.update(code_texts(code))
         cells = tuple(CellType() for _ in function.__closure__ or ())
         space = self._space(function.__globals__)
@@ -229,11 +225,12 @@ class Rebinding:
     def installed(self, name: str) -> Iterator[None]:
         """Have tracer values in place for one execution path; refuse a path that changes any."""
         contents = self._contents()
-        pairs = [*((mutable, mutable.before) for mutable in self._copies), *contents]
-        self.tape.persistent |= {id(mutable.value) for mutable, _ in pairs}
+        lasting = [*self._copies, *self.reached.mutables]
+        self.tape.persistent |= {id(mutable.value) for mutable in lasting}
 
         def check() -> None:
-            for mutable, content in pairs:
+            copies = [(mutable, mutable.before) for mutable in self._copies]
+            for mutable, content in (*copies, *contents):
                 if words := mutable.changed(content):
                     raise Unread(f"{name} {REMEMBERS.format(words)}")
 
@@ -247,17 +244,6 @@ class Rebinding:
                 check()
             finally:
                 restore([*self._copies, *self.reached.mutables])
-
-
-def _refusing(name: str) -> Any:
-    """Return a function that is refused where it is called."""
-
-    def refuse(*arguments, **options):
-        raise Unread(
-            f"{name} compares by `is`, and its source is not at hand. Write =="
-        )
-
-    return refuse
 
 
 def _cached(function: FunctionType) -> Any:

@@ -52,7 +52,6 @@ SELF_MATCHING = (
     "int",
     "bool",
 )  # classes of which `case float(q)` names the number
-UNKNOWN = object()
 FUTURE = 0x1FF0000  # flags of `from __future__ import ...`
 
 
@@ -93,19 +92,6 @@ def _may_branch(code: CodeType) -> bool:
                 return True
             constant = line.opname in ("LOAD_CONST", "LOAD_SMALL_INT")
     return "index" in code_names(code)
-
-
-@functools.lru_cache(maxsize=4096)
-def compares_identities(code: CodeType) -> bool:
-    """Return whether code compares identities by an `is` that was not rewritten."""
-    constant: Any = UNKNOWN
-    for line in dis.get_instructions(code):
-        if line.opname == "IS_OP" and constant not in (None, ...):
-            return (
-                code.co_filename != "<string>"
-            )  # of a dataclass, whose classes are compared
-        constant = line.argval if line.opname == "LOAD_CONST" else UNKNOWN
-    return False
 
 
 @functools.lru_cache(maxsize=256)

@@ -140,25 +140,43 @@ def _traced(request: Request, reached: Fingerprint) -> Read:
     """Trace a function, with merged paths if possible, and confirm the record."""
     if request.trusted:
         return _Tracing(request, reached, merging=False).read()
-    errors = []
-    for merging in (True, False):  # the following code may not accept merged values
+    errors = list[Unread]()
+    failed = frozenset[
+        Any
+    ]()  # regions that cannot be merged: without their tries it is shorter
+    for merging in (
+        True,
+        True,
+        False,
+    ):  # the following code may not accept merged values
+        if merging and errors and not failed:
+            continue
+        tracing = _Tracing(request, reached, merging, failed)
         try:
-            result = _Tracing(request, reached, merging).read()
+            result = tracing.read()
             if sentence := request.confirm(result):
                 raise Unread(sentence)
             return result
         except Unread as error:
             errors.append(error)
+            failed = frozenset(tracing.tape.failed)
     raise errors[0]
 
 
 class _Tracing:
     """One tracing of a function: all its execution paths, one after the other."""
 
-    def __init__(self, request: Request, reached: Fingerprint, merging: bool) -> None:
+    def __init__(
+        self,
+        request: Request,
+        reached: Fingerprint,
+        merging: bool,
+        unmergeable: frozenset[Any] = frozenset(),
+    ) -> None:
         self.request = request
         self.tape = AnsweringTape(request.parameters)
         self.tape.merging = merging
+        self.tape.unmergeable = unmergeable
         self.rebinding = Rebinding(self.tape, reached, request.trusted)
         self.paths: list[tuple[dict[int, bool], list[Any]]] = []
         self.spreads = False
