@@ -3,8 +3,10 @@
 `program(random, name, takes, returns, numbers)` draws the source text of one function
 ``(t, x, u, p)``: branches, early returns, helpers, closures, lambdas, comprehensions, loops
 over ranges, arrays and pairs, arrays made empty and filled, views that share what is written,
-matrices, NumPy, `math`, `max`, `sorted`, chained comparisons.  A `random.Random` makes all
-choices, so hypothesis can shrink them.
+matrices, NumPy, `math`, `max`, `sorted`, chained comparisons.  Branches change what outlives them:
+variables around a closure, lists with two names, arrays in place, slots, sets, deques, iterators,
+rows at a signal, and identities are tested.  A `random.Random` makes all choices, so hypothesis can
+shrink them.
 """
 
 import linecache
@@ -16,9 +18,19 @@ from typing import Any
 import numpy as np
 
 HELPERS = """
+from collections import deque
+from functools import partial
 from math import sqrt
+from types import SimpleNamespace
 
 GAIN = 0.75
+SLOW = 0.25
+
+class Slots:
+    __slots__ = ("k",)
+
+    def __init__(self, k):
+        self.k = k
 
 def bend(a, b=0.5):
     c = a * b
@@ -155,6 +167,56 @@ SHARED = [
     f"{{1}} = np.array({start})\n{{2}} = {seen}\n{change}"
     for start, seen, change in SHARED
 ]
+EFFECTS = [  # of branches on what outlives them
+    "1?{1} = {l}\ndef {2}(v):\n    nonlocal {1}\n    {1} {+=|-=} v\nif {C}:\n    {2}({s})",
+    "1?{1} = 0.0\ndef {2}():\n    nonlocal {1}\n    if {C}:\n        return {l}\n"
+    "    {1} = {s}\n    return {1}\n{1} = {2}() + {1}",
+    "1?{1}b = np.zeros(2)\ndef {2}(k, v):\n    {1}b[k] = v\nif {C}:\n    {2}({0|1}, {s})\n"
+    "{1} = {1}b[0] - {1}b[1]",
+    "1?{1}b = []\n{2} = {1}b.append\nif {C}:\n    {2}({s})\n{1} = sum({1}b)",
+    "1?{2} = dict(k={l})\n{1}b = partial({2}.update, k={s})\nif {C}:\n    {1}b()\n{1} = {2}['k']",
+    "1?def {2}(v):\n    return v * {2}.k\n{2}.k = {l}\nif {C}:\n    {2}.k = {s}\n{1} = {2}({l})",
+    # in place, or anew
+    "1?def {2}(v):\n    if {C}:\n        v {*=|+=} {l}\n        return v\n    return v {*|+} {l}\n"
+    "{1}b = np.array([{s}, {l}])\n{1}c = {2}({1}b)\n{1} = {1}b[0] + {1}c[1]",
+    "1?{2} = [{l}, {l}, {l}]\nif {C}:\n    {2}.{reverse|pop|copy}()\n{1} = {2}[0] - {2}[-1]",
+    # two names
+    "1?{1}b = [{l}, {l}]\n{2} = {1}b\nif {C}:\n    {2} = [0.0, 1.0]\n{2}[0] = {s}\n"
+    "{1} = {1}b[0] + {2}[1]",
+    "1?{1}b = [{l}, {l}]\n{2} = {1}b[:] if {C} else {1}b\n{2}[0] = {s}\n{1} = {1}b[0] + {2}[1]",
+    "1?{1}b = np.array([{s}, {l}])\n{2} = {1}b[:1]\nif {C}:\n    {1}b = {1}b * {l}\n"
+    "{2}[0] = {l}\n{1} = {1}b[0]",
+    "1?{2} = [{l}, {l}]\n{1}b = [{l}, {l}]\n{1}c = {2}\nif {2}[0] > {1}b[0]:\n    {1}c = {1}b\n"
+    "{1}c[1] = {s}\n{1} = {2}[1] + {1}b[1]",
+    # slots, sets, deques, iterators, orders
+    "1?{2} = Slots({l})\nif {C}:\n    {2}.k = {s}\n{1} = {2}.k",
+    "1?{2} = set()\nif {C}:\n    {2}.add('high')\n{1} = {l} if {2} else {l}",
+    "1?{2} = deque([{l}, {l}], maxlen=2)\nif {C}:\n    {2}.append({s})\n{1} = {2}[0] - {2}[1]",
+    "1?{2} = iter([{l}, {l}, {l}])\nif {C}:\n    next({2})\n{1} = next({2})",
+    "1?{2} = (v * {l} for v in ({l}, {l}, {l}))\nif {C}:\n    next({2})\n{1} = next({2})",
+    "1?{2} = dict(a={l}, b={l})\nif {C}:\n    {2}['a'] = {2}.pop('a')\n{1} = list({2}.values())[0]",
+    "1?{2} = SimpleNamespace()\nif {C}:\n    {2}.a, {2}.b = {l}, {s}\nelse:\n"
+    "    {2}.b, {2}.a = {l}, {s}\n{1} = {2}.a - {2}.b",
+    # identity and class
+    "1?{2} = SLOW if {C} else {l}\n{1} = {l} if {2} is SLOW else {s}",
+    "1?{1} = {s} if bool({c}) is {True|False} else {l}",
+    "{1} = {s} if ({c}) is True else {l}",
+    "{1} = {s} if isinstance(float({l}) > {l}, {bool|np.bool_|float}) else {l}",
+    "1?match float({l}) > {l}:\n    case True:\n        {1} = {s}\n    case _:\n        {1} = {l}",
+    # a row at a signal
+    "2?{1}b = [[{l}, {l}], [{l}, {l}]]\n{1}b[int({l} > 0)][1] = {s}\n{1} = {1}b[1][1] - {1}b[0][1]",
+    "2?{1}b = np.array([[{l}, 1.0], [{l}, 2.0]])\n{1}b[int({l} > 0)][1] = {s}\n"
+    "{1} = {1}b[1, 1] - {1}b[0, 1]",
+    # places of a branch
+    "1?{2} = [{l}]\ntry:\n    if {C}:\n        raise ValueError\n    {2}[0] = {s}\n"
+    "except ValueError:\n    {2}.append({l})\n{1} = {2}[-1]",
+    "1?{2} = [{l}]\nmatch bool({c}):\n    case True:\n        {2}.append({s})\n    case _:\n"
+    "        {2}[0] = {s}\n{1} = sum({2})",
+    "2?{2} = []\nfor v in ({l}, {l}):\n    if v > {l}:\n        {2}.append({s})\n        break\n"
+    "{1} = sum({2}, {l})",
+    "1?if ({2} := {s}) > {l}:\n    {2} += {l}\n{1} = {2}",
+    "1?{2} = []\n({C}) and {2}.append({s})\n{1} = sum({2}, {l})",
+]
 STATEMENTS = [  # and what their names are: numbers, a first element, a vector, a matrix
     (["{1} = {s}"], "s1"),
     (["{1} = {v}"], "v1"),
@@ -178,6 +240,7 @@ STATEMENTS = [  # and what their names are: numbers, a first element, a vector, 
     (["{2} = {s}\n{1} = (lambda v: v * {2} - {l})({l})"], "s1 s2"),
     (["3?{1} = sorted([{l}, {l}, {l}]{|, reverse=True})[1]"], "s1"),
     (SHARED, "v1 e2"),
+    *[(EFFECTS, "s1")] * 3,
 ]
 
 

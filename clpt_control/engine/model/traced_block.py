@@ -14,9 +14,9 @@ import numpy as np
 
 from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
-from ..record.graph import Record, Shape
-from ..trace.arrays import Unread
-from ..trace.tracing import Read, read, record_of_states
+from ..record.graph import Record, Shape, compact
+from ..trace.arrays import Tape, Unread, operand
+from ..trace.tracing import Read, read
 from .declaration import Guard
 from .ports import counts_of, labels, places, port_of, sized, sizes_of
 
@@ -288,3 +288,12 @@ class ReadBlock(control.NonlinearIOSystem):
     @property
     def _records(self) -> dict[str, Record | Unread]:
         return self.__dict__.setdefault("_read_records", {})
+
+
+def record_of_states(shapes: Mapping[str, Shape]) -> Record:
+    """Return the record of y = x: the outputs are the states."""
+    tape = Tape()
+    leaves = [
+        tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()
+    ]
+    return compact(tape.operations, [operand(leaf) for leaf in leaves], shapes.values())

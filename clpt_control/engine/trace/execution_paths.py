@@ -32,7 +32,8 @@ from .views import tape_of
 
 # paths of one helper or statement, and runs of all together
 MOST_MERGED = 32
-MOST_RUNS = 4_000
+MOST_RUNS = 10_000
+FEW_RUNS = 2_000  # before regions that cannot be merged are skipped
 NUMBERS = (int, float, np.float64)
 RAISED = (Exception, SystemExit)
 
@@ -45,7 +46,8 @@ def each_path(tape: Any) -> Iterator[None]:
         tape.answers = dict(before)
         yield
         tape.runs += 1
-        if tape.runs > MOST_RUNS:
+        is_first_try = tape.failed and not tape.unmergeable
+        if tape.runs > (FEW_RUNS if is_first_try else MOST_RUNS):
             raise Unread(
                 f"has helpers in helpers, of more than {MOST_RUNS} execution paths"
             )

@@ -29,7 +29,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from .arrays import Array, Tape, key_of, operand
+from .arrays import Array, Tape, Unread, key_of, operand
 from .branches import Params
 from .contents import (
     ARRAY,
@@ -46,9 +46,7 @@ from .contents import (
 from .elementwise import common, is_truth, is_whole, lifted, where
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
-Answers = dict[
-    int, bool
-]  # the conditions of one path in their order, with their outcomes
+Answers = dict[int, bool]  # conditions of a path in their order, with their outcomes
 Tree = Any  # of decisions: the number of a path, or (condition, tree if true, tree if false)
 OF_PYTHON = (int, float, bool)
 NUMBERS = (*OF_PYTHON, np.float64, np.bool_)
@@ -70,7 +68,7 @@ def decision_tree(paths: Sequence[tuple[int, Answers]], depth: int = 0) -> Tree:
         for outcome in (True, False, None)
     }
     if branches[None] or not (branches[True] and branches[False]):
-        raise NotMergeable  # the function chooses by something else than its conditions
+        raise Unread("takes other branches from call to call")
     yes, no = (decision_tree(branches[outcome], depth + 1) for outcome in (True, False))
     return condition, yes, no
 

@@ -25,7 +25,7 @@ from .branches import AnsweringTape, Outside, Params, Ports, located
 from .elementwise import as_number, filled, lifted, where
 from .execution_paths import each_path
 from .fingerprint import Fingerprint, reachable
-from .heaps import NotMergeable, decision_tree, joined
+from .heaps import decision_tree, joined
 from .isolation import isolated
 from .rebinding import REMEMBERS, Rebinding
 
@@ -160,7 +160,7 @@ def _traced(request: Request, reached: Fingerprint) -> Read:
         except Unread as error:
             errors.append(error)
             failed = frozenset(tracing.tape.failed)
-    raise errors[0]
+    raise errors[-2]  # of merged paths
 
 
 class _Tracing:
@@ -214,12 +214,7 @@ class _Tracing:
                         f"{request.name} has more than {MOST_PATHS} execution paths"
                     )
         answers, values = zip(*self.paths, strict=True)
-        try:
-            tree = decision_tree([*enumerate(answers)])
-        except NotMergeable:
-            raise Unread(
-                f"{request.name} takes other branches from call to call"
-            ) from None
+        tree = decision_tree([*enumerate(answers)])
         ports = zip(*values, strict=True)
         refs = [operand(joined(tape, tree, value, where)) for value in ports]
         record = compact(tape.operations, refs, request.out.values())
@@ -284,15 +279,6 @@ class _Tracing:
 def _in_words(error: BaseException) -> str:
     """Return an error for a sentence, in which a tracer array is a signal."""
     return f"{type(error).__name__}: {error}".replace("'Array'", "a signal")
-
-
-def record_of_states(shapes: Mapping[str, Shape]) -> Record:
-    """Return the record of y = x: the outputs are the states."""
-    tape = Tape()
-    leaves = [
-        tape.add("leaf", (), shape, ("x", port)) for port, shape in shapes.items()
-    ]
-    return compact(tape.operations, [operand(leaf) for leaf in leaves], shapes.values())
 
 
 def _by_port(

@@ -288,6 +288,6 @@ def test_helpers_of_helpers_of_helpers_end_in_a_sentence():
 
     block = static(lambda t, x, u, p: [most(v) + most(v + 9) for v in u], 1, 1)
     with pytest.raises(
-        Unread, match="of more than 4000 execution paths|more than 256 execution paths"
+        Unread, match="of more than 10000 execution paths|more than 256 execution paths"
     ):
         block.array_record("output")
