@@ -23,7 +23,6 @@ from ..engine.codegen.diagram_record import LARGE, lay_out
 from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.model.declaration import Each
 from ..engine.model.ports import ports_of
-from ..engine.solver.engine_choice import beside, misread_function
 from ..paper.scenario.experiment import Scenario
 from .diagram_runs import DiagramRun, compiled
 from .initial_states import stacked_state
@@ -93,7 +92,6 @@ class CFile:
         self.run = run
         self.wiring = run.wiring
         self.start = start
-        self._check_functions()
         self.parameters = run.runner.sweep.parameters
         # parameters have separate slots even if they are equal; long arrays are tables
         separate = {
@@ -115,20 +113,6 @@ class CFile:
             "y": _labels(run.signal_labels[:noutputs]),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
-
-    def _check_functions(self) -> None:
-        """Raise `Uncompiled` if the record differs from the functions near the initial state."""
-        sweep = self.run.runner.sweep
-        sweep.enter(0.0)
-        reason: str | None = None
-        for state in (self.start, *beside(self.start)):
-            sweep.derivative(0.0, state)
-            reason = misread_function(self.run.runner, 0.0, state)
-            if not reason:
-                break
-        if reason:
-            raise Uncompiled(reason)
-        sweep.derivative(0.0, self.start)
 
     @property
     def text(self) -> str:

@@ -1,14 +1,17 @@
 """C that is exported: compiled without a warning, and the numbers of the blocks that run."""
 
 import ctypes
+import random
 import re
 import shutil
 import subprocess
+from contextlib import suppress
 
 import control
 import numpy as np
 import pytest
 from example_models import MODELS, pendulum
+from random_diagrams import random_system
 
 import clpt_control as clpt
 from clpt_control.engine.solver.native_diagram import NativeDiagram
@@ -221,3 +224,74 @@ def test_what_is_infinite_is_written_as_c_has_it():
         lambda t, x, u, p: [1 / x[0]], None, name="s", states=1, inputs=0
     )
     assert "1.0 / x[0]" in clpt.export(divides)  # asked at 0, without a warning
+
+
+# --- random programs ------------------------------------------------------------------------------
+
+PROGRAMS, SLOW_PROGRAMS, IN_A_TEST = 100, 2000, 25
+STARTS = [
+    *range(0, PROGRAMS, IN_A_TEST),
+    *(
+        pytest.param(start, marks=pytest.mark.slow)
+        for start in range(10_000, 10_000 + SLOW_PROGRAMS, IN_A_TEST)
+    ),
+]
+
+
+def system_with_states(seed):
+    """Return a random system of python-control that has states."""
+    draw = random.Random(seed)
+    while True:
+        system = random_system(draw, f"program{seed}")
+        if system.nstates:
+            return system
+
+
+@needs_cc
+@pytest.mark.parametrize("start", STARTS)
+def test_random_programs_in_c_compute_what_python_computes(start, tmp_path):
+    """At least four of five are exported; the others are refused."""
+    systems = map(system_with_states, range(start, start + IN_A_TEST))
+    texts = {}
+    for system in systems:
+        with suppress(clpt.ClptError):
+            texts[system] = clpt.export(system, tmp_path / f"{system.name}.c")
+    assert len(texts) >= IN_A_TEST * 4 // 5
+    made = tmp_path / "made.so"
+    files = [tmp_path / f"{system.name}.c" for system in texts]
+    flags = ["-std=c99", "-O0", "-w", "-shared", "-fPIC"]
+    subprocess.run([COMPILER, *flags, "-o", made, *files, "-lm"], check=True)
+    functions = ctypes.CDLL(str(made))
+    for system, text in texts.items():
+        compare_in_c(functions, system, text)
+
+
+def compare_in_c(functions, system, text):
+    """Compare the rates of C with those of the function at 160 points."""
+    name = re.search(r"(\w+)_nx = ", text)[1]
+    sizes = {key: int(n) for key, n in re.findall(rf"{name}_n([xup]) = (\d+)", text)}
+    array = ctypes.c_double * max(1, sizes["p"])
+    p = array.in_dll(functions, f"{name}_p0") if sizes["p"] else array()
+    rates = getattr(functions, f"{name}_rates")
+    numbers = np.random.default_rng(len(text))
+    pointer = ctypes.POINTER(ctypes.c_double)
+    for k in range(160):
+        size = (0.1, 1.0, 4.0)[k % 3]
+        x, u = (size * numbers.normal(size=max(1, sizes[key])) for key in "xu")
+        x[numbers.random(x.shape) < 0.1] = 0.0
+        t, found = float(numbers.uniform(0.0, 5.0)), np.zeros(sizes["x"])
+        arguments = (*(a.ctypes.data_as(pointer) for a in (x, u)), p)
+        rates(ctypes.c_double(t), *arguments, found.ctypes.data_as(pointer))
+        with np.errstate(all="ignore"):
+            wanted = in_python(system, t, x[: sizes["x"]], u[: sizes["u"]])
+        near = 1e-9 * np.nan_to_num(np.abs(found), posinf=1.0).max(initial=1.0)
+        alike = (np.abs(found - wanted) <= near) | (found == wanted) | np.isnan(found)
+        assert alike.all(), f"{system.name} at {t, x, u}: {found}, Python {wanted}"
+
+
+def in_python(system, t, x, u):
+    """Return the rates of a function; NaN where it raises an error of numbers."""
+    try:
+        return np.array(system.updfcn(np.float64(t), x.copy(), u.copy(), system.params))
+    except (ArithmeticError, ValueError, IndexError, UnboundLocalError):
+        return np.full(len(x), np.nan)

@@ -106,8 +106,11 @@ class Confirmation:
             centre.append(vector if len(vector) == size else np.zeros(size))
             numbers.append([vector.min(), vector.max()] if len(vector) else [])
         points = draws(np.concatenate(centre), np.concatenate(numbers), random)
-        span = (times.min(), times.max()) if len(times) else TIMES
-        points[0] = random.uniform(*span, points.shape[1])
+        spans = np.array([(times.min(), times.max()) if len(times) else TIMES, TIMES])
+        count = points.shape[1]
+        begin, end = np.resize(spans, (count, 2)).T
+        is_scaled = np.arange(count) % 4 == 3  # as states are, to pass thresholds
+        points[0] = np.where(is_scaled, np.abs(points[0]), random.uniform(begin, end))
 
         def truths_at(columns: np.ndarray) -> np.ndarray:
             """Return the conditions, elements of arrays one by one, at points."""

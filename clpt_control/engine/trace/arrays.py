@@ -19,6 +19,11 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from ..record.graph import Operation, Record, Ref, Shape, key_of
 from ..record.operations import CONDITIONS, UFUNCS
 
+REMEMBERS = (
+    "writes to {}, which outlives the call, and machine code keeps nothing between calls. "
+    "Make it a state, set it in a jump, or use parts.relay or parts.backlash"
+)
+LASTING = "an array"  # that outlives the call, for the sentence
 MOST_OPERATIONS = 200_000  # a longer record is given up
 MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their arguments hold
 
@@ -153,7 +158,7 @@ class Array(NDArrayOperatorsMixin):
         self._tape = tape
         self._node = node
         self._shape = shape
-        self._fixed = False  # read-only
+        self._fixed: bool | str = False  # read-only, perhaps LASTING
         self._boxed = False  # without axes: an array of NumPy, and no number
         # NumPy's integers, and Python's own number; None if that depends on a branch
         self._whole: bool | None = False

@@ -14,7 +14,18 @@ import numpy as np
 
 from ..record.graph import Shape, is_known
 from ..record.operations import CONDITIONS, LOGICAL, TABLE, named
-from .arrays import HOOKS, Array, Tape, Unread, moves, objects, operand, whole
+from .arrays import (
+    HOOKS,
+    LASTING,
+    REMEMBERS,
+    Array,
+    Tape,
+    Unread,
+    moves,
+    objects,
+    operand,
+    whole,
+)
 
 TRUTH = np.dtype(bool)
 TRUTHS_ALLOWED = CONDITIONS | {"where"}  # operations on truth values alone
@@ -40,6 +51,8 @@ def broadcast(*shapes: Shape) -> Shape:
 def put(array: Array, index: Any, value: Any) -> None:
     """Write into an array, element by element."""
     root = array._root
+    if root._fixed == LASTING:
+        raise Unread(REMEMBERS.format(LASTING))
     if root._fixed or root._is_condition:
         target = (
             "truth values" if root._is_condition else "its states, inputs or parameters"

@@ -74,8 +74,8 @@ def run_region(
     """Run code on each of its paths; return one result, and leave one heap behind.
 
     The code may change what it reaches from `roots`, and nothing that outlives the function.  If
-    heaps cannot be joined, the paths are those of the code around.  A region whose `key` is known to
-    be unmergeable is not tried.
+    heaps cannot be joined, the paths are those of the code around.  A region whose `key` is among
+    the unmergeable ones is not tried.
     """
     if key in tape.unmergeable:
         return run()

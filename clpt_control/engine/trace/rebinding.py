@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS
-from .arrays import Array, Unread
+from .arrays import LASTING, REMEMBERS, Array, Unread
 from .contents import ARRAY, Content, Mutable, restore
 from .elementwise import boxed, constant
 from .execution_paths import merge_calls
@@ -34,10 +34,6 @@ from .references import (
 from .rewriting import NAMES, rewritten
 from .tracer_modules import BUILTINS, TracerModule, real_type, tracer_value, type_of
 
-REMEMBERS = (
-    "writes to {}, which outlives the call, and machine code keeps nothing between calls. "
-    "Make it a state, set it in a jump, or use parts.relay or parts.backlash"
-)
 LOCK = threading.RLock()  # while tracer values are in objects and classes
 ENGINE = __package__.rpartition(".")[0]
 TRACER_MODULES = tuple(
@@ -119,7 +115,7 @@ class Rebinding:
         numbers = (
             constant(self.tape, value) if value.ndim else boxed(self.tape, float(value))
         )
-        numbers._fixed = True
+        numbers._fixed = LASTING
         numbers._whole = value.dtype == int
         return numbers
 

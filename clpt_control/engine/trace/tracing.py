@@ -20,14 +20,14 @@ from ..model.declaration import Parameters
 from ..model.ports import check_ports, places, shaped
 from ..record.both_sides import conditions_of
 from ..record.graph import Record, Shape, compact
-from .arrays import Array, Tape, Unread, objects, operand, reading_on
+from .arrays import REMEMBERS, Array, Tape, Unread, objects, operand, reading_on
 from .branches import AnsweringTape, Outside, Params, Ports, located
 from .elementwise import as_number, filled, lifted, where
 from .execution_paths import each_path
 from .fingerprint import Fingerprint, reachable
 from .heaps import decision_tree, joined
 from .isolation import isolated
-from .rebinding import REMEMBERS, Rebinding
+from .rebinding import Rebinding
 
 MOST_PATHS = 256
 # errors of numbers, or of variables that this path does not set: the path gives NaN

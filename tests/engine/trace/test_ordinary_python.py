@@ -287,7 +287,5 @@ def test_helpers_of_helpers_of_helpers_end_in_a_sentence():
         return more(v) + more(4 * v) * more(5 * v)
 
     block = static(lambda t, x, u, p: [most(v) + most(v + 9) for v in u], 1, 1)
-    with pytest.raises(
-        Unread, match="of more than 10000 execution paths|more than 256 execution paths"
-    ):
+    with pytest.raises(Unread, match=r"more than (10000|256) execution paths"):
         block.array_record("output")
