@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.record.scalar_graph import Elements
 from clpt_control.engine.model.on_arrays import leaf_values
+from clpt_control.engine.record.scalar_graph import Elements
 
 ARITHMETIC = {
     "add": operator.add,

@@ -101,7 +101,8 @@ class Confirmation:
         times, *vectors = getattr(_caller, "numbers", None) or [NONE] * 3
         sizes = self.block.nstates or 0, self.block.ninputs or 0
         centre = [np.zeros(1)]
-        numbers = [compared_numbers(self.conditions), *map(np.ravel, parameters)]
+        numbers: list[Any] = [compared_numbers(self.conditions)]
+        numbers += map(np.ravel, parameters)
         for vector, size in zip(vectors, sizes, strict=True):
             centre.append(vector if len(vector) == size else np.zeros(size))
             numbers.append([vector.min(), vector.max()] if len(vector) else [])

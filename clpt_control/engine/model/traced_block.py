@@ -241,8 +241,9 @@ class ReadBlock(control.NonlinearIOSystem):
             if name not in (*result.pinned, "interval")
             and not isinstance(given[name], int | np.integer)
         )
-        records = map(self._outside, (result.record, result.conditions))
-        return Confirmation(self, role, *records, free).difference()
+        record = self._outside(result.record)
+        conditions = self._outside(result.conditions)
+        return Confirmation(self, role, record, conditions, free).difference()
 
     @cached_property
     def of_package(self) -> bool:

@@ -158,7 +158,7 @@ class Array(NDArrayOperatorsMixin):
         self._tape = tape
         self._node = node
         self._shape = shape
-        self._fixed: bool | str = False  # read-only, perhaps LASTING
+        self._fixed: Any = False  # whether it is read-only, or LASTING
         self._boxed = False  # without axes: an array of NumPy, and no number
         # NumPy's integers, and Python's own number; None if that depends on a branch
         self._whole: bool | None = False

@@ -33,7 +33,7 @@ from .views import tape_of
 # paths of one helper or statement, and runs of all together
 MOST_MERGED = 32
 MOST_RUNS = 10_000
-FEW_RUNS = 2_000  # before regions that cannot be merged are skipped
+FEW_RUNS = 500  # before regions that cannot be merged are skipped
 NUMBERS = (int, float, np.float64)
 RAISED = (Exception, SystemExit)
 

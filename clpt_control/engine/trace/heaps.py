@@ -155,7 +155,7 @@ def _holding(*names: str) -> Kind:
 TUPLE = Kind(_read_tuple)
 OBJECT = Kind(_read_object, ATTRIBUTES.write)
 ELEMENTS = Kind(_read_elements, _write_elements)
-KINDS: dict[type, Kind | None] = {  # None: nothing changes such a value
+KINDS: dict[Any, Kind | None] = {  # None: nothing changes such a value
     **dict.fromkeys(IMMUTABLE | {float, np.float64, np.bool_, np.int64, type(np.sum)}),
     list: LIST,
     deque: DEQUE,
@@ -196,9 +196,10 @@ def kind_of(value: Any) -> Kind | None:
         if is_library(root_of(value)) or root_of(value) in ("builtins", PACKAGE):
             return None
         raise NotMergeable  # a class that is made anew at each call
-    if isinstance(value, CONTAINERS) or not is_plain(type(value)):
+    of_user: Any = type(value)
+    if isinstance(value, CONTAINERS) or not is_plain(of_user):
         raise NotMergeable
-    has_attributes = attributes_of(value) is not None or slots_of(type(value))
+    has_attributes = attributes_of(value) is not None or slots_of(of_user)
     return OBJECT if has_attributes else None
 
 
@@ -318,13 +319,14 @@ class Joining:
             return first  # nothing changes it
         if not _all_alike(entries):
             raise NotMergeable
-        kind, content = entries[0][1:]
+        entry: Any = entries[0]
+        _, kind, content = entry
         if kind.write is not None:
             if not is_same and not self.before.keys().isdisjoint(key):
                 raise NotMergeable
             self._pair(key)
         self._joined[key] = first  # of a value that holds itself
-        contents = [entry.content.items for entry in entries]
+        contents = [other.content.items for other in entries if other is not None]
         if kind is ELEMENTS:
             items: Any = self._elements(first, contents)
         else:
@@ -340,8 +342,8 @@ class Joining:
 
     def _pair(self, key: tuple[int, ...], fixed: Iterable[bool] = ()) -> None:
         """Note that objects correspond to each other, and to no others, unless they are fixed."""
-        pairs = zip_longest(self._partners, key, fixed, fillvalue=False)
-        for partners, k, is_fixed in pairs:
+        triples: Any = zip_longest(self._partners, key, fixed, fillvalue=False)
+        for partners, k, is_fixed in triples:
             if not is_fixed and partners.setdefault(k, key) != key:
                 raise NotMergeable
 
@@ -383,7 +385,7 @@ class Joining:
         if key in self._joined:
             return self._joined[key]
         facts = {(value.shape, value._is_condition, value._boxed) for value in values}
-        fixed = [value._root._fixed or value._is_condition for value in values]
+        fixed = [bool(value._root._fixed) or value._is_condition for value in values]
         older = [id(value._root) in self.before for value in values]
         views = [value is not value._root for value in values]
         if len(facts) > 1 or any(
