@@ -134,7 +134,7 @@ def test_threads_and_chunks_do_not_matter_to_any_diagram(first):
 
 @pytest.mark.parametrize(
     "seed",
-    [16, 40, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (0, 3, 51))],
+    [16, 41, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (43, 45, 51))],
 )
 def test_members_are_what_python_runs_block_by_block(seed):
     diagram, given = random_diagram(draw := random.Random(seed)), (TIMES[:5], 0.1, 0.2)

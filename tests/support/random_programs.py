@@ -198,7 +198,7 @@ EFFECTS = [  # of branches on what outlives them
     "1?{2} = SimpleNamespace()\nif {C}:\n    {2}.a, {2}.b = {l}, {s}\nelse:\n"
     "    {2}.b, {2}.a = {l}, {s}\n{1} = {2}.a - {2}.b",
     # identity and class
-    "1?{2} = SLOW if {C} else {l}\n{1} = {l} if {2} is SLOW else {s}",
+    "1?{2} = SLOW if {C} else GAIN\n{1} = {l} if {2} is SLOW else {s}",
     "1?{1} = {s} if bool({c}) is {True|False} else {l}",
     "{1} = {s} if ({c}) is True else {l}",
     "{1} = {s} if isinstance(float({l}) > {l}, {bool|np.bool_|float}) else {l}",

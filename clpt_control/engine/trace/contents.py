@@ -35,7 +35,7 @@ class Content(NamedTuple):
 
 
 class Kind(NamedTuple):
-    """How a kind of value is read and written; None for one into which nothing is written."""
+    """Reader and writer of a kind of value; no writer if nothing changes such values."""
 
     read: Callable[[Any], Content]
     write: Callable[[Any, Content], None] | None = None

@@ -239,7 +239,7 @@ def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
 
 
 def put_back(heap: dict[int, Entry]) -> None:
-    """Give every value of a heap the content that it had."""
+    """Write back the contents of a heap."""
     for value, kind, content in heap.values():
         if kind.write is not None:
             kind.write(value, content)
@@ -286,7 +286,7 @@ class Joining:
         self._writes: list[Entry] = []
 
     def write(self) -> None:
-        """Give the values their joined contents."""
+        """Write the joined contents into the values."""
         for value, kind, content in self._writes:
             assert kind.write is not None
             kind.write(value, content)
