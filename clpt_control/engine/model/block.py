@@ -20,7 +20,6 @@ from numpy.typing import ArrayLike
 
 from ...base.arguments import brief, numbers, public
 from ...base.errors import ArgumentError, BlockError
-from ..trace.branches import located
 from ..trace.tracing import RAISED
 from .declaration import (
     Each,
@@ -31,6 +30,7 @@ from .declaration import (
     check_units,
     checked_parameters,
 )
+from .locations import located
 from .on_arrays import on_arrays
 from .ports import Declared, Vector, flattened, labels, shapes_of, sizes_of, vector
 from .traced_block import READ, ReadBlock

@@ -21,10 +21,10 @@ from ...base.errors import BlockError, DiagramError
 from ...base.progress import warn
 from ..record.graph import MOST_NUMBERS, Record
 from ..trace.arrays import Unread, active
-from ..trace.branches import EVERY
 from ..trace.tracing import read
 from .block import Block
 from .declaration import Parameters
+from .params import EVERY
 from .ports import counts_of, flattened
 from .sampled import Sampled
 

@@ -4,63 +4,22 @@ Each execution path (`execution_paths`) is a row of outcomes.  Expressions of pa
 values.
 """
 
-import sys
 from collections.abc import Callable, Mapping
 from math import prod
-from traceback import walk_tb
-from types import CodeType, FrameType
 from typing import Any
 
 import numpy as np
 
+from ..model.locations import caller
 from ..record.graph import Ref, Shape, compact, is_known, reached
 from .arrays import Array, Tape, Unread
 
-LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
-STATEMENT = "__statement__"  # name of a function that is a statement of the user's
 MOST_QUESTIONS = 64  # conditions of one path
 MOST_PLACES = 64  # values of a signal that is an index
 
 
 class Outside(Exception):
     """No run takes this path: the index would be outside of every row."""
-
-
-EVERY = object()  # stands for all names
-FOR_ONE = ("__getitem__", "__contains__", "get", "pop", "setdefault")
-FOR_ALL = (
-    "__iter__",
-    "__reversed__",
-    "__eq__",
-    "__or__",
-    "__ror__",
-    "keys",
-    "values",
-    "items",
-    "copy",
-    "popitem",
-)
-
-
-def _noted(method: str) -> Callable:
-    """Return a method of dict that adds the name it reads, or EVERY, to the names."""
-    real = getattr(dict, method)
-
-    def noting(self: "Params", *arguments: Any) -> Any:
-        self.names.add(arguments[0] if method in FOR_ONE else EVERY)
-        return real(self, *arguments)
-
-    return noting
-
-
-class Params(dict):
-    """The params of python-control; they record the names that a function reads."""
-
-    def __init__(self, params: Mapping[str, Any], names: set[Any]) -> None:
-        super().__init__(params)
-        self.names = names
-
-    vars().update({method: _noted(method) for method in (*FOR_ONE, *FOR_ALL)})
 
 
 class AnsweringTape(Tape):
@@ -102,7 +61,7 @@ class AnsweringTape(Tape):
         if type(ref) is float or not self.free[ref]:
             return self.known(ref)
         raise Unread(
-            f"{_asking()} needs the value of a signal. Write the computation in NumPy, "
+            f"{caller()} needs the value of a signal. Write the computation in NumPy, "
             "and fill arrays where they are made"
         )
 
@@ -157,48 +116,6 @@ class AnsweringTape(Tape):
             and self.last_asked[1] >= 0
         ):
             self.rows.setdefault(*self.last_asked)
-
-
-ENGINE = __package__.rpartition(".")[0]
-
-
-def _asking() -> str:
-    """Return the caller that needs a number: a library's function, or Python."""
-    frame = sys._getframe(2)
-    word = "Python"
-    while (module := _not_users(frame)) and frame.f_back is not None:
-        if not module.startswith(ENGINE):
-            word = f"{module.partition('.')[0]}'s {frame.f_code.co_qualname}"
-        frame = frame.f_back
-    return word
-
-
-def _not_users(frame: FrameType) -> str:
-    """Return the module of a frame of this package or of a library; "" of a user's."""
-    module = frame.f_globals.get("__name__") or ""
-    return module if module.startswith((*LIBRARIES, ENGINE)) else ""
-
-
-def located(function: Any, *errors: BaseException) -> str:
-    """Return function and line at which tracing stopped, for a sentence.
-
-    The first error with a line of the user's code counts, as a library may swallow one.
-    """
-    for error in errors:
-        lines = [
-            f"{_name_in_source(frame.f_code)}, line {line}: "
-            for frame, line in walk_tb(error.__traceback__)
-            if not _not_users(frame)
-        ]
-        if lines:
-            return lines[-1]
-    return f"{getattr(function, '__name__', 'it')}: "
-
-
-def _name_in_source(code: CodeType) -> str:
-    """Return the name of a function, not of a statement in it that became one."""
-    qualname = code.co_qualname.replace(f".<locals>.{STATEMENT}", "")
-    return qualname.rpartition(".")[2]
 
 
 class Ports(Array):

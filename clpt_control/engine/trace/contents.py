@@ -45,17 +45,11 @@ class Kind(NamedTuple):
 
 
 def _read_row(value: Any) -> Content:
-    structure = type(value), getattr(value, "maxlen", None)
-    return Content(structure, [*range(len(value))], [*value])
+    return Content(type(value), [*range(len(value))], [*value])
 
 
 def _write_list(value: list, content: Content) -> None:
     value[:] = content.items
-
-
-def _write_deque(value: Any, content: Content) -> None:
-    value.clear()
-    value.extend(content.items)
 
 
 def _read_dict(value: dict) -> Content:
@@ -127,7 +121,6 @@ def _write_table(value: Any, content: Content) -> None:
 
 
 LIST = Kind(_read_row, _write_list)
-DEQUE = Kind(_read_row, _write_deque)
 DICT = Kind(_read_dict, _write_dict)
 CELL = Kind(_read_cell, _write_cell)
 ARRAY = Kind(_read_array, _write_array)
@@ -206,9 +199,8 @@ class Mutable:
                 return (
                     f"{key!r} of {self.words}" if isinstance(key, str) else self.words
                 )
-        in_order = [key for key in expected.keys if key in after]
-        same = [key for key in now.keys if key in before] == in_order
-        return "" if same and now.structure == expected.structure else self.words
+        same = self.ignored or now[:2] == expected[:2]
+        return "" if same else self.words
 
 
 def _is_identical(a: Content, b: Content) -> bool:

@@ -215,7 +215,9 @@ def definite(kind: bool | None) -> bool:
 
 def is_of_python(value: Any) -> bool | None:
     """Return whether a number is Python's own; None if that depends on a branch."""
-    return value._of_python if isinstance(value, Array) else type(value) in (int, float)
+    if isinstance(value, Array):
+        return value._of_python
+    return type(value) in (int, float, bool)
 
 
 def is_whole(value: Any) -> bool | None:
@@ -279,7 +281,6 @@ ERRORS: dict[str, tuple[type[Exception], Any]] = {
     **dict.fromkeys(
         ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))
     ),
-    **dict.fromkeys(("fmod", "remainder"), (ValueError, lambda a, b: np.equal(b, 0.0))),
     **dict.fromkeys(
         ("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))
     ),
@@ -287,13 +288,8 @@ ERRORS: dict[str, tuple[type[Exception], Any]] = {
         ("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))
     ),
     "sqrt": (ValueError, lambda a: np.less(a, 0.0)),
-    "log1p": (ValueError, lambda a: np.less_equal(a, -1.0)),
-    "acosh": (ValueError, lambda a: np.less(a, 1.0)),
     "atanh": (ValueError, lambda a: np.greater_equal(np.fabs(a), 1.0)),
-    **{
-        name: (OverflowError, lambda a, name=name: _overflows(a, elementwise(name, a)))
-        for name in ("exp", "expm1", "sinh", "cosh")
-    },
+    "exp": (OverflowError, lambda a: _overflows(a, elementwise("exp", a))),
 }
 
 

@@ -34,7 +34,6 @@ from .views import tape_of
 MOST_MERGED = 32
 MOST_RUNS = 10_000
 FEW_RUNS = 500  # before regions that cannot be merged are skipped
-NUMBERS = (int, float, np.float64)
 RAISED = (Exception, SystemExit)
 
 
@@ -81,7 +80,7 @@ def run_region(
         return run()
     answers, way, texts = tape.answers, tape.way, tape.texts
     before: dict[int, Entry] = {}
-    paths: list[tuple[dict[int, bool], Any, dict[int, Entry]]] = []
+    paths = list[Any]()  # of each: answers, result and heap
     try:
         before = heap_of(roots, tape.persistent)
         for _ in each_path(tape):
@@ -91,8 +90,8 @@ def run_region(
             if len(tape.answers) == len(answers):
                 return result
             tape.check()
-            left = [entry.value for entry in before.values()]
-            heap = heap_of([result, *left], tape.persistent)
+            left = (entry.value for entry in before.values())
+            heap = heap_of((result, *left), tape.persistent)
             paths.append((tape.answers, result, heap))
             if len(paths) > MOST_MERGED:
                 raise NotMergeable
@@ -165,7 +164,7 @@ def _run(run: FunctionType) -> Any:
 
 # --- items of lists at an index that is a signal -------------------------------------------------
 
-ITEMS = (*NUMBERS, np.int64)  # numbers of which a signal picks one
+ITEMS = (int, float, np.float64, np.int64)  # numbers of which a signal picks one
 
 
 def item_of(values, index, read_only=False):

@@ -8,7 +8,8 @@ that differ in numbers alone are joined into one:
 
 Heaps are walked in step.  An object on one path corresponds to one object on each other path, so
 names of one object stay names of one object.  An object that is older than the region corresponds
-to itself alone.  Values of a kind that is not listed here, such as iterators, are never joined.
+to itself alone.  Values of a kind that is not listed here, such as sets and iterators, are never
+joined.
 """
 
 import functools
@@ -29,13 +30,12 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
+from ..model.params import Params
 from .arrays import Array, Tape, Unread, key_of, operand
-from .branches import Params
 from .contents import (
     ARRAY,
     ATTRIBUTES,
     CELL,
-    DEQUE,
     DICT,
     LIST,
     Content,
@@ -43,14 +43,13 @@ from .contents import (
     slot_values,
     slots_of,
 )
-from .elementwise import common, is_truth, is_whole, lifted, where
+from .elementwise import common, is_of_python, is_truth, is_whole, lifted, where
 from .references import IMMUTABLE, PACKAGE, attributes_of, is_library, is_plain, root_of
 
 Answers = dict[int, bool]  # conditions of a path in their order, with their outcomes
 Tree = Any  # of decisions: the number of a path, or (condition, tree if true, tree if false)
-OF_PYTHON = (int, float, bool)
-NUMBERS = (*OF_PYTHON, np.float64, np.bool_)
-PLAIN = frozenset((int, bool, str, bytes, type(None)))  # equal ones are the same
+NUMBERS = frozenset((int, float, bool, np.float64, np.bool_))
+PLAIN = (int, bool, str, bytes)  # equal ones are the same
 
 
 class NotMergeable(Exception):
@@ -88,23 +87,6 @@ def joined(tape: Tape, tree: Tree, values: Sequence[Any], choose: Callable) -> A
 # --- kinds of values ------------------------------------------------------------------------------
 
 
-def _read_set(value: Any) -> Content:
-    if not {*map(type, value)} <= PLAIN:
-        raise NotMergeable
-    return Content(type(value), [*value], [])
-
-
-def _write_set(value: set, content: Content) -> None:
-    value.clear()
-    value.update(content.keys)
-
-
-def _read_tuple(value: tuple) -> Content:
-    if attributes_of(value):
-        raise NotMergeable
-    return Content(type(value), [*range(len(value))], [*value])
-
-
 def _read_function(value: FunctionType) -> Content:
     cells = value.__closure__ or ()
     defaults = value.__defaults__, value.__kwdefaults__
@@ -122,11 +104,6 @@ def _is_number(value: Any) -> bool:
     if isinstance(value, Array):
         return not (value.shape or value._boxed)
     return type(value) in NUMBERS
-
-
-def _is_pythons(value: Any) -> bool | None:
-    """Return whether a number, or a truth value, is of Python's own type."""
-    return value._of_python if isinstance(value, Array) else type(value) in OF_PYTHON
 
 
 def _read_elements(array: Array) -> Content:
@@ -152,16 +129,13 @@ def _holding(*names: str) -> Kind:
     )
 
 
-TUPLE = Kind(_read_tuple)
+TUPLE = Kind(LIST.read)
 OBJECT = Kind(_read_object, ATTRIBUTES.write)
 ELEMENTS = Kind(_read_elements, _write_elements)
 KINDS: dict[Any, Kind | None] = {  # None: nothing changes such a value
-    **dict.fromkeys(IMMUTABLE | {float, np.float64, np.bool_, np.int64, type(np.sum)}),
+    **dict.fromkeys(IMMUTABLE | NUMBERS | {np.int64, type(np.sum)}),
     list: LIST,
-    deque: DEQUE,
     **dict.fromkeys((dict, OrderedDict, defaultdict, Counter, Params), DICT),
-    set: Kind(_read_set, _write_set),
-    frozenset: Kind(_read_set),
     tuple: TUPLE,
     CellType: CELL,
     np.ndarray: ARRAY,
@@ -179,7 +153,19 @@ UNCHANGING = (
     Enum,
     control.InputOutputSystem,
 )
-CONTAINERS = (list, dict, set, frozenset, deque, np.ndarray, str, bytes, int, float)
+CONTAINERS = (
+    list,
+    tuple,
+    dict,
+    set,
+    frozenset,
+    deque,
+    np.ndarray,
+    str,
+    bytes,
+    int,
+    float,
+)
 UNLISTED = object()
 
 
@@ -188,12 +174,12 @@ def kind_of(value: Any) -> Kind | None:
     kind = KINDS.get(type(value), UNLISTED)
     if kind is not UNLISTED:
         return kind  # type: ignore[return-value]
-    if isinstance(value, tuple):
+    if isinstance(value, tuple) and not attributes_of(value):
         return TUPLE
     if isinstance(value, UNCHANGING) or root_of(type(value)) == PACKAGE:
         return None
     if isinstance(value, type):
-        if is_library(root_of(value)) or root_of(value) in ("builtins", PACKAGE):
+        if is_library(root_of(value)) or root_of(value) == PACKAGE:
             return None
         raise NotMergeable  # a class that is made anew at each call
     of_user: Any = type(value)
@@ -253,7 +239,6 @@ def _all_alike(entries: Sequence[Any]) -> bool:
         and entry.kind is first.kind
         and entry.content.structure == first.content.structure
         and entry.content.keys == first.content.keys
-        and [*map(type, entry.content.keys)] == [*map(type, first.content.keys)]
         for entry in entries
     )
 
@@ -355,7 +340,7 @@ class Joining:
         if len(truths) > 1:
             raise NotMergeable
         new = joined(self.tape, self.tree, values, where)
-        of_python = common(map(_is_pythons, values))
+        of_python = common(map(is_of_python, values))
         whole = common(map(is_whole, values))
         ref = operand(new)
         if type(ref) is float:

@@ -1,4 +1,4 @@
-"""Identity of traced values: `is`, `id` and ``case True``.
+"""Identity of traced values: `is` and ``case True``.
 
 Python calls no method of a value for `is`: functions are rewritten to call `is_same` (`rewriting`).
 A signal is no constant, such as None, and is True or False only if it is a truth value of Python's
@@ -39,16 +39,6 @@ def is_same(a: Any, b: Any) -> bool:
     return a is b
 
 
-def identity(value: Any) -> int:
-    """Return id(value)."""
-    tape: Any = active()
-    if isinstance(value, Array) or (
-        tape is not None and tape.merging and type(value) in COPIED
-    ):
-        raise Unread("compares by `id`. Write ==")
-    return id(value)
-
-
 class Truth:
     """True or False as a pattern of `match`, which is equal to the object itself alone."""
 
@@ -60,8 +50,6 @@ class Truth:
 
     def __eq__(self, other: object) -> bool:
         return is_same(other, self.truth)
-
-    __hash__ = None  # type: ignore[assignment]
 
 
 TRUTHS = {truth: Truth(truth) for truth in (True, False)}

@@ -130,15 +130,6 @@ def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
     return np.moveaxis(np.concatenate(slopes), 0, direction)
 
 
-@implements(np.cross, arrays=2)
-def cross(a, b, **options):
-    """Return np.cross; of vectors of 3 along the last axis as NumPy computes it."""
-    if options or (a.shape[-1], b.shape[-1]) != (3, 3):
-        return on_objects(a._tape, np.cross, (a, b), options)
-    (a0, a1, a2), (b0, b1, b2) = np.moveaxis(a, -1, 0), np.moveaxis(b, -1, 0)
-    return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], -1)
-
-
 # --- linear algebra ------------------------------------------------------------------------------
 #
 # A x = b by elimination, det A as the product of its pivots: the largest number of a column, as

@@ -20,7 +20,7 @@ from collections.abc import Iterator
 from types import CodeType
 from typing import Any
 
-from .branches import STATEMENT
+from ..model.locations import STATEMENT
 from .execution_paths import index_of, item_of, merge_calls, merge_paths
 from .identities import TRUTHS, is_same
 from .references import all_code, code_names
@@ -43,8 +43,10 @@ LEAVING = (
     ast.Nonlocal,
     ast.Delete,
 )
-FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"}
-UNBOUND_LOCAL = "UnboundLocalError"  # which a function in a statement cannot catch
+# names by which code reads its own frame, or catches what only a function's own frame raises
+FRAMES = {"super", "locals", "vars", "dir", "eval", "exec", "__class__"} | {
+    "UnboundLocalError"
+}
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 NAMING = (*SCOPES[:2], ast.ClassDef, ast.ExceptHandler, ast.MatchAs, ast.MatchStar)
 SELF_MATCHING = (
@@ -195,7 +197,7 @@ __merge_paths__({STATEMENT})
             return False
         for inner in _within(statement):
             if isinstance(inner, LEAVING) or (
-                isinstance(inner, ast.Name) and inner.id in (*FRAMES, UNBOUND_LOCAL)
+                isinstance(inner, ast.Name) and inner.id in FRAMES
             ):
                 return False
             if isinstance(inner, ast.Raise) and not isinstance(statement, ast.Try):
@@ -294,14 +296,11 @@ class _Function:
     """The local variables of a function, and whether its frame may be left and entered again."""
 
     def __init__(self, node):
-        arguments = node.args
-        every = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
-        every += [
-            item for item in (arguments.vararg, arguments.kwarg) if item is not None
-        ]
+        children = ast.iter_child_nodes(node.args)
+        arguments = {item.arg for item in children if isinstance(item, ast.arg)}
         body = node.body if isinstance(node.body, list) else [node.body]
         inner = [item for statement in body for item in _within(statement)]
-        self.locals = {item.arg for item in every}.union(*map(_stored, body))
+        self.locals = arguments.union(*map(_stored, body))
         declared = [
             item for item in inner if isinstance(item, ast.Global | ast.Nonlocal)
         ]

@@ -13,7 +13,6 @@ import builtins
 import functools
 import logging
 import math
-import operator
 import sys
 from collections import deque
 from collections.abc import Callable, Iterable
@@ -37,7 +36,6 @@ from .elementwise import (
     raise_in_a_try,
     where,
 )
-from .identities import identity, is_same
 from .interpolators import function_of, searched
 from .numpy_functions import apply_function
 from .references import OF_LOGGING, UNSEEDED
@@ -350,7 +348,6 @@ BUILTIN_FUNCTIONS: dict[str, Any] = {
     "isinstance": is_instance,
     "hasattr": has_attribute,
     "type": type_of,
-    "id": identity,
     "print": printed,
     **({"sum": compensated} if sys.version_info >= (3, 12) else {}),
 }
@@ -491,8 +488,6 @@ _known: dict[int, Any] = {  # by the identity of the real value
     **{id(getattr(logging, name)): getattr(SILENT, name) for name in OF_LOGGING},
     id(np.r_): Joiner(np.r_, np.concatenate),
     id(np.c_): Joiner(np.c_, np.column_stack),
-    id(operator.is_): is_same,
-    id(operator.is_not): lambda a, b: not is_same(a, b),
     **{id(real): traced for real, traced in TYPES.items()},
     **{id(traced.real): traced for traced in MATH_FUNCTIONS},
     **{

@@ -17,11 +17,13 @@ import numpy as np
 
 from ...base.errors import BlockError
 from ..model.declaration import Parameters
+from ..model.locations import located
+from ..model.params import Params
 from ..model.ports import check_ports, places, shaped
 from ..record.both_sides import conditions_of
 from ..record.graph import Record, Shape, compact
 from .arrays import REMEMBERS, Array, Tape, Unread, objects, operand, reading_on
-from .branches import AnsweringTape, Outside, Params, Ports, located
+from .branches import AnsweringTape, Outside, Ports
 from .elementwise import as_number, filled, lifted, where
 from .execution_paths import each_path
 from .fingerprint import Fingerprint, reachable
