@@ -199,8 +199,7 @@ class Mutable:
                 return (
                     f"{key!r} of {self.words}" if isinstance(key, str) else self.words
                 )
-        same = self.ignored or now[:2] == expected[:2]
-        return "" if same else self.words
+        return "" if self.ignored or now[:2] == expected[:2] else self.words
 
 
 def _is_identical(a: Content, b: Content) -> bool:

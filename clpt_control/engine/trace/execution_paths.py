@@ -104,17 +104,15 @@ def run_region(
     finally:
         tape.answers, tape.way = answers, way
     tape.texts = texts
-    try:
-        put_back(before)
-    except Exception as error:  # not one of the function, whose path would be NaN
-        raise Unread(f"its paths cannot be traced: {error}") from None
+    put_back(before)
     return run()
 
 
-def _joined(tape: Any, paths: Any, depth: int, before: dict[int, Entry]) -> Any:
+def _joined(tape: Any, paths: Any, depth: int, before: dict) -> Any:
     """Return the result for all paths, and join what they leave behind."""
     answers, results, heaps = zip(*paths, strict=True)
-    joining = Joining(tape, decision_tree([*enumerate(answers)], depth), before, heaps)
+    tree = decision_tree([*enumerate(answers)], depth)
+    joining = Joining(tape, tree, before, heaps)
     result = joining.value(results)
     for entry in before.values():
         joining.value([entry.value] * len(paths))
