@@ -116,7 +116,7 @@ def _joined(tape: Any, paths: Any, depth: int, before: dict) -> Any:
     result = joining.value(results)
     for entry in before.values():
         joining.value([entry.value] * len(paths))
-    joining.write()
+    put_back(joining.contents)
     return result
 
 

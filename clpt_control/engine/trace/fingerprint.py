@@ -11,6 +11,7 @@ A traced function may change nothing but lists, dicts, arrays and attributes: th
 copied, compared after tracing and put back.
 """
 
+import abc
 import functools
 import importlib
 import logging
@@ -87,9 +88,11 @@ PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
     functools.partial: ("func", "args", "keywords"),
     functools.cached_property: ("func",),
     functools._lru_cache_wrapper: ("__wrapped__",),
-    property: ("fget", "fset", "fdel"),
-    staticmethod: ("__func__",),
-    classmethod: ("__func__",),
+    **dict.fromkeys((property, abc.abstractproperty), ("fget", "fset", "fdel")),
+    **dict.fromkeys(
+        (staticmethod, classmethod, abc.abstractstaticmethod, abc.abstractclassmethod),
+        ("__func__",),
+    ),
 }
 NUMBERS = frozenset((int, float, bool))
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets

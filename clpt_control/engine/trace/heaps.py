@@ -225,7 +225,7 @@ def heap_of(roots: Iterable[Any], persistent: set[int]) -> dict[int, Entry]:
 
 
 def put_back(heap: dict[int, Entry]) -> None:
-    """Write back the contents of a heap."""
+    """Write the contents of a heap into its values."""
     for value, kind, content in heap.values():
         if kind.write is not None:
             kind.write(value, content)
@@ -252,7 +252,10 @@ def _all_equal(values: Sequence[Any]) -> bool:
 
 
 class Joining:
-    """The heaps of all paths, walked in step; `before` is the heap with which each path began."""
+    """The heaps of all paths, walked in step, and one heap for all, `contents`.
+
+    `before` is the heap with which each path began.
+    """
 
     def __init__(
         self,
@@ -268,16 +271,10 @@ class Joining:
         self._joined: dict[tuple[int, ...], Any] = {}
         # of each path: which values an object corresponds to
         self._partners: list[dict[int, tuple[int, ...]]] = [{} for _ in heaps]
-        self._writes: list[Entry] = []
-
-    def write(self) -> None:
-        """Write the joined contents into the values."""
-        for value, kind, content in self._writes:
-            assert kind.write is not None
-            kind.write(value, content)
+        self.contents: dict[int, Entry] = {}  # of all paths
 
     def value(self, values: Sequence[Any]) -> Any:
-        """Return one value for those of all paths, whose contents `write` joins."""
+        """Return one value for those of all paths; note the contents that it gets."""
         first = values[0]
         if all(value is first for value in values):
             if isinstance(first, Array):
@@ -317,7 +314,8 @@ class Joining:
         else:
             items = [*map(self.value, zip(*contents, strict=True))]
         if kind.write is not None:
-            self._writes.append(Entry(first, kind, content._replace(items=items)))
+            new = content._replace(items=items)
+            self.contents[key[0]] = Entry(first, kind, new)
         elif any(a is not b for a, b in zip(items, content.items, strict=True)):
             if kind is not TUPLE:
                 raise NotMergeable
