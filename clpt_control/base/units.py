@@ -2,7 +2,7 @@
 
 import re
 from datetime import UTC, datetime
-from decimal import ROUND_CEILING, Context
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from math import isfinite
 from typing import Any
 
@@ -60,14 +60,23 @@ def percent(share: float) -> str:
     )
 
 
-def at_most(bound: float, digits: int = 4) -> str:
+def at_most(bound: float, digits: int = 4, rounding: str = ROUND_CEILING) -> str:
     """Return an upper bound in a few digits, rounded up.
 
-    >>> at_most(0.316228), at_most(2.0), at_most(1234567.0, 6)
-    ('0.3163', '2', '1.23457e+06')
+    >>> at_most(0.08923, 3), at_most(0.01), at_most(1234567.0, 6)
+    ('0.0893', '0.01', '1.23457e+06')
     """
-    up = Context(prec=digits, rounding=ROUND_CEILING).create_decimal_from_float(bound)
-    return f"{float(up):.{digits}g}"
+    rounded = Context(digits, rounding).create_decimal(repr(float(bound)))
+    return f"{float(rounded):.{digits}g}"
+
+
+def at_least(bound: float, digits: int = 4) -> str:
+    """Return a lower bound in a few digits, rounded down.
+
+    >>> at_least(0.08927, 3), at_least(0.01), at_least(-0.3333, 2)
+    ('0.0892', '0.01', '-0.34')
+    """
+    return at_most(bound, digits, ROUND_FLOOR)
 
 
 def _short(word: str) -> str:

@@ -166,9 +166,11 @@ def delay(
     A = weight[:, None] * np.where(i[:, None] < i, -1.0, -np.outer(sign, sign))
     values = {"delay": delay, "A": A, "B": weight * sign, "C": np.ones(order)}
     past = {"past": (order, signals)}
-    return signal_block(
+    block = signal_block(
         name, ports, values, signals, update=legendre_rate, output=oldest, states=past
     )
+    block.approximation = f"the Padé approximation of order {order} of {name}"
+    return block
 
 
 def as_sampled(t, x, u, p):

@@ -14,6 +14,7 @@ import sympy
 
 from ..base.arguments import Count, Seed, public
 from ..base.errors import DiagramError
+from .proofs.conclusions import CONCLUSIONS, concluded, strength
 from .proofs.judge import Verdict, judge, refuted
 from .proofs.steps import Step, first_failure, short, worked_out
 from .proofs.system_candidate import SystemCandidate, function_of_signals
@@ -21,27 +22,44 @@ from .region import Region
 from .searching import candidates
 
 
+NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
+LIMITED = [*CONCLUSIONS].index("goes to zero")  # numbers are tried for a weaker one
+
+
+def _zeroed(verdict: Verdict) -> bool:
+    """Return whether it is proved for inputs of 0 alone."""
+    return any(condition.name == "zero inputs" for condition in verdict.conditions)
+
+
 def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     """Return in which part of a box V' < 0, with inputs of 0."""
     region = Region(candidate, within)
-    level = region.level()
-    less = f" - {short(region.least)}" if region.least else ""
     inputs = [str(f.func) for f in candidate.inputs]
-    where = f" where {' = '.join(inputs)} = 0" if inputs else ""
+    level, how = region.level(), "enclosed"
+    if not level and (rests := candidate.ends_at(region.low, region.high)):
+        level, how = region.level(rests), "exact"
+    less = f" - {short(region.least)}" if region.least else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
-    claim = f"V' < 0 {below}, but at the rest{candidate.as_they_are}"
+    where = "V' < 0" if how == "enclosed" else "V' <= 0, and V falls on,"
+    claim = f"{where} {below}, but at the rest"
 
     def in_box(points: tuple) -> tuple:
         t, x, u = points
         random = candidate.search.random
         return t, random.uniform(region.low, region.high, x.T.shape).T, 0.0 * u
 
-    steps = [candidate.has_values(), Step(claim, level > 0.0, "enclosed")]
-    steps.append(candidate.compared(in_box))
+    steps = [
+        candidate.has_values(),
+        Step(claim, level > 0.0, how, "", False, "region"),
+        candidate.compared(in_box),
+    ]
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, steps=steps)
-    claim += ": what begins there comes to rest"
-    verdict = candidate.verdict(f"proved in a region{where}", claim, steps=steps)
+    conditions = candidate.conditions(inputs)
+    conclusion = concluded(steps)
+    verdict = candidate.verdict(
+        "proved", claim, conclusion=conclusion, conditions=conditions, steps=steps
+    )
     return replace(verdict, inputs=tuple(inputs), level=level)
 
 
@@ -55,14 +73,19 @@ def _searched(
     candidate = SystemCandidate(system, sympy.S.Zero, None, rest_state)
     for V in candidates(candidate):
         verdict = judged(V)
-        if verdict.status == "proved" or verdict.level:
+        missed = [c.of for c in verdict.conditions if c.name in NOT_HELD]
+        if verdict.status == "proved" and not missed:
             return verdict
-        if best is None and verdict.status.startswith("proved"):
-            best = verdict
+        if best is None and verdict.status == "proved":
+            names = ", ".join(text.rpartition(" ")[0] or text for text in missed)
+            claim = f"V found, but it does not contain {names}"
+            best = replace(
+                verdict, status="open", claim=claim, conclusion="", conditions=()
+            )
     inputs = ", ".join(str(f.func) for f in candidate.inputs)
     still = f", with {inputs} = 0," if inputs else ""
     message = f"no V was found{still} that is proved: give one, or a rest (at=) to search about"
-    return best or Verdict("open", message, None, None)
+    return best or Verdict("open", message)
 
 
 @public
@@ -88,7 +111,8 @@ def lyapunov(
         integrals of functions of one state: `status` is then ``"open"`` where none that is found
         is proved.
     claim : str, callable, sympy.Expr or float, optional
-        What V' is said to be, ``lambda s: -s.am * s.e**2``; that V' <= 0 is judged in any case.
+        An upper bound of V', ``lambda s: -s.am * s.e**2``: the status speaks of V' <= claim, and
+        the conclusion of what follows from it. By default V' <= 0 is judged.
     at : mapping, optional
         The rest state, ``{"theta": np.pi}``, other states 0: where V is to be least. By default V
         may be least anywhere, and is searched for about 0.
@@ -103,13 +127,13 @@ def lyapunov(
     Returns
     -------
     Verdict
-        `status`: ``"proved"``, or with where it is, ``"proved in a region"``; ``"refuted"`` at a
-        `point`, or ``"open"``; `rate`, V' in your own signals, exact.
+        `status`: ``"proved"``, ``"refuted"`` at a `point`, or ``"open"``; the `conclusion` with its
+        `conditions`; `rate`, V' in your own signals, exact: in discrete time V(x+) - V(x).
 
     Raises
     ------
     DiagramError
-        If the diagram cannot be read, is of discrete time, V is no number of it, or is to be
+        If the diagram cannot be read, V is no number of it, or is to be
         searched for about what is no rest, of more than 16 states, or with a claim.
 
     Examples
@@ -133,15 +157,17 @@ def lyapunov(
         if within:
             return _in_region(candidate, within)
         verdict = judge(candidate, refute=False)
-        if verdict.status != "proved" and candidate.eq.values:
-            of_numbers = judge(SystemCandidate(*arguments, numbers=True), refute=False)
-            is_proved = verdict.status.startswith("proved")
-            if of_numbers.status == "proved" or not is_proved:
+        is_final = strength(verdict) <= LIMITED and not _zeroed(verdict)
+        if candidate.eq.values and not is_final:
+            numbers = SystemCandidate(*arguments, numbers=True)
+            of_numbers = judge(numbers, refute=False)
+            is_stronger = strength(of_numbers) < strength(verdict)
+            if is_stronger or (_zeroed(verdict) and not _zeroed(of_numbers)):
                 verdict = of_numbers
         steps = [*verdict.steps]
         if verdict.status == "open":
             failure = candidate.refuted(steps)
-        elif is_given and verdict.status.startswith("proved where"):
+        elif is_given and _zeroed(verdict):
             failure = candidate.refuted_by_inputs()
         else:
             return verdict

@@ -24,7 +24,7 @@ Each operation is rounded outward: sums and products by one unit in the last pla
 Source: Moore, R. E., Kearfott, R. B., Cloud, M. J. (2009), Introduction to Interval Analysis, SIAM.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import reduce
 from typing import Any
 
@@ -274,12 +274,14 @@ class Region:
                 return low, high
         return None
 
-    def level(self) -> float:
+    def level(self, rests: Iterable[Mapping[Any, Any]] | None = None) -> float:
         """Return c, below which V' < 0 but at the rest, and V stays off the edge; 0 for none.
 
-        It has four digits, rounded down.
+        It has four digits, rounded down.  If `rests` are given, V falls to them from everywhere,
+        and c stays below V at those that are not the rest.
         """
-        rest_box = self.near_the_rest()
+        falls_everywhere = rests is not None
+        rest_box = (self.low, self.high) if falls_everywhere else self.near_the_rest()
         if rest_box is None:
             return 0.0
         edges = [(k, end[k]) for end in (self.low, self.high) for k in range(len(end))]
@@ -288,7 +290,7 @@ class Region:
         )
         for row, (k, value) in enumerate(edges, 1):
             low[row, k] = high[row, k] = value
-        floor, cap, looked = self.range(self.V, low, high)[0], np.inf, 0
+        floor, cap, looked = self.range(self.V, low, high)[0], self._least(rests), 0
         while (
             looked < MOST
             and len(floor)
@@ -309,7 +311,8 @@ class Region:
                 floor[tried][undecided],
             )
             middle = 0.5 * a + 0.5 * b
-            above = edge | (self.range(self.rate, middle, middle)[0] >= 0.0)
+            above = self.range(self.rate, middle, middle)[0] >= 0.0
+            above = edge | (above & (not falls_everywhere))
             cap = min([cap, *self.range(self.V, middle, middle)[1][above]])
             halves = _halved(a, b, self.high - self.low)
             floors = np.maximum(self.range(self.V, *halves)[0], np.tile(floors, 2))
@@ -323,6 +326,16 @@ class Region:
         most = min([cap, *floor])
         unit = 10.0 ** np.floor(np.log10(most) - 3) if most > 0.0 else 1.0
         return max(0.0, float(np.floor(most / unit) * unit))
+
+    def _least(self, rests: Iterable[Mapping[Any, Any]] | None) -> float:
+        """Return V at the lowest of the rests in the box but for the rest itself, or inf."""
+        lowest = np.inf
+        for rest in rests or ():
+            point = np.array([[float(rest[s]) for s in self.states]])
+            inside = ((self.low <= point) & (point <= self.high)).all()
+            if inside and any(rest[s] != self.rest[s] for s in self.states):
+                lowest = min(lowest, float(self.range(self.V, point, point)[0][0]))
+        return lowest
 
 
 def _box(rest_state: Mapping[Any, Any], ends_by_state: Any) -> Ends:

@@ -39,6 +39,7 @@ class ReadBlock(control.NonlinearIOSystem):
     parameter_shapes: Shapes
     sizes: dict[str, int]
     units: Mapping[str, str]
+    approximation = ""  # what its equations stand for, if not exactly: said by verdicts
     parameters: Any
     _sized: dict[str, Shapes]  # of states, inputs and outputs, in numbers
     _inner: dict[str, dict[str, str]]  # a port's name -> what its equations call it

@@ -8,6 +8,8 @@ does not rise at fixes.
 """
 
 from collections.abc import Callable
+from dataclasses import fields as dataclass_fields
+from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,13 +19,16 @@ import sympy
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..promises import truth_of
+from .conclusions import Condition, Judged
 from .fixes import fix_steps
-from .invariants import invariant_steps
+from .invariants import Invariants
+from .judge import Verdict, judge
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
 from .paper_loop import PaperLoop
+from .proof import Proof, proof_or_failure, where_all_hold
 from .prove_law import prove
-from .steps import Proof, Step, checked, proof_or_failure, where_all_hold
+from .steps import Step, checked
 from .team_proof import proof_of_team
 from .theorem_loop import law_and_V, theorem_scenario
 from .theorems import KNOWN_ERROR, THEOREMS, known_flow_steps, numbers_of
@@ -31,30 +36,35 @@ from .theorems import KNOWN_ERROR, THEOREMS, known_flow_steps, numbers_of
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # basis functions of a law of the table; a proof for every N says so
 DISTURBANCES = ((0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0))  # of each axis
-MEAN = "in the mean |e| <= |(theta - theta_hat) phi| over the least of KD"
+MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
 def proof_of_law(law: Law) -> Proof:
     """Prove one law."""
     if law.at_fixes:  # CLPE does not go to zero between fixes
         claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
-        return where_all_hold("bounded", claim, fix_steps(law, POINTS))
-    if law.invariants is not None:
-        status, end = "proved", "so CLPE goes to zero"
-        if law.perturbation is not None:
-            status, end = "bounded", "in the mean |e| <= |eta phi| over the least of KD"
-        claim = f"V' <= {law.V_rate}, {end}"
-        return where_all_hold(status, claim, invariant_steps(law, POINTS))
+        where = (Condition("phi"), Condition("exact fixes"))
+        steps = fix_steps(law, POINTS)
+        return where_all_hold(claim, steps, "definite", conditions=where)
     if law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), POINTS)
-        return where_all_hold("bounded", f"{KNOWN_ERROR}: {MEAN}", steps)
+        return where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
+    if law.invariants is not None:
+        return proof_of(judge(Invariants(law, POINTS)))
     block, _ = law_and_V(law, N)
     verdict = prove(block, lambda truth, p: law.V(p, truth), points=POINTS)
-    declared: tuple[Step, ...] = ()
     if law.level is not None and verdict.level is not None:
-        declared = (declared_level_step(law, verdict.level),)
-    every_step = (*verdict.steps, *declared)
-    return Proof(verdict.status, verdict.claim, verdict.for_every_N, every_step)
+        declared = declared_level_step(law, verdict.level)
+        verdict = replace(verdict, steps=(*verdict.steps, declared))
+    return proof_of(verdict)
+
+
+def proof_of(verdict: Verdict) -> Proof:
+    """Return what is written of a verdict: its fields as text and numbers."""
+    fields = {f.name: getattr(verdict, f.name) for f in dataclass_fields(Judged)}
+    level = verdict.level
+    fields["level"] = None if level is None else str(level.n(4))
+    return Proof(**fields, certificate=verdict.certificate())
 
 
 def declared_level_step(law: Law, level: sympy.Expr) -> Step:
@@ -84,21 +94,12 @@ def declared_level_step(law: Law, level: sympy.Expr) -> Step:
     return checked(claim, holds, "sampled", False)
 
 
-class Room(NamedTuple):
-    """Proofs of one kind by name."""
-
-    failure: str  # status if the equations cannot be traced
-    proofs: dict[str, Callable[[], Proof]]
-
-
 Outcome = Proof | list[dict[str, Any]]  # of misprints, the rows of a table
-PROOFS = {
-    "theorems": Room("failed", THEOREMS),
-    "team": Room("open", {"": proof_of_team}),
-    "limited_speed": Room("failed", LIMITED_SPEED),
-    "laws": Room(
-        "open", {name: partial(proof_of_law, law) for name, law in LAWS.items()}
-    ),
+PROOFS: dict[str, dict[str, Callable[[], Proof]]] = {
+    "theorems": THEOREMS,
+    "team": {"": proof_of_team},
+    "limited_speed": LIMITED_SPEED,
+    "laws": {name: partial(proof_of_law, law) for name, law in LAWS.items()},
 }
 
 
@@ -114,8 +115,7 @@ class Statement(NamedTuple):
             keys = ("equation", "printed", "corrected", "check", "confirmed")
             rows = misprints()
             return [{key: getattr(row, key) for key in keys} for row in rows]
-        failure, proofs = PROOFS[self.room]
-        return proof_or_failure(failure, proofs[self.name])
+        return proof_or_failure(PROOFS[self.room][self.name])
 
 
 Outcomes = dict[Statement, Outcome]
@@ -125,7 +125,7 @@ def statements(theorem: str | None = None) -> list[Statement]:
     """Return one theorem and the misprints, or all statements."""
     names: dict[str, list[str]] = {}
     if theorem is None:
-        names = {name: [*room.proofs] for name, room in PROOFS.items()}
+        names = {room: [*proofs] for room, proofs in PROOFS.items()}
     names["theorems"] = numbers_of(theorem)
     names["misprints"] = [""]
     return [Statement(room, name) for room in names for name in names[room]]

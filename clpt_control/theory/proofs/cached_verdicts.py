@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from datetime import UTC, datetime
 from functools import cache
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from pathlib import Path
 from threading import Thread
 from typing import TYPE_CHECKING, Any
@@ -25,7 +25,7 @@ from ...base.files import cache_folder, read_cached, write_cached
 from ...base.progress import interrupt
 from ...base.progress.processes import Pool, processes
 from ...engine.codegen.machine import ENGINE, code_name
-from .steps import Proof
+from .proof import Proof
 
 if TYPE_CHECKING:  # imported late: the other process starts first
     from .all_proofs import Outcome, Outcomes, Statement
@@ -92,8 +92,6 @@ def digest() -> str:
         name = path.relative_to(PACKAGE)
         texts.append(f"{name}\n{path.read_text('utf-8')}")
     versions = [platform.python_version(), *map(version, REQUIRED)]
-    with suppress(PackageNotFoundError):  # optional
-        versions.append(f"z3-solver {version('z3-solver')}")
     return code_name(*texts, *versions, os.environ.get(ENGINE, ""))
 
 

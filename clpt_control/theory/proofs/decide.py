@@ -20,20 +20,20 @@ from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
 from .facts import (
     Sector,
     decided,
+    facts_of,
     functions_in,
     interval,
     is_input,
     pieces_of,
     sector_of,
 )
+from .gram import sum_of_squares
 from .sums_of_squares import squares
-from .symbolic_loop import Numbers
-from .z3_decider import z3_never_positive
+from .symbolic_loop import NO_VALUE, Numbers
 
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
 MOST_WITH_FUNCTIONS = 12  # terms of a group with functions that is factored
 MOST_FUNCTIONS = 8  # in a group
-MOST_CONDITIONS = 4  # of a piece; products of two are tried as well
 SAMPLES = 500  # random points at which the sign is computed first
 ROUNDING = 1e-6  # of the largest value; smaller values may be rounding errors
 
@@ -46,7 +46,9 @@ def never_positive(
     Symbols that are neither `parameters` nor time are variables.  `groupings` are sets of symbols:
     terms that share none of them are tested separately; None stands for all variables.
     """
-    if terms_of(expression) > MOST_TERMS or positive_somewhere(expression):
+    if terms_of(expression) > MOST_TERMS or expression.has(*NO_VALUE):
+        return False
+    if positive_somewhere(expression):
         return False
     variables = expression.free_symbols - {TIME, *parameters}
     expression = expression.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
@@ -56,7 +58,7 @@ def never_positive(
         or _by_squares(expression, variables, parameters)
         or _by_common_factors(expression, variables)
         or _by_interval(expression)
-        or z3_never_positive(expression, parameters)  # last, if Z3 is installed
+        or by_gram(expression)
     )
 
 
@@ -136,6 +138,32 @@ def _by_interval(expression: Expr) -> bool:
     """Compute the interval of an expression from those of its factors."""
     products = factored(expression), sympy.factor_terms(expression)
     return any(interval(product)[1].is_nonpositive for product in products)
+
+
+@lru_cache(maxsize=10_000)
+def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
+    """Write it as -sum g form^2, each function a symbol with what is known of it (`gram`)."""
+    functions = functions_in(sympy.Tuple(expression, *conditions))
+    if len(functions) > MOST_FUNCTIONS:
+        return False
+    symbols = {
+        call: Dummy(f"f_{k}", real=True)
+        for k, call in enumerate(sorted(functions, key=str))
+    }
+    known = [c for c in (*conditions, *facts_of(functions))]
+    expressions = [e.xreplace(symbols) for e in (expression, *known)]
+    for s in expressions[0].free_symbols:
+        if s.is_nonnegative or s.is_nonpositive:
+            expressions.append(s if s.is_nonnegative else -s)
+    numerator, divisor = sympy.fraction(sympy.together(expressions[0]))
+    if not divisor.is_positive:
+        return False
+    known, total = [*map(expand, expressions[1:])], expand(-numerator)
+    lifted = 1 + sympy.Add(*(s**2 for s in total.free_symbols))
+    return bool(
+        sum_of_squares(total, known)
+        or (not known and sum_of_squares(expand(total * lifted)))
+    )
 
 
 # --- tests of groups of terms ---------------------------------------------------------------
@@ -293,67 +321,81 @@ def _at_sector_ends(
 # --- functions piece by piece ---------------------------------------------------------------
 
 
+def _split(expression: Expr) -> list[tuple[list[Expr], Expr]]:
+    """Return the margins and the values of an expression in the pieces of one of its functions."""
+    functions = functions_in(expression)
+    if len(functions) > MOST_FUNCTIONS:
+        return []
+    for call in sorted(functions, key=str):
+        is_nested = any(map(functions_in, call.args))
+        if not is_nested and (pieces := pieces_of(call)):
+            return [
+                (margins, decided(expression.xreplace(values)))
+                for margins, values in pieces
+            ]
+    return []
+
+
 def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -> bool:
     """Test a group in each piece of one of its functions.
 
     `conditions` are expressions that are not negative in the piece that is tested.
     """
-    functions = functions_in(group)
-    if len(functions) > MOST_FUNCTIONS:
-        return False
-    for call in sorted(functions, key=str):
-        is_nested = any(map(functions_in, call.args))
-        if not is_nested and (pieces := pieces_of(call)):
-            return all(
-                _in_piece(
-                    decided(group.xreplace(values)), variables, (*conditions, *margins)
-                )
-                for margins, values in pieces
-            )
-    return False
+    pieces = _split(group)
+    return bool(pieces) and all(
+        _in_piece(value, variables, (*conditions, *margins))
+        for margins, value in pieces
+    )
 
 
 def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) -> bool:
     """Return whether an expression is not positive where conditions are not negative."""
-    if groups_never_positive(expression, variables):
+    conditions = tuple(dict.fromkeys(map(expand, conditions)))
+    if groups_never_positive(expression, variables) or _is_empty(conditions):
         return True
-    if any(map(_is_negative, conditions)):
-        return True  # the piece is empty
     if any(map(pieces_of, functions_in(expression))):
         return _by_pieces(expression, variables, conditions)
-    return _by_conditions(expression, variables, conditions)
+    for c in conditions:  # a piece where two others meet
+        if expand(-c) in conditions and (line := _on_line(c, variables)):
+            expression = expand(expression.xreplace(line))
+    return groups_never_positive(expression, variables) or by_gram(
+        expression, conditions
+    )
+
+
+def in_one_piece(e: Expr, conditions: tuple[Expr, ...] = ()) -> Expr | None:
+    """Return the polynomial that a continuous expression is in all its pieces, or None."""
+    pieces = _split(e)
+    if not pieces:
+        return None if functions_in(e) and conditions else expand(e)
+    values = set()
+    for margins, value in pieces:
+        known = tuple(map(expand, (*conditions, *margins)))
+        has_inside = not any(expand(-c) in known for c in known)
+        if has_inside and not _is_empty(known):
+            values.add(in_one_piece(value, known))
+    return values.pop() if len(values) == 1 else None
+
+
+def _is_empty(conditions: tuple[Expr, ...]) -> bool:
+    """Return whether conditions, or two of them, are known to contradict each other."""
+    sums = (a + b for a, b in combinations(conditions, 2))
+    return any(map(_is_negative, (*conditions, *sums)))
+
+
+def _on_line(c: Expr, variables: set) -> dict[Expr, Expr]:
+    """Return a variable as what it is where a condition is zero, linear in it with a number."""
+    for s in sorted(c.free_symbols & variables, key=str):
+        slope = sympy.diff(c, s)
+        if slope.is_number and slope != 0:
+            return {s: expand(s - c / slope)}
+    return {}
 
 
 def _is_negative(condition: Expr) -> bool:
     """Return whether an expression is known to be negative everywhere."""
     expanded = expand(condition)
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
-
-
-def _by_conditions(
-    expression: Expr, variables: set, conditions: tuple[Expr, ...]
-) -> bool:
-    """Divide -e by the conditions c_i >= 0 and by products of two, and test the quotients.
-
-    -e = r + sum_i q_i c_i + sum_ij q_ij c_i c_j,    q and r never negative
-    """
-    # each function may be any number
-    functions = sympy.Tuple(expression, *conditions).atoms(sympy.Function)
-    symbols = {call: Dummy(real=True) for call in functions}
-    distinct = [*dict.fromkeys(conditions)]
-    margins = [expand(c.xreplace(symbols)) for c in distinct]
-    margins = [margin for margin in margins[:MOST_CONDITIONS] if margin.free_symbols]
-    products = [expand(a * b) for a, b in combinations(margins, 2)]
-    expressions = sympy.Tuple(expression.xreplace(symbols), *margins)
-    generators = sorted(expressions.free_symbols, key=str)
-    if not margins or not all(e.is_polynomial(*generators) for e in expressions):
-        return False
-    negated = expand(-expressions[0])
-    quotients, remainder = sympy.reduced(negated, [*products, *margins], *generators)
-    return all(
-        groups_never_positive(expand(-quotient), variables)
-        for quotient in (*quotients, remainder)
-    )
 
 
 GROUP_TESTS = (_by_factors, _by_forms, _by_roots, _by_sectors, _by_pieces)

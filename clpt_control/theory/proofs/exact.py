@@ -5,12 +5,13 @@ functions, p = 0 and q is not.  Roots and rounded numbers are left to SymPy's ow
 """
 
 from collections import defaultdict
+from collections.abc import Iterable
 from functools import lru_cache
 from math import comb, prod
 from typing import Any
 
 import sympy
-from sympy import Expr, Pow, S, expand
+from sympy import Expr, Poly, Pow, S, expand
 from sympy.core.function import AppliedUndef
 from sympy.polys.polyconfig import using
 from sympy.polys.rings import PolyElement, PolyRing
@@ -191,6 +192,19 @@ def _with_odd_functions(expression: Expr, unchanged: set) -> Expr:
             square = 1 + sign * odd(*base.args) ** 2
             powers[power] = square ** (n // 2) * base ** (n % 2)
     return expand(expression.xreplace(powers))
+
+
+def whole_coefficients(e: Expr, variables: Iterable[Any]) -> Expr:
+    """Return a polynomial in variables with each coefficient reduced; others as they are."""
+    symbols = {v: sympy.Dummy(real=True) for v in variables if e.has(v)}
+    polynomial = e.xreplace(symbols)
+    if not symbols or not polynomial.is_polynomial(*symbols.values()):
+        return e
+    total = S.Zero
+    for powers, coefficient in Poly(polynomial, *symbols.values()).terms():
+        factors = (v**n for v, n in zip(symbols, powers, strict=True))
+        total += sympy.cancel(coefficient) * sympy.Mul(*factors)
+    return total
 
 
 # --- factors and sizes ----------------------------------------------------------------------

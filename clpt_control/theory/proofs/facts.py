@@ -11,7 +11,7 @@ decreases too if it does in each piece and rates are continuous.  Where rates ju
 slide along the kink, and V rise.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 from itertools import combinations
 from math import inf
@@ -205,6 +205,14 @@ def is_input(call: Any) -> bool:
     return [str(a) for a in call.args] == ["t"]
 
 
+def has_time(*expressions: Expr) -> bool:
+    """Return whether expressions depend on time by themselves, not by an input alone."""
+    total = sympy.Tuple(*expressions)
+    slopes = {d: S.Zero for d in total.atoms(sympy.Derivative)}
+    inputs = {f: S.Zero for f in total.atoms(AppliedUndef) if is_input(f)}
+    return bool(total.xreplace(slopes).xreplace(inputs).has(TIME))
+
+
 def decided(expression: Expr) -> Expr:
     """Return an expression in which comparisons and choices of numbers are evaluated."""
     return expression.replace(lambda e: isinstance(e, AppliedUndef), _outcome)
@@ -219,7 +227,9 @@ def _outcome(call: Any) -> Any:
         return branches[0] if condition != 0 else branches[1]
     if name in COMPARISONS:
         truth = COMPARISONS[name](*arguments)
-        return sympy.Integer(bool(truth)) if truth in (True, False) else call
+        if truth in (True, False):
+            return sympy.Integer(bool(truth))
+        return _without_size(call)
     if name in LOGIC:
         is_known = any(are_numbers) and all(map(_is_truth, arguments))
         return LOGIC[name](*arguments) if is_known else call
@@ -227,6 +237,21 @@ def _outcome(call: Any) -> Any:
     if number is not None and all(are_numbers):
         return number(*arguments)
     return call
+
+
+def _without_size(call: Any) -> Any:
+    """Return a comparison of |s| with a number or a parameter as two of s."""
+    (size, c), name = call.args, call.func.__name__
+    is_small = name in ("lt", "le")
+    if isinstance(c, sympy.Abs):
+        size, c, is_small = c, size, not is_small
+        name = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+    if not isinstance(size, sympy.Abs) or functions_in(c):
+        return call
+    other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+    (s,), word = size.args, sympy.Function("and_" if is_small else "or_", real=True)
+    two = (sympy.Function(f, real=True) for f in (name, other))
+    return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
 
 
 def _is_truth(e: Expr) -> bool:
@@ -333,6 +358,32 @@ def is_positive_maximum(e: Expr) -> bool:
     return is_maximum and any(bool(a.is_positive) for a in e.args)
 
 
+def facts_of(calls: Iterable[Any]) -> list[Expr]:
+    """Return expressions that are not negative, of functions as symbols of their own.
+
+    (h - q s)(p s - h) >= 0 of a sector, (h - a)(b - h) >= 0 of a range, and of two calls of a
+    function that rises (u - v)(h(u) - h(v)) >= 0.
+    """
+    facts, calls = [], sorted(calls, key=str)
+    for h in calls:
+        low, high = interval(h)
+        ends = [
+            h - low if low.is_finite else S.One,
+            high - h if high.is_finite else S.One,
+        ]
+        facts.append(ends[0] * ends[1])
+        sector = fact_of(h).sector
+        if sector is not None:
+            (s,), (q, p) = h.args, sector
+            facts.append((h - q * s) * (p * s - h if p != oo else s))
+    for u, v in combinations(calls, 2):
+        if u.func == v.func and (fact_of(u).sector or isinstance(u, sympy.exp)):
+            rise, run = u - v, u.args[0] - v.args[0]
+            is_flat = fact_of(u).sector == (0, 1)
+            facts.append(rise * (run - rise) if is_flat else rise * run)
+    return [fact for fact in facts if fact != 1]
+
+
 # --- slopes ---------------------------------------------------------------------------------
 
 
@@ -413,8 +464,24 @@ def _call_meets_smoothly(V: Expr, call: Any) -> bool:
     return True
 
 
+def _resolved(e: Expr, border: Expr) -> Expr:
+    """Return an expression without the functions that are of one piece where a border is zero."""
+    border = expand(border)
+    for s in sorted(border.free_symbols, key=str):
+        slope = sympy.diff(border, s)
+        if not slope.is_number or slope == 0:
+            continue
+        line = {s: expand(s - border / slope)}
+        for call in sorted(functions_in(e), key=str):
+            for margins, values in pieces_of(call):
+                if all(expand(m.xreplace(line)).is_positive for m in margins):
+                    return _resolved(decided(e.xreplace(values)), border)
+    return e
+
+
 def _agrees(difference: Expr, border: Expr) -> bool:
     """Return whether a difference vanishes with its slopes where a border is zero."""
+    difference = _resolved(difference, border)
     square = expand(expand(border) ** 2)
     symbols = sorted(expand(border).free_symbols, key=str)
     numerator, _ = sympy.fraction(sympy.together(difference))

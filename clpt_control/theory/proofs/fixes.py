@@ -150,5 +150,8 @@ def fix_steps(law: Law, points: int) -> list[Step]:
         "and x - z = eta m, also where it arrives late; one that is missing or on its way "
         "changes nothing": AtFixes.learns,
     }
-    steps = [exact_step(cases, claim, check) for claim, check in claims.items()]
+    steps = [
+        exact_step(cases, claim, check, "values falls")
+        for claim, check in claims.items()
+    ]
     return [*steps, running_step(lambda: cases[-1].loop, points)]

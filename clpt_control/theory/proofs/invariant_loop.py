@@ -7,7 +7,6 @@ checks each for one N; `invariants` makes the proof of the checks.
 
 import math
 from collections.abc import Callable, Mapping, Set
-from dataclasses import replace
 from functools import cache, cached_property
 from itertools import combinations_with_replacement
 from types import MappingProxyType
@@ -25,8 +24,7 @@ from ..promises import truth_of
 from .decide import groups_never_positive, never_positive
 from .exact import as_factors, nonzero_residual, vanishes
 from .facts import is_positive_maximum
-from .states_outside_V import states_outside_V
-from .steps import Step, short
+from .steps import short
 from .sums_of_squares import contains_all, squares
 from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
 from .theorem_loop import (
@@ -349,47 +347,89 @@ class InvariantLoop:
             for share in shares_of_M
         )
 
-    def existing(self) -> tuple[str, Step]:
-        """Return what a verdict adds of states that V does not hold, and that all exist.
+    def held(self) -> tuple[set, set, list[str]]:
+        """Return states that are bounded, others that exist, and matrices positive at the start.
 
         V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
-        it began above one.  What relations make of the others, without dividing by what may come
-        to zero, exists with them.
+        it began above one.  M that keeps a ceiling is bounded, with an estimate whose error over M
+        never rises, and what is made of bounded states.
         """
-        loop, V, grown = self.loop, self.V, list[str]()
+        loop, V, law = self.loop, self.V, self.law
+        grown, bounded, exist = list[str](), set[Any](), set[Any]()
         for port, M in self.matrices.items():
             c = _arbitrary(len(M))
-            grows = not loop.jumps and self.not_negative(
-                c @ self.rates[port] @ c, set(c)
-            )
-            grown += [port] * grows
+            rate = c @ self.rates[port] @ c
+            flows, same = not loop.jumps, dict(zip(M.flat, self.symmetric[port].flat))
+            grown += [port] * (flows and self.not_negative(rate, set(c)))
+            at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
+            slows = as_factors((rate - at_zero).xreplace(same)).is_nonpositive
+            shrinks = flows and slows and at_zero == 0
+            has_bound = port == "P" and law.weighted_error is not None
+            estimate = {*self.states["theta_hat"].flat} if law.makes_estimate else set()
+            if shrinks or has_bound or self.keeps_a_ceiling(port):
+                bounded |= {*M.flat} | estimate
+            elif flows and slows and not at_zero.free_symbols & {*loop.motion}:
+                exist |= {*M.flat} | estimate
             bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
             V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
+        weighs_alpha = law.weighted_error is not None or bool(law.error_left)
+        if (
+            law.error_left
+        ):  # its w falls, and each parameter's error is w times the first one
+            bounded |= {*self.states[law.error_left].flat, *self.states["alpha"].flat}
         e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
         V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
-        states = [
-            *e,
-            *(s for port in LEARNED for s in loop.states.get(port, np.array([])).flat),
-        ]
-        total = squares(V, V.free_symbols - set(states), functions_are_free=False)
-        free = loop.motion.keys() - {
-            s for port in grown for s in self.matrices[port].flat
-        }
-        over = {s: value.free_symbols & free for s, value in self.relations.items()}
-        derived = {
-            s
-            for s, states_in in over.items()
-            if not states_in or self.relations[s].is_polynomial(*states_in)
-        }
-        bounded = (
-            {*x, *z, *states, *derived}
-            if total and contains_all(total, states)
-            else set[Any]()
-        )
-        status, step = states_outside_V([*bounded], self.relations, loop)
-        begun = f", where {' and '.join(grown)} > 0 at the start" if grown else ""
-        return status, replace(step, claim=f"{step.claim}{begun}")
+        in_V = [p for p in LEARNED if p in loop.states]
+        in_V = [p for p in in_V if not (p == "alpha" and weighs_alpha)]
+        learned = [s for port in in_V for s in loop.states[port].flat]
+        total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
+        if total and contains_all(total, [*e, *learned]):
+            bounded |= {*x, *z, *learned}
+            if law.weighted_error is not None:  # tr(eta P^-1 eta^T) bounds eta
+                bounded |= {*self.states["alpha"].flat}
+        for s, rate in loop.motion.items():
+            share = sympy.cancel(rate / s) if s not in bounded else s
+            if not share.has(s) and self.not_negative(-share):
+                bounded.add(s)  # s' = -f s, f >= 0
+        for _ in self.relations:
+            for s, value in self.relations.items():
+                states = value.free_symbols & loop.motion.keys()
+                if states <= bounded and value.is_polynomial(*states):
+                    bounded.add(s)
+        return bounded, exist, grown
+
+    def keeps_a_ceiling(self, port: str) -> bool:
+        """Return whether c^T M' c = 0 where M c = K c, K > 0 diagonal: then M <= K is kept.
+
+        M begins at 0; K is made of parameters; c_n is 1, as in `stays_semidefinite`.
+        """
+        if any(
+            after[m] != m
+            for after in self.loop.jumps.values()
+            for m in after
+            if m in {*self.matrices[port].flat}
+        ):
+            return False
+        M = self.symmetric[port].copy()
+        K = np.array([sympy.Dummy(positive=True) for _ in M])
+        c = np.append(_arbitrary(len(M) - 1), sympy.Integer(1))
+        M[:-1, -1] = M[-1, :-1] = K[:-1] * c[:-1] - M[:-1, :-1] @ c[:-1]
+        M[-1, -1] = K[-1] - np.dot(M[-1, :-1], c[:-1])
+        substitutions = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
+        rate = sympy.sympify(c @ self.rates[port] @ c).xreplace(substitutions)
+        for factor in sympy.Mul.make_args(as_factors(rate)):
+            base, power = factor.as_base_exp()
+            is_linear = base.has(*K) and sympy.Poly(base, *K).total_degree() == 1
+            if not (power.is_positive and is_linear):
+                continue
+            moving = base.free_symbols - {*K, *self.loop.values}
+            moving |= base.atoms(AppliedUndef)
+            equations = sympy.Poly(base, *moving).coeffs() if moving else [base]
+            solutions = [*sympy.linsolve(equations, *K)]
+            if solutions and all(k.is_positive for k in solutions[0]):
+                return not self.forks(rate)
+        return False
 
     def is_room(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""

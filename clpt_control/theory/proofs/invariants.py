@@ -48,76 +48,155 @@ import sympy
 
 from ...paper.laws.law import Law
 from . import invariant_loop
+from .conclusions import Condition
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
 from .invariant_loop import InvariantLoop
+from .judge import Candidate, Fall, Refutation, Verdict
 from .same_as_running import running_step
-from .steps import Step, exact_step
-from .theorem_loop import decay
+from .steps import Step, exact_step, short
+from .theorem_loop import decay, rate_of_V
 from .theorems import mean_square
 
-Claims = dict[str, Callable[[InvariantLoop], bool | str]]
+Claims = dict[str, tuple[str, Callable[[InvariantLoop], bool | str]]]
+IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
 
 
-def invariant_steps(
-    law: Law, points: int, single: InvariantLoop | None = None, seed: int = 0
-) -> list[Step]:
-    """Check a law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
-    cases = (
-        [single] if single else [InvariantLoop(law, N) for N in invariant_loop.SIZES]
-    )
-    claims = claims_of(law, cases[0], bool(single)).items()
-    steps = [exact_step(cases, claim, check) for claim, check in claims]
-    steps += [mean_square()] if law.perturbation else []
-    return [
-        *steps,
-        running_step(lambda: cases[len(cases) // 2].loop, points, seed=seed),
-    ]
+class Invariants(Candidate):
+    """A law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
+
+    def __init__(
+        self, law: Law, points: int, single: InvariantLoop | None = None, seed: int = 0
+    ):
+        self.law, self.points, self.single, self.seed = law, points, single, seed
+        sizes = invariant_loop.SIZES
+        self.cases = [single] if single else [InvariantLoop(law, N) for N in sizes]
+        self.case = self.cases[len(self.cases) // 2]
+        self.eq = self.loop = self.case.loop
+        self.V, self.fixed = self.case.V, {*self.loop.values}
+        self.rate = rate_of_V(self.loop).xreplace(self.case.tied)
+        self.motion = self.loop.motion
+        self.undefined = [s for case in self.cases for s in case.loop.undefined]
+        bounded, self.exist, self.grown = self.case.held()
+        self.forms = [*bounded]
+
+    def is_definite(self) -> Step:
+        """Return the step that V and what V' loses are not negative."""
+        names = ", ".join(self.law.semidefinite)
+        premise = f"with {names} >= 0 " * bool(names)
+
+        def holds(case: InvariantLoop) -> bool:
+            terms = {case.V, *chain.from_iterable(case.losses)}
+            return all(map(case.not_negative, terms))
+
+        claim = f"{premise}V and what V' loses are not negative"
+        return exact_step(self.cases, claim, holds, "definite")
+
+    def fall(self) -> Fall:
+        """Return what is shown of the relations, and of V' where they hold."""
+        claims = claims_of(self.law, self.cases[0], self.single is not None).items()
+        steps = [
+            exact_step(self.cases, claim, check, shows)
+            for claim, (shows, check) in claims
+        ]
+        fall = Fall(steps, f"V' = {self.law.V_rate}")
+        if self.law.perturbation is not None:
+            fall.steps.append(mean_square())
+            fall.bound = IN_THE_MEAN
+        else:
+            e = self.loop.states["x"] - self.loop.states["z"]
+            fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
+        positive = f"{' and '.join(self.grown)} > 0" * bool(self.grown)
+        kept = "the relations hold" * (self.single is not None)
+        fall.conditions = [
+            Condition("start", text) for text in (kept, positive) if text
+        ]
+        return fall
+
+    def same_as_running(self) -> Step:
+        """Return the step that the running blocks have the same V and rates."""
+        return running_step(lambda: self.loop, self.points, seed=self.seed)
+
+    def jumps(self) -> tuple[Step, sympy.Expr]:
+        """Return the step that V does not rise where states jump."""
+        claim = "V does not rise where they jump"
+        step = exact_step(self.cases, claim, InvariantLoop.V_rises_by, "jumps")
+        return step, sympy.S.Zero
+
+    def rises_at_jumps(self) -> list[sympy.Expr]:
+        """Return nothing: `jumps` asks the loop."""
+        return []
+
+    def never_positive(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is known never to be positive where M >= 0."""
+        return self.case.not_negative(-expression)
+
+    def refuted(self, steps: list[Step]) -> Refutation | None:
+        """Return None: a law with invariants is proved or open."""
+        return None
+
+    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+        """Return None, as of `refuted`."""
+        return None
+
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression in a line."""
+        return short(expression)
+
+    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
+        """Return a verdict on the law; a step that fails at jumps leaves it open."""
+        sizes = ", ".join(str(case.N) for case in self.cases)
+        conditions = (*fields.pop("conditions", ()), Condition("N", f"N = {sizes}"))
+        fields |= {"steps": tuple(fields["steps"])}
+        fields["conditions"] = conditions if status == "proved" else ()
+        diagram, beside = self.loop.diagram, self.case.beside
+        V, rate = self.V, self.rate
+        return Verdict(
+            status, claim, V=V, rate=rate, residual=beside, diagram=diagram, **fields
+        )
 
 
 def claims_of(law: Law, case: InvariantLoop, is_user_law: bool) -> Claims:
-    """Return what is to be shown of a law, one's own or of the table."""
+    """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     names = law.semidefinite
     start = InvariantLoop.off_at_zero if is_user_law else InvariantLoop.off_at_the_start
     sizes = (
         f"N = {case.N} and the parameters as they are" if is_user_law else "N = 1, 2, 3"
     )
-    claims: Claims = {
-        f"what the law's states keep is kept{' where it begins so' * is_user_law}": (
-            lambda case: case.broken() or start(case)
-        )
-    }
+    kept = f"what the law's states keep is kept{' where it begins so' * is_user_law}"
+    claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
     if is_user_law:
-        claims["what is kept does not repel"] = InvariantLoop.repels
+        claims["what is kept does not repel"] = "", InvariantLoop.repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
-        claims["and is kept where they jump"] = InvariantLoop.broken_at_a_jump
-        claims[claim] = InvariantLoop.semidefinite_after_a_jump
-        claims["V does not rise where they jump"] = InvariantLoop.V_rises_by
+        claims["and is kept where they jump"] = "", InvariantLoop.broken_at_a_jump
+        claims[claim] = "", InvariantLoop.semidefinite_after_a_jump
     if names:
         claims[
             f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
-        ] = lambda case: ", ".join(filterfalse(case.stays_semidefinite, names))
-    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = lambda case: case.left_over(decay)
+        ] = ("", lambda case: ", ".join(filterfalse(case.stays_semidefinite, names)))
+    shows = "mean" if law.perturbation is not None else "falls loses"
+    claims[f"V' as claimed, {sizes}: {law.V_rate}"] = (
+        shows,
+        lambda case: case.left_over(decay),
+    )
     if law.weighted_error:
         # where CLPE drives alpha BOUNDS[0] does not hold
         start_index = int(law.perturbation is None)
         claims |= {
-            BOUNDS[k]: partial(_moves, index=k) for k in range(start_index, len(BOUNDS))
+            BOUNDS[k]: ("", partial(_moves, index=k))
+            for k in range(start_index, len(BOUNDS))
         }
-        claims[BOUNDED_BY_V] = _cauchy
+        claims[BOUNDED_BY_V] = "", _cauchy
     if law.makes_estimate:
         claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
-            InvariantLoop.estimate_grows
+            "",
+            InvariantLoop.estimate_grows,
         )
     if law.readout:
         claims[
             f"{law.readout} is theta where its condition holds, and -alpha elsewhere"
-        ] = _reads
-    premise = f"with {', '.join(names)} >= 0 " * bool(names)
-    claims[f"{premise}V and what V' loses are not negative"] = lambda case: all(
-        map(case.not_negative, {case.V, *chain.from_iterable(case.losses)})
-    )
+        ] = "", _reads
     return claims
 
 

@@ -1,53 +1,62 @@
 """One judge for a function V on the equations of a law's loop or of any system.
 
-`clpt.prove` and `clpt.lyapunov` are two short callers.  A verdict is five questions,
-each a step with its evidence:
+`clpt.prove` and `clpt.lyapunov` are two short callers.  A verdict is a few questions, each a step
+with its evidence:
 
 1. Have V and the equations a value everywhere, and are they what runs?
 2. Is V positive definite?
-3. Does V' <= 0 hold, or a bound of V?
+3. Does V' <= 0 hold, and what does V' lose; or is V bounded?
 4. Do the states that V does not contain exist for all times?
-5. Does V rise where states jump?
+5. Are the rates bounded of what V' loses; and what is left where V' = 0 for good?
+6. Does V rise where states jump?
 
-A V that fails is refuted by a point at which the running blocks show it; otherwise it is open.
+The conclusion is the first of `CONCLUSIONS` that the steps show.  A V that fails is refuted by a
+point at which the running blocks show it; otherwise it is open.  In discrete time V' stands for
+V(x+) - V(x).
 """
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import sympy
 
 from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
+from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from .states_outside_V import states_outside_V
+from .conclusions import Condition, Judged, concluded, go
+from .exact import normal_form, vanishes
+from .facts import is_continuous, meets_smoothly
+from .limits import Motion
 from .steps import Step, exact, first_failure, short
+from .sums_of_squares import Squares, contains_all, squares, zero_of
 from .symbolic_loop import Point
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(Judged):
     """Result of a judgement of V' under a law or along a diagram.
 
     Attributes
     ----------
     status : str
-        Of a law ``"proved"``: V' <= -e^T KD e, or -sum KD_i e_i dV/de_i, or half of it;
-        ``"bounded"``: the same and a bounded term, or e comes to dead zones of V; ``"refuted"``:
-        the running blocks give V' > 0 at `point`, however far from the truth; ``"refuted at a
-        jump"``: V of the running blocks rises from `point`, right before it, to `after`.
-        Of a V ``"proved"``: V holds the states and V' <= 0; ``"proved in a region"``: V' < 0 below
-        `level`; ``"refuted"``: there is a `point` at which V' > 0, V' is not as claimed, or V is no
-        least value.
-        ``"open"``: none of these is known. ``"proved but for z"``: V does not contain z, which may
-        grow; ``"proved as long as z exist"``: z may grow without end; ``"proved where d = 0"``, of
-        an input that V' depends on; ``"proved between jumps"`` where states jump, and V is not
-        known not to rise there.
+        ``"proved"``: `conclusion` holds under `conditions`; ``"refuted"``: the running blocks show
+        at `point` that V' > 0, that V' is above the claim, or that V is no least value; or V rises
+        at a jump from `point` to `after`; ``"open"``: none of these is known.
+    conclusion : str
+        Of a proof: "goes to zero", "ultimately bounded", ...: a row of the table of docs/theory.md.
+    conditions : tuple of Condition
+        Where it holds: "for t >= 0", "where u = 0", "x is not in V, and bounded", ...
     claim : str
-        What is shown of V', or the set that V or e comes to, or where it fails.
+        What is shown of V', where it fails, or which step is missing.
+    sentence : str
+        The verdict in words, made of its fields.
     V, rate : sympy.Expr or None
-        V, and V'; of a diagram in its own signals. None where no V was found.
+        V, and V'; of a diagram in its own signals. In discrete time `rate` is by how much V
+        changes. None where no V was found.
     inputs : tuple of str
         Inputs that V' depends on.
     steps : tuple of Step
@@ -55,11 +64,10 @@ class Verdict:
     point : Point or None
         Of a refutation: ``system.dynamics(*point)``, of a law ``diagram.dynamics(*point)``.
     value : float or None
-        What V', or what fails, is there.
+        V', or what fails, at the point.
     level : sympy.Expr, float or None
-        Of a region: what begins in the box where V, less its value at rest, is below comes to rest.
-        Of a law that is bounded: V of the set that it comes to, where there is one, in theta, KD,
-        GammaD and Delta_1, Delta_2, the largest disturbance of each axis.
+        V of the set that is reached, in theta, KD, GammaD and Delta_1, Delta_2, the largest
+        disturbance of each axis; or a number below which what begins in the box comes to rest.
     residual : sympy.Expr
         Of a law: V' less its fall, V' + e^T KD e, multiplied out.
     diagram : Diagram or None
@@ -67,7 +75,7 @@ class Verdict:
     for_every_N : bool
         Whether it is proved for every number of basis functions.
     after : Point or None
-        Of a law refuted at a jump: where it jumps to.
+        Of a V that rises at a jump: where it jumps to.
 
     Examples
     --------
@@ -79,22 +87,21 @@ class Verdict:
     ('refuted', True)
     """
 
-    status: str
-    claim: str
-    V: sympy.Expr | None
-    rate: sympy.Expr | None
+    V: sympy.Expr | None = None
+    rate: sympy.Expr | None = None
     inputs: tuple[str, ...] = ()
-    steps: tuple[Step, ...] = ()
     point: Point | None = None
     value: float | None = None
-    level: Any = None
     residual: sympy.Expr = sympy.S.Zero
     diagram: Diagram | None = None
-    for_every_N: bool = False
     after: Point | None = None
 
+    def certificate(self) -> dict | None:
+        """Return what an outsider needs to check it, in exact rational numbers, or None."""
+        return None
+
     def __repr__(self) -> str:
-        return f"<Verdict {self.status}: {self.claim}>"
+        return f"<Verdict {self.status}: {self.sentence}>"
 
     def _repr_html_(self) -> str:
         rows = [
@@ -102,17 +109,21 @@ class Verdict:
             for s in self.steps
         ]
         table = facts(rows, ("claim", "", "how", "detail"))
-        return fragment("Verdict", f"{self.status}: {self.claim}", table)
+        return fragment("Verdict", f"{self.status}: {self.sentence}", table)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Fall:
-    """Proof that V falls along the equations, or is bounded."""
+    """What is shown of V': it falls, and loses squares of forms; or V is bounded."""
 
     steps: list[Step]
-    status: str = "proved"  # "bounded", "proved where u = 0"
-    claim: str = ""
+    claim: str = ""  # V' <= -e^T KD e
+    losses: Sequence[sympy.Expr] = ()  # forms of which V' loses multiples of squares
+    bound: str = ""  # what is lost, as text: e^T KD e
+    of: str = ""  # what goes to zero, as text: CLPE goes
     level: Any = None
+    zeroed: Mapping[Any, Any] = field(default_factory=dict)  # inputs that are 0
+    conditions: list[Condition] = field(default_factory=list)
     remarks: list[Step] = field(default_factory=list)  # steps that may fail
 
 
@@ -123,7 +134,6 @@ class Refutation(NamedTuple):
     step: Step
     point: Point
     value: float | None
-    status: str = "refuted"
     after: Point | None = None
 
 
@@ -131,14 +141,51 @@ class Candidate(ABC):
     """A function V on equations, and what is asked of it."""
 
     eq: Equations
+    V: sympy.Expr
+    rate: sympy.Expr  # V'
+    motion: Mapping[Any, sympy.Expr]  # rates of the states that V is written in
+    fixed: set  # symbols of parameters
+    rest: Mapping[Any, sympy.Expr] | None = (
+        None  # where V is to be least, if that is given
+    )
+    undefined: Sequence[str] = ()  # sentences on where there may be no value
+    forms: Sequence[sympy.Expr] = ()  # that V bounds
+    least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
+    exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
 
-    @abstractmethod
+    # --- the questions --------------------------------------------------------------------------
+
     def has_values(self) -> Step:
         """Return the step that V and the equations have a value everywhere."""
+        claim = "V and the equations have a value everywhere"
+        return exact(claim, not self.undefined, "".join(self.undefined[:1]), "values")
 
-    @abstractmethod
     def is_definite(self) -> Step:
-        """Return the step that V is positive definite."""
+        """Return the step that V is positive definite in forms of the states."""
+        claim = "V is positive definite"
+        expressions = self.V, *self.motion.values()
+        bends = not meets_smoothly(self.V) and not all(map(is_continuous, expressions))
+        if bends or self.V.free_symbols & self.intervals:
+            return exact(claim, False, "V may jump or bend")
+        rest_state = self.rest or {}
+        moved = self.V.xreplace({s: s + v for s, v in rest_state.items()})
+        total = squares(moved, self.fixed) or squares(moved, self.fixed, False)
+        states = [*self.motion]
+        if total and self.rest is not None:
+            zero = dict.fromkeys(states, 0)
+            total = total if all(vanishes(f.subs(zero)) for f in total.forms) else None
+        if not total or not total.forms:
+            return exact(claim, False, "not shown")
+        back = {s: s - v for s, v in rest_state.items()}
+        self.forms = [form.xreplace(back) for form in total.forms]
+        held = [s for s in states if any(form.has(s) for form in self.forms)]
+        self.least = zero_of(total._replace(forms=self.forms), held)
+        names = ", ".join(dict.fromkeys(self.text(form) for form in self.forms))
+        level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
+        holds_all = self.least is not None and len(held) == len(states)
+        holds_all = holds_all and not self.moving({}).not_bounded(level)
+        shows = "definite all" if holds_all else "definite"
+        return exact(f"{claim} in {names}", True, "", shows)
 
     @abstractmethod
     def fall(self) -> Fall:
@@ -148,17 +195,46 @@ class Candidate(ABC):
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
 
-    @abstractmethod
-    def held(self) -> tuple[list[sympy.Expr], dict]:
-        """Return forms that V bounds, and what symbols are."""
+    def ends(self, motion: Motion, fall: Fall) -> tuple[list[Step], str]:
+        """Return the steps on what goes to zero, and its names."""
+        of, forms = fall.of or go(map(self.text, fall.losses)), [*fall.losses]
+        states = [*self.motion]
+        if self.least is not None and contains_all(
+            Squares(sympy.S.Zero, [], forms), states
+        ):
+            if all(vanishes(form.xreplace(self.least)) for form in forms):
+                return [exact("V' < 0 but at the rest", True, "", "limit rest")], of
+        steps = [motion.limit(forms, of.rpartition(" ")[0])]
+        if self.eq.discrete:
+            steps = [exact("the sum of what V loses is finite", True, "", "limit")]
+        expressions = sympy.Tuple(self.V, *motion.rates.values())
+        moves = expressions.has(TIME, *self.intervals, *motion.inputs.values())
+        if moves or motion.free or self.eq.jumps:
+            return steps, of
+        found = motion.still_set(forms)
+        if found.is_rest:
+            names = ", ".join(f"{self.text(g)} = 0" for g in found.zero)
+            shows = "still limit" + " rest" * (found.point is not None)
+            steps = [
+                exact(f"where V' = 0 for good nothing moves: {names}", True, "", shows)
+            ]
+        return steps, go(map(self.text, found.zero)) if found.zero[len(forms) :] else of
 
-    @abstractmethod
-    def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive."""
+    def jumps(self) -> tuple[Step, sympy.Expr]:
+        """Return the step that V rises at no jump, and by how much it rises where that fails."""
+        claim = f"V does not rise where states of {' and '.join(self.eq.jumps)} jump"
+        for rise in self.rises_at_jumps():
+            if not self.never_positive(rise):
+                return exact(claim, False, f"V changes by {short(rise)}"), rise
+        return exact(claim, True, "", "jumps"), sympy.S.Zero
 
     @abstractmethod
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
+
+    @abstractmethod
+    def never_positive(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is known never to be positive."""
 
     @abstractmethod
     def refuted(self, steps: list[Step]) -> Refutation | None:
@@ -169,8 +245,25 @@ class Candidate(ABC):
         """Return a point at which V rises at a jump."""
 
     @abstractmethod
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression as the user writes it."""
+
+    @abstractmethod
     def verdict(self, status: str, claim: str, **known: Any) -> Verdict:
         """Return a verdict on this candidate."""
+
+    # --- its motion -----------------------------------------------------------------------------
+
+    @cached_property
+    def intervals(self) -> set:
+        """Symbols of intervals between breakpoints, which are no constants."""
+        parameters = self.eq.parameters.values()
+        return {p.interval for p in parameters if "interval" in p._fields}
+
+    def moving(self, zeroed: Mapping[Any, Any]) -> Motion:
+        """Return the motion of the states, with some inputs zero."""
+        rates = {s: rate.xreplace(zeroed) for s, rate in self.motion.items()}
+        return Motion(self.eq, rates, self.fixed, [*self.forms], self.exist)
 
 
 def judge(candidate: Candidate, refute: bool = True) -> Verdict:
@@ -186,37 +279,40 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
             return refuted(candidate, refutation, steps)
         return candidate.verdict("open", failed, steps=steps)
     steps += fall.remarks
-    outside, existence = states_outside_V(*candidate.held(), candidate.eq)
-    status = [fall.status, outside]
-    steps.append(existence)
+    motion, of = candidate.moving(fall.zeroed), fall.of
+    steps.append(motion.outside())
+    if fall.losses:
+        last, of = candidate.ends(motion, fall)
+        steps += last
+    conditions = [*fall.conditions, *motion.conditions]
+    given = "jumps"
     if candidate.eq.jumps:
-        step, rise = jumps(candidate)
+        given = ""
+        step, rise = candidate.jumps()
         steps.append(step)
         refutation = None if step.holds else candidate.refuted_at_jump(rise)
         if refutation is not None:
             return refuted(candidate, refutation, steps)
-        status += [] if step.holds else ["between jumps"]
+        conditions += [] if step.holds else [Condition("between jumps", "jumps")]
     return candidate.verdict(
-        " ".join(filter(None, status)), fall.claim, level=fall.level, steps=steps
+        "proved",
+        fall.claim,
+        conclusion=concluded(steps, given),
+        of=of,
+        bound=fall.bound,
+        level=fall.level,
+        conditions=tuple(conditions),
+        steps=steps,
     )
 
 
 def refuted(candidate: Candidate, found: Refutation, steps: list[Step]) -> Verdict:
     """Return the verdict on a candidate that a point refutes."""
     return candidate.verdict(
-        found.status,
+        "refuted",
         found.claim,
         steps=[*steps, found.step],
         point=found.point,
         value=found.value,
         after=found.after,
     )
-
-
-def jumps(candidate: Candidate) -> tuple[Step, sympy.Expr]:
-    """Return the step that V rises at no jump, and by how much it rises where that fails."""
-    claim = f"V does not rise where states of {' and '.join(candidate.eq.jumps)} jump"
-    for rise in candidate.rises_at_jumps():
-        if not candidate.never_positive(rise):
-            return exact(claim, False, f"V changes by {short(rise)}"), rise
-    return exact(claim, True), sympy.S.Zero

@@ -5,7 +5,7 @@
 The law's numbers and those of V stand in V' exactly; the truth that V contains, theta, KD and
 GammaD, is the loop's own symbols.  With V of another shape in e the fall is -sum KD_i e_i dV/de_i.
 If the residual is never positive, V falls and e goes to zero as in Theorem 3.2; where it pulls back
-but for a constant, V is bounded (`ultimate_bounds`).
+but for a constant, V is bounded (`ultimate_bounds`).  States are x and e, z = x - e.
 """
 
 from collections.abc import Mapping
@@ -18,19 +18,21 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
+from .conclusions import Condition
 from .decide import never_positive
 from .every_n import base_and_term, reindexed
 from .exact import normal_form, vanishes
-from .facts import CLIP, SIGN, along, degree, interval
+from .facts import CLIP, SIGN, along, degree, has_time
 from .judge import Candidate, Fall, Refutation, Verdict
+from .limits import CLOCK
 from .same_as_running import running_step, search_of
 from .steps import Step, checked, exact, short
-from .sums_of_squares import dead_zone, rising_in, zero_of
+from .sums_of_squares import dead_zone, rising_in, squares
 from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
 from .theorem_loop import decay, rate_of_V, truth_in
 from .ultimate_bounds import Bound, Bounding
 
-HIDDEN = {"flow_x": "the true flow", "V": "made of the truth"}
+HIDDEN = {"flow_x": "the true flow", "V": "V, which is made of the truth"}
 
 
 class LawCandidate(Candidate):
@@ -56,20 +58,36 @@ class LawCandidate(Candidate):
         refuse_no_value(loop, V.name)
         self.N = len(loop.inputs["phi_x"])
         self._replace_symbols({s: e for s, e in tied.items() if s != e})
-        self.moving = {TIME, *loop.motion}
-        self.V = loop.signals["V"][0].xreplace(self.known)
-        # e as symbols of their own, x = e + z; a state of the law may be called e_1 as well
+        self.fixed = {*loop.values}
+        # e as symbols of their own, z = x - e; a state of the law may be called e_1 as well
         self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
-        self.in_e = {a: e + b for a, e, b in zip(x, self.e, z, strict=True)}
-        self.in_x = {e: a - b for a, e, b in zip(x, self.e, z, strict=True)}
-        self.zones, self.V_of_e = [], self.V.xreplace(self.in_e)
+        self.in_e = {c: a - e for a, e, c in zip(x, self.e, z, strict=True)}
+        self.in_x = {e: a - c for a, e, c in zip(x, self.e, z, strict=True)}
+        rates = {s: self.of_e(rate) for s, rate in loop.motion.items() if s not in z}
+        self.motion = rates | {
+            e: self.of_e(loop.motion[a] - loop.motion[c])
+            for a, e, c in zip(x, self.e, z, strict=True)
+        }
+        self.moving_symbols = {TIME, *self.motion}
+        of_V = f"{V.name}."  # a V that leaves the range of numbers is a V
+        self.undefined = [
+            s
+            for s in loop.undefined
+            if not (s.startswith(of_V) and s.endswith("large"))
+        ]
+        self.V = self.of_e(loop.signals["V"][0])
+        self.zones, self.V_of_e = [], self.V
         for e in self.e:
             zone, self.V_of_e = dead_zone(self.V_of_e, e)
             self.zones.append(zone)
-        self.rate = normal_form(rate_of_V(loop).xreplace(self.known))
+        self.rate = normal_form(self.of_e(rate_of_V(loop)))
         self.residual = self._residual()
         self.for_every_N = False
+
+    def of_e(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression in x and e, with the numbers of the law and of V."""
+        return sympy.sympify(expression).xreplace(self.known).xreplace(self.in_e)
 
     def _replace_symbols(self, tied: dict) -> None:
         """Set what symbols are: numbers of the law and of V, but not of the truth."""
@@ -99,139 +117,75 @@ class LawCandidate(Candidate):
 
     # --- the truth ------------------------------------------------------------------------------
 
+    @property
+    def KD(self) -> np.ndarray:
+        """The gains of the vehicle, as symbols."""
+        return self.loop.parameters["vehicle_controller"].KD
+
     @cached_property
     def fall_of_e(self) -> sympy.Expr:
         """-sum KD_i e_i dV/de_i, which is -e^T KD e where V contains |e|^2/2."""
-        KD = self.loop.parameters["vehicle_controller"].KD
-        V = self.V.xreplace(self.in_e)
-        terms = [
-            k * e * along(V, {e: sympy.S.One}) for k, e in zip(KD, self.e, strict=True)
-        ]
-        return -normal_form(sympy.Add(*terms)).xreplace(self.in_x)
-
-    @cached_property
-    def errors(self) -> list[tuple[list[Any], sympy.Expr]]:
-        """The states of each learned parameter, and its error, where e = 0."""
-        truth, states = truth_in(self.loop), set(self.loop.motion)
-        x, z = self.loop.states["x"], self.loop.states["z"]
-        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
-        substitutions = self.values | dict(zip(x, z, strict=True))
-        errors = [
-            sympy.expand(output.xreplace(substitutions) - true[port][k])
-            for port in true
-            for k, output in enumerate(self.loop.signals[port].flat)
-        ]
-        return [(sorted(e.free_symbols & states, key=str), e) for e in errors]
+        pairs = zip(self.KD, self.e, strict=True)
+        terms = [k * e * along(self.V, {e: sympy.S.One}) for k, e in pairs]
+        return -normal_form(sympy.Add(*terms))
 
     @cached_property
     def truth(self) -> dict[Any, sympy.Expr]:
-        """Values of states at which each parameter error is zero."""
-        truth = dict(zip(self.loop.states["x"], self.loop.states["z"], strict=True))
-        for states, error in self.errors:
-            if len(states) != 1:
-                continue
-            slope = sympy.diff(error, *states)
-            if slope.is_nonzero and not error.diff(states[0], 2):
-                truth[states[0]] = sympy.expand(states[0] - error / slope)
-        return truth
+        """Values of states at which CLPE and each parameter's error is zero, where one is known."""
+        truth, states = truth_in(self.loop), {*self.loop.motion}
+        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
+        values = dict.fromkeys(self.e, sympy.S.Zero)
+        for port, numbers in true.items():
+            for output, number in zip(
+                self.loop.signals[port].flat, numbers, strict=True
+            ):
+                error = sympy.expand(self.of_e(output).xreplace(values) - number)
+                moving = [*error.free_symbols & states]
+                slope = sympy.diff(error, moving[0]) if len(moving) == 1 else error
+                if slope.is_nonzero and not slope.has(*states):
+                    values[moving[0]] = sympy.expand(moving[0] - error / slope)
+        return values
 
-    @property
-    def learned(self) -> list[Any]:
-        """The states of learned parameters, which V has to contain."""
-        return list(dict.fromkeys(s for states, _ in self.errors for s in states))
-
-    @property
-    def others_in_V(self) -> list[Any]:
-        """States of V that are neither the vehicle's, the learner's nor learned."""
-        excluded = {*self.learned, *self.loop.states["x"], *self.loop.states["z"]}
-        return [s for s in self.loop.motion if s not in excluded and self.V.has(s)]
-
-    # --- the five questions ---------------------------------------------------------------------
-
-    def has_values(self) -> Step:
-        """Return the step that the equations have a value everywhere."""
-        of_V = f"{self.block.name}."  # a V that leaves the range of numbers is a V
-        undefined = [
-            s
-            for s in self.loop.undefined
-            if not (s.startswith(of_V) and s.endswith("large"))
-        ]
-        claim = "the equations have a value everywhere"
-        return exact(claim, not undefined, "".join(undefined[:1]))
-
-    def is_definite(self) -> Step:
-        """Return the step that V is positive definite, or so beyond dead zones."""
-        measure = "e" if not any(self.zones) else "D = e - clip(e, -d, d)"
-        claim = f"V is positive definite in {measure} and the parameter errors"
-        claim = f"{claim}, at the blocks' own values"
-        step = checked(claim, self._definite, every_N=False)
-        self.definite = step.holds
-        return step
-
-    def _definite(self) -> bool:
-        V = self.V_of_e
-        if any(s.name.endswith(".interval") for s in V.free_symbols):
-            return False  # V itself may jump
-        shifted = {s: s + true for s, true in self.truth.items() if s in self.learned}
-        V = normal_form(V.xreplace(shifted))
-        states = [*self.e, *self.learned, *self.others_in_V]
-        for learned, error in self.errors:
-            # alpha = s + s^3: V is least where its error is zero
-            if len(learned) != 1 or learned[0] in self.truth:
-                continue
-            (s,) = learned
-            remainder, level = V.as_independent(s, as_Add=True)
-            share = sympy.cancel(sympy.diff(level, s) / error)
-            rises = interval(sympy.diff(error, s))[0]
-            if not (share.is_number and share.is_positive and rises.is_positive):
-                return False
-            V, states = remainder, [state for state in states if state != s]
-        least = zero_of(V, states)
-        if least is None:
-            return False
-        self.truth |= {s: least[s] for s in self.others_in_V}
-        return not any(least[s] for s in states if s not in self.others_in_V)
+    # --- the questions --------------------------------------------------------------------------
 
     def fall(self) -> Fall:
         """Return what is shown of V': it falls, or V or e comes to a set."""
-        falls, fall = self._falls()
-        below = f"V' {'=' if self.residual == 0 else '<='} {fall}"
-        detail = "" if self.residual == 0 else f"left over: {short(self.residual)}"
+        falls, text = self._falls()
+        below = f"V' {'=' if self.residual == 0 else '<='} {text}"
+        detail = f"left over: {short(self.at_z(self.residual))}" * (self.residual != 0)
         detail = detail if self.rises else "V is not known to rise with |e|"
         sizes = f"N = {self.N} and the parameters as they are"
-        step = exact(f"{below}, {sizes}", falls, "" if falls else detail)
+        shows = "falls loses" * (not any(self.zones))
+        step = exact(f"{below}, {sizes}", falls, "" if falls else detail, shows)
         bound = None
         if falls and any(self.zones):
-            bound = self._comes_to_zones(fall)
-        elif self.definite and not (falls or any(self.zones)):
+            bound = self._comes_to_zones(text)
+        elif self.least is not None and not (falls or any(self.zones)):
             bound = Bounding(self).bound()
         if bound is not None:
-            steps = [exact(bound.sentence, True)]
-            return Fall(steps, "bounded", bound.sentence, bound.level, self._hidden())
-        claim = f"{below}, so CLPE goes to zero"
-        return Fall(
-            [step],
-            claim=claim,
-            remarks=[self._every_N(), *self._hidden()] if falls else [],
-        )
+            steps = [exact(bound.claim, True, "", bound.shows)]
+            fall = Fall(steps, bound.claim, level=bound.level, of=bound.of)
+            fall.bound, fall.conditions = bound.bound, [*bound.conditions]
+        else:
+            fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
+            fall.remarks = [self._every_N()] if falls else []
+        read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
+        if has_time(self.V, self.rate):
+            fall.conditions.append(Condition("t >= 0"))
+        fall.conditions += [Condition("reads the truth", why) for why in read]
+        return fall
 
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
         return running_step(lambda: self.loop, self.points, seed=self.seed)
 
-    def held(self) -> tuple[list[sympy.Expr], dict]:
-        """Return the states that V, or e with z, bounds."""
-        x, z = self.loop.states["x"], self.loop.states["z"]
-        return [*x, *z, *self.learned, *self.others_in_V], self.values
-
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
-        if self.V.atoms(
-            AppliedUndef
-        ):  # it may depend on inputs, which may jump as well
+        V = self.at_z(self.V)
+        if V.atoms(AppliedUndef):  # it may depend on inputs, which may jump as well
             return [sympy.Symbol("jump_of_V", real=True)]
         return [
-            normal_form((self.V.xreplace(after) - self.V).xreplace(self.values))
+            normal_form(self.of_e(V.xreplace(after) - V))
             for after in self.loop.jumps_at_once()
         ]
 
@@ -243,11 +197,11 @@ class LawCandidate(Candidate):
 
     def has_decay(self) -> bool:
         """Return whether V' has -e^T KD e, or more of it."""
-        residual, x = self.residual, self.loop.states["x"]
-        if any(call.has(*x) for call in residual.atoms(AppliedUndef)):
+        residual = self.residual
+        if any(call.has(*self.e) for call in residual.atoms(AppliedUndef)):
             # how it bends is not known
             return False
-        return all(sympy.diff(residual, s, 2).is_nonpositive for s in x)
+        return all(sympy.diff(residual, e, 2).is_nonpositive for e in self.e)
 
     @cached_property
     def rises(self) -> bool:
@@ -257,21 +211,21 @@ class LawCandidate(Candidate):
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive."""
-        expression, e = expression.xreplace(self.in_e), {*self.e}
-        z = {*self.loop.states["z"]}
-        free_symbols = expression.free_symbols - {TIME, *self.values} - z - e
-        return never_positive(expression, {*self.values}, (free_symbols, e, None))
+        free_symbols = expression.free_symbols - {TIME, *self.values, *self.e}
+        free_symbols -= {*self.loop.states["x"]}
+        parameters = {*self.values}
+        return never_positive(expression, parameters, (free_symbols, {*self.e}, None))
 
     def _falls(self) -> tuple[bool, str]:
         """Return whether V' less its fall, or half of it, is never positive, and the fall."""
-        KD = self.loop.parameters["vehicle_controller"].KD
         beyond = [
             e * (e - CLIP(e, -zone, zone) if zone else e)
             for e, zone in zip(self.e, self.zones, strict=True)
         ]
-        squares = sympy.Add(*(k * square for k, square in zip(KD, beyond, strict=True)))
+        pairs = zip(self.KD, beyond, strict=True)
+        squares = sympy.Add(*(k * square for k, square in pairs))
         fall = "-D^T KD e" if any(self.zones) else "-e^T KD e"
-        if normal_form(self.fall_of_e.xreplace(self.in_e) + squares) != 0:
+        if normal_form(self.fall_of_e + squares) != 0:
             fall = "-sum KD_i e_i dV/de_i"
         if not self.rises:
             return False, fall
@@ -293,9 +247,11 @@ class LawCandidate(Candidate):
             f"|Delta_{i}| <= {d} KD_{i}{suffix}" for i, d in enumerate(zones, 1)
         )
         most = f"-D^T KD D{suffix}" if fall.startswith("-D^T") else "0"
-        where = f"V' <= {most} where {below}" if self.takes_delta() else f"V' <= {fall}"
         ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(zones, 1))
-        return Bound(f"{where}: V never rises, {ends}")
+        if not self.takes_delta():
+            return Bound(f"V' <= {fall}", "zone", of=ends)
+        where = (Condition("truth", below),)
+        return Bound(f"V' <= {most}", "zone", of=ends, conditions=where)
 
     # --- every N --------------------------------------------------------------------------------
 
@@ -310,12 +266,19 @@ class LawCandidate(Candidate):
         residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
         if loop.undefined:
             return False, loop.undefined[0]
+        V = loop.elements.of(loop.signals["V"][0])
+        if not all(squares(summand, self.fixed) for summand in base_and_term(V)):
+            return False, "V is not known to be definite"
         # what no equation reads exists as long as what drives it
         ports = [port for port in self._outside_V() if port in loop.states]
         rates = {port: loop.elements.of(loop.rates[port]) for port in ports}
         states = {port: loop.elements.of(loop.states[port]) for port in ports}
-        if faster := faster_than_linear(rates, states):
-            return False, faster
+        if faster := faster_than(1, rates, states):
+            return False, f"{faster} may grow faster than linearly"
+        of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
+        states["t"] = [TIME]
+        if faster := faster_than(0, of_e, states):
+            return False, f"{faster} is not known to be bounded"
         base, term = summands = [
             normal_form(summand) for summand in base_and_term(residual)
         ]
@@ -329,9 +292,10 @@ class LawCandidate(Candidate):
 
     def _outside_V(self) -> list[str]:
         """Return the ports of states that V need not contain."""
-        contained = {*self.learned, *self.loop.states["z"]}
+        held = set().union(*(form.free_symbols for form in self.forms))
+        held |= {*self.loop.states["z"], *self.loop.states["x"]}
         states = self.loop.states
-        return [p for p in states if p != "x" and {*states[p].flat} - contained]
+        return [port for port in states if {*states[port].flat} - held]
 
     def _of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
         """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
@@ -350,22 +314,12 @@ class LawCandidate(Candidate):
 
     # --- what refutes, and what is said ---------------------------------------------------------
 
-    def _hidden(self) -> list[Step]:
-        """Return remarks on signals that no vehicle measures by itself."""
-        return [
-            exact(
-                f"the law reads {port}, {reason}, which no vehicle measures by itself",
-                True,
-            )
-            for port, reason in HIDDEN.items()
-            if port in self.law.input_ports
-        ]
-
     def refuted(self, steps: list[Step]) -> Refutation | None:
         """Return a point at which V' > 0 however far off, or V is below V at the truth."""
-        self.search = search_of(self.loop, self.truth, self.seed)
+        V, rest_state = self.at_z(self.V), self.rest_of_states
+        self.search = search_of(self.loop, rest_state, self.seed)
         if not steps[1].holds:
-            below = self.search.below_rest(self.V - self.V.xreplace(self.truth))
+            below = self.search.below_rest(V - V.xreplace(rest_state))
             if below is None:
                 return None
             claim = f"V is {-below[1]:.3g} below its value at the truth at `point`"
@@ -374,7 +328,7 @@ class LawCandidate(Candidate):
         if not self.fitted:
             return None
         fixed = {s for s in self.search.states if s not in self.search.rest}
-        rise = self.search.rises_far_off(self.rate, fixed)
+        rise = self.search.rises_far_off(self.at_z(self.rate), fixed)
         claim = (
             "the running blocks give V' > 0, ten and a hundred times as far off as well"
         )
@@ -389,7 +343,7 @@ class LawCandidate(Candidate):
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V of the running blocks rises at a jump, however far off."""
-        self.search = search_of(self.loop, self.truth, self.seed)
+        self.search = search_of(self.loop, self.rest_of_states, self.seed)
         jump = self.search.rising_jump() if self.fitted else None
         if jump is None:
             return None
@@ -398,24 +352,43 @@ class LawCandidate(Candidate):
             "the running blocks' V rises at a jump, ten and a hundred times as far off"
         )
         step = Step(claim, True, "counterexample", f"by {size:.3g}", False)
-        return Refutation(claim, step, before, None, "refuted at a jump", after)
+        return Refutation(claim, step, before, None, after)
+
+    @property
+    def rest_of_states(self) -> dict[Any, sympy.Expr]:
+        """The truth of the states of the loop, x that of z."""
+        x, z = self.loop.states["x"], self.loop.states["z"]
+        learned = {s: v for s, v in self.truth.items() if s not in self.e}
+        return dict(zip(x, z, strict=True)) | learned
+
+    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the states of the loop."""
+        return expression.xreplace(self.in_x)
+
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression in a line."""
+        return short(expression)
 
     def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on the law."""
+        every_N = self.for_every_N and status == "proved"
+        of_N = Condition("N", "every N" if every_N else f"N = {self.N}")
+        conditions = (*fields.pop("conditions", ()), *[of_N] * (status == "proved"))
+        fields |= {"steps": tuple(fields["steps"]), "conditions": conditions}
         return Verdict(
             status,
             claim,
-            self.V,
-            self.rate,
-            residual=self.residual,
+            V=self.at_z(self.V),
+            rate=self.at_z(self.rate),
+            residual=self.at_z(self.residual),
             diagram=self.loop.diagram,
-            for_every_N=self.for_every_N and status.startswith("proved"),
-            **fields | {"steps": tuple(fields["steps"])},
+            for_every_N=every_N,
+            **fields,
         )
 
 
-def faster_than_linear(rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:
-    """Return which state may grow faster than linearly in the states, and its rate; or ""."""
+def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:
+    """Return which rate may grow with a higher power of the states, and its value; or ""."""
     elements = [s for symbols in states.values() for s in np.ravel(symbols)]
     names = {str(s).split("[")[0] for s in elements}
 
@@ -424,6 +397,6 @@ def faster_than_linear(rates: Mapping[str, Any], states: Mapping[str, Any]) -> s
 
     for port, values in rates.items():
         for rate in np.ravel(values):
-            if degree(sympy.sympify(rate), is_state) > 1:
-                return f"{port} = {short(rate)} may grow faster than linearly"
+            if degree(sympy.sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
+                return f"{port} = {short(rate)}"
     return ""

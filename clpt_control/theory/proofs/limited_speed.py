@@ -28,7 +28,8 @@ from .exact import nonzero_residual, vanishes
 from .facts import MAXIMUM
 from .invariant_loop import InvariantLoop
 from .paper_loop import PaperLoop, algebra, line
-from .steps import Proof, checked, counterexample, theorem
+from .proof import Proof, theorem
+from .steps import checked, counterexample
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import law_and_V, law_loop, rate_of_V
 from .theorems import mean_square, quadratic, running

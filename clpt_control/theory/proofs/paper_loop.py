@@ -21,10 +21,10 @@ from .theorem_loop import WIRED, Hedging, theorem_loop, theorem_scenario, vanish
 Check = tuple[bool, str]  # whether a claim holds, and why not
 
 
-def line(claim: str, *checks: Check) -> Step:
+def line(claim: str, *checks: Check, shows: str = "") -> Step:
     """Return a line of a proof for every N; it holds if each check does."""
     failed = next((detail for holds, detail in checks if not holds), None)
-    return Step(claim, failed is None, "exact", failed or "")
+    return Step(claim, failed is None, "exact", failed or "", shows=shows)
 
 
 def algebra(*residuals: str) -> Check:

@@ -22,23 +22,17 @@ from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
 from ..promises import truth_of
+from .conclusions import Condition
 from .default_candidate import LawV, default_V, user_V
 from .invariant_loop import InvariantLoop
-from .invariants import invariant_steps
+from .invariants import Invariants
 from .judge import Verdict, judge
 from .law_candidate import LawCandidate
 from .paper_symbols import paper_name
-from .steps import first_failure, worked_out
+from .steps import worked_out
 from .symbolic_loop import flat, symbolic_loop
-from .theorem_loop import (
-    rate_of_V,
-    symbols_of_V,
-    theorem_loop,
-    theorem_scenario,
-    truth_in,
-)
+from .theorem_loop import symbols_of_V, theorem_loop, theorem_scenario, truth_in
 
-SLOWER = ", where the flow stays slower than the vehicle (hedging)"
 ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
 
@@ -87,10 +81,9 @@ def prove(
     Returns
     -------
     Verdict
-        `status`: ``"proved"``, ``"bounded"``, ``"refuted"`` or ``"open"``; `residual`, V' less its
-        negative terms; `point`, at which V' > 0; and the `steps` that were tried. A law whose
-        states jump is ``"refuted at a jump"`` if V rises at a jump at any distance, and
-        ``"proved between jumps"`` if V at jumps is unknown.
+        `status`: ``"proved"``, ``"refuted"`` or ``"open"``; the `conclusion` with its
+        `conditions`; `residual`, V' less its negative terms; `point`, at which V' > 0, or from
+        which V rises at a jump; and the `steps` that were tried.
 
     Raises
     ------
@@ -111,7 +104,10 @@ def prove(
         scenario, part = _law_of(law_block)
         verdict = prove(part, V, points, seed, invariants, semidefinite, losses, start)
         is_limited = scenario.vehicle.max_speed is not None
-        return replace(verdict, claim=verdict.claim + SLOWER * is_limited)
+        if not (is_limited and verdict.status == "proved"):
+            return verdict
+        conditions = (*verdict.conditions, Condition("slower flow"))
+        return replace(verdict, conditions=conditions)
     block = _checked_law(law_block)
     N = functions_of(block)
     theorem_loop(N, "learned-flow", law_block=block)  # rejects other blocks
@@ -129,7 +125,7 @@ def prove(
         )
         blocks = block, user_V(V, block).make
         case = InvariantLoop(law, N, blocks=blocks, start=start or {})
-        return _verdict_by_invariants(law, case, points, seed)
+        return judge(Invariants(law, points, case, seed))
 
 
 def _law_of(diagram: Diagram) -> tuple[Scenario, Block]:
@@ -161,28 +157,6 @@ def _checked_law(law: Block | Diagram | control.NonlinearIOSystem) -> Block:
             )
     read_anew(law)
     return law
-
-
-def _verdict_by_invariants(
-    law: Law, case: InvariantLoop, points: int, seed: int
-) -> Verdict:
-    """Return the verdict on a law whose states have invariants."""
-    steps = invariant_steps(law, points, case, seed)
-    condition, existence = case.existing()
-    status, claim = "proved", f"V' = {law.V_rate}"
-    if not existence.holds:
-        status = f"proved {condition}"
-    if failed := first_failure(steps):
-        status, claim = "open", failed
-    return Verdict(
-        status,
-        claim,
-        case.V,
-        rate_of_V(case.loop).xreplace(case.tied),
-        steps=(*steps, existence),
-        residual=case.beside,
-        diagram=case.loop.diagram,
-    )
 
 
 def _changes_of_V(scenario: Scenario) -> str:

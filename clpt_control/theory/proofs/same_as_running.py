@@ -160,4 +160,4 @@ def running_step(
         return holds, prefix + detail
 
     claim = f"the running blocks give the same V'{suffix}"
-    return checked(claim, comparison, "sampled", every_N=False)
+    return checked(claim, comparison, "sampled", False, "running")

@@ -32,97 +32,7 @@ class Step:
     how: How
     detail: str = ""  # the result in a line; of a cited step the source
     every_N: bool = True  # whether it holds for every number of basis functions
-
-
-@dataclass(frozen=True)
-class Proof:
-    """The outcome for a statement, a law or a team, and its steps.
-
-    A theorem is ``"proved"``: by exact steps alone; ``"cited"``: some steps are cited;
-    ``"corrected"``: false as printed, and another statement holds; ``"refuted"``: false as
-    printed; ``"sampled"``: only seen at points; ``"failed"``: a step does not hold.
-    A law or a team is ``"proved"``, ``"bounded"``, ``"open"`` or ``"refuted"``.
-    """
-
-    status: str
-    claim: str  # a conclusion, or V' and the set that is reached; or the failure
-    for_every_N: bool
-    steps: tuple[Step, ...]
-    cited: str = ""  # the part of the statement that depends on cited steps
-    printed: str = ""  # a theorem as printed
-    assumptions: tuple[str, ...] = ()
-    corrected: str = ""  # the statement that holds if the print is false
-    not_proved: tuple[str, ...] = ()
-
-    @property
-    def as_expected(self) -> bool:
-        """Return whether the status is as the package claims; "corrected" of Theorem 3.1."""
-        return self.status in ("proved", "cited", "corrected", "sampled", "bounded")
-
-    @property
-    def failed(self) -> tuple[Step, ...]:
-        """The steps that do not hold."""
-        return tuple(step for step in self.steps if not step.holds)
-
-
-def theorem(
-    printed: str,
-    assumptions: tuple[str, ...],
-    steps: Iterable[Step],
-    conclusion: str,
-    *,
-    corrected: str | None = None,
-    cited: str = "",
-    not_proved: tuple[str, ...] = (),
-) -> Proof:
-    """Return the proof of a statement as printed; a correction, even "", means that it is false."""
-    steps = tuple(steps)
-    methods = {step.how for step in steps}
-    is_false = corrected is not None
-    if first_failure(steps) or (is_false and "counterexample" not in methods):
-        status = "failed"
-    elif is_false:
-        status = "corrected" if corrected else "refuted"
-    elif "exact" not in methods:
-        status = "sampled"
-    else:
-        status = "cited" if "cited" in methods else "proved"
-    return Proof(
-        status,
-        conclusion,
-        exact_for_every_N(steps),
-        steps,
-        cited=cited,
-        printed=printed,
-        assumptions=assumptions,
-        corrected=corrected or "",
-        not_proved=not_proved,
-    )
-
-
-def where_all_hold(
-    status: str, claim: str, steps: Iterable[Step], cited: str = ""
-) -> Proof:
-    """Return a proof with a status and a claim if every step holds; otherwise an open one."""
-    steps = tuple(steps)
-    if failed := first_failure(steps):
-        return Proof("open", failed, False, steps, cited)
-    return Proof(status, claim, exact_for_every_N(steps), steps, cited)
-
-
-def exact_for_every_N(steps: Iterable[Step]) -> bool:
-    """Return whether there are exact steps, and each holds for every N."""
-    exact = [step for step in steps if step.how == "exact"]
-    return bool(exact) and all(step.holds and step.every_N for step in exact)
-
-
-def proof_or_failure(status: str, proof: Callable[[], Proof]) -> Proof:
-    """Return a proof; if equations cannot be traced, a proof with a status and a failed step."""
-    try:
-        return proof()
-    except (ClptError, Unread) as error:
-        step = Step("the equations can be read", False, "exact", f"{error}")
-        return Proof(status, f"{error}", False, (step,))
+    shows: str = ""  # of what conclusions require: names of `verdict.CONCLUSIONS`
 
 
 @contextmanager
@@ -142,7 +52,11 @@ def worked_out(name: str) -> Iterator[None]:
 
 
 def checked(
-    claim: str, check: Callable[[], Any], how: How = "exact", every_N: bool = True
+    claim: str,
+    check: Callable[[], Any],
+    how: How = "exact",
+    every_N: bool = True,
+    shows: str = "",
 ) -> Step:
     """Return a step from a check that returns a truth value, or (truth value, detail).
 
@@ -154,7 +68,7 @@ def checked(
     except (ClptError, Unread) as error:
         return Step(claim, False, how, f"cannot be checked: {error}")
     holds, detail = result if isinstance(result, tuple) else (result, "")
-    return Step(claim, bool(holds), how, str(detail), every_N)
+    return Step(claim, bool(holds), how, str(detail), every_N, shows)
 
 
 def counterexample(
@@ -170,7 +84,10 @@ def counterexample(
 
 
 def exact_step(
-    cases: Iterable[Any], claim: str, check: Callable[[Any], bool | str]
+    cases: Iterable[Any],
+    claim: str,
+    check: Callable[[Any], bool | str],
+    shows: str = "",
 ) -> Step:
     """Check a claim for each number of functions.
 
@@ -187,7 +104,7 @@ def exact_step(
                 return False, ""
         return True, ""
 
-    return checked(claim, holds, every_N=False)
+    return checked(claim, holds, every_N=False, shows=shows)
 
 
 def first_failure(steps: Iterable[Step]) -> str:
@@ -210,9 +127,9 @@ def short(expression: Any, most: int = 160) -> str:
     return text if len(text) <= most else text[:most] + " ..."
 
 
-def exact(claim: str, holds: bool, detail: str = "") -> Step:
+def exact(claim: str, holds: bool, detail: str = "", shows: str = "") -> Step:
     """Return an exact step for one N."""
-    return Step(claim, holds, "exact", detail, False)
+    return Step(claim, holds, "exact", detail, False, shows)
 
 
 def cited(claim: str, source: str) -> Step:

@@ -16,6 +16,7 @@ from ...engine.diagram.symbol_names import TIME
 from .exact import factored, normal_form, vanishes
 from .facts import (
     CLIP,
+    WHERE,
     along,
     decided,
     functions_in,
@@ -24,6 +25,7 @@ from .facts import (
     meets_smoothly,
     sector_of,
 )
+from .gram import sum_of_squares
 
 
 class Squares(NamedTuple):
@@ -39,8 +41,9 @@ class SortedTerms(NamedTuple):
 
     form_of: dict[Any, Any]  # positive multiple of an even power -> its base
     polynomial: list[Any]
-    nonnegative: list[Any]  # without a form
+    nonnegative: list[Any]  # without a form of their own
     functions: dict[frozenset, list]  # symbols -> terms with functions of them
+    forms: list[Any]  # that bound them
 
 
 def squares(V: Expr, fixed: set, functions_are_free: bool = True) -> Squares | None:
@@ -49,8 +52,9 @@ def squares(V: Expr, fixed: set, functions_are_free: bool = True) -> Squares | N
     Functions with kinks may have any value, or only those of time and not of states.
     """
     V, original = _with_symbols(V, fixed, functions_are_free)
-    variables = sorted(V.free_symbols - fixed, key=str)
-    form_of, polynomial, nonnegative, functions = _sorted_terms(V, variables)
+    variables = sorted(V.free_symbols - fixed - {TIME}, key=str)
+    sorted_terms = _sorted_terms(V, variables)
+    form_of, polynomial, nonnegative, functions, sizes = sorted_terms
     # functions of one symbol: their least value, and a form
     for symbols, terms in functions.items():
         if len(symbols) != 1:
@@ -72,16 +76,22 @@ def squares(V: Expr, fixed: set, functions_are_free: bool = True) -> Squares | N
         plain = [term for term in form_of if term.is_polynomial(*variables)]
         polynomial += plain
         form_of = {t: form for t, form in form_of.items() if t not in plain}
-    completed = _completed(expand(Add(*polynomial)), variables)
-    if completed is None:
+    rest = expand(Add(*polynomial))
+    completed = _completed(rest, variables) or _of_gram(rest, variables)
+    if completed is None or _sinks(completed.constant):
         return None
     terms = [*form_of, *nonnegative, *completed.terms]
-    forms = [*form_of.values(), *completed.forms]
+    forms = [*form_of.values(), *sizes, *completed.forms]
     return Squares(
         completed.constant,
         [term.xreplace(original) for term in terms],
         [form.xreplace(original) for form in forms],
     )
+
+
+def _sinks(constant: Expr) -> bool:
+    """Return whether a constant may fall without end as time goes on."""
+    return constant.has(TIME) and not interval(constant)[0].is_finite
 
 
 def _with_symbols(V: Expr, fixed: set, functions_are_free: bool) -> tuple[Expr, dict]:
@@ -100,7 +110,7 @@ def _with_symbols(V: Expr, fixed: set, functions_are_free: bool) -> tuple[Expr, 
 
 def _sorted_terms(V: Expr, variables: list) -> SortedTerms:
     """Sort the terms of an expression."""
-    terms = SortedTerms({}, [], [], {})
+    terms = SortedTerms({}, [], [], {}, [])
     summands = Add.make_args(V)
     expanded = [sympy.expand_mul(summand, deep=False) for summand in summands]
     for term in Add.make_args(Add(*expanded)):
@@ -112,6 +122,13 @@ def _sorted_terms(V: Expr, variables: list) -> SortedTerms:
             terms.form_of[term] = base
         elif varying.is_polynomial(*variables):
             terms.polynomial.append(term)
+        elif (
+            len(symbols) > 1
+            and (sizes := _sizes(varying))
+            and _is_positive(coefficient)
+        ):
+            terms.nonnegative.append(term)
+            terms.forms.extend(sizes)
         elif term.is_nonnegative and len(symbols) > 1:
             terms.nonnegative.append(term)
         else:
@@ -142,6 +159,27 @@ def _completed(p: Expr, variables: list) -> Squares | None:
     powers = _even_powers(polynomial)
     remainder = expand(p - Add(*powers.terms))
     return _added(powers, remainder, variables) if powers.terms else None
+
+
+def _sizes(e: Expr) -> list[Expr]:
+    """Return forms that are bounded where max(|a|, |b|), |a|^p or a sum of such is; or none."""
+    if isinstance(e, sympy.Abs):
+        return [e.args[0]]
+    if e.is_Pow and e.exp.is_positive:
+        return [e.base] if e.exp.is_even else _sizes(e.base)
+    if e.is_Add or e.func.__name__ == "maximum":
+        inner = [_sizes(a) for a in e.args]
+        return [form for forms in inner for form in forms] if all(inner) else []
+    return []
+
+
+def _of_gram(p: Expr, variables: list) -> Squares | None:
+    """Write a polynomial without symbols of parameters as a sum of squares by a Gram matrix."""
+    constant = p.xreplace(dict.fromkeys(variables, S.Zero))
+    total = sum_of_squares(p - constant) if constant.is_number else None
+    if total is None or not total.forms:
+        return None
+    return Squares(constant, [w * form**2 for w, _, form in total.terms], total.forms)
 
 
 def _added(total: Squares, remainder: Expr, variables: list) -> Squares | None:
@@ -207,6 +245,10 @@ def rising_in(E: Expr, s: Symbol) -> bool:
     rises, or is positive with a positive limit far away: s dV/ds >= c > 0 and V >= c log|s|.
     """
     rises = False
+    choices = [f for f in functions_in(E) if f.func == WHERE and f.has(s)]
+    if choices:  # in each of its branches
+        branches = (expand(E.xreplace({choices[0]: b})) for b in choices[0].args[1:])
+        return all(rising_in(branch, s) for branch in branches)
     for term in Add.make_args(expand(E)):
         power, factor, is_strict = _power_in(term, s)
         low = interval(factor)[0]
@@ -226,6 +268,8 @@ def _power_in(term: Expr, s: Symbol) -> tuple[int, Expr, bool]:
         sector = sector_of(part) if is_function else None
         if base == s and exponent.is_Integer and exponent > 0:
             power += int(exponent)
+        elif base == sympy.Abs(s) and exponent.is_positive:
+            power += 2
         elif sector is not None and sector.factor == s and sector.low >= 0:
             power += 1
             is_strict &= sector.rises
@@ -240,6 +284,48 @@ def _has_positive_limits(term: Expr, factor: Expr, s: Symbol) -> bool:
         return False
     limits = (sympy.limit(term, s, end) for end in (-sympy.oo, sympy.oo))
     return all(limit.is_extended_positive for limit in limits)
+
+
+def lost_forms(loss: Expr, fixed: set, bounded: set) -> list[Expr]:
+    """Return forms that are zero where an expression that is never negative is.
+
+    It is a sum of squares of them, each with a weight that stays above a positive number, or a sum
+    of products such as s tanh(s)/(1 + r^2), r `bounded`; none where neither is known.
+    """
+    total = squares(loss, fixed)
+    if total is not None and total.constant.is_nonnegative:
+        return total.forms
+    forms = [_lost_form(term, fixed, bounded) for term in Add.make_args(factored(loss))]
+    return [form for form in forms if form != 0] if None not in forms else []
+
+
+def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
+    """Return a form of a term that is never negative, 0 for none; None if it may be negative."""
+    parts = [part.as_base_exp() for part in sympy.Mul.make_args(term)]
+    form, odd, weight = S.One, list[Expr](), S.One
+    for base, power in parts:
+        sector = sector_of(base) if functions_in(base) and power == 1 else None
+        if power.is_Integer and power > 0 and power % 2 == 0:
+            form *= base
+        elif isinstance(base, sympy.Abs):
+            form *= base.args[0]
+        elif sector is not None and sector.rises and sector.low >= 0:
+            odd.append(sector.factor)
+        elif base.is_Symbol and power.is_Integer and power > 0 and base not in fixed:
+            odd.append(base)
+        else:
+            weight *= base**power
+    while odd:
+        s = odd.pop()
+        if s not in odd:
+            return None
+        odd.remove(s)
+        form *= s
+    low = interval(weight)[0]
+    is_known = weight.free_symbols <= fixed | bounded and not weight.atoms(AppliedUndef)
+    if low.is_positive or (is_known and weight.is_positive):
+        return form
+    return S.Zero if low.is_extended_nonnegative or weight.is_nonnegative else None
 
 
 def dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
@@ -261,16 +347,8 @@ def dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
     return high, shifted.xreplace({excess: e})
 
 
-def zero_of(V: Expr, states: list) -> dict[Any, Expr] | None:
-    """Return the point at which V is zero, if V is positive elsewhere; otherwise None.
-
-    The forms of V contain each state.
-    """
-    if not meets_smoothly(V):
-        return None
-    total = squares(V, V.free_symbols - {*states}, functions_are_free=False)
-    if total is None or not vanishes(total.constant):
-        return None
+def zero_of(total: Squares, states: list) -> dict[Any, Expr] | None:
+    """Return the one point at which all forms are zero; None if there is none, or are more."""
     if not contains_all(total, states):
         return None
     polynomials = [form for form in total.forms if form.is_polynomial(*states)]

@@ -3,7 +3,7 @@
     V' = dV/dt + sum_i (dV/dx_i) f_i(t, x, u)
 
 The equations are those that run; parameters are symbols of the signs that they have, or their
-numbers where that shows more.
+numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 """
 
 from collections import Counter
@@ -21,17 +21,20 @@ from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
+from ...engine.diagram.wiring import wiring_of
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
-from .decide import never_positive
-from .exact import factored, normal_form, vanishes
-from .facts import along, is_continuous, meets_smoothly
-from .judge import Candidate, Fall, Refutation, Verdict
+from .conclusions import Condition
+from .decide import in_one_piece, never_positive
+from .exact import factored, normal_form, vanishes, whole_coefficients
+from .facts import along, decided, has_time, is_continuous, meets_smoothly
+from .judge import Candidate, Fall, Refutation, Verdict, judge
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .steps import Step, checked, exact, short
-from .sums_of_squares import squares
+from .sums_of_squares import lost_forms, squares
 from .symbolic_loop import NO_VALUE, no_value, refuse_names
+from .ultimate_bounds import pulled_forms
 
 MOST_TURNS = 360  # pi/360 is a share of pi
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
@@ -65,7 +68,7 @@ def function_of_signals(system: Any, V: Any) -> Any:
     """Return an expression in the symbols of `clpt.equations` as a function of signals."""
     if not isinstance(V, sympy.Expr):
         return V
-    signals = signals_by_name(on_symbols(system))
+    signals = signals_by_name(on_symbols(system, with_samples=True))
     indices = {
         symbol: (name, k)
         for name, symbols in signals.items()
@@ -98,32 +101,25 @@ class SystemCandidate(Candidate):
     ):
         self.system, self.points, self.seed = system, points, seed
         names = Numbers if numbers else Names
-        self.eq = on_symbols(system, names, watch=_undefined)
+        self.eq = on_symbols(system, names, watch=_undefined, with_samples=True)
         self._refuse_what_has_no_rates()
-        self.states, self.fixed = [*self.eq.motion], set(self.eq.values)
-        parameters = self.eq.parameters.values()
-        self.intervals = {p.interval for p in parameters if "interval" in p._fields}
+        self.motion = {s: decided(rate) for s, rate in self.eq.motion.items()}
+        self.fixed = {*self.eq.values}
+        self.states = [*self.motion]
         self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
         outputs = system.output_labels
         self.output = next((name for name in outputs if name in labels), "")
-        self.undefined = list[str]()  # sentences on where there may be no value
+        self.undefined = list[str]()
         self.claim = None if claim is None else self.expression(claim)
         self.undefined = [*self.eq.undefined]
-        self.V = self.expression(V)
-        as_they_are = self.eq.pinned or (numbers and self.eq.fields)
-        self.as_they_are = ", with the parameters as they are" if as_they_are else ""
-        self.rate = along(self.V, {TIME: sympy.Integer(1), **self.eq.motion})
+        self.V = decided(self.expression(V))
+        self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
+        self.rate = self._rate_of_V()
         self.rest = None if rest is None else self._rest_state(rest)
-        self.forms, self.definite_claim = list[sympy.Expr](), ""
-        self.is_claimed = False
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq
-        if eq.discrete:
-            raise DiagramError(
-                f"{name}: is of discrete time, so its states have no rates"
-            )
         if not eq.motion:
             raise DiagramError(f"{name}: has no states, so V' is not defined")
         refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
@@ -132,6 +128,20 @@ class SystemCandidate(Candidate):
                 raise DiagramError(
                     f"{name}: with the parameters as they are {s}' has no value"
                 )
+
+    def _rate_of_V(self) -> sympy.Expr:
+        """Return V', or in discrete time by how much V changes from one time to the next."""
+        if not self.eq.discrete:
+            rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
+        is_smooth = meets_smoothly(self.V) and all(
+            map(is_continuous, self.motion.values())
+        )
+        return (is_smooth and in_one_piece(rate)) or rate
+        if self.V.has(TIME, *self.inputs):
+            raise DiagramError(
+                f"{self.system.name}: is of discrete time; give a V of its states alone"
+            )
+        return self.V.xreplace(dict(self.motion)) - self.V
 
     def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression as an expression.
@@ -196,53 +206,62 @@ class SystemCandidate(Candidate):
             )
         return rest_state
 
-    # --- the five questions ---------------------------------------------------------------------
-
-    def has_values(self) -> Step:
-        """Return the step that V and the equations have a value everywhere."""
-        claim = "V and the equations have a value everywhere"
-        return exact(claim, not self.undefined, "".join(self.undefined[:1]))
-
-    def is_definite(self) -> Step:
-        """Return the step that V is positive definite in forms of the states."""
-        claim = "V is positive definite"
-        expressions = self.V, *self.eq.motion.values()
-        bends = not meets_smoothly(self.V) and not all(map(is_continuous, expressions))
-        if bends or self.V.free_symbols & self.intervals:
-            return exact(claim, False, "V may jump or bend")
-        rest_state = self.rest or {}
-        total = squares(
-            self.V.xreplace({s: s + v for s, v in rest_state.items()}), self.fixed
-        )
-        forms = total.forms if total else []
-        if self.rest is not None:
-            zero = dict.fromkeys(self.states, 0)
-            forms = forms if all(vanishes(f.subs(zero)) for f in forms) else []
-        back = {s: s - v for s, v in rest_state.items()}
-        self.forms = [form.xreplace(back) for form in forms]
-        names = ", ".join(dict.fromkeys(str(self.in_signals(f)) for f in self.forms))
-        self.definite_claim = f"{claim} in {names}" if forms else claim
-        return exact(self.definite_claim, bool(forms), "" if forms else "not shown")
+    # --- the questions --------------------------------------------------------------------------
 
     def fall(self) -> Fall:
         """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
-        falls, inputs = self.falls() or self._claim_falls(), self.depends_on()
-        where = ""
-        if not falls and inputs:
-            zero = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
-            zero |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zero}
-            falls = self.never_positive(self.rate.xreplace(zero))
-            where = f" where {' = '.join(inputs)} = 0" if falls else ""
-        rate = short(self.readable_rate())
-        steps = [exact(f"V' = {rate} <= 0{where}", falls)]
+        steps, bound, claim = list[Step](), self.rate, f"V' = {self.shown_rate}"
         if self.claim is not None:
-            residual = normal_form(self.rate - self.claim)
-            self.is_claimed = vanishes(residual)
-            detail = "" if self.is_claimed else f"left over: {short(residual)}"
-            claim = f"V' = {short(self.in_signals(self.claim))}"
-            steps.append(exact(claim, self.is_claimed, detail))
-        claim = f"V' = {rate} <= 0{where}{self.as_they_are}; {self.definite_claim}"
-        return Fall(steps, f"proved{where}", claim)
+            excess = normal_form(self.rate - self.claim)
+            holds = vanishes(excess) or self.never_positive(excess)
+            bound, claim = self.claim, f"V' <= {self.text(self.claim)}"
+            detail = "" if holds else f"left over: {short(excess)}"
+            steps.append(exact(claim, holds, detail, "claimed"))
+            if not holds:
+                return Fall(steps, claim)
+        zeroed, inputs = dict[Any, Any](), self.depends_on(bound)
+        falls = self.falls(bound)
+        if not falls and inputs:
+            zeroed = {f: sympy.S.Zero for f in self.inputs if str(f.func) in inputs}
+            zeroed |= {sympy.Derivative(f, TIME): sympy.S.Zero for f in zeroed}
+            falls = self.never_positive(bound.xreplace(zeroed))
+        where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
+        if falls:
+            bounded = {*(self.least or (f for f in self.forms if f.is_Symbol))}
+            variables = (*self.states, *self.inputs)
+            loss = -whole_coefficients(normal_form(bound.xreplace(zeroed)), variables)
+            losses = self.lost = lost_forms(loss, self.fixed, bounded)
+            shows = f"falls{' loses' * bool(losses)}"
+            steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
+            fall = Fall(steps, f"{claim} <= 0", losses, short(self.text(-bound)))
+        else:
+            fall, zeroed = self._pulled(steps, claim), {}
+        fall.conditions += self.conditions(inputs if zeroed else [])
+        fall.zeroed = zeroed
+        return fall
+
+    def _pulled(self, steps: list[Step], claim: str) -> Fall:
+        """Return what is shown of a V' that pulls V back but for a constant."""
+        bound = pulled_forms(self) if self.forms else None
+        if bound is None:
+            failed = [] if self.claim is not None else [exact(f"{claim} <= 0", False)]
+            return Fall([*steps, *failed], claim)
+        steps.append(exact(bound.claim, True, "", bound.shows))
+        return Fall(steps, bound.claim, level=bound.level)
+
+    def conditions(self, zeroed: list[str]) -> list[Condition]:
+        """Return where V' is as shown."""
+        found = []
+        if has_time(self.V, self.rate):
+            found.append(Condition("t >= 0"))
+        if zeroed:
+            found.append(Condition("zero inputs", " = ".join(zeroed)))
+        nodes = wiring_of(self.system).nodes
+        stand_ins = [node.system.approximation for node in nodes]
+        if any(stand_ins):
+            of = ", ".join(filter(None, stand_ins))
+            found.append(Condition("approximation", of))
+        return found + [Condition("values")] * self.are_numbers
 
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
@@ -250,17 +269,25 @@ class SystemCandidate(Candidate):
 
     def compared(self, restrict: Callable[[tuple], tuple]) -> Step:
         """Compare with the running blocks at random points, `within` a region if need be."""
+        claim = "the running blocks give the same V'"
 
         def agrees() -> tuple[bool, str]:
             return compare(
                 self.search, restrict(self.search.wide(self.points)), self.points
             )
 
-        return checked("the running blocks give the same V'", agrees, "sampled", False)
+        return checked(claim, agrees, "sampled", False, "running")
 
-    def held(self) -> tuple[list[sympy.Expr], dict]:
-        """Return the forms that V bounds."""
-        return self.forms, {}
+    def ends_at(self, low: np.ndarray, high: np.ndarray) -> list[dict]:
+        """Return the rests between states, to one of which every run comes; [] if not known."""
+        shown = judge(self, refute=False)
+        if shown.conclusion == "asymptotically stable":
+            return [dict(self.least or {})]
+        if shown.conclusion != "comes to rest":
+            return []
+        motion = self.moving(dict.fromkeys(self.inputs, sympy.S.Zero))
+        motion.outside()
+        return motion.still_set(self.lost).rests(low, high)
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
@@ -273,20 +300,19 @@ class SystemCandidate(Candidate):
         """Return whether an expression is known never to be positive, for t >= 0."""
         return never_positive(normal_form(expression), self.fixed)
 
-    def _claim_falls(self) -> bool:
-        """Return whether V' is as claimed, and the claim as written is never positive."""
-        if self.claim is None or not vanishes(normal_form(self.rate - self.claim)):
-            return False
-        terms = sympy.Add.make_args(self.claim)
-        is_sum_of_squares = all(bool(term.is_nonpositive) for term in terms)
-        return is_sum_of_squares or never_positive(self.claim, self.fixed)
-
-    def falls(self) -> bool:
-        """Return whether V' is known never to be positive, as it is, reduced, or by states."""
+    def falls(self, bound: sympy.Expr) -> bool:
+        """Return whether V' or a bound is never positive, as it is, reduced, or by states."""
+        terms = sympy.Add.make_args(bound)
+        if all(bool(term.is_nonpositive) for term in terms) or self.never_positive(
+            bound
+        ):
+            return True
+        if self.claim is not None:
+            return never_positive(bound, self.fixed)
+        self.rate = reduced(bound)
         if self.never_positive(self.rate):
             return True
-        self.rate = reduced(self.rate)
-        return self.never_positive(self.rate) or self._falls_by_state()
+        return not self.eq.discrete and self._falls_by_state()
 
     def _falls_by_state(self) -> bool:
         """Return whether V' falls without the terms of rates that go down V, as friction does.
@@ -299,7 +325,7 @@ class SystemCandidate(Candidate):
             return self.never_positive(sympy.cancel(rate / slope))
 
         remaining = list[sympy.Expr]()
-        for s, rate in {TIME: sympy.S.One, **self.eq.motion}.items():
+        for s, rate in {TIME: sympy.S.One, **self.motion}.items():
             slope = normal_form(along(self.V, {s: sympy.S.One}))
             if slope == 0 or goes_down(rate, slope):
                 continue
@@ -308,9 +334,9 @@ class SystemCandidate(Candidate):
             remaining += [slope * term for term in undecided]
         return self.never_positive(sympy.Add(*remaining))
 
-    def depends_on(self) -> list[str]:
+    def depends_on(self, rate: sympy.Expr) -> list[str]:
         """Return the inputs that V' depends on."""
-        rate = normal_form(self.rate)
+        rate = normal_form(rate)
         return [str(f.func) for f in self.inputs if rate.has(f)]
 
     # --- points that refute ---------------------------------------------------------------------
@@ -324,13 +350,14 @@ class SystemCandidate(Candidate):
         )
 
     def refuted(self, steps: list[Step]) -> Refutation | None:
-        """Return a point at which V' > 0, V' is not as claimed, or V is no least value."""
+        """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
         _, definite, falls, *_ = steps
         below = "V is below its value at rest" if self.rest else "V falls without end"
-        is_claimed = self.claim is None or self.is_claimed
+        over, rises = "V' > 0", self._rises
+        if self.claim is not None:
+            over, rises = "V' is above the claim", self._rises_above_the_claim
         for fails, find, holds in (
-            ("V' > 0", self._rises, falls.holds),
-            ("V' is not as claimed", self._not_as_claimed, is_claimed),
+            (over, rises, falls.holds),
             (below, self._no_least, definite.holds),
         ):
             if holds:
@@ -339,8 +366,7 @@ class SystemCandidate(Candidate):
             claim = f"{fails} at a point"
             step = Step(claim, failure is not None, "counterexample", "", False)
             if failure is not None:
-                rate = short(self.readable_rate())
-                claim = f"V' = {rate}; {fails}: {failure[1]:.3g} at `point`"
+                claim = f"V' = {self.shown_rate}; {fails}: {failure[1]:.3g} at `point`"
                 return Refutation(claim, step, *failure)
             steps.append(step)
         return None
@@ -350,7 +376,7 @@ class SystemCandidate(Candidate):
         failure = self.search.rises_far_off(self.rate, set())
         if failure is None:
             return None
-        inputs = " = ".join(self.depends_on())
+        inputs = " = ".join(self.depends_on(self.rate))
         step = Step(f"{inputs} raises V however large it is", True, "counterexample")
         claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
         return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
@@ -363,22 +389,19 @@ class SystemCandidate(Candidate):
         if failure is None:
             return None
         claim = f"V rises by {failure[1]:.3g} at a jump"
-        step = exact(claim, False, "")
-        return Refutation(claim, step, *failure, status="refuted at a jump")
+        return Refutation(claim, exact(claim, False), *failure)
 
     def _rises(self) -> Failure | None:
         rate, zero = normal_form(self.rate), sympy.S.Zero
         still = self.search.rate_above(rate, zero, still=True)
         if still is not None:
             return still
-        if self.depends_on():
+        if self.depends_on(rate):
             return self.search.rises_far_off(self.rate, set())
         return self.search.rate_above(rate, zero, still=False)
 
-    def _not_as_claimed(self) -> Failure | None:
-        claim, rate = self.claim, normal_form(self.rate)
-        above = self.search.rate_above(rate, claim, still=False)
-        return above or self.search.rate_above(rate, claim, still=False, sign=-1)
+    def _rises_above_the_claim(self) -> Failure | None:
+        return self.search.rate_above(normal_form(self.rate), self.claim, still=False)
 
     def _no_least(self) -> Failure | None:
         """Return a point at which V is below its value at the rest, and by how much.
@@ -397,13 +420,12 @@ class SystemCandidate(Candidate):
 
     def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
-        rate = self.readable_rate()
         if status == "open":
-            claim = f"V' = {short(rate)}; {claim}"
-        inputs = tuple(self.depends_on())
-        steps = tuple(fields.pop("steps"))
-        V = self.in_signals(self.V)
-        return Verdict(status, claim, V, rate, inputs, steps, **fields)
+            claim = f"V' = {self.shown_rate}; {claim}"
+        fields = {**fields, "steps": tuple(fields["steps"])}
+        rate, V = self.readable_rate(), self.in_signals(self.V)
+        inputs = tuple(self.depends_on(self.rate))
+        return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)
 
     # --- in the user's signals ------------------------------------------------------------------
 
@@ -427,9 +449,18 @@ class SystemCandidate(Candidate):
             lambda term: self.sums.get(sympy.expand(term), term),
         )
 
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression in the diagram's own signals, in a line."""
+        return short(self.in_signals(expression))
+
+    @property
+    def shown_rate(self) -> str:
+        """V' in a line."""
+        return short(self.readable_rate())
+
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        rate = normal_form(self.rate)
+        rate = decided(normal_form(self.rate))
         total = squares(-rate, self.fixed)
         forms = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:

@@ -21,7 +21,8 @@ from ...paper.laws.consensus import total_candidate
 from ...paper.scenario.team import TEAM_LAW, Team
 from ...simulation.loops import team_blocks
 from .same_as_running import running_step
-from .steps import Proof, Step, where_all_hold
+from .proof import Proof, where_all_hold
+from .steps import Step
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
     SOURCES,

@@ -23,14 +23,21 @@ is read off V', each f a product of words and roots.  The kind of f then bounds 
 Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.units import at_most
+from ...engine.diagram.symbol_names import TIME
+from ...engine.record.symbolic import rational
+from .conclusions import Condition
 from .decide import groups_of
 from .facts import interval, is_positive_maximum
+from .steps import short
+from .sums_of_squares import squares, zero_of
 
 
 class Pull(NamedTuple):
@@ -41,11 +48,15 @@ class Pull(NamedTuple):
 
 
 class Bound(NamedTuple):
-    """An ultimate bound of V as a sentence and as a level."""
+    """A bound of V or of the mean of e: what is shown of V', what that requires, and a level."""
 
-    sentence: str
+    claim: str
+    shows: str  # pulled, mean, ceiling or zone: of what conclusions require
     # in theta, KD, GammaD and the bounds Delta_1, Delta_2
-    level: sympy.Expr | None = None
+    level: sympy.Expr | float | None = None
+    bound: str = ""  # of the mean
+    of: str = ""  # what comes to a zone
+    conditions: tuple[Condition, ...] = ()
 
 
 class Leak(NamedTuple):
@@ -174,20 +185,109 @@ def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
 
 
+def pulled(
+    V: sympy.Expr, rate: sympy.Expr, rest: Mapping[Any, sympy.Expr], moving: set
+) -> Pull | None:
+    """Bound V' by what pulls back and a constant, state by state, about the rest.
+
+    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
+    a state or time is no constant.
+    """
+    moves, states = {*rest, *moving}, [*rest]
+    H = sympy.hessian(V, states)
+    weights = {s: H[j, j] for j, s in enumerate(states)}
+    rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
+    groups = {tuple(g.free_symbols & {*rest}): g for g in groups_of(rate, {*rest})}
+    if not H.is_diagonal() or any(len(symbols) > 1 for symbols in groups):
+        return None
+    if any(_moves(weight, moves) for weight in weights.values()):
+        return None
+    push, rates = groups.get((), sympy.S.Zero), []
+    if _moves(push, moves):
+        return None
+    for s, weight in weights.items():
+        term = groups.get((s,), sympy.S.Zero)
+        pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
+        if pull is None:
+            return None
+        push += pull.push
+        rates.append(pull.rate / weight)
+    return None if push == 0 else Pull(sympy.Min(*rates), push)
+
+
+def pulled_at_once(
+    V: sympy.Expr, rate: sympy.Expr, rest: Mapping[Any, sympy.Expr]
+) -> Pull | None:
+    """Bound V' = -z^T A z + b^T z + c by V = z^T P z and a constant; numbers alone.
+
+    -z^T (A - r P) z + b^T z <= b^T (A - r P)^-1 b/4, with r half of the largest that A allows.
+    """
+    states = [*rest]
+    polynomials = [
+        sympy.Poly(e, *states) for e in (V, rate) if e.is_polynomial(*states)
+    ]
+    if len(polynomials) < 2 or any(p.total_degree() > 2 for p in polynomials):
+        return None
+    P, A = (share * sympy.hessian(e, states) / 2 for e, share in ((V, 1), (rate, -1)))
+    b = sympy.Matrix([sympy.diff(rate, s).xreplace(rest) for s in states])
+    c = rate.xreplace(dict(rest))
+    if any(not entry.is_Rational for entry in (*P, *A, *b, c)):
+        return None
+    if not (P.is_positive_definite and A.is_positive_definite):
+        return None
+    shares = np.linalg.eigvals(np.array(P.inv() * A, dtype=float)).real
+    slowest = rational(float(f"{0.5 * shares.min():.2g}"))
+    left = A - slowest * P
+    if not left.is_positive_definite:
+        return None
+    return Pull(slowest, c + (b.T * left.inv() * b)[0] / 4)
+
+
+def pulled_forms(case: Any) -> Bound | None:
+    """Return the bound of V of a diagram in the forms of V, each of them one state."""
+    coordinates: dict[Any, sympy.Expr] = {}
+    for form in case.forms:
+        states = sorted(form.free_symbols & {*case.motion}, key=str)
+        if len(states) < 2 or not form.is_polynomial(*states):
+            continue
+        used = set().union(*(e.free_symbols for e in coordinates.values()), coordinates)
+        for s in states:
+            slope = sympy.diff(form, s)
+            if slope.free_symbols <= case.fixed and s not in used and slope.is_nonzero:
+                e = sympy.Dummy(case.text(form), real=True)
+                coordinates[s] = sympy.expand((e - form) / slope + s)
+                break
+    V, rate = (sympy.expand(e.xreplace(coordinates)) for e in (case.V, case.rate))
+    total = squares(V, case.fixed)
+    states = sorted(V.free_symbols - case.fixed, key=str)
+    rest = zero_of(total, states) if total else None
+    if rest is None:
+        return None
+    moving = {TIME, *case.motion, *case.intervals}
+    pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
+    if pull is None or pull.rate == 0:
+        return None
+    values = case.eq.values
+    numbers = pull.rate.xreplace(values), (pull.push / pull.rate).xreplace(values)
+    least = V.xreplace(rest).xreplace(values)
+    level = float(at_most(float(numbers[1]))) if numbers[1].is_number else numbers[1]
+    claim = f"V' <= -{short(pull.rate)} V + {short(pull.push)}"
+    return Bound(claim, "pulled", level) if least == 0 else None
+
+
 class Bounding:
-    """The bounds of V that follow from V' of a case, at the numbers of its parameters."""
+    """The bounds of V that follow from V' of a law, at the numbers of its parameters."""
 
     def __init__(self, case: Any):
         """Read a `LawCandidate`."""
-        self.case, self.truth = case, case.truth
+        self.case, self.truth = case, case.least
         self.KD = list(case.loop.parameters["vehicle_controller"].KD)
-        self.leaks = leaks_of(case.residual, self.truth, case.moving)
+        self.leaks = leaks_of(case.residual, self.truth, case.moving_symbols)
         H, self.k = sympy.hessian(case.V, list(self.truth)), sympy.Min(*self.KD)
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
-        # x, whose truth is z
-        self.errors, learned = (list(self.truth)[:2], list(self.truth)[2:])
-        self.diagonal = H.is_diagonal()
-        self.square = self.diagonal and all(self.weights[s] == 1 for s in self.errors)
+        self.errors = [s for s in self.truth if s in case.e]
+        learned = [s for s in self.truth if s not in case.e]
+        self.square = H.is_diagonal() and all(self.weights[s] == 1 for s in self.errors)
         one_each = [s for leak in self.leaks for s in leak.states]
         self.all_leak = self.square and sorted(one_each, key=str) == sorted(
             learned, key=str
@@ -208,32 +308,8 @@ class Bounding:
         )
 
     def pulled(self, rate: sympy.Expr) -> Pull | None:
-        """Bound V' by what pulls back and a constant, state by state.
-
-        None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends
-        on a state or time is no constant.
-        """
-        moves = {*self.truth, *self.case.moving}
-        rate = sympy.expand(
-            rate.xreplace({s: s + true for s, true in self.truth.items()})
-        )
-        groups = {
-            tuple(g.free_symbols & {*self.truth}): g
-            for g in groups_of(rate, {*self.truth})
-        }
-        if not self.diagonal or any(len(symbols) != 1 for symbols in groups):
-            return None
-        if any(_moves(weight, moves) for weight in self.weights.values()):
-            return None
-        push, rates = sympy.Integer(0), []
-        for s, weight in self.weights.items():
-            term = groups.get((s,), sympy.S.Zero)
-            pull = _pull_of(term, s, moves) or _leak_of(term, s, self.truth[s])
-            if pull is None:
-                return None
-            push += pull.push
-            rates.append(pull.rate / weight)
-        return None if push == 0 else Pull(sympy.Min(*rates), push)
+        """Bound V' by what pulls back and a constant, state by state."""
+        return pulled(self.case.V, rate, self.truth, self.case.moving_symbols)
 
     def pulled_to(self, pull: Pull) -> Bound:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
@@ -241,10 +317,9 @@ class Bounding:
         push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
         number, rate = push.n(4), pull.rate.n(4)
         if rate == 0:
-            mean = f"in the mean e^T KD e is at most {2 * number}"
-            return Bound(f"V' <= -e^T KD e/2 + {number}: {mean}")
-        sentence = f"V' <= -{rate} V + {number}: V comes down to {number / rate}"
-        return Bound(sentence, push / pull.rate)
+            mean = f"e^T KD e is at most {2 * number}"
+            return Bound(f"V' <= -e^T KD e/2 + {number}", "mean", bound=mean)
+        return Bound(f"V' <= -{rate} V + {number}", "pulled", push / pull.rate)
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -267,7 +342,7 @@ class Bounding:
             return None
         bound = self.pulled_to(Pull(pull.rate, pull.push + excess))
         more_known = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
-        return Bound(bound.sentence + more_known, bound.level)
+        return bound._replace(claim=bound.claim + more_known)
 
     def by_error(self) -> Bound | None:
         """Return the bound where the one factor is |e|."""
@@ -283,8 +358,7 @@ class Bounding:
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        never = "so V never rises above it where it begins below"
-        return Bound(f"V' <= 0 where V >= {level.n(4)}, {never}", level)
+        return Bound(f"V' <= 0 where V >= {level.n(4)}", "ceiling", level)
 
     def within_balls(self) -> Bound | None:
         """Return the bound where what is learned stays within balls."""
@@ -304,10 +378,9 @@ class Bounding:
             )
             conditions.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
-        falls = f"V' <= -e^T KD e + e^T Delta, and V comes down to {level.n(4)}"
-        return Bound(
-            f"{radii} for good where it starts so; where {truths}, {falls}", level
-        )
+        where = (Condition("start", radii), Condition("truth", truths))
+        claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"
+        return Bound(claim, "pulled", level, conditions=where)
 
     def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
@@ -336,10 +409,8 @@ class Bounding:
             outward_part: o + n,
             least: 1 / inverse_square,
         }
-        power = sympy.Add(*(s * self.case.loop.motion[s] for s in leak.states))
-        power = sympy.expand(
-            sympy.expand(power.xreplace(self.case.values)).xreplace(beyond)
-        )
+        power = sympy.Add(*(s * self.case.motion[s] for s in leak.states))
+        power = sympy.expand(sympy.expand(power).xreplace(beyond))
         remainder = power.subs(inverse_square, 0) * leak.square + sympy.diff(
             power, inverse_square
         )

@@ -1,0 +1,197 @@
+"""A verdict as data: a status, a conclusion with the steps that it requires, and conditions.
+
+The sentence is made from the fields.  `CONCLUSIONS` are ordered: a verdict has the first whose
+requirements are all shown by steps that hold.
+
+    square-integrable       V' <= -q^2 and V >= 0            =>  int q^2 dt <= V(0)
+    goes to zero            and q' is bounded where V is     =>  q -> 0 (Barbalat)
+    comes to rest           where q = 0 for good all rates are zero (LaSalle)
+    ultimately bounded      V' <= -rate V + push             =>  V <= push/rate in the end
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
+
+from .steps import Step
+
+Status = Literal["proved", "refuted", "open"]
+
+
+class Conclusion(NamedTuple):
+    """A row of the table of conclusions."""
+
+    sentence: str  # of the fields of a verdict
+    requires: frozenset[str]  # of `Step.shows`
+    to_do: str  # by the reader, to use it or to show more
+
+
+def _needs(text: str) -> frozenset[str]:
+    return frozenset(("values", "running", *text.split()))
+
+
+CONCLUSIONS = {
+    "asymptotically stable in a region": Conclusion(
+        "what begins where V is below {level} in the box comes to rest",
+        _needs("region"),
+        "start below `level`",
+    ),
+    "comes to a zone": Conclusion(
+        "V never rises, and {of}", _needs("definite zone jumps exists"), "-"
+    ),
+    "asymptotically stable": Conclusion(
+        "so the rest is asymptotically stable from every start",
+        _needs("definite all falls rest jumps exists"),
+        "-",
+    ),
+    "comes to rest": Conclusion(
+        "so every run comes to rest and {of} to zero",
+        _needs("definite falls still jumps exists"),
+        "several rests may be left: `within=` for the region of one",
+    ),
+    "goes to zero": Conclusion(
+        "so {of} to zero",
+        _needs("definite falls loses limit jumps exists"),
+        "what else converges needs excitation (`clpt.gramian`)",
+    ),
+    "ultimately bounded": Conclusion(
+        "so V comes down to {level}",
+        _needs("definite pulled jumps exists"),
+        "`level` is V of the set that is reached",
+    ),
+    "bounded": Conclusion(
+        "V never rises above {level} where it begins below",
+        _needs("definite ceiling jumps exists"),
+        "start below `level`",
+    ),
+    "bounded in the mean": Conclusion(
+        "in the mean {bound}",
+        _needs("definite mean jumps exists"),
+        "V may grow without end: a leak or a projection bounds it",
+    ),
+    "square-integrable": Conclusion(
+        "so the integral of {bound} is at most V(0)",
+        _needs("definite falls loses jumps"),
+        "a step says which signal keeps the rate from being bounded: bound it, or put it in V",
+    ),
+    "stable": Conclusion(
+        "so the rest is stable",
+        _needs("definite all falls jumps exists"),
+        "give a V, or a `claim`, whose loss is a sum of squares",
+    ),
+    "V does not increase": Conclusion(
+        "so V does not increase",
+        _needs("definite falls"),
+        "give a V that holds the other states",
+    ),
+    "V' is at most the claim": Conclusion(
+        "as claimed", _needs("claimed"), "without a `claim` V' <= 0 is judged"
+    ),
+}
+
+CONDITIONS = {  # name -> sentence
+    "t >= 0": "for t >= 0",
+    "zero inputs": "where {} = 0",
+    "bounded inputs": "where {} bounded",
+    "existence": "as long as {} exist",
+    "outside V, bounded": "{} not in V, and bounded",
+    "outside V": "{} not in V, and not known to be bounded",
+    "between jumps": "between jumps",
+    "N": "for {}",
+    "approximation": "of {}",
+    "values": "with the parameters' values",
+    "start": "where {} at the start",
+    "truth": "where {}",
+    "slower flow": "where the flow stays slower than the vehicle (hedging)",
+    "reads the truth": "the law reads {}, which no vehicle measures by itself",
+    "phi": "where phi at the prediction is phi at the vehicle",
+    "exact fixes": "at exact fixes",
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition of a verdict: its name in `CONDITIONS`, and of what."""
+
+    name: str
+    of: str = ""
+
+    def __str__(self) -> str:
+        return CONDITIONS[self.name].format(self.of)
+
+
+def are(names: Iterable[Any]) -> str:
+    """Return "x is" or "x, y are"."""
+    names = [*map(str, names)]
+    return f"{', '.join(names)} {'are' if names[1:] else 'is'}"
+
+
+def go(names: Iterable[Any]) -> str:
+    """Return "x goes" or "x, y go"."""
+    names = [*map(str, names)]
+    return f"{', '.join(names)} {'go' if names[1:] else 'goes'}"
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What is shown of a law, a team or a V: fields, and the sentence that is made of them.
+
+    Attributes
+    ----------
+    status : str
+        ``"proved"``, ``"refuted"`` or ``"open"``.
+    claim : str
+        What is shown of V', or where it fails, or which step is missing.
+    conclusion : str
+        A row of `CONCLUSIONS` that follows from the steps; "" unless proved.
+    of : str
+        What the conclusion is about: "CLPE goes", "y - ym goes".
+    bound : str
+        Of what the integral or the mean is bounded.
+    conditions : tuple of Condition
+        Where the conclusion holds.
+    steps : tuple of Step
+        What was tried, and how.
+    level : sympy.Expr, float or None
+        V of the set that is reached, or below which a run comes to rest.
+    for_every_N : bool
+        Whether it is proved for every number of basis functions.
+    """
+
+    status: Status
+    claim: str
+    conclusion: str = field(default="", kw_only=True)
+    of: str = field(default="", kw_only=True)
+    bound: str = field(default="", kw_only=True)
+    conditions: tuple[Condition, ...] = field(default=(), kw_only=True)
+    steps: tuple[Step, ...] = field(default=(), kw_only=True)
+    level: Any = field(default=None, kw_only=True)
+    for_every_N: bool = field(default=False, kw_only=True)
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in a sentence: what is shown, what follows, and where."""
+        said = [self.claim] if self.claim else []
+        if self.conclusion:
+            level = self.level.n(4) if hasattr(self.level, "n") else self.level
+            row = CONCLUSIONS[self.conclusion]
+            said.append(row.sentence.format(of=self.of, bound=self.bound, level=level))
+        return "; ".join([", ".join(said), *map(str, self.conditions)])
+
+    @property
+    def failed(self) -> tuple[Step, ...]:
+        """The steps that do not hold."""
+        return tuple(step for step in self.steps if not step.holds)
+
+
+def concluded(steps: Iterable[Step], given: str = "") -> str:
+    """Return the first conclusion whose requirements are given or shown by steps, or ""."""
+    shows = [step.shows for step in steps if step.holds]
+    shown = {*" ".join([given, *shows]).split()}
+    names = (name for name, row in CONCLUSIONS.items() if row.requires <= shown)
+    return next(names, "")
+
+
+def strength(judged: Judged) -> int:
+    """Return the place of a conclusion in the table, the strongest first; of none the last."""
+    return [*CONCLUSIONS, ""].index(judged.conclusion)

@@ -1,0 +1,403 @@
+"""States that V does not contain, and what goes to zero in the end.
+
+Where V does not rise, each form of V is bounded: a linear form in one state bounds that state.
+States that no form bounds are judged by their rates.  Linear ones with a Hurwitz matrix stay
+bounded; with rates that grow at most linearly in them they exist for all times (Gronwall's lemma);
+s' = 1 + s^2 escapes at t = pi/2.  Inputs are bounded.
+
+Of forms q with int q^2 dt < oo those go to zero whose rates are bounded (Barbalat's lemma): made of
+what is bounded, and of functions of time that are.  Where a diagram depends on nothing else, its
+runs end where V' = 0 for good (LaSalle): q = 0, q' = 0, q'' = 0, ... there.
+
+Source: Khalil, H. K. (2002), Nonlinear Systems, 3rd ed., Lemma 8.2 and Theorem 4.4.
+"""
+
+from collections.abc import Iterable, Mapping, Set
+from dataclasses import dataclass, field
+from itertools import product, zip_longest
+from typing import Any
+
+import sympy
+from sympy import Expr
+from sympy.core.function import AppliedUndef
+
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations
+from .exact import factored, normal_form, vanishes
+from .facts import along, degree, is_input
+from .steps import How, Step, short
+from .sums_of_squares import squares
+from .conclusions import Condition, are
+
+ANGLES = (sympy.sin, sympy.cos)
+MOST_ROUNDS = 12  # of derivatives of what stays zero
+CLOCK = sympy.Symbol("t", nonnegative=True)
+
+
+@dataclass
+class Motion:
+    """Rates of states with inputs of any bounded value, and what V bounds of the states."""
+
+    eq: Equations
+    rates: dict[Any, Expr]  # of the states in which V is written
+    fixed: set  # symbols of parameters
+    forms: list[Expr]  # that V bounds
+    exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
+    free: list[Any] = field(default_factory=list)  # states that nothing bounds
+    bounded: dict[Any, Expr] = field(
+        default_factory=dict
+    )  # states, by what bounds them
+    conditions: list[Condition] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        parameters = self.eq.parameters.values()
+        self.intervals = {p.interval for p in parameters if "interval" in p._fields}
+        self.fixed = self.fixed - self.intervals
+        functions = {f for port in self.eq.inputs.values() for f in port.flat}
+        self.inputs = {f: sympy.Dummy(str(f.func), real=True) for f in functions}
+        rates = {f.diff(TIME): sympy.Dummy(f"{f.func}'", real=True) for f in functions}
+        self.input_rates = set(rates.values())
+        self.still = {**rates, **self.inputs}
+        self.rates = {s: self.quiet(rate) for s, rate in self.rates.items()}
+
+    def quiet(self, expression: Expr) -> Expr:
+        """Return an expression with a symbol for each input, and for its rate."""
+        return expression.xreplace(self.still)
+
+    # --- states that V does not contain ------------------------------------------------------
+
+    def outside(self) -> Step:
+        """Return the step that the states that V does not contain exist, with its conditions."""
+        forms = _bounded_forms(
+            [self.quiet(form) for form in self.forms], self.rates, self.fixed
+        )
+        self.bounded, outside = _bounded_states(forms, self.rates, self.fixed)
+        if not outside:
+            return Step("V holds every state", True, "exact", "", False, "exists")
+        rates = {s: self.rates[s].xreplace(self.bounded) for s in outside}
+        jumps = {
+            s: self.quiet(after).xreplace(self.bounded)
+            for change in self.eq.jumps.values()
+            for s, after in change.items()
+            if s in outside and after != s
+        }
+        # nothing is known of an opaque source, not even that it has a value at all times
+        every_rate = sympy.Tuple(*rates.values())
+        sources = {f for f in every_rate.atoms(AppliedUndef) if is_input(f)}
+        how: How = "sampled" if sources else "exact"
+        condition = f", if {self._names_of(sources)} bounded" * bool(sources)
+        stable = list[Any]()
+        self.free = outside
+        for states in _in_order(rates):  # each driven by those before it
+            own = [rates[s].xreplace(self.bounded) for s in states]
+            if not jumps.keys() & {*states} and self._is_linear_and_stable(own, states):
+                stable += states
+                self.free = [s for s in self.free if s not in states]
+                self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
+        if stable:
+            names = are(_names(self.eq, stable))
+            self.conditions.append(Condition("outside V, bounded", names))
+            claim = f"{names} linear and stable, driven by what is bounded{condition}"
+        # a rate as it is or expanded, which hides roots
+        asked = [s for s in self.free if s not in self.exist]
+        left = [rates[s].xreplace(self.bounded) for s in asked]
+        written = [(rate, sympy.expand(rate)) for rate in left]
+        written += [(jumps[s],) for s in asked if s in jumps]
+        exist = self.eq.discrete or all(
+            min(degree(f, asked.__contains__) for f in forms_of_rate) <= 1
+            for forms_of_rate in written
+        )
+        if self.free:
+            free = _names(self.eq, self.free)
+            listed = ", ".join(free)
+            name, of = ("outside V", are(free)) if exist else ("existence", listed)
+            self.conditions.append(Condition(name, of))
+            grow = ", may grow, and" * exist
+            claim = f"{listed}: not held by V{grow or ','} exist for all t{condition}"
+        shows, detail = ("exists", "") if exist else ("", "not shown")
+        return Step(claim, exist, how if exist else "exact", detail, False, shows)
+
+    def _names_of(self, inputs: Iterable[Any]) -> str:
+        """Return "u is" or "u, v are", each port of inputs once."""
+        ports = [*self.eq.inputs.items()]
+        used = {*inputs}
+        names = [port for port, symbols in ports if used & {*symbols.flat}]
+        known = {f for _, symbols in ports for f in symbols.flat}
+        return are(names + sorted(str(f.func) for f in used - known))
+
+    def _is_linear_and_stable(self, rates: list, states: list) -> bool:
+        """Return whether rates are linear in some states, stable, and driven by what is bounded."""
+        expanded = sympy.Matrix([sympy.expand(rate) for rate in rates])
+        J = expanded.jacobian(states)
+        remainder = expanded - J * sympy.Matrix(states)
+        if J.free_symbols - self.fixed or remainder.has(*states):
+            return False
+        if any(self.not_bounded(e) for e in remainder):
+            return False
+        return schur(J) if self.eq.discrete else hurwitz(J)
+
+    # --- what goes to zero ---------------------------------------------------------------------
+
+    def not_bounded(self, expression: Expr) -> list[str]:
+        """Return the names of what may take an expression beyond every bound."""
+        e = self.quiet(expression).xreplace(self.bounded).xreplace({TIME: CLOCK})
+        states = {*self.free, *self.intervals, *self.input_rates, CLOCK}
+        if degree(e, states.__contains__) == 0:
+            return []
+        alone = [s for s in states if degree(e, lambda a, s=s: a == s) > 0]
+        return sorted(map(str, alone)) or sorted(map(str, e.free_symbols & states))
+
+    def limit(self, forms: Iterable[Expr], of: str) -> Step:
+        """Return the step that the rates of forms are bounded where V is (Barbalat)."""
+        claim = f"the rate of {of} is bounded where V is"
+        rates = {TIME: sympy.S.One, **self.rates}
+        rates = [sympy.expand(along(self.quiet(q), rates)) for q in forms]
+        used = {f for f, s in self.inputs.items() if sympy.Tuple(*rates).has(s)}
+        used |= {f for f in sympy.Tuple(*rates).atoms(AppliedUndef) if is_input(f)}
+        loose = dict.fromkeys(name for rate in rates for name in self.not_bounded(rate))
+        if loose:
+            detail = f"it holds {', '.join(loose)}, not known to be bounded there"
+            return Step(claim, False, "exact", detail, False)
+        if used:
+            self.conditions.append(Condition("bounded inputs", self._names_of(used)))
+        return Step(claim, True, "exact", "", False, "limit")
+
+    def still_set(self, forms: Iterable[Expr]) -> "Still":
+        """Return what is zero for good where forms are."""
+        return Still(self.rates, self.fixed, self.eq.discrete).found(forms)
+
+
+@dataclass
+class Still:
+    """The expressions that are zero for good where others are, in the order of their finding."""
+
+    rates: dict[Any, Expr]
+    fixed: set
+    discrete: bool = False
+    zero: list[Expr] = field(default_factory=list)
+    solved: dict[Any, Expr] = field(
+        default_factory=dict
+    )  # states and sines, by the others
+
+    def found(self, forms: Iterable[Expr]) -> "Still":
+        """Differentiate forms along the rates until nothing new is zero."""
+        queue = [*forms]
+        for _ in range(MOST_ROUNDS):
+            if not queue:
+                break
+            g = self.reduced(queue.pop(0))
+            if vanishes(g):
+                continue
+            self.zero.append(g)
+            self._solve(g)
+            queue.append(self.moved(g))
+        return self
+
+    def moved(self, g: Expr) -> Expr:
+        """Return the rate of an expression; in discrete time its next value."""
+        if self.discrete:
+            return g.xreplace(self.rates)
+        return along(g, self.rates)
+
+    def reduced(self, expression: Expr) -> Expr:
+        """Return an expression where all that was found is zero, without factors that never are."""
+        e, before = normal_form(expression), None
+        while e != before:
+            before, e = e, normal_form(e.xreplace(self.solved))
+        if vanishes(e):
+            return sympy.S.Zero
+        numerator, _ = sympy.fraction(sympy.together(e))
+        factors = sympy.Mul.make_args(factored(numerator))
+        kept = [
+            f.as_base_exp()[0] for f in factors if not _is_never_zero(f, self.fixed)
+        ]
+        return sympy.Mul(*dict.fromkeys(kept))
+
+    def _solve(self, g: Expr) -> None:
+        """Solve an expression that is zero for a state or a sine, linear in it."""
+        atoms = sorted({*self.rates} & g.free_symbols, key=str)
+        for a in [*atoms, *sorted(g.atoms(sympy.sin), key=str)]:
+            slope = sympy.diff(g, a) if a.is_Symbol else g.coeff(a)
+            rest = normal_form(g - slope * a)
+            if slope and not (slope.free_symbols - self.fixed or rest.has(a)):
+                if not (a.is_Symbol and rest.has(*_calls_of(rest, a))):
+                    self.solved[a] = -rest / slope
+                    return
+
+    @property
+    def is_rest(self) -> bool:
+        """Whether all rates are zero there."""
+        values = (
+            rate if not self.discrete else rate - s for s, rate in self.rates.items()
+        )
+        left = (self.reduced(value) for value in values)
+        return all(vanishes(e) or any(vanishes(e - g) for g in self.zero) for e in left)
+
+    @property
+    def point(self) -> dict[Any, Expr] | None:
+        """The one rest that is left: each state as a number; otherwise None."""
+        values = {s: s for s in self.rates}
+        for _ in values:
+            values = {
+                s: sympy.expand(v.xreplace(self.solved)) for s, v in values.items()
+            }
+        numbers = not any(v.free_symbols - self.fixed for v in values.values())
+        return values if numbers else None
+
+    def rests(self, low: Any, high: Any) -> list[dict[Any, Expr]]:
+        """Return the rests between states: each state a number, or a zero of its sine."""
+        choices = []
+        for s, a, b in zip(self.rates, low, high, strict=True):
+            sines = [g for g in self.solved if isinstance(g, sympy.sin) and g.has(s)]
+            if s in self.solved:
+                choices.append([self.solved[s]])
+                continue
+            if not sines or not sympy.Poly(sines[0].args[0], s).is_linear:
+                return []
+            slope, phase = sympy.Poly(sines[0].args[0], s).all_coeffs()
+            turns = sorted((slope * end + phase) / sympy.pi for end in (a, b))
+            counts = range(int(sympy.ceiling(turns[0])), int(sympy.floor(turns[1])) + 1)
+            choices.append([(k * sympy.pi - phase) / slope for k in counts])
+        points = (dict(zip(self.rates, p, strict=True)) for p in product(*choices))
+        rests = [{s: v.xreplace(p) for s, v in p.items()} for p in points]
+        numbers = all(v.is_number for p in rests for v in p.values())
+        return rests if numbers else []
+
+
+def _calls_of(expression: Expr, state: Any) -> list:
+    """Return the functions of an expression that hold a state."""
+    return [f for f in expression.atoms(sympy.Function) if f.has(state)] or [
+        sympy.Dummy()
+    ]
+
+
+def _is_never_zero(factor: Expr, fixed: set) -> bool:
+    """Return whether a factor of an expression that is zero cannot be the one that is."""
+    if not factor.free_symbols - fixed:
+        return bool(factor.is_nonzero or factor.is_number)
+    base, exponent = factor.as_base_exp()
+    total = squares(base, fixed) if base.is_Add else None
+    return bool(exponent.is_negative or base.is_positive) or bool(
+        total and total.constant.is_positive
+    )
+
+
+def _in_order(rates: Mapping[Any, Expr]) -> list[list]:
+    """Return the states in groups that drive each other, each group after those that drive it."""
+    drivers = {s: rate.free_symbols & rates.keys() for s, rate in rates.items()}
+    reached = {s: {*of} for s, of in drivers.items()}
+    for _ in rates:  # through one more state each time
+        reached = {s: of.union(*(reached[d] for d in of)) for s, of in reached.items()}
+    groups = dict[frozenset, list]()
+    for s, of in reached.items():
+        loop = frozenset({s} | {d for d in of if s in reached[d]})
+        groups.setdefault(loop, []).append(s)
+    return sorted(groups.values(), key=lambda group: len(reached[group[0]]))
+
+
+def _bounded_forms(forms: list, motion: dict, fixed: set) -> list[sympy.Expr]:
+    """Return forms that are bounded, of those that V contains, and the forms in them.
+
+    A sine of half an angle bounds the angle up to whole turns, which is all that counts where
+    nothing else depends on it.  A form that grows with time bounds nothing.
+    """
+    expressions = (*motion.values(), *forms)
+    turns = {call for e in expressions for call in e.atoms(*ANGLES)}
+    # functions of angles that whole turns leave as they are, as th**2 is none
+    periodic = {
+        call: sympy.Dummy()
+        for call in turns
+        if not any(sympy.diff(call.args[0], s).free_symbols - fixed for s in motion)
+    }
+    without_angles = [e.xreplace(periodic) for e in expressions]
+    bounded = []
+    for form in forms:
+        inner = form.as_coeff_Mul()[1]
+        if isinstance(inner, sympy.sin):
+            states = inner.free_symbols - fixed
+            is_read = any(e.has(*states) for e in without_angles)
+            form = sympy.S.Zero if is_read else inner.args[0]
+        if degree(form, lambda s: s == TIME) == 0:
+            bounded.append(form)
+    sums = filter(None, (squares(form, fixed) for form in bounded))
+    return bounded + [form for total in sums for form in total.forms]
+
+
+def _bounded_states(
+    forms: list, motion: dict, fixed: set
+) -> tuple[dict[Any, sympy.Expr], list]:
+    """Return states as what bounds them, in the free states, and the free states.
+
+    A form in one state bounds it; where each form has several states, the state that moves most
+    simply is free, and the forms bound the others.
+    """
+    remaining, bounded, free = list(motion), dict[Any, Any](), list[Any]()
+    while remaining:
+        solved = (_state_of(form.xreplace(bounded), remaining, fixed) for form in forms)
+        state = next(filter(None, solved), None)
+        if state is not None:
+            bounded |= state
+            remaining = [s for s in remaining if s not in state]
+            continue
+        free.append(_simplest(remaining, free, motion, fixed))
+        remaining.remove(free[-1])
+    return bounded, free
+
+
+def _simplest(remaining: list, free: list, motion: dict, fixed: set) -> Any:
+    """Return the state that moves most simply, of those that are left."""
+    is_state = {*remaining, *free}.__contains__
+
+    def order(s: Any) -> tuple:
+        varies = bool(sympy.diff(motion[s], s).free_symbols - fixed)
+        return varies, degree(motion[s], is_state)
+
+    return min(remaining, key=order)
+
+
+def _state_of(
+    form: sympy.Expr, remaining: list, fixed: set
+) -> dict[Any, sympy.Expr] | None:
+    """Return the single state of a form, if it has one, in terms of bounded symbols."""
+    states = [s for s in remaining if form.has(s)]
+    if len(states) != 1:
+        return None
+    (s,), bound = states, sympy.Dummy("bound", real=True)
+    if not form.is_polynomial(s):  # s and what is bounded whatever s is
+        rest = sympy.expand(form - s)
+        return {s: bound} if degree(rest, lambda a: a == s) == 0 else None
+    leading, *coefficients = sympy.Poly(form, s).all_coeffs()
+    if not leading.is_nonzero or leading.free_symbols - fixed:
+        return None
+    if len(coefficients) == 1:
+        return {s: (bound - coefficients[0]) / leading}
+    # of higher degree it bounds s where nothing else in it moves freely
+    moving = form.free_symbols - fixed - {s}
+    return {s: bound} if all(isinstance(o, sympy.Dummy) for o in moving) else None
+
+
+def _names(eq: Equations, free: list) -> list[str]:
+    """Return the names of free states: a port where all of it is free."""
+    names = []
+    for port, symbols in eq.states.items():
+        members = [s for s in symbols.flat if s in free]
+        is_whole = len(members) == symbols.size
+        names += [port] if is_whole else [str(s) for s in members]
+    # a state that is no output has the name block:state
+    return [name.rpartition(":")[2] for name in names]
+
+
+def hurwitz(A: sympy.Matrix) -> bool:
+    """Return whether all eigenvalues have a negative real part, by Routh's table, exactly."""
+    row, next_row = (A.charpoly().all_coeffs()[k::2] for k in (0, 1))
+    while next_row and next_row[0].is_positive:
+        share = row[0] / next_row[0]
+        pairs = zip_longest(row[1:], next_row[1:], fillvalue=0)
+        row, next_row = next_row, [sympy.cancel(a - share * b) for a, b in pairs]
+    return not next_row
+
+
+def schur(A: sympy.Matrix) -> bool:
+    """Return whether all eigenvalues are within the unit circle, by those of (A - I)/(A + I)."""
+    one = sympy.eye(A.rows)
+    return (A + one).det() != 0 and hurwitz((A - one) * (A + one).inv())
