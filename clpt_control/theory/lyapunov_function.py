@@ -21,7 +21,6 @@ from .proofs.system_candidate import SystemCandidate, function_of_signals
 from .region import Region
 from .searching import candidates
 
-
 NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
 LIMITED = [*CONCLUSIONS].index("goes to zero")  # numbers are tried for a weaker one
 

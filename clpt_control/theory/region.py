@@ -200,7 +200,7 @@ class Region:
     """V - V(rest) and V' in a box of states, with parameters as they are and inputs of 0."""
 
     def __init__(self, case: SystemCandidate, within: Any):
-        self.states = case.states
+        self.states, self.discrete = case.states, case.eq.discrete
         self.rest = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
         self.low, self.high = _box(self.rest, within)
         zero = dict.fromkeys(case.inputs, sympy.S.Zero)
@@ -250,6 +250,14 @@ class Region:
             least, most = np.fmax(least, about[0]), np.fmin(most, about[1])
         return np.broadcast_to(least, len(low)), np.broadcast_to(most, len(low))
 
+    def stay(self, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+        """Return whether the next states are in the box as well; always in continuous time."""
+        if not self.discrete:
+            return np.ones(len(low), dtype=bool)
+        ends = zip(self.motion, self.low, self.high, strict=True)
+        nexts = ((self.range(e, low, high), a, b) for e, a, b in ends)
+        return np.all([(a <= of[0]) & (of[1] <= b) for of, a, b in nexts], axis=0)
+
     def near_the_rest(self) -> Ends | None:
         """Return a box about the rest in which V' < 0 but there, by its second derivatives."""
         center, share = np.array([float(value) for value in self.rest.values()]), 1.0
@@ -262,6 +270,8 @@ class Region:
             if not (is_smooth(rate) or (is_continuous(rate) and meets_smoothly(rate))):
                 continue
             slopes = self.slopes_of(rate)
+            if self.discrete:
+                motion = [e - s for s, e in zip(self.states, motion, strict=True)]
             if not all(
                 vanishes(decided(e.xreplace(self.rest)))
                 for e in (rate, *motion, *slopes)
@@ -303,6 +313,7 @@ class Region:
             edge = (a == b).any(axis=1)
             falls = ((rest_box[0] <= a) & (b <= rest_box[1])).all(axis=1)
             falls |= self.range(self.rate, a, b)[1] < 0.0
+            falls &= self.stay(a, b)
             undecided = edge | ~falls
             a, b, edge, floors = (
                 a[undecided],

@@ -8,7 +8,6 @@ does not rise at fixes.
 """
 
 from collections.abc import Callable
-from dataclasses import fields as dataclass_fields
 from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
@@ -19,40 +18,24 @@ import sympy
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..promises import truth_of
-from .conclusions import Condition, Judged
-from .fixes import fix_steps
-from .invariants import Invariants
-from .judge import Verdict, judge
+from .judge import Verdict
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
-from .paper_loop import PaperLoop
-from .proof import Proof, proof_or_failure, where_all_hold
-from .prove_law import prove
-from .steps import Step, checked
+from .proof import Proof, proof_or_failure
+from .prove_law import verdict_on_row
+from .steps import Step, bound_text, checked
 from .team_proof import proof_of_team
 from .theorem_loop import law_and_V, theorem_scenario
-from .theorems import KNOWN_ERROR, THEOREMS, known_flow_steps, numbers_of
+from .theorems import THEOREMS, numbers_of
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # basis functions of a law of the table; a proof for every N says so
 DISTURBANCES = ((0.0, 0.0), (0.1, 0.0), (0.05, 0.2), (1.0, 3.0))  # of each axis
-MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
 
 
 def proof_of_law(law: Law) -> Proof:
     """Prove one law."""
-    if law.at_fixes:  # CLPE does not go to zero between fixes
-        claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
-        where = (Condition("phi"), Condition("exact fixes"))
-        steps = fix_steps(law, POINTS)
-        return where_all_hold(claim, steps, "definite", conditions=where)
-    if law.given_estimate:
-        steps = known_flow_steps(PaperLoop(law.name), POINTS)
-        return where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
-    if law.invariants is not None:
-        return proof_of(judge(Invariants(law, POINTS)))
-    block, _ = law_and_V(law, N)
-    verdict = prove(block, lambda truth, p: law.V(p, truth), points=POINTS)
+    verdict = verdict_on_row(law, POINTS, law_and_V(law, N)[0])
     if law.level is not None and verdict.level is not None:
         declared = declared_level_step(law, verdict.level)
         verdict = replace(verdict, steps=(*verdict.steps, declared))
@@ -61,9 +44,8 @@ def proof_of_law(law: Law) -> Proof:
 
 def proof_of(verdict: Verdict) -> Proof:
     """Return what is written of a verdict: its fields as text and numbers."""
-    fields = {f.name: getattr(verdict, f.name) for f in dataclass_fields(Judged)}
-    level = verdict.level
-    fields["level"] = None if level is None else str(level.n(4))
+    level = None if verdict.level is None else bound_text(verdict.level)
+    fields = {**verdict.judged, "level": level}
     return Proof(**fields, certificate=verdict.certificate())
 
 

@@ -10,10 +10,10 @@ requirements are all shown by steps that hold.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple
 
-from .steps import Step
+from .steps import Step, bound_text
 
 Status = Literal["proved", "refuted", "open"]
 
@@ -55,12 +55,12 @@ CONCLUSIONS = {
         "what else converges needs excitation (`clpt.gramian`)",
     ),
     "ultimately bounded": Conclusion(
-        "so V comes down to {level}",
+        "so V comes down to {bound}",
         _needs("definite pulled jumps exists"),
         "`level` is V of the set that is reached",
     ),
     "bounded": Conclusion(
-        "V never rises above {level} where it begins below",
+        "so V stays below {level} where it begins below",
         _needs("definite ceiling jumps exists"),
         "start below `level`",
     ),
@@ -99,6 +99,7 @@ CONDITIONS = {  # name -> sentence
     "between jumps": "between jumps",
     "N": "for {}",
     "approximation": "of {}",
+    "graphs": "on graphs of {}",
     "values": "with the parameters' values",
     "start": "where {} at the start",
     "truth": "where {}",
@@ -175,8 +176,15 @@ class Judged:
         if self.conclusion:
             level = self.level.n(4) if hasattr(self.level, "n") else self.level
             row = CONCLUSIONS[self.conclusion]
-            said.append(row.sentence.format(of=self.of, bound=self.bound, level=level))
+            said.append(
+                row.sentence.format(of=self.of, bound=self.bound or level, level=level)
+            )
         return "; ".join([", ".join(said), *map(str, self.conditions)])
+
+    @property
+    def judged(self) -> dict[str, Any]:
+        """The fields that every verdict has, by name."""
+        return {f.name: getattr(self, f.name) for f in fields(Judged)}
 
     @property
     def failed(self) -> tuple[Step, ...]:

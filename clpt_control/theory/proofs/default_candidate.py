@@ -213,17 +213,18 @@ def user_V(V: Callable[..., Any], law: Block) -> LawV:
 
 
 class LawSignals:
-    """Signals, parameters and true values that a V of a law may read: s.e, s.theta."""
+    """Signals, parameters, true values and time that a V of a law may read: s.e, s.theta, s.t."""
 
-    def __init__(self, ports: Mapping[str, Any], signals: Any, parameters: Any):
+    def __init__(self, ports: Mapping[str, Any], signals: Any, parameters: Any, t: Any):
         self._ports, self._signals, self._parameters = ports, signals, parameters
+        self.t = t
 
     def __getattr__(self, name: str) -> Any:
         if name in self._ports:
             return getattr(self._signals, name)
         if hasattr(self._parameters, name):
             return getattr(self._parameters, name)
-        names = ", ".join([*self._ports, *self._parameters._fields])
+        names = ", ".join(["t", *self._ports, *self._parameters._fields])
         raise DiagramError(f"V needs s.{name}; s has {names}")
 
 
@@ -240,7 +241,7 @@ def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Bloc
     def candidate(ports: Mapping[str, Any], fields: Mapping[str, Any]) -> Block:
         return Block(
             "candidate",
-            output=lambda t, x, u, p: {"V": V(LawSignals(ports, u, p))},
+            output=lambda t, x, u, p: {"V": V(LawSignals(ports, u, p, t))},
             inputs=ports,
             outputs={"V": 1},
             parameters=fields,

@@ -12,7 +12,7 @@ slide along the kink, and V rise.
 """
 
 from collections.abc import Callable, Iterable
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import combinations
 from math import inf
 from operator import ge, gt, le, lt
@@ -40,6 +40,8 @@ LOGIC: dict[str, Callable[..., Any]] = {
     "or_": lambda a, b: a + b - a * b,
     "not_": lambda a: 1 - a,
 }
+CONNECTIVES = {"and_": sympy.And, "or_": sympy.Or, "not_": sympy.Not}
+MOST_ATOMS = 6  # comparisons in a condition that is simplified
 NUMPY_OF = {**ON_NUMBERS, "inside": lambda s, low, high: (low < s) & (s < high)}
 
 Interval = tuple[Any, Any]
@@ -208,7 +210,7 @@ def is_input(call: Any) -> bool:
 def has_time(*expressions: Expr) -> bool:
     """Return whether expressions depend on time by themselves, not by an input alone."""
     total = sympy.Tuple(*expressions)
-    slopes = {d: S.Zero for d in total.atoms(sympy.Derivative)}
+    slopes = dict.fromkeys(total.atoms(sympy.Derivative), S.Zero)
     inputs = {f: S.Zero for f in total.atoms(AppliedUndef) if is_input(f)}
     return bool(total.xreplace(slopes).xreplace(inputs).has(TIME))
 
@@ -232,11 +234,47 @@ def _outcome(call: Any) -> Any:
         return _without_size(call)
     if name in LOGIC:
         is_known = any(are_numbers) and all(map(_is_truth, arguments))
-        return LOGIC[name](*arguments) if is_known else call
+        return LOGIC[name](*arguments) if is_known else _simplified(call)
     number = fact_of(call).number
     if number is not None and all(are_numbers):
         return number(*arguments)
     return call
+
+
+def _simplified(call: Any) -> Any:
+    """Return and_, or_ and not_ of comparisons with as few of them as can be."""
+    atoms: dict[tuple, sympy.Symbol] = {}
+
+    def proposition(e: Any) -> Any:
+        name, arguments = e.func.__name__, e.args
+        if name in CONNECTIVES:
+            return CONNECTIVES[name](*map(proposition, arguments))
+        if name in ("gt", "le"):  # a > b unless b >= a
+            arguments = arguments[::-1]
+        key = arguments if name in COMPARISONS else (e,)
+        atom = atoms.setdefault(key, sympy.Dummy())
+        return ~atom if name in ("lt", "gt") else atom
+
+    def word(e: Any) -> Any:
+        if e in (sympy.true, sympy.false):
+            return sympy.Integer(bool(e))
+        negated = e.func == sympy.Not
+        if e.func in (sympy.And, sympy.Or):
+            name = "and_" if e.func == sympy.And else "or_"
+            return reduce(Function(name, real=True), map(word, e.args))
+        key = keys[e.args[0] if negated else e]
+        name = ("lt" if negated else "ge") if len(key) == 2 else "not_"
+        return (
+            key[0]
+            if name == "not_" and not negated
+            else Function(name, real=True)(*key)
+        )
+
+    statement = proposition(call)
+    if len(atoms) > MOST_ATOMS:
+        return call
+    keys = {atom: key for key, atom in atoms.items()}
+    return word(sympy.simplify_logic(statement, force=True))
 
 
 def _without_size(call: Any) -> Any:

@@ -17,7 +17,7 @@ V(x+) - V(x).
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence, Set
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -28,7 +28,7 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from .conclusions import Condition, Judged, concluded, go
-from .exact import normal_form, vanishes
+from .exact import vanishes
 from .facts import is_continuous, meets_smoothly
 from .limits import Motion
 from .steps import Step, exact, first_failure, short

@@ -21,7 +21,7 @@ from ...engine.record.scalar_graph import Index
 from .conclusions import Condition
 from .decide import never_positive
 from .every_n import base_and_term, reindexed
-from .exact import normal_form, vanishes
+from .exact import as_factors, normal_form, vanishes
 from .facts import CLIP, SIGN, along, degree, has_time
 from .judge import Candidate, Fall, Refutation, Verdict
 from .limits import CLOCK
@@ -109,6 +109,9 @@ class LawCandidate(Candidate):
         remainder = normal_form(self.rate - self.fall_of_e)
         sizes = {a: a.args[0] * SIGN(*a.args) for a in remainder.atoms(sympy.Abs)}
         has_powers = remainder.atoms(sympy.Pow)
+        divisors = [p.base for p in has_powers if p.exp.is_negative]
+        if sympy.Tuple(*divisors).has(TIME):  # gains of time, which may cancel
+            remainder = as_factors(remainder)
         return (
             sympy.S.Zero
             if has_powers and vanishes(remainder.xreplace(sizes))

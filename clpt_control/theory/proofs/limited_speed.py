@@ -88,13 +88,15 @@ def with_hedging() -> Proof:
     signals, inputs = paper.loop.signals, paper.loop.inputs
     claim = "V' = -e^T KD e, whatever v is flown"
     fall = paper.rate(paper.V) + np.sum(KD * e**2)
-    e_rate = -KD * e + paper.eta @ phi + paper.kappa * paper.z + paper.nu * zc
     commanded = paper.GammaD * zc - paper.alpha_M @ phi - KD * paper.x
     moved = paper.rate(paper.x) - (signals["flow_x"] + inputs["v_x"])
     steps = [
         line(f"{claim}, for every N", paper.positive(KD), zero(fall)),
         running(paper, POINTS, claim),
-        line("e' is that without a limit, for every N", zero(paper.rate(e) - e_rate)),
+        line(
+            "e' is that without a limit, for every N",
+            zero(paper.rate(e) - paper.error_rate),
+        ),
         quadratic(paper, "(24)"),
         checked("v = v_c up to |v_c| = v_max, and v_max v_c/|v_c| beyond", limits),
         line(

@@ -23,11 +23,11 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from .conclusions import Condition, are
 from .exact import factored, normal_form, vanishes
 from .facts import along, degree, is_input
-from .steps import How, Step, short
+from .steps import How, Step
 from .sums_of_squares import squares
-from .conclusions import Condition, are
 
 ANGLES = (sympy.sin, sympy.cos)
 MOST_ROUNDS = 12  # of derivatives of what stays zero

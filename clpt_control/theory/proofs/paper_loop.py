@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ...engine.model.ports import named
 from ...simulation.loops import error_loop
 from .exact import vanishes
 from .steps import Step
@@ -34,34 +35,57 @@ def algebra(*residuals: str) -> Check:
 
 
 class PaperLoop:
-    """The loop of the learned-flow or the known-flow law as arrays, by the paper's names."""
+    """The loop of the learned-flow or the known-flow law as arrays, by the paper's names.
+
+    Of a team: `loop` with all vehicles, and the name of the one that is meant.
+    """
 
     def __init__(
         self,
         law: str = "learned-flow",
         disturbed: bool = False,
         speed: Hedging = "no limit",
+        loop: ArrayLoop | None = None,
+        vehicle: str = "",
     ):
-        diagram = theorem_loop(WIRED, law, disturbed=disturbed, speed=speed)
-        self.loop = loop = ArrayLoop(diagram)
+        if loop is None:
+            loop = ArrayLoop(theorem_loop(WIRED, law, disturbed=disturbed, speed=speed))
+
+        def of(kind: str) -> str:
+            return named(vehicle, kind) if vehicle else kind
+
+        self.loop = loop
         states, parameters = loop.states, loop.parameters
-        car = parameters["vehicle_controller"]
+        car = parameters[of("vehicle_controller")]
         self.KD, self.GammaD, self.alpha_M = car.KD, car.GammaD, car.alpha_M
-        self.theta = parameters["true_flow"].theta
-        self.gamma = parameters["adaptation"].gain
-        self.x, self.z = states["x"], states["z"]
-        self.e = loop.signals["e"]
-        self.phi, self.zc = loop.inputs["phi_x"], loop.inputs["zc"]
+        self.theta = parameters[of("true_flow")].theta
+        self.gamma = parameters[of("adaptation")].gain
+        self.x, self.z = states[of("x")], states[of("z")]
+        self.e = loop.signals[of("e")]
+        self.phi, self.zc = loop.inputs[of("phi_x")], loop.inputs[of("zc")]
         self.V = loop.signals["V"][0]
         # the errors of what is learned
-        self.kappa = states["K"] - self.KD
-        self.nu = self.GammaD - states["Gamma"]
-        if "alpha" in states:
-            self.eta = self.theta + states["alpha"]
+        self.kappa = states[of("K")] - self.KD
+        self.nu = self.GammaD - states[of("Gamma")]
+        if of("alpha") in states:
+            self.alpha = states[of("alpha")]
+            self.eta = self.theta + self.alpha
 
     def rate(self, value: Any) -> Any:
         """Return the time derivative of an array along the blocks that run."""
         return self.loop.derivative(value)
+
+    @property
+    def vehicle_rate(self) -> Any:
+        """x' of Eq. (9): of phi, zc and x alone."""
+        inputs = (self.theta - self.alpha_M) @ self.phi + self.GammaD * self.zc
+        return inputs - self.KD * self.x
+
+    @property
+    def error_rate(self) -> Any:
+        """e' of Eq. (27)."""
+        learned = self.eta @ self.phi + self.kappa * self.z + self.nu * self.zc
+        return learned - self.KD * self.e
 
     def sum_of_squares(self) -> Any:
         """Return V of Eq. (24), or of Eq. (17) where no alpha is learned."""

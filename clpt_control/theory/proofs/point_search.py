@@ -4,6 +4,8 @@ Points are drawn from wide ranges about a rest, or the truth, and again near the
 at a point is computed along the rates of the running blocks,
 
     V' = dV/dt + sum_i (dV/dx_i) x_i'
+
+and in discrete time V(x+) - V(x).
 """
 
 from collections.abc import Iterator, Mapping
@@ -191,6 +193,9 @@ class PointSearch:
         slopes = self.slopes.at(values, len(x))
         if not self.blocks.V:  # V is no output of the diagram
             (V,) = self.level.at(values, len(x))
+        if self.eq.discrete:
+            (after,) = self.level.at(self.values(t, rates.T, u.T), len(x))
+            return after - V, np.abs(after) + np.abs(V), V
         with np.errstate(all="ignore"):
             terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
             terms = np.where(np.equal(slopes, 0.0), 0.0, terms)

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 import control
+import numpy as np
 
 from ...base.arguments import Count, Seed, public
 from ...base.errors import DiagramError
@@ -24,15 +25,26 @@ from ...simulation.user_components import law_block as as_law_block
 from ..promises import truth_of
 from .conclusions import Condition
 from .default_candidate import LawV, default_V, user_V
+from .fixes import fix_steps
 from .invariant_loop import InvariantLoop
 from .invariants import Invariants
 from .judge import Verdict, judge
 from .law_candidate import LawCandidate
+from .paper_loop import PaperLoop
 from .paper_symbols import paper_name
+from .proof import where_all_hold
 from .steps import worked_out
 from .symbolic_loop import flat, symbolic_loop
-from .theorem_loop import symbols_of_V, theorem_loop, theorem_scenario, truth_in
+from .theorem_loop import (
+    law_and_V,
+    symbols_of_V,
+    theorem_loop,
+    theorem_scenario,
+    truth_in,
+)
+from .theorems import KNOWN_ERROR, known_flow_steps
 
+MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
 ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
 
@@ -101,8 +113,14 @@ def prove(
     'proved'
     """
     if isinstance(law_block, Diagram) and law_block.origin is not None:
-        scenario, part = _law_of(law_block)
-        verdict = prove(part, V, points, seed, invariants, semidefinite, losses, start)
+        scenario, own_law = _law_of(law_block)
+        part, row = own_law or scenario.law_block, scenario.learning.row
+        is_row = own_law is None and V is None and invariants is None
+        if is_row and _has_signs_of(row, part):
+            verdict = verdict_on_row(row, points, part, seed)
+        else:
+            arguments = V, points, seed, invariants, semidefinite, losses, start
+            verdict = prove(part, *arguments)
         is_limited = scenario.vehicle.max_speed is not None
         if not (is_limited and verdict.status == "proved"):
             return verdict
@@ -128,8 +146,31 @@ def prove(
         return judge(Invariants(law, points, case, seed))
 
 
-def _law_of(diagram: Diagram) -> tuple[Scenario, Block]:
-    """Return the scenario and the law of a closed loop; reject other terms in V'."""
+def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdict:
+    """Judge a law of the table with the V and the invariants of its row."""
+    if law.at_fixes:  # CLPE does not go to zero between fixes
+        claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
+        where = (Condition("phi"), Condition("exact fixes"))
+        proof = where_all_hold(claim, fix_steps(law, points), "definite", where)
+    elif law.given_estimate:
+        steps = known_flow_steps(PaperLoop(law.name), points)
+        proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
+    elif law.invariants is not None:
+        return judge(Invariants(law, points, seed=seed))
+    else:
+        return prove(block, lambda truth, p: law.V(p, truth), points, seed)
+    return Verdict(**proof.judged)
+
+
+def _has_signs_of(law: Law, block: Block) -> bool:
+    """Return whether parameters have the signs that the proof of their law's row has."""
+    pairs = zip(block.parameters, law_and_V(law, 1)[0].parameters, strict=True)
+    signs = ([{*np.sign(np.ravel(v)).tolist()} for v in pair] for pair in pairs)
+    return all(own <= of_row or len(of_row) > 1 for own, of_row in signs)
+
+
+def _law_of(diagram: Diagram) -> tuple[Scenario, Block | None]:
+    """Return the scenario and the own law of a closed loop; reject other terms in V'."""
     loop = loop_of(diagram)
     change = loop.changes.description or _changes_of_V(loop.scenario)
     if change:
@@ -137,7 +178,7 @@ def _law_of(diagram: Diagram) -> tuple[Scenario, Block]:
             f"{diagram.name}: has {change}, so V' is not its law's alone; a law is judged in "
             f"the paper's own diagram without, or give it as a Block; {ANY}"
         )
-    return loop.scenario, loop.changes.law or loop.scenario.law_block
+    return loop.scenario, loop.changes.law
 
 
 def _checked_law(law: Block | Diagram | control.NonlinearIOSystem) -> Block:

@@ -22,7 +22,6 @@ from .facts import (
     functions_in,
     interval,
     is_input,
-    meets_smoothly,
     sector_of,
 )
 from .gram import sum_of_squares

@@ -131,17 +131,17 @@ class SystemCandidate(Candidate):
 
     def _rate_of_V(self) -> sympy.Expr:
         """Return V', or in discrete time by how much V changes from one time to the next."""
-        if not self.eq.discrete:
-            rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
+        if self.eq.discrete:
+            if self.V.has(TIME, *self.inputs):
+                raise DiagramError(
+                    f"{self.system.name}: is of discrete time; give a V of its states alone"
+                )
+            return self.V.xreplace(dict(self.motion)) - self.V
+        rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
         is_smooth = meets_smoothly(self.V) and all(
             map(is_continuous, self.motion.values())
         )
         return (is_smooth and in_one_piece(rate)) or rate
-        if self.V.has(TIME, *self.inputs):
-            raise DiagramError(
-                f"{self.system.name}: is of discrete time; give a V of its states alone"
-            )
-        return self.V.xreplace(dict(self.motion)) - self.V
 
     def expression(self, source: Any) -> sympy.Expr:
         """Return a name, a function of signals or an expression as an expression.

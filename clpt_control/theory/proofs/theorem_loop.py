@@ -26,7 +26,6 @@ from ...paper.scenario.file import paper_scenario
 from ...simulation.loop_blocks import paper_blocks
 from ..promises import truth_of
 from .exact import nonzero_residual
-from .steps import Step, checked
 from .symbolic_loop import ArrayLoop, SymbolicLoop
 
 SOURCES = {
@@ -229,17 +228,3 @@ def vanish(loop: ArrayLoop, residuals: Iterable[Any]) -> tuple[bool, str]:
             if problem := nonzero_residual(element):
                 return False, problem
     return (False, loop.undefined[0]) if loop.undefined else (True, "")
-
-
-def zero_step(
-    claim: str,
-    diagram: Callable[[], Diagram],
-    residuals: Callable[[ArrayLoop], Iterable[Any]],
-) -> Step:
-    """Check that residuals of a diagram's loop are zero for every N."""
-
-    def holds() -> tuple[bool, str]:
-        loop = ArrayLoop(diagram())
-        return vanish(loop, residuals(loop))
-
-    return checked(claim, holds)

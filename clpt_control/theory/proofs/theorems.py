@@ -28,8 +28,8 @@ from ..counterexamples import (
 )
 from .circle import circle_step
 from .paper_loop import PaperLoop, algebra, errors_loop, line
-from .same_as_running import running_step
 from .proof import Proof, proof_or_failure, theorem
+from .same_as_running import running_step
 from .steps import Step, counterexample
 from .symbolic_loop import ArrayLoop, symbolic_loop
 from .theorem_loop import vanish
@@ -40,7 +40,10 @@ POSITIVE_KD = "Assumption 3.2: KD is positive definite, here diagonal"
 PIECEWISE = (
     "zc is bounded and piecewise constant, with finitely many jumps in finite time"
 )
-SMOOTH = "phi(x, t) is bounded and lets solutions exist, as that of Eq. (5) does"
+SMOOTH = (
+    "phi(x, t) is bounded, and a trajectory exists for all t >= 0: assumed, not shown"
+)
+FILTERED = "excites through the filter 1/(s + KD_i) in every window alike"
 NO_DELTA = "the true flow is theta phi, without Delta"
 
 
@@ -127,14 +130,12 @@ def theorem_3_2() -> Proof:
     x, z, e, phi, zc = paper.x, paper.z, paper.e, paper.phi, paper.zc
     KD, gamma = paper.KD, paper.gamma
     eta, kappa, nu = paper.eta, paper.kappa, paper.nu
-    e_rate = -KD * e + eta @ phi + kappa * z + nu * zc
-    V_rate = rate(paper.V)
-    vehicle = (paper.theta - paper.alpha_M) @ phi + paper.GammaD * zc
+    e_rate, V_rate = paper.error_rate, rate(paper.V)
     steps = [
         line(
             "(9)   x' + KD x is made of phi and zc alone, and KD > 0: x is bounded",
             paper.positive(KD),
-            zero(rate(x) - (vehicle - KD * x)),
+            zero(rate(x) - paper.vehicle_rate),
         ),
         line(
             "(27)  e' = -KD e + eta phi + kappa z + nu zc", zero(rate(x - z) - e_rate)
@@ -170,6 +171,34 @@ def theorem_3_2() -> Proof:
             "that alpha, K or Gamma converge (Theorem 3.3)",
         ),
     )
+
+
+def filtered_steps(paper: PaperLoop) -> list[Step]:
+    """Check the lines by which the parameters converge where the filtered regressor excites."""
+    return [
+        line(
+            "e' = -KD e + w*^T eta + d, w* = [phi(x), x, zc] and d = -kappa e, from z = x - e",
+            paper.zero(
+                paper.rate(paper.e)
+                - (paper.error_rate + paper.kappa * (paper.x - paper.z - paper.e))
+            ),
+        ),
+        line(
+            "w_f' = -KD w_f + w*: y = e - w_f^T eta obeys y' = -KD y + d - w_f^T eta', where d and "
+            "eta' go to zero with e (Theorem 3.2) and w_f is bounded: so y and w_f^T eta go to 0",
+            paper.positive(paper.KD),
+            algebra("(w*n + d - k*e) - ((w - k*f)*n + f*m) - (d - f*m - k*(e - f*n))"),
+        ),
+        line(
+            "eta' goes to 0, so eta stands still in a window, and int (w_f(s)^T eta(t))^2 ds over "
+            "it goes to 0: (a + b)^2 <= 2 a^2 + 2 b^2",
+            algebra("2*a**2 + 2*b**2 - (a + b)**2 - (a - b)**2"),
+        ),
+        line(
+            f"w* {FILTERED}: the integral is at least c |eta(t)|^2, so eta goes to 0",
+            algebra("c*n**2 - c*n*n"),
+        ),
+    ]
 
 
 def vehicle_alone(paper: PaperLoop) -> list[Step]:
@@ -260,6 +289,7 @@ def theorem_3_3() -> Proof:
             ),
         ),
         line("(27)-(28) are the closed loop's e' and eta'", same_dynamics(errors)),
+        *filtered_steps(PaperLoop("learned-flow")),
         *vehicle_alone(PaperLoop("learned-flow")),
         circle_step(),
         counterexample(
@@ -275,7 +305,7 @@ def theorem_3_3() -> Proof:
         (POSITIVE_KD, PIECEWISE, SMOOTH, NO_DELTA),
         steps,
         "zc alone does not make the parameters converge; the joint regressor of the vehicle does.",
-        corrected="if w* = [phi(x), x_i, zc_i] of each axis excites in every window alike, "
+        corrected=f"if w* = [phi(x), x_i, zc_i] of each axis {FILTERED}, "
         "(e, alpha + theta, K - KD, Gamma - GammaD) goes to zero from every start, exponentially "
         "in the end",
         not_proved=(
@@ -348,7 +378,7 @@ def theorem_3_4() -> Proof:
         steps,
         "V' < 0 outside a ball in e bounds nothing while V also holds parameter errors.",
         corrected="int |e|^2 dt <= 2 V(0)/k + int |Delta|^2 dt/k^2 always, so rms(e) <= "
-        "rms(Delta)/k in the long run; where w* = [phi(x), x, zc] excites in every window alike, V "
+        "rms(Delta)/k in the long run; where w* = [phi(x), x, zc] " + FILTERED + ", V "
         "ends at most where the root of step 5 is D/k, and |e| <= (2 V)^(1/2)",
         not_proved=("an ultimate bound where that root stays below D/k for every V",),
     )

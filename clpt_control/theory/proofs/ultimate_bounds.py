@@ -36,7 +36,7 @@ from ...engine.record.symbolic import rational
 from .conclusions import Condition
 from .decide import groups_of
 from .facts import interval, is_positive_maximum
-from .steps import short
+from .steps import bound_text
 from .sums_of_squares import squares, zero_of
 
 
@@ -271,7 +271,8 @@ def pulled_forms(case: Any) -> Bound | None:
     numbers = pull.rate.xreplace(values), (pull.push / pull.rate).xreplace(values)
     least = V.xreplace(rest).xreplace(values)
     level = float(at_most(float(numbers[1]))) if numbers[1].is_number else numbers[1]
-    claim = f"V' <= -{short(pull.rate)} V + {short(pull.push)}"
+    rate, push = bound_text(pull.rate, up=False), bound_text(pull.push)
+    claim = f"V' <= -{rate} V + {push}"
     return Bound(claim, "pulled", level) if least == 0 else None
 
 
@@ -315,11 +316,14 @@ class Bounding:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
         shares = zip(self.errors, self.delta, self.KD, strict=True)
         push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
-        number, rate = push.n(4), pull.rate.n(4)
-        if rate == 0:
-            mean = f"e^T KD e is at most {2 * number}"
+        number = f"c, c = {bound_text(push)}"
+        if pull.rate == 0:
+            mean = "e^T KD e is at most 2 c"
             return Bound(f"V' <= -e^T KD e/2 + {number}", "mean", bound=mean)
-        return Bound(f"V' <= -{rate} V + {number}", "pulled", push / pull.rate)
+        rate = bound_text(pull.rate, up=False)
+        return Bound(
+            f"V' <= -r V + {number}, r = {rate}", "pulled", push / pull.rate, "c/r"
+        )
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -358,7 +362,7 @@ class Bounding:
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        return Bound(f"V' <= 0 where V >= {level.n(4)}", "ceiling", level)
+        return Bound("V' <= 0 where V >= level", "ceiling", level)
 
     def within_balls(self) -> Bound | None:
         """Return the bound where what is learned stays within balls."""
