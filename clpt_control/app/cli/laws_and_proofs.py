@@ -9,15 +9,13 @@ from ...base.html import Result
 from ...base.progress import progress_bar
 from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
-OF_THEOREM = (
-    "status for_every_N printed assumptions steps conclusion corrected cited not_proved"
-)
-OF_LAW = "status claim for_every_N steps"
+JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
+OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
 ROOMS = {  # of proofs -> what one is called, its fields in JSON
     "theorems": ("Theorem {}", OF_THEOREM),
     "limited_speed": ("Limited speed, {}", OF_THEOREM),
-    "laws": ("Law {}", f"law {OF_LAW}"),
-    "team": ("A team that learns one flow", f"{OF_LAW} cited"),
+    "laws": ("Law {}", f"law {JUDGED}"),
+    "team": ("A team that learns one flow", f"{JUDGED} cited"),
 }
 
 
@@ -86,7 +84,7 @@ def laws(
 
 def prove(
     law: str | None = arg(
-        "LAW", "Law of --search; default: theorems and laws are proved.", default=None
+        "LAW", "Prove this law alone; default: theorems and laws.", default=None
     ),
     theorem: str | None = opt(
         "NUMBER", "3.1 to 3.4; default: all, limits and every law."
@@ -107,14 +105,19 @@ def prove(
     no proof.
 
     Example:
+        clpt prove sigma
         clpt prove --theorem 3.2
         clpt prove concurrent --search 20 --out broken.toml
     """
-    if (law is None) != (search is None):
-        raise ClptError("--search SECONDS: needs LAW, and LAW needs --search SECONDS")
-    if law is not None and search is not None:
+    if search is not None:
+        if law is None:
+            raise ClptError("--search SECONDS: needs LAW. Name the law to search")
         _search_counterexample(law, search, seed, out, as_json)
         return
+    if law is not None:
+        _refuse_unknown(law)
+        if theorem is not None:
+            raise ClptError("--theorem NUMBER: is not of LAW. Give one of the two")
     from ...theory.proofs.cached_verdicts import (
         CachedOutcomes,
         make_ready,
@@ -124,11 +127,12 @@ def prove(
 
     with second_process() as pool:
         cached = CachedOutcomes()
-        if pool is not None and theorem is None and (again or not cached.outcomes):
+        is_long = theorem is None and law is None
+        if pool is not None and is_long and (again or not cached.outcomes):
             pool.submit(make_ready)
         from ...theory.proofs.all_proofs import statements
 
-        requested = statements(theorem)
+        requested = statements(theorem, law)
         new = [
             statement
             for statement in requested
@@ -137,51 +141,56 @@ def prove(
         if new:
             with progress_bar("proving", len(new)) as report:
                 cached.store(prove_all(new, report, pool))
-    outcomes: dict[Any, Any] = {
-        statement: cached.outcomes[statement] for statement in requested
-    }
+    outcomes = {statement: cached.outcomes[statement] for statement in requested}
+    proved_at = max(cached.times[statement] for statement in requested)
+    _print_outcomes(outcomes, proved_at, before=not new, as_json=as_json)
+
+
+def _refuse_unknown(law: str) -> None:
+    """Reject what is no law of the table."""
+    from ...paper.laws.table import LAWS
+
+    if law not in LAWS:
+        raise ClptError(f"{law}: is not a law. List the laws with: clpt laws")
+
+
+def _print_outcomes(
+    outcomes: dict[Any, Any], proved_at: str, before: bool, as_json: bool
+) -> None:
+    """Print proofs and misprints; raise an error if one of them fails."""
     summary: Report = {}
     results, wrong = [], []
     for room, (title, fields) in ROOMS.items():
-        proofs = {s.name: outcomes[s] for s in requested if s.room == room}
+        proofs = {s.name: outcomes[s] for s in outcomes if s.room == room}
         summary[room] = {
             name: _fields(proof, fields, name) for name, proof in proofs.items()
         }
-        if room == "laws":
-            rows = [
-                [
-                    law,
-                    proof.status + (", every N" if proof.for_every_N else ""),
-                    proof.claim,
-                ]
-                for law, proof in proofs.items()
-            ]
-            columns = ["law", "status", "V' along the closed loop"]
+        if room == "laws" and len(outcomes) > 1:
+            rows = [[law, p.status, p.sentence] for law, p in proofs.items()]
+            columns = ["law", "status", "what is shown"]
             results += [Result("Laws", columns, rows, [""])] if rows else []
         else:
-            results += [
-                _result(title.format(name), proof) for name, proof in proofs.items()
-            ]
+            results += [_result(title.format(k), p) for k, p in proofs.items()]
         wrong += [
             f"{title.format(k)}{_failure(p)}"
             for k, p in proofs.items()
             if not p.as_expected
         ]
-    misprints = outcomes[requested[-1]]
-    proved_at = max(cached.times[statement] for statement in requested)
+    misprints = next((outcomes[s] for s in outcomes if s.room == "misprints"), [])
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
-    summary["judged"] = {"time": proved_at, "before": not new}
-    columns = ["equation", "printed", "should be", "confirmed"]
-    rows = [
-        [m["equation"], m["printed"], m["corrected"], "yes" if m["confirmed"] else "NO"]
-        for m in misprints
-    ]
-    if theorem is None:
+    summary["judged"] = {"time": proved_at, "before": before}
+    if len(outcomes) > 2:  # not of one theorem
+        columns = ["equation", "printed", "should be", "confirmed"]
+        keys = ("equation", "printed", "corrected")
+        rows = [
+            [*(m[key] for key in keys), "yes" if m["confirmed"] else "NO"]
+            for m in misprints
+        ]
         results.append(Result("Misprints", columns, rows, []))
-    if not new:
-        before = f"judged on {proved_at} of the same equations; --again judges anew"
+    if before:
+        sentence = f"judged on {proved_at} of the same equations; --again judges anew"
         last = results[-1]
-        results[-1] = last._replace(sentences=[*last.sentences, before])
+        results[-1] = last._replace(sentences=[*last.sentences, sentence])
     finish(results, summary, as_json)
     wrong += [
         f"the misprint of {m['equation']} is not confirmed"
@@ -229,7 +238,12 @@ def _search_counterexample(
 
 def _fields(proof: Any, fields: str, name: str) -> Report:
     """Return the fields of a proof in JSON."""
-    values = {**asdict(proof), "law": name, "conclusion": proof.claim}
+    conditions = [
+        {**asdict(condition), "sentence": f"{condition}"}
+        for condition in proof.conditions
+    ]
+    values = {**asdict(proof), "law": name, "sentence": proof.sentence}
+    values["conditions"] = conditions
     return {field: values[field] for field in fields.split()}
 
 
@@ -242,7 +256,9 @@ def _result(name: str, proof: Any) -> Result:
     """Return the steps of a proof, and what is printed, holds, is cited or not proved."""
     rows = [["yes" if s.holds else "NO", s.how, s.claim, s.detail] for s in proof.steps]
     every = ", for every N" if proof.for_every_N else ""
+    status = f"{proof.status} as printed" if proof.corrected else proof.status
     sentences = [
+        ("shown", proof.sentence if proof.conclusion else ""),
         ("printed", proof.printed),
         ("holds", proof.corrected),
         ("cited", proof.cited),
@@ -250,8 +266,5 @@ def _result(name: str, proof: Any) -> Result:
     sentences += [("not shown", condition) for condition in proof.not_proved]
     lines = [f"{label + ':':8} {sentence}" for label, sentence in sentences if sentence]
     return Result(
-        f"{name}: {proof.status}{every}",
-        ["holds", "how", "claim", ""],
-        rows,
-        [*lines, ""],
+        f"{name}: {status}{every}", ["holds", "how", "claim", ""], rows, [*lines, ""]
     )

@@ -103,8 +103,10 @@ class Statement(NamedTuple):
 Outcomes = dict[Statement, Outcome]
 
 
-def statements(theorem: str | None = None) -> list[Statement]:
-    """Return one theorem and the misprints, or all statements."""
+def statements(theorem: str | None = None, law: str | None = None) -> list[Statement]:
+    """Return one theorem and the misprints, or one law, or all statements."""
+    if law is not None:
+        return [Statement("laws", law)]
     names: dict[str, list[str]] = {}
     if theorem is None:
         names = {room: [*proofs] for room, proofs in PROOFS.items()}

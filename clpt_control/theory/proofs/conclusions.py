@@ -26,8 +26,31 @@ class Conclusion(NamedTuple):
     to_do: str  # by the reader, to use it or to show more
 
 
+REQUIREMENTS = {  # what a step shows, `Step.shows` -> in words
+    "values": "V and the equations have a value everywhere",
+    "running": "the running blocks have the same V'",
+    "definite": "V is positive definite in some forms",
+    "all": "and in all states",
+    "falls": "V' <= 0",
+    "loses": "V' <= -q^2",
+    "limit": "the rate of q is bounded where V is (Barbalat)",
+    "rest": "V' < 0 but at the rest",
+    "still": "where V' = 0 for good nothing moves (LaSalle)",
+    "pulled": "V' <= -r V + c",
+    "ceiling": "V' <= 0 where V >= level",
+    "mean": "V' <= -q^2/2 + c",
+    "zone": "V' <= 0, and < 0 where e is outside a zone",
+    "region": "V' < 0 in a box where V is below a level (`within=`)",
+    "jumps": "V rises at no jump",
+    "exists": "states outside V exist for all t",
+    "claimed": "V' is at most the `claim`",
+}
+
+
 def _needs(text: str) -> frozenset[str]:
-    return frozenset(("values", "running", *text.split()))
+    names = frozenset(("values", "running", *text.split()))
+    assert names <= REQUIREMENTS.keys()
+    return names
 
 
 CONCLUSIONS = {
@@ -37,12 +60,14 @@ CONCLUSIONS = {
         "start below `level`",
     ),
     "comes to a zone": Conclusion(
-        "V never rises, and {of}", _needs("definite zone jumps exists"), "-"
+        "V never rises, and {of}",
+        _needs("definite zone jumps exists"),
+        "a smaller zone needs a smaller disturbance",
     ),
     "asymptotically stable": Conclusion(
         "so the rest is asymptotically stable from every start",
         _needs("definite all falls rest jumps exists"),
-        "-",
+        "nothing more is needed",
     ),
     "comes to rest": Conclusion(
         "so every run comes to rest and {of} to zero",
@@ -170,16 +195,21 @@ class Judged:
     for_every_N: bool = field(default=False, kw_only=True)
 
     @property
+    def shown(self) -> str:
+        """What is shown, and what follows from it, without the conditions."""
+        if not self.conclusion:
+            return self.claim
+        level = self.level
+        if level is not None and not isinstance(level, str):
+            level = bound_text(level)
+        row, bound = CONCLUSIONS[self.conclusion], self.bound or level
+        follows = row.sentence.format(of=self.of, bound=bound, level=level)
+        return ", ".join(filter(None, (self.claim, follows)))
+
+    @property
     def sentence(self) -> str:
         """The verdict in a sentence: what is shown, what follows, and where."""
-        said = [self.claim] if self.claim else []
-        if self.conclusion:
-            level = self.level.n(4) if hasattr(self.level, "n") else self.level
-            row = CONCLUSIONS[self.conclusion]
-            said.append(
-                row.sentence.format(of=self.of, bound=self.bound or level, level=level)
-            )
-        return "; ".join([", ".join(said), *map(str, self.conditions)])
+        return "; ".join([self.shown, *map(str, self.conditions)])
 
     @property
     def judged(self) -> dict[str, Any]:

@@ -30,6 +30,7 @@ from ...engine.diagram.symbolic_equations import Equations
 from .conclusions import Condition, Judged, concluded, go
 from .exact import vanishes
 from .facts import is_continuous, meets_smoothly
+from .latex import theorem_and_proof
 from .limits import Motion
 from .steps import Step, exact, first_failure, short
 from .sums_of_squares import Squares, contains_all, squares, zero_of
@@ -99,6 +100,20 @@ class Verdict(Judged):
     def certificate(self) -> dict | None:
         """Return what an outsider needs to check it, in exact rational numbers, or None."""
         return None
+
+    def latex(self) -> str:
+        """Return the verdict as a theorem and a proof in LaTeX: V, V', assumptions and steps.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
+        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:50])
+        \\begin{theorem}
+        Let
+        \\[ V = \\frac{x^{2}}{2} \\]
+        """
+        return theorem_and_proof(self, self.V, self.rate)
 
     def __repr__(self) -> str:
         return f"<Verdict {self.status}: {self.sentence}>"
@@ -284,7 +299,7 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
     if fall.losses:
         last, of = candidate.ends(motion, fall)
         steps += last
-    conditions = [*fall.conditions, *motion.conditions]
+    conditions = [*fall.conditions, *motion.where]
     given = "jumps"
     if candidate.eq.jumps:
         given = ""

@@ -47,7 +47,8 @@ class Motion:
     bounded: dict[Any, Expr] = field(
         default_factory=dict
     )  # states, by what bounds them
-    conditions: list[Condition] = field(default_factory=list)
+    conditions: list[Condition] = field(default_factory=list)  # without those on inputs
+    driving: set = field(default_factory=set)  # inputs that have to be bounded
 
     def __post_init__(self) -> None:
         parameters = self.eq.parameters.values()
@@ -59,6 +60,16 @@ class Motion:
         self.input_rates = set(rates.values())
         self.still = {**rates, **self.inputs}
         self.rates = {s: self.quiet(rate) for s, rate in self.rates.items()}
+
+    @property
+    def where(self) -> list[Condition]:
+        """The conditions of what was shown so far."""
+        if not self.driving:
+            return self.conditions
+        return [
+            *self.conditions,
+            Condition("bounded inputs", self._names_of(self.driving)),
+        ]
 
     def quiet(self, expression: Expr) -> Expr:
         """Return an expression with a symbol for each input, and for its rate."""
@@ -92,6 +103,7 @@ class Motion:
             own = [rates[s].xreplace(self.bounded) for s in states]
             if not jumps.keys() & {*states} and self._is_linear_and_stable(own, states):
                 stable += states
+                self.driving |= self._inputs_of(own)
                 self.free = [s for s in self.free if s not in states]
                 self.bounded |= {s: sympy.Dummy(str(s), real=True) for s in states}
         if stable:
@@ -116,6 +128,12 @@ class Motion:
             claim = f"{listed}: not held by V{grow or ','} exist for all t{condition}"
         shows, detail = ("exists", "") if exist else ("", "not shown")
         return Step(claim, exist, how if exist else "exact", detail, False, shows)
+
+    def _inputs_of(self, rates: Iterable[Expr]) -> set:
+        """Return the inputs, and opaque sources, that rates depend on."""
+        total = sympy.Tuple(*rates)
+        used = {f for f, s in self.inputs.items() if total.has(s)}
+        return used | {f for f in total.atoms(AppliedUndef) if is_input(f)}
 
     def _names_of(self, inputs: Iterable[Any]) -> str:
         """Return "u is" or "u, v are", each port of inputs once."""
@@ -152,14 +170,12 @@ class Motion:
         claim = f"the rate of {of} is bounded where V is"
         rates = {TIME: sympy.S.One, **self.rates}
         rates = [sympy.expand(along(self.quiet(q), rates)) for q in forms]
-        used = {f for f, s in self.inputs.items() if sympy.Tuple(*rates).has(s)}
-        used |= {f for f in sympy.Tuple(*rates).atoms(AppliedUndef) if is_input(f)}
+        used = self._inputs_of(rates)
         loose = dict.fromkeys(name for rate in rates for name in self.not_bounded(rate))
         if loose:
             detail = f"it holds {', '.join(loose)}, not known to be bounded there"
             return Step(claim, False, "exact", detail, False)
-        if used:
-            self.conditions.append(Condition("bounded inputs", self._names_of(used)))
+        self.driving |= used
         return Step(claim, True, "exact", "", False, "limit")
 
     def still_set(self, forms: Iterable[Expr]) -> "Still":

@@ -1,0 +1,45 @@
+"""Table of conclusions in docs/theory.md, from the rows that the verdicts are made of.
+
+`tests/test_documentation.py` checks that the table is current; print it anew by
+
+    python tools/print_conclusions.py
+"""
+
+from pathlib import Path
+
+from clpt_control.theory.proofs.conclusions import CONCLUSIONS, CONDITIONS, REQUIREMENTS
+
+PAGE = Path(__file__).parents[1] / "docs" / "theory.md"
+BEGIN, END = "<!-- conclusions -->\n", "<!-- end of conclusions -->\n"
+ALWAYS = CONCLUSIONS["V' is at most the claim"].requires - {"claimed"}
+
+
+def table() -> str:
+    """Return the table of conclusions and the list of conditions."""
+    rows = [("conclusion", "requires", "what to do"), ("---", "---", "---")]
+    for name, row in CONCLUSIONS.items():
+        needed = [REQUIREMENTS[k] for k in REQUIREMENTS if k in row.requires - ALWAYS]
+        rows.append((name, "; ".join(needed), row.to_do))
+    lines = ["| " + " | ".join(row) + " |" for row in rows]
+    always = " and ".join(REQUIREMENTS[k] for k in REQUIREMENTS if k in ALWAYS)
+    named = "; ".join(f"`{name}`" for name in CONDITIONS)
+    return "\n".join(
+        [
+            *lines,
+            "",
+            f"Each requires as well: {always}.",
+            "",
+            f"Conditions: {named}.",
+            "",
+        ]
+    )
+
+
+def page() -> str:
+    """Return the page with its table made anew."""
+    before, _, rest = PAGE.read_text("utf-8").partition(BEGIN)
+    return before + BEGIN + "\n" + table() + "\n" + END + rest.partition(END)[2]
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), "utf-8")
