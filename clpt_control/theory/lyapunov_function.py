@@ -16,7 +16,7 @@ from ..base.arguments import Count, Seed, public
 from ..base.errors import DiagramError
 from .proofs.conclusions import CONCLUSIONS, concluded, strength
 from .proofs.judge import Verdict, judge, refuted
-from .proofs.steps import Step, first_failure, short, worked_out
+from .proofs.steps import How, Step, first_failure, short, worked_out
 from .proofs.system_candidate import SystemCandidate, function_of_signals
 from .region import Region
 from .searching import candidates
@@ -34,12 +34,12 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     """Return in which part of a box V' < 0, with inputs of 0."""
     region = Region(candidate, within)
     inputs = [str(f.func) for f in candidate.inputs]
-    level, how = region.level(), "enclosed"
+    how: How = "enclosed"
+    level, where = region.level(), "V' < 0"
     if not level and (rests := candidate.ends_at(region.low, region.high)):
-        level, how = region.level(rests), "exact"
+        level, how, where = region.level(rests), "exact", "V' <= 0, and V falls on,"
     less = f" - {short(region.least)}" if region.least else ""
     below = f"where V{less} < {level:g} in the box" if level else "near the rest"
-    where = "V' < 0" if how == "enclosed" else "V' <= 0, and V falls on,"
     claim = f"{where} {below}, but at the rest"
 
     def in_box(points: tuple) -> tuple:

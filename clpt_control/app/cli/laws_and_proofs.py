@@ -176,7 +176,9 @@ def _print_outcomes(
             for k, p in proofs.items()
             if not p.as_expected
         ]
-    misprints = next((outcomes[s] for s in outcomes if s.room == "misprints"), [])
+    misprints: list[Report] = next(
+        (outcomes[s] for s in outcomes if s.room == "misprints"), []
+    )
     summary |= {"team": summary["team"].get(""), "misprints": misprints}
     summary["judged"] = {"time": proved_at, "before": before}
     if len(outcomes) > 2:  # not of one theorem

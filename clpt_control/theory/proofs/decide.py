@@ -150,19 +150,19 @@ def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
         call: Dummy(f"f_{k}", real=True)
         for k, call in enumerate(sorted(functions, key=str))
     }
-    known = [c for c in (*conditions, *facts_of(functions))]
+    known = *conditions, *facts_of(functions)
     expressions = [e.xreplace(symbols) for e in (expression, *known)]
-    for s in expressions[0].free_symbols:
-        if s.is_nonnegative or s.is_nonpositive:
-            expressions.append(s if s.is_nonnegative else -s)
+    variables = expressions[0].free_symbols
+    expressions += [s for s in variables if s.is_nonnegative]
+    expressions += [-s for s in variables if s.is_nonpositive and not s.is_nonnegative]
     numerator, divisor = sympy.fraction(sympy.together(expressions[0]))
     if not divisor.is_positive:
         return False
-    known, total = [*map(expand, expressions[1:])], expand(-numerator)
+    given, total = [*map(expand, expressions[1:])], expand(-numerator)
     lifted = 1 + sympy.Add(*(s**2 for s in total.free_symbols))
     return bool(
-        sum_of_squares(total, known)
-        or (not known and sum_of_squares(expand(total * lifted)))
+        sum_of_squares(total, given)
+        or (not given and sum_of_squares(expand(total * lifted)))
     )
 
 

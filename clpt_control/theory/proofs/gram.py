@@ -335,7 +335,7 @@ def _solved(products: list[Terms], left: Terms) -> list[Fraction] | None:
 
 
 def _factors(G: dict[tuple[int, int], Fraction], n: int) -> list | None:
-    """Return weights and rows with G = sum weight row^T row, weights > 0; None if there are none."""
+    """Return weights > 0 and rows with G = sum weight row^T row, or None."""
     M = [[G[min(i, j), max(i, j)] for j in range(n)] for i in range(n)]
     rows = []
     for k in range(n):

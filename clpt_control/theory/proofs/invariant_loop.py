@@ -359,7 +359,10 @@ class InvariantLoop:
         for port, M in self.matrices.items():
             c = _arbitrary(len(M))
             rate = c @ self.rates[port] @ c
-            flows, same = not loop.jumps, dict(zip(M.flat, self.symmetric[port].flat))
+            flows, same = (
+                not loop.jumps,
+                dict(zip(M.flat, self.symmetric[port].flat, strict=True)),
+            )
             grown += [port] * (flows and self.not_negative(rate, set(c)))
             at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
             slows = as_factors((rate - at_zero).xreplace(same)).is_nonpositive

@@ -48,7 +48,7 @@ import sympy
 
 from ...paper.laws.law import Law
 from . import invariant_loop
-from .conclusions import Condition
+from .conclusions import Condition, Status
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
 from .invariant_loop import InvariantLoop
@@ -143,7 +143,7 @@ class Invariants(Candidate):
         """Return an expression in a line."""
         return short(expression)
 
-    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on the law; a step that fails at jumps leaves it open."""
         sizes = ", ".join(str(case.N) for case in self.cases)
         conditions = (*fields.pop("conditions", ()), Condition("N", f"N = {sizes}"))

@@ -27,7 +27,7 @@ from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from .conclusions import Condition, Judged, concluded, go
+from .conclusions import Condition, Judged, Status, concluded, go
 from .exact import vanishes
 from .facts import is_continuous, meets_smoothly
 from .latex import theorem_and_proof
@@ -102,16 +102,18 @@ class Verdict(Judged):
         return None
 
     def latex(self) -> str:
-        """Return the verdict as a theorem and a proof in LaTeX: V, V', assumptions and steps.
+        r"""Return the verdict as a theorem and a proof in LaTeX.
+
+        V, V', the conclusion, its conditions as assumptions, and the steps, for a paper.
 
         Examples
         --------
         >>> import clpt_control as clpt
         >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
         >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:50])
-        \\begin{theorem}
+        \begin{theorem}
         Let
-        \\[ V = \\frac{x^{2}}{2} \\]
+        \[ V = \frac{x^{2}}{2} \]
         """
         return theorem_and_proof(self, self.V, self.rate)
 
@@ -163,7 +165,7 @@ class Candidate(ABC):
     rest: Mapping[Any, sympy.Expr] | None = (
         None  # where V is to be least, if that is given
     )
-    undefined: Sequence[str] = ()  # sentences on where there may be no value
+    undefined: list[str]  # sentences on where there may be no value
     forms: Sequence[sympy.Expr] = ()  # that V bounds
     least: Mapping[Any, sympy.Expr] | None = None  # the one point at which V is least
     exist: Set[Any] = frozenset()  # states that exist for all times, however they grow
@@ -214,11 +216,14 @@ class Candidate(ABC):
         """Return the steps on what goes to zero, and its names."""
         of, forms = fall.of or go(map(self.text, fall.losses)), [*fall.losses]
         states = [*self.motion]
-        if self.least is not None and contains_all(
-            Squares(sympy.S.Zero, [], forms), states
+        lost = Squares(sympy.S.Zero, [], forms)
+        at_least = self.least or {}
+        if (
+            at_least
+            and contains_all(lost, states)
+            and all(vanishes(form.xreplace(at_least)) for form in forms)
         ):
-            if all(vanishes(form.xreplace(self.least)) for form in forms):
-                return [exact("V' < 0 but at the rest", True, "", "limit rest")], of
+            return [exact("V' < 0 but at the rest", True, "", "limit rest")], of
         steps = [motion.limit(forms, of.rpartition(" ")[0])]
         if self.eq.discrete:
             steps = [exact("the sum of what V loses is finite", True, "", "limit")]
@@ -264,7 +269,7 @@ class Candidate(ABC):
         """Return an expression as the user writes it."""
 
     @abstractmethod
-    def verdict(self, status: str, claim: str, **known: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, **known: Any) -> Verdict:
         """Return a verdict on this candidate."""
 
     # --- its motion -----------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
-from .conclusions import Condition
+from .conclusions import Condition, Status
 from .decide import never_positive
 from .every_n import base_and_term, reindexed
 from .exact import as_factors, normal_form, vanishes
@@ -372,7 +372,7 @@ class LawCandidate(Candidate):
         """Return an expression in a line."""
         return short(expression)
 
-    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on the law."""
         every_N = self.for_every_N and status == "proved"
         of_N = Condition("N", "every N" if every_N else f"N = {self.N}")

@@ -113,7 +113,7 @@ class Motion:
         # a rate as it is or expanded, which hides roots
         asked = [s for s in self.free if s not in self.exist]
         left = [rates[s].xreplace(self.bounded) for s in asked]
-        written = [(rate, sympy.expand(rate)) for rate in left]
+        written: list[tuple] = [(rate, sympy.expand(rate)) for rate in left]
         written += [(jumps[s],) for s in asked if s in jumps]
         exist = self.eq.discrete or all(
             min(degree(f, asked.__contains__) for f in forms_of_rate) <= 1
@@ -162,14 +162,14 @@ class Motion:
         states = {*self.free, *self.intervals, *self.input_rates, CLOCK}
         if degree(e, states.__contains__) == 0:
             return []
-        alone = [s for s in states if degree(e, lambda a, s=s: a == s) > 0]
+        alone = [s for s in states if degree(e, {s}.__contains__) > 0]
         return sorted(map(str, alone)) or sorted(map(str, e.free_symbols & states))
 
     def limit(self, forms: Iterable[Expr], of: str) -> Step:
         """Return the step that the rates of forms are bounded where V is (Barbalat)."""
         claim = f"the rate of {of} is bounded where V is"
-        rates = {TIME: sympy.S.One, **self.rates}
-        rates = [sympy.expand(along(self.quiet(q), rates)) for q in forms]
+        motion = {TIME: sympy.S.One, **self.rates}
+        rates = [sympy.expand(along(self.quiet(q), motion)) for q in forms]
         used = self._inputs_of(rates)
         loose = dict.fromkeys(name for rate in rates for name in self.not_bounded(rate))
         if loose:
@@ -235,10 +235,11 @@ class Still:
         for a in [*atoms, *sorted(g.atoms(sympy.sin), key=str)]:
             slope = sympy.diff(g, a) if a.is_Symbol else g.coeff(a)
             rest = normal_form(g - slope * a)
-            if slope and not (slope.free_symbols - self.fixed or rest.has(a)):
-                if not (a.is_Symbol and rest.has(*_calls_of(rest, a))):
-                    self.solved[a] = -rest / slope
-                    return
+            is_free = slope.free_symbols - self.fixed or rest.has(a)
+            is_within = a.is_Symbol and rest.has(*_calls_of(rest, a))
+            if slope and not (is_free or is_within):
+                self.solved[a] = -rest / slope
+                return
 
     @property
     def is_rest(self) -> bool:

@@ -1,5 +1,6 @@
 """Steps of proofs: an identity or an inequality, and the method by which it was established."""
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -166,7 +167,8 @@ def bound_text(bound: Any, up: bool = True) -> str:
         return sympy.Add(*sums, evaluate=False)
 
     bound = sympy.sympify(bound)
-    return str(grouped(rounded(bound, up)))
+    text = str(grouped(rounded(bound, up)))
+    return re.sub(r"(\.\d*?[1-9])0+\b|\.0+\b", r"\1", text)  # 0.3750, 2.0
 
 
 def exact(claim: str, holds: bool, detail: str = "", shows: str = "") -> Step:

@@ -24,7 +24,7 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
-from .conclusions import Condition
+from .conclusions import Condition, Status
 from .decide import in_one_piece, never_positive
 from .exact import factored, normal_form, vanishes, whole_coefficients
 from .facts import along, decided, has_time, is_continuous, meets_smoothly
@@ -110,7 +110,7 @@ class SystemCandidate(Candidate):
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
         outputs = system.output_labels
         self.output = next((name for name in outputs if name in labels), "")
-        self.undefined = list[str]()
+        self.undefined: list[str] = []
         self.claim = None if claim is None else self.expression(claim)
         self.undefined = [*self.eq.undefined]
         self.V = decided(self.expression(V))
@@ -418,7 +418,7 @@ class SystemCandidate(Candidate):
         scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
         return self.search.sign_at(scaled.LC(), -1)
 
-    def verdict(self, status: str, claim: str, **fields: Any) -> Verdict:
+    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
         if status == "open":
             claim = f"V' = {self.shown_rate}; {claim}"
