@@ -20,7 +20,7 @@ import typer
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.theory.excitation.regressor import error_matrices
+from clpt_control.theory.excitation.regressor import regressors
 
 from .study import GREY, leave, new_figure
 
@@ -62,6 +62,27 @@ def peak_gains(A: np.ndarray, step: float, targets: np.ndarray) -> np.ndarray:
     size = np.abs(influences(A, step, targets))
     ends = (size[0] + size[targets, np.arange(len(targets))]) / 2
     return step * (size.sum(axis=0) - ends)
+
+
+def error_matrices(
+    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
+) -> np.ndarray:
+    """Return A(t) of Eq. (28), axis by axis.
+
+    >>> phi, z, zc = np.array([0.5]), np.array([2, 2]), np.array([3, 3])
+    >>> error_matrices(phi, z, zc, [1, 1], 2.0)[0]
+    array([[-1. ,  0.5,  2. ,  3. ],
+           [-1. ,  0. ,  0. ,  0. ],
+           [-4. ,  0. ,  0. ,  0. ],
+           [-6. ,  0. ,  0. ,  0. ]])
+    """
+    N, shape = phi.shape[-1], phi.shape[:-1]
+    w = regressors(phi, z, zc)
+    A = np.zeros((*w.shape[:-1], N + 3, N + 3))
+    A[..., 0, 0] = -np.reshape(KD, (2, *[1] * len(shape)))
+    A[..., 0, 1:] = w
+    A[..., 1:, 0] = -gain * w
+    return A + 0.0  # without -0
 
 
 def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.ndarray:

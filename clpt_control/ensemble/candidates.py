@@ -140,7 +140,7 @@ def unknown_of(
     deviation = PRIOR.usual(context) if prior is None else float(prior)
     varies: dict[str, Any] = {"flow.parameters": f"~normal:{deviation!r}"}
     delta, localization = drawn.flow.disturbance, drawn.localization
-    if delta is not None and delta.kind == "noise":
+    if delta is not None and delta.row.random:
         varies["flow.disturbance.seed"] = range(members)
     if localization is not None and (
         localization.noise > 0 or localization.dropouts > 0
@@ -161,9 +161,6 @@ def belief(scenario: Scenario) -> np.ndarray:
 
 
 def _rms(scenario: Scenario) -> float:
-    """Return the rms of the disturbance: a sine's is its amplitude over sqrt(2)."""
+    """Return the rms of the disturbance, both axes."""
     delta = scenario.flow.disturbance
-    if delta is None:
-        return 0.0
-    size = float(np.hypot(*delta.amplitude))
-    return size / np.sqrt(2) if delta.kind == "sine" else size
+    return 0.0 if delta is None else float(np.hypot(*delta.amplitude)) * delta.row.rms

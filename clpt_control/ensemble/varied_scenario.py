@@ -190,9 +190,9 @@ def variable_values(scenario: Scenario) -> Values:
     if learning.gain is None and learning.gains is None:
         add("learning.gain", learning.row.gain)
     fixed = {"learning.sample"}
-    if delta is None or delta.kind != "noise":
+    if delta is not None and not delta.row.random:
         fixed.add("flow.disturbance.seed")
-    if delta is not None and delta.kind == "constant":
+    if delta is not None and not delta.row.keys.get("period"):
         fixed.add("flow.disturbance.period")
     return {
         key: value

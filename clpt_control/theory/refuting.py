@@ -15,6 +15,7 @@ import numpy as np
 
 from ..base.arguments import Positive, Seed, public
 from ..base.errors import ScenarioError, SimulationError
+from ..paper.blocks.disturbance import KINDS
 from ..paper.laws.table import LAWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import paper_scenario
@@ -182,45 +183,42 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
     # Step 1: vehicle, track, basis and flow; the order of the numbers is fixed
     N, count = draw.choice(1, 2, 3), draw.choice(1, 2, 3, 4, 5, 6)
     KD, GammaD = draw.log_uniform(0.3, 3, 2), draw.uniform(0, 4, 2)
-    dwell, duration = float(draw.log_uniform(1, 20)), float(draw.log_uniform(10, 300))
+    dwell, duration = draw.log_uniform(1, 20), draw.log_uniform(10, 300)
     waypoints = draw.uniform(-4, 4, 6, 2)[:count]
     if draw.choice(True, False):  # one round, then the last waypoint
         rest = np.tile(waypoints[-1], (int(duration / dwell), 1))
         waypoints = np.vstack([waypoints, rest])
     widths = draw.log_uniform(1, 10, 3) * draw.choice(1, 1, 1, 2 * UNIFORM)
-    periods = [draw.choice(np.inf, float(draw.log_uniform(5, 50))) for _ in range(3)]
+    periods = [draw.choice(np.inf, draw.log_uniform(5, 50)) for _ in range(3)]
     theta, start, alpha_M = draw.uniform(-1.5, 1.5, 3, 2, 3)[..., :N]
-    positions = draw.uniform(-3, 3, 2, 2).tolist()
-    kind = draw.choice(None, None, None, None, "constant", "sine", "square", "noise")
-    amplitude = draw.log_uniform(1e-3, 1, 2).tolist()
-    period = float(draw.log_uniform(1, 50))
+    positions = draw.uniform(-3, 3, 2, 2)
+    kind = draw.choice(None, None, None, None, *KINDS)
+    amplitude = draw.log_uniform(1e-3, 1, 2)
+    period = draw.log_uniform(1, 50)
     values: dict[str, Any] = {
-        "basis": {
-            "kernel": "exponential",
-            "centers": draw.uniform(-5, 5, 3, 2)[:N].tolist(),
-            "widths": widths[:N].tolist(),
-            "periods": periods[:N],
-        },
-        "flow.parameters": theta.tolist(),
-        "model.parameters": (alpha_M * draw.choice(0, 1)).tolist(),
-        "vehicle": {"feedback": KD.tolist(), "feedforward": GammaD.tolist()},
+        "basis.centers": draw.uniform(-5, 5, 3, 2)[:N],
+        "basis.widths": widths[:N],
+        "basis.periods": np.array(periods[:N]),
+        "basis.phases": None,
+        "flow.parameters": theta,
+        "model.parameters": alpha_M * draw.choice(0, 1),
+        "vehicle.feedback": KD,
+        "vehicle.feedforward": GammaD,
         "vehicle.position": positions[0],
-        "reference": {
-            "kind": "waypoints",
-            "points": waypoints.tolist(),
-            "dwell": dwell,
-        },
+        "reference.kind": "waypoints",
+        "reference.points": waypoints,
+        "reference.dwell": dwell,
         "run.duration": duration,
         "run.output_step": min(RESOLVED, duration / SAMPLES),
     }
     if kind is not None:
-        delta = {"kind": kind, "amplitude": amplitude, "period": period}
-        if kind == "constant":
-            del delta["period"]
-        values["flow.disturbance"] = delta
+        values["flow.disturbance.kind"] = kind
+        values["flow.disturbance.amplitude"] = amplitude
+        if KINDS[kind].keys.get("period"):
+            values["flow.disturbance.period"] = period
     # Step 2: the learner
     learning: dict[str, Any] = {"law": law, "position": positions[draw.choice(0, 1)]}
-    gains = float(draw.log_uniform(0.05, 20)), *draw.log_uniform(0.02, 5, 2).tolist()
+    gains = draw.log_uniform(0.05, 20), *draw.log_uniform(0.02, 5, 2)
     adapts = draw.choice(True, False)
     start_gains = draw.uniform(0, 3, 2, 2) * draw.choice(NEAR_0, 1)
     noise = draw.choice(0, 0, 0, 0.02)
@@ -230,18 +228,15 @@ def drawn(law: str, point: np.ndarray) -> Scenario:
         feedback, feedforward = start_gains if adapts else (KD, GammaD)
         learning |= {"feedback": feedback, "feedforward": feedforward}
         learning["adapt_gains"] = adapts
-        used = dict(zip(("parameters", "feedback", "feedforward"), gains, strict=True))
-        if not row.alpha_by_gain:
-            del used["parameters"]
-        if not adapts:
-            del used["feedback"], used["feedforward"]
-        learning["gains"] = used or None
+        names = ("parameters", "feedback", "feedforward")
+        uses = zip(names, gains, (row.alpha_by_gain, adapts, adapts), strict=True)
+        learning["gains"] = {name: gain for name, gain, used in uses if used} or None
         if noise:
             values["localization"] = {"noise": noise, "noise_period": 1.0}
     if row.given_estimate:
-        learning["theta_estimate"] = start.tolist()
+        learning["theta_estimate"] = start
     elif not row.alpha_is_constant:
-        learning["parameters"] = (start * draw.choice(NEAR_0, 1)).tolist()
+        learning["parameters"] = start * draw.choice(NEAR_0, 1)
     scenario = paper_scenario().with_values({**values, "learning": learning})
     # Step 3: some of the law's settings
     settings = {

@@ -19,6 +19,7 @@ from analysis.headlines import headline, main, record
 from analysis.margins import KINDS, closed_form, margin
 from analysis.mean_square import mean_square_bound, mean_square_sides
 from analysis.worst_disturbance import (
+    error_matrices,
     influences,
     peak_gains,
     regressor_matrices,
@@ -31,7 +32,7 @@ from clpt_control.theory.counterexamples import (
     scalar_matrix,
     with_square_wave,
 )
-from clpt_control.theory.excitation.regressor import error_matrices, joint_regressor
+from clpt_control.theory.excitation.regressor import joint_regressor
 from examples import auv, mrac, pendulum, tank
 
 

@@ -5,6 +5,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
+from analysis.worst_disturbance import error_matrices
 from clpt_control.theory.excitation import certificates
 from clpt_control.theory.excitation.certificates import (
     collocation,
@@ -13,11 +14,7 @@ from clpt_control.theory.excitation.certificates import (
     ultimate_bound,
     window_drops,
 )
-from clpt_control.theory.excitation.regressor import (
-    error_matrices,
-    joint_regressor,
-    regressors,
-)
+from clpt_control.theory.excitation.regressor import joint_regressor, regressors
 
 NODES = 12
 NODE, WEIGHT = np.polynomial.legendre.leggauss(NODES)
@@ -51,7 +48,7 @@ def random_regressors(seed, window, size=1.0, pieces=6, N=1):
 def test_rho_never_exceeds_the_exact_drop(group, size):
     KD, gain, window = GROUPS[group]
     *w, weights = random_regressors(group, window, size)
-    drop, rho = window_drops(regressors(*w), weights, KD, gain)
+    drop, rho, _ = window_drops(regressors(*w), weights, KD, gain)
     assert rho.shape == (2, EACH)
     assert np.all((rho > 0) & (rho <= drop) & (drop <= 1 + 1e-9))
 
@@ -111,7 +108,7 @@ def collocated(A, length):
 def test_more_parameters_than_samples_are_guaranteed_nothing():
     rng = np.random.default_rng(8)
     w = regressors(*(rng.normal(size=(1, NODES, n)) for n in (NODES, 2, 2)))
-    drop, rho = window_drops(w, WEIGHT[None] / 2, [1.0, 1.0], 0.8)
+    drop, rho, _ = window_drops(w, WEIGHT[None] / 2, [1.0, 1.0], 0.8)
     assert not rho.any()
     assert not drop.any()
 
@@ -138,7 +135,7 @@ def test_the_corrected_bound_is_never_violated(group):
     """500 disturbances: square waves, sines and noise, on periodic exciting regressors."""
     KD, gain, window = GROUPS[group]
     *w, weights = random_regressors(20 + group, window)
-    drop, rho = window_drops(regressors(*w), weights, KD, gain)
+    drop, rho, _ = window_drops(regressors(*w), weights, KD, gain)
     # the transition of each, beside a push on e
     A = _pushed(error_matrices(*w, KD, gain))
     steps = [
@@ -184,7 +181,9 @@ def test_the_paper_s_contraction(true_paper):
 
 def test_times_and_bounds_at_their_limits():
     assert ultimate_bound(10.0, 0.1, 0.0) == np.inf
-    decay = certificates.Certificate(0.0, 10.0, "", {"x1": 1.0}, {"x1": 0.75})
+    decay = certificates.Certificate(
+        0.0, 10.0, "", {"x1": 1.0}, {"x1": 0.75}, False, {}, None
+    )
     assert decay.ultimate_bound(0.1) == ultimate_bound(10.0, 0.1, 1.0)
     assert decay.ultimate_bound(0.1, guaranteed=True) == ultimate_bound(10, 0.1, 0.75)
     assert ultimate_bound(10.0, 0.1, 1.0) == pytest.approx(2.0)

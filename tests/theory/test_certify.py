@@ -1,11 +1,13 @@
 """Bounds for every start: each step of the proof, 200 starts within R, and closed forms."""
 
 import json
+import re
 
 import numpy as np
 import pytest
 
 import clpt_control as clpt
+from analysis.worst_disturbance import error_matrices
 from clpt_control.theory.excitation.certificates import certificate
 from clpt_control.theory.excitation.certify import (
     after_window,
@@ -13,7 +15,6 @@ from clpt_control.theory.excitation.certify import (
     least_error,
     settled,
 )
-from clpt_control.theory.excitation.regressor import error_matrices
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 
@@ -180,6 +181,32 @@ NOT_CERTIFIED = [
 def test_what_is_not_certified_is_said(values, said):
     with pytest.raises(clpt.ScenarioError, match=said):
         certify(PAPER.with_values(values))
+
+
+ROUNDED = [(0.0123456, 0.050004951), (5.00049, 0.0499996496)]
+
+
+@pytest.mark.parametrize(("error", "radius"), ROUNDED)
+def test_printed_bounds_are_rounded_outward(request, tmp_path, printed, error, radius):
+    """A reader of the table takes no bound for smaller than it is, and no start for allowed."""
+    clpt.save_scenario(PAPER, tmp_path / "paper.toml")
+    words = "excitation", tmp_path / "paper.toml", "--bounds"
+    words += "--radius", radius, "--error", error
+    found, shown = printed(*words), request.getfixturevalue("clpt")(*words).out
+    (said,) = re.findall(r"V\(0\) <= (\S+), windows", shown)
+    assert radius * (1 - 1e-4) < float(said) <= radius
+    lines = [
+        re.findall(r"\d[\d.e-]*", row) for row in shown.splitlines() if row[:1] == "│"
+    ]
+    rows = [list(map(float, line)) for line in lines]
+    exact = [found[name] for name in ("time", "V", "clpe", "flow_error")]
+    assert len(rows) == len(found["time"])
+    for column, values in zip(np.transpose(rows), exact, strict=True):
+        assert np.all((column >= values) & (column <= np.multiply(values, 1 + 2e-5)))
+    (never,) = re.findall(r"CLPE is never above (\S+)", shown)
+    assert found["clpe"][0] <= float(never) <= found["clpe"][0] * 1.001
+    (leaves,) = re.findall(r"leaves (\S+) of V at worst", shown)
+    assert 1 - min(found["drops"]) <= float(leaves) <= (1 - min(found["drops"])) * 1.001
 
 
 def test_the_radius_is_that_of_the_scenarios_own_start():

@@ -1,25 +1,26 @@
 """Excitation: the paper's numbers, named parameters, recorded runs, closed forms, teams."""
 
 import json
+from functools import reduce
 
 import numpy as np
 import pytest
 from error_sentences import says
 from gridded_currents import uniform_field
 from image_checks import inked
+from scipy.linalg import expm
 from team_scenarios import DIFFERENT, ROW, team, vehicle
 
 import clpt_control as clpt_package
+from analysis.worst_disturbance import regressor_matrices
 from clpt_control import gramian
-from clpt_control.app.pages.results import excitation_result
 from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks.reference import circle
 from clpt_control.theory import started_true
 from clpt_control.theory.excitation import certificates, regressor
 from clpt_control.theory.excitation.certificates import certificate
-from clpt_control.theory.excitation.excitation_report import excitation_report
-from clpt_control.theory.excitation.gramian import sliding_excitation
 from clpt_control.theory.proofs.circle import circle_step
+from examples import mrac
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
 
@@ -49,7 +50,7 @@ def test_the_second_function_is_not_learnable_in_gaussian_sigma(true_paper):
     for name, axis in zip(names, ("x1", "x2"), strict=True):
         assert 0 < found.eigenvalues[axis][0] < 1e-10
         assert found.least_excited[axis][name] == pytest.approx(1, abs=1e-6)
-        basis = found.identifiable[axis]
+        basis = found.excited[axis]
         np.testing.assert_allclose(basis.T @ basis, np.eye(4), atol=1e-12)
         assert abs(basis[1]).max() < 1e-6
 
@@ -98,12 +99,9 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
 
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
-    exact = excitation_report(true_paper, 200.0, 200.0)
-    report = excitation_report(
-        clpt_package.simulate(true_paper.with_values({"run.output_step": step})),
-        200.0,
-        200.0,
-    )
+    exact = gramian(true_paper, 200.0, 200.0).report
+    run = clpt_package.simulate(true_paper.with_values({"run.output_step": step}))
+    report = gramian(run, 200.0, 200.0).report
     assert report["trajectory"] == f"recorded run, sampled each {step:g} s"
     assert exact["trajectory"] == "simulated from the initial values"
     found, wanted = (
@@ -119,14 +117,13 @@ def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
 def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
     """An eigenvalue is 25 % off or more, and of two samples none can be left out to find it."""
     scenario = paper.with_values({"run.output_step": step})
-    report = excitation_report(clpt_package.simulate(scenario), 200.0, 200.0)
+    measured = gramian(clpt_package.simulate(scenario), 200.0, 200.0)
     found, exact = (
-        one["eigenvalues"]["x1"]
-        for one in (report, excitation_report(scenario, 200.0, 200.0))
+        one.eigenvalues["x1"] for one in (measured, gramian(scenario, 200.0, 200.0))
     )
     assert np.max(np.abs(np.divide(found, exact) - 1)) > 0.25
-    assert report["accuracy"] is None
-    *_, said, _ = excitation_result(report).sentences
+    assert measured.report["accuracy"] is None
+    *_, said, _ = measured.result.sentences
     assert said.startswith(
         "accuracy of the eigenvalues: not known: the samples are too far"
     )
@@ -140,14 +137,14 @@ def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
     assert after > before
     said = repr(certificate(pushed, 200.0, 0.0))
     assert "at worst, t = 0 to 200, but for what the disturbance adds" in said
-    said = excitation_result(excitation_report(pushed, 200.0, 0.0)).sentences
+    said = gramian(pushed, 200.0, 0.0).result.sentences
     assert "V and errors fall so but for what the disturbance adds to them" in said
-    assert not excitation_report(paper, 200.0, 0.0)["disturbed"]
+    assert not gramian(paper, 200.0, 0.0).report["disturbed"]
 
 
 def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
     monkeypatch.setattr(certificates, "MAX_PIECES", 0)
-    report = excitation_report(paper, 40.0, 0.0)
+    report = gramian(paper, 40.0, 0.0).report
     assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
     assert "too many to compute. Give a shorter" in report["not_certified"]
     assert len(report["eigenvalues"]["x1"]) == 5
@@ -156,7 +153,7 @@ def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
 def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
     known = {"learning.law": "known-flow", "learning.parameters": None}
     estimate = {"learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]]}
-    report = excitation_report(paper.with_values(known | estimate), 200.0, 200.0)
+    report = gramian(paper.with_values(known | estimate), 200.0, 200.0).report
     assert 0 < report["rho"] < report["drop"] < 1
 
 
@@ -164,7 +161,7 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     uniform_field(tmp_path / "field.nc", v=0.2, end=400.0)
     flow = {"flow": {"field": str(tmp_path / "field.nc")}, "run.duration": 100}
     scenario = PAPER.with_values(flow)
-    assert len(excitation_report(scenario, 50.0, 20.0)["eigenvalues"]["x1"]) == 5
+    assert len(gramian(scenario, 50.0, 20.0).eigenvalues["x1"]) == 5
     says(clpt_package.ScenarioError, "gridded", started_true, scenario)
     stopped = scenario.with_values({"flow.outside": "stop", "reference.radius": 30})
     says(
@@ -195,7 +192,7 @@ def test_a_window_outside_the_run_is_refused(paper, window, start):
 
 
 def test_the_sliding_window_agrees_with_single_windows(paper):
-    starts, eigenvalues = sliding_excitation(paper, 50.0, count=8)
+    starts, eigenvalues = gramian(paper, 50.0).sliding(count=8)
     assert starts[[0, -1]].tolist() == [0.0, 350.0]
     for k in (0, 3, 7):
         for axis, values in gramian(paper, 50.0, float(starts[k])).eigenvalues.items():
@@ -208,13 +205,14 @@ def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
     scenario = true_paper.with_values(
         {"basis.kernel": "gaussian-sigma", "run.duration": 100}
     )
-    _, eigenvalues = sliding_excitation(scenario, 60.0)
-    (top, _), (bottom, _) = clpt_package.gramian(scenario, 60.0, 10.0).plot()
+    found = gramian(scenario, 60.0, 10.0)
+    _, eigenvalues = found.sliding()
+    (top, _), (bottom, _) = found.plot()
     top.figure.savefig(tmp_path / "excitation.png")
     np.testing.assert_allclose(
         top.get_lines()[-2].get_ydata(), eigenvalues["x1"][:, 0], rtol=1e-12
     )
-    least = gramian(scenario, 60.0, 10.0).least_excited["x1"]
+    least = found.least_excited["x1"]
     assert [bar.get_height() for bar in bottom.patches] == list(least.values())
 
 
@@ -232,7 +230,7 @@ def test_the_command_prints_the_report(printed, tmp_path, true_paper):
     clpt_package.save_scenario(true_paper, tmp_path / "true.toml")
     words = (tmp_path / "true.toml", "--window", "200", "--start", "200")
     found = printed("excitation", *words, "--figure", tmp_path / "true.png")
-    report = excitation_report(true_paper, 200.0, 200.0)
+    report = gramian(true_paper, 200.0, 200.0).report
     assert report["eigenvalues"]["x1"] == sorted(report["eigenvalues"]["x1"])
     assert (
         0 < report["rho"] < report["drop"] == pytest.approx(1 - report["contraction"])
@@ -242,6 +240,157 @@ def test_the_command_prints_the_report(printed, tmp_path, true_paper):
     names = [*(f"theta_1[{k}]" for k in (1, 2, 3)), "K_1", "Gamma_1"]
     assert list(found["least_excited"]["x1"]) == names
     assert inked(tmp_path / "true.png") > 0.01
+
+
+# --- signals of any run ---------------------------------------------------------------------------
+
+TIMES = np.linspace(0, 40, 4001)
+
+
+@pytest.fixture(scope="module")
+def own_run():
+    """A run of the adaptive loop of the examples, r = sin t."""
+    return clpt_package.simulate(mrac.loop(), TIMES, np.sin(TIMES))
+
+
+def test_signals_of_an_own_loop_have_the_gramian_computed_by_hand(own_run):
+    found = gramian(own_run, 20.0, 20.0, signals=["r", "y"])
+    w = np.stack([np.sin(TIMES), own_run.y.values.ravel()])[:, 2000:]
+    by_hand = np.trapezoid(w[:, None] * w[None], TIMES[2000:], axis=-1)
+    np.testing.assert_allclose(found.gramians["w"], by_hand, rtol=1e-9)
+    # int sin^2 from 20 to 40
+    exact = 10 - (np.sin(80) - np.sin(40)) / 4
+    assert found.gramians["w"][0, 0] == pytest.approx(exact, rel=1e-4)
+    assert found.names == {"w": ["r", "y"]}
+    assert found.accuracy < 1e-4
+    assert repr(found) == "<Excitation from 20 to 40: excited 2 of 2 along w>"
+    json.dumps(found.report)
+
+
+def test_a_diagram_is_simulated_as_its_run(own_run):
+    inputs = {"timepts": TIMES, "inputs": np.sin(TIMES)}
+    found = gramian(mrac.loop(), signals=["r", "y"], **inputs)
+    again = gramian(own_run, signals=["r", "y"])
+    assert found.eigenvalues["w"].tolist() == again.eigenvalues["w"].tolist()
+    assert (found.start, found.window) == (0.0, 40.0)
+
+
+def test_a_signal_that_repeats_another_is_not_learnable():
+    """The regressor (r, 2 r) excites one direction."""
+    double = clpt_package.Block(
+        "double", output=lambda t, x, u, p: 2 * u.r, inputs={"r": 1}, outputs={"s": 1}
+    )
+    options = {"timepts": TIMES, "inputs": np.sin(TIMES)}
+    found = gramian(double, signals=["r", "s"], **options)
+    assert found.dimension == {"w": 1}
+    share = 1 / np.sqrt(5)
+    assert found.least_excited["w"] == pytest.approx({"r": 2 * share, "s": -share})
+    assert found.not_learnable == ["r and s are not learnable one by one on this track"]
+
+
+def test_sliding_windows_of_signals_begin_between_samples(own_run):
+    """At 3 samples a second the windows begin and end within a sample's time."""
+    run = own_run.isel(time=slice(None, None, 33))
+    found = gramian(run, 10.1, signals=["r", "y"])
+    starts, eigenvalues = found.sliding(count=7)
+    for start, values in zip(starts, eigenvalues["w"], strict=True):
+        alone = gramian(run, 10.1, float(start), signals=["r", "y"])
+        np.testing.assert_allclose(values, alone.eigenvalues["w"], rtol=1e-3)
+    assert len(found.plot()) == 2
+
+
+def test_signals_of_the_papers_run_are_those_of_the_joint_regressor(true_paper):
+    run = clpt_package.simulate(
+        clpt_package.closed_loop(true_paper),
+        np.linspace(0, 400, 4001),
+        initial_state=clpt_package.initial_state(true_paper),
+    )
+    own = gramian(
+        run,
+        200.0,
+        200.0,
+        signals=["phi_x", "predicted_position axis 1", "reference axis 1"],
+    )
+    exact = gramian(true_paper, 200.0, 200.0).eigenvalues["x1"]
+    np.testing.assert_allclose(own.eigenvalues["w"], exact, rtol=0.05)
+
+
+SIGNALS = [
+    (None, "signals: is required for a diagram. Name signals of the diagram"),
+    (["r", "q"], r"signals = \['q'\]: must be signals of the run: .*y, .*r"),
+    ([], "must be signals of the run"),
+    ("ym", "must be Sequence"),
+]
+
+
+@pytest.mark.parametrize(("signals", "said"), SIGNALS, ids=repr)
+def test_signals_that_are_missing_or_unknown_are_refused(own_run, signals, said):
+    says(clpt_package.ArgumentError, said, gramian, own_run, signals=signals)
+
+
+def test_a_diagram_without_signals_is_refused_before_it_is_simulated(own_run):
+    says(clpt_package.ArgumentError, "signals: is required", gramian, mrac.loop())
+    said = "must be finite in the window"
+    undefined = own_run.assign(r=own_run.r * np.nan)
+    says(clpt_package.DataError, said, gramian, undefined, signals=["r"])
+
+
+# --- directions that are learned within the run ---------------------------------------------------
+
+
+def test_wide_functions_are_excited_but_not_learned_within_the_run():
+    """Nine functions, wider than the track: all are excited, three directions are learned."""
+    grid = np.linspace(-8.0, 8.0, 3)
+    values = {
+        "basis": {
+            "kernel": "gaussian",
+            "centers": [[a, b] for a in grid for b in grid],
+            "widths": [8.0] * 9,
+            "periods": [np.inf] * 9,
+        },
+        "flow.parameters": np.random.default_rng(1).normal(size=(2, 9)).round(2),
+        "model.parameters": None,
+        "learning.parameters": None,
+    }
+    found = gramian(PAPER.with_values(values))
+    assert found.dimension == {"x1": 11, "x2": 11}
+    assert found.certificate().learned == {"x1": 3, "x2": 3}
+    assert found.certificate().time_to_tenth > 1e10
+    assert "excited 11 of 11 along x1, 11 of 11 along x2" in repr(found)
+    assert (
+        "can be learned within the run, 2000 s: 3 of 11 along x1, 3 of 11 along x2"
+        in repr(found)
+    )
+    assert "fall to a tenth: at most 6.7" in repr(found)
+
+
+@pytest.mark.parametrize("duration", [400, 1000, 3000])
+def test_learned_directions_are_those_of_the_error_system(true_paper, duration):
+    """Eq. (28) over one window, by matrix exponentials, as often as the window fits."""
+    step = 0.05
+    A = regressor_matrices(true_paper, 400.0, step)[:, int(200 / step) :]
+    exponentials = expm(step * A)
+    scenario = true_paper.with_values({"run.duration": duration})
+    found = gramian(scenario, 200.0, 200.0).certificate()
+    gain = true_paper.learning.gain
+    scale = np.diag([1.0, *[gain**-0.5] * 5])
+    for axis, count in enumerate(found.learned.values()):
+        window = reduce(lambda product, factor: factor @ product, exponentials[axis])
+        power = scale @ np.linalg.matrix_power(window, duration // 200)
+        power = power @ np.linalg.inv(scale)
+        lengths = np.linalg.svd(power[:, 1:], compute_uv=False)
+        assert count == np.sum(lengths <= 0.1)
+    if min(found.learned.values()) == 5:
+        assert found.time_to_tenth <= duration
+
+
+def test_the_known_flow_law_learns_its_two_gains(paper):
+    known = {"learning.law": "known-flow", "learning.parameters": None}
+    estimate = {"learning.theta_estimate": [[1, 0.4, 0.8], [0.9, 0.4, 0.8]]}
+    long = {"run.duration": 20000}
+    found = gramian(paper.with_values(known | estimate | long), 200.0, 200.0)
+    assert max(found.certificate().learned.values()) == 2
+    assert "of 5 along x1" in repr(found)
 
 
 def test_the_ceiling_is_an_identity_of_the_blocks():
@@ -312,7 +461,7 @@ ALIKE = team(a=vehicle(), b=vehicle())
 
 
 NOT_POOLED = [
-    (3, (), "must be a Scenario, a Team, an xarray.Dataset or a Regressor"),
+    (3, (), "must be a Scenario, a Team, an xarray.Dataset or a diagram"),
     (ALIKE, (50.0,), "window 50 from 0: must be positive and lie"),
     (ALIKE, (-1.0, 0.0), "window -1 from 0: must be positive"),
 ]
@@ -328,5 +477,7 @@ def test_what_has_no_pooled_gramian(source, arguments, said):
 def test_the_certificate_of_one_vehicle_takes_no_team():
     for group in (ALIKE, clpt_package.simulate(ALIKE, [0.0, 1.0, 2.0])):
         excitation = clpt_package.gramian(group, 1.0, 0.0)
-        with pytest.raises(clpt_package.DataError, match="gramian measures a team"):
+        with pytest.raises(
+            clpt_package.DataError, match="A team and signals have Gramians only"
+        ):
             excitation.certificate()

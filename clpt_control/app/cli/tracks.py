@@ -9,7 +9,7 @@ from ...base.errors import ClptError
 from ...base.files import write_together
 from ...base.html import Result
 from ...base.progress import progress_bar
-from ...base.units import at_most
+from ...base.units import at_least, at_most
 from .printing import (
     Json,
     Report,
@@ -44,9 +44,9 @@ def excitation(
     ),
     as_json: Json = False,
 ) -> None:
-    """Measure what can be learned on a track, and how fast.
+    """Measure excitation along a track, and the time to learn.
 
-    Of a team: by each vehicle alone, and by all together.
+    A team is measured vehicle by vehicle, and together.
 
     Example:
         clpt excitation mine.toml --figure excitation.png
@@ -55,8 +55,7 @@ def excitation(
     if bounds:
         _bound_errors(scenario, radius, error, window, as_json)
         return
-    from ...theory.excitation.excitation_report import excitation_report
-    from ..pages.results import excitation_result, is_team
+    from ..pages.results import is_team
 
     source = (
         clpt.load_run(scenario)
@@ -66,11 +65,10 @@ def excitation(
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle. Leave it out for a team")
     check_out(figure, "a figure")
-    report = excitation_report(source, window, start)
+    excitation = clpt.gramian(source, window, start)
     if figure is not None:
-        excitation = clpt.gramian(source, report["window"], report["start"])
         draw_figure(figure, excitation.plot)
-    finish([excitation_result(report)], report, as_json, figure)
+    finish([excitation.result], excitation.report, as_json, figure)
 
 
 def _bound_errors(
@@ -89,10 +87,9 @@ def _bound_errors(
     columns = [f"from ({time})", "V at most", f"CLPE at most ({length})"]
     columns.append(f"error of a flow parameter at most ({length}/{time})")
     numbers = zip(bounds.time, bounds.V, bounds.clpe, bounds.flow_error, strict=True)
-    rows = [
-        [f"{t:.6g}", *(at_most(number, 6) for number in row)] for t, *row in numbers
-    ]
-    title = f"For every start with V(0) <= {bounds.radius:.6g}, windows of {bounds.window:g} {time}"
+    rows = [[at_most(number, 6) for number in row] for row in numbers]
+    start = f"V(0) <= {at_least(bounds.radius, 6)}"
+    title = f"For every start with {start}, windows of {bounds.window:g} {time}"
     most = f"{at_most(bounds.clpe[0])} {length}{bounds.known_until}"
     sentences = [bounds.said, f"CLPE is never above {most}"]
     if bounds.disturbance > 0:

@@ -5,7 +5,6 @@ A run carries its figures, or they are those of its samples: nothing is run agai
 """
 
 import json
-from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -170,65 +169,3 @@ def claims_result(claims: list[dict[str, str]]) -> Result:
 def is_team(source: Any) -> bool:
     """Return whether a scenario or a run is of several vehicles."""
     return isinstance(source, Team) or TEAM in getattr(source, "attrs", {})
-
-
-def excitation_result(report: Numbers) -> Result:
-    """Return the excitation of a track, or of the tracks of a team, each alone and together."""
-    end, unit = report["start"] + report["window"], report["time_unit"]
-    title = (
-        f"Excitation from {report['start']:g} to {end:g} {unit}, {report['trajectory']}"
-    )
-    team = "vehicles" in report
-    each = {**report["vehicles"], "team": report["team"]} if team else {"": report}
-    columns = ["", "smallest eigenvalue", "largest", "can be learned"]
-    columns += [] if team else ["ceiling of the smallest", "least excited direction"]
-    rows, sentences = [], [f"measured: {report['measured']}"] if team else []
-    for name, one in each.items():
-        for axis, values in one["eigenvalues"].items():
-            learned = f"{one['dimension'][axis]} of {len(values)}"
-            row = [
-                f"{name} {axis}".strip(),
-                f"{values[0]:.4g}",
-                f"{values[-1]:.4g}",
-                learned,
-            ]
-            if not team:
-                ceiling = report["ceilings"].get(axis)
-                parts = sorted(
-                    one["least_excited"][axis].items(), key=lambda part: -abs(part[1])
-                )
-                listed = ", ".join(f"{what} {share:+z.2f}" for what, share in parts[:4])
-                row += ["-" if ceiling is None else f"{ceiling:.4g}", listed]
-            rows.append(row)
-        who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
-        sentences += [who + said for said in one["not_learnable"]]
-    return Result(
-        title, columns, rows, sentences if team else [*sentences, *_how_fast(report)]
-    )
-
-
-def _how_fast(report: Numbers) -> Iterator[str]:
-    """Yield how fast errors fall, and how sure that is."""
-    if report["contraction"] is None:
-        yield f"contraction of V: {report['not_certified']}"
-    else:
-        time = report["time_to_tenth"]
-        decay_time = (
-            "never" if time is None else f"within {time:.6g} {report['time_unit']}"
-        )
-        yield (
-            f"contraction of V, exact, at worst {report['contraction']:.6g}; guaranteed drop rho "
-            f"{report['rho']:.3g}; in windows like this one errors fall to a tenth {decay_time}"
-        )
-    if report["disturbed"]:
-        yield "V and errors fall so but for what the disturbance adds to them"
-    if "accuracy" in report:
-        change = report["accuracy"]
-        text = "not known: the samples are too far apart; a smaller run.output_step says more"
-        text = text if change is None else f"{change:.2g} relative"
-        yield f"accuracy of the eigenvalues: {text}"
-    if report["ceilings"]:
-        yield (
-            "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
-            "GammaD^2): a vehicle that waits teaches nothing"
-        )

@@ -30,7 +30,6 @@ from ...simulation.serialization.run_record import diagram_of_text, equations_te
 from ...simulation.summary import claims
 from ...simulation.team_plots import team_plot
 from ...simulation.track_chart import track_plot
-from ...theory.excitation.excitation_report import excitation_report
 from ...theory.excitation.gramian import gramian
 from . import results
 from .page import Drawn, Page, Section, drawn, versions_section
@@ -140,14 +139,14 @@ def loop_section(diagram: Diagram, caption: str) -> list[Section]:
 def excitation_section(run: Dataset, why: str) -> Section:
     """Return the excitation over one round of a run, or `why` it cannot be measured, if so."""
     team = results.is_team(run)
-    heading, figures = f"Identifiability on the track{'s' if team else ''}", []
+    heading, figures = f"Excitation along the track{'s' if team else ''}", []
     try:
         if why:
             raise ClptError(why)
-        report = excitation_report(run)
-        result = results.excitation_result(report)
+        excitation = gramian(run)
+        result = excitation.result
         if not team:
-            figure = figure_of(gramian(run, report["window"], report["start"]).plot)
+            figure = figure_of(excitation.plot)
             caption = (
                 "Above, eigenvalues of the Gramian in a window that slides over the run: the "
                 "smallest says how fast the slowest combination is learned. Below, that "

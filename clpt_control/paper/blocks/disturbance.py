@@ -10,10 +10,13 @@
 a is the amplitude of each axis (length per time), T the period (time).  The noise is a hash of
 (seed, interval, axis).  It has no state, so it can be computed at any time, in any order.
 
+A kind is one row of `KINDS`.  Scenarios, `certify`, promises, ensembles and searches read the row.
+
 Ports: none -> delta[2] (length per time).
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -45,11 +48,36 @@ def noise(t, x, u, p):
     return p.amplitude * normal(p.seed, p.interval, AXES)
 
 
+class DisturbanceKind(NamedTuple):
+    """A kind of disturbance; every field is required."""
+
+    function: Callable[..., Any]  # Delta, as a function of (t, x, u, p)
+    breakpoints: Each | None  # times at which Delta jumps
+    keys: dict[str, bool]  # keys of a scenario besides the amplitude; True if required
+    bounded: bool  # True if |Delta_i| <= a_i at all times
+    random: bool  # True if Delta depends on the seed
+    rms: float  # root mean square of Delta_i over a_i
+
+
+PERIOD = {"period": True}
 KINDS = {
-    "constant": (constant, None),
-    "sine": (sine, None),
-    "square": (square, Each("period", 0.5)),
-    "noise": (noise, Each("period")),
+    "constant": DisturbanceKind(
+        constant, None, {"period": False}, bounded=True, random=False, rms=1.0
+    ),
+    "sine": DisturbanceKind(
+        sine, None, PERIOD, bounded=True, random=False, rms=0.5**0.5
+    ),
+    "square": DisturbanceKind(
+        square, Each("period", 0.5), PERIOD, bounded=True, random=False, rms=1.0
+    ),
+    "noise": DisturbanceKind(
+        noise,
+        Each("period"),
+        PERIOD | {"seed": False},
+        bounded=False,
+        random=True,
+        rms=1.0,
+    ),
 }
 
 
@@ -60,13 +88,13 @@ def disturbance(
 
     For noise the amplitude is the standard deviation, and the seed is an integer.
     """
-    output, breakpoints = KINDS[kind]
+    row = KINDS[kind]
     parameters = {"amplitude": amplitude, "period": period, "seed": seed}
     return paper_block(
         "disturbance",
         "-> delta",
         parameters,
-        output=output,
+        output=row.function,
         opaque=True,
-        breakpoints=breakpoints,
+        breakpoints=row.breakpoints,
     )

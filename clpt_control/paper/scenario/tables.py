@@ -16,6 +16,8 @@ from pydantic_core import PydanticCustomError
 
 from ...base.errors import ScenarioError
 from ...base.html import shortened
+from ..blocks.disturbance import KINDS, DisturbanceKind
+from ..blocks.flow import KERNELS
 from ..laws.law import Fixes
 from .quantities import key_hint
 from .tidal_periods import period
@@ -154,7 +156,7 @@ Points = Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
 SHORT = 1e-6  # share of the interval; closer times are treated as equal
-Kernel = Literal["exponential", "gaussian", "gaussian-sigma"]
+Kernel = Literal[*KERNELS]  # type: ignore[valid-type]
 
 
 class Units(Table):
@@ -201,17 +203,23 @@ class Basis(Table):
 class Disturbance(Table):
     """The unmodelled flow Delta of Eq. (32)."""
 
-    kind: Literal["constant", "sine", "square", "noise"]
+    kind: Literal[*KINDS]  # type: ignore[valid-type]
     amplitude: Pair
     period: Positive | None = None
     seed: Seed | None = None
 
+    @property
+    def row(self) -> DisturbanceKind:
+        """Row of the kind."""
+        return KINDS[self.kind]
+
     def _mistakes(self) -> Iterator[str]:
-        where = "flow.disturbance"
-        if self.kind != "constant" and self.period is None:
-            yield f'{where}.period: is required for kind = "{self.kind}"'
-        if self.kind != "noise" and self.seed is not None:
-            yield f'{where}.seed = {self.seed}: is allowed only for kind = "noise"'
+        for key in ("period", "seed"):
+            value, where = getattr(self, key), f"flow.disturbance.{key}"
+            if value is None and self.row.keys.get(key):
+                yield f'{where}: is required for kind = "{self.kind}"'
+            if value is not None and key not in self.row.keys:
+                yield f'{where} = {value}: kind = "{self.kind}" has no {key}. Leave it out'
 
 
 class Flow(Table):

@@ -127,7 +127,7 @@ class Tracks:
             kappa = smallest_eigenvalue(w, self.weights)
         else:
             k = np.array(self.scenario.vehicle.feedback)[:, None]
-            kappa = worst_drop(w, k, self.gains, self.weights)
+            kappa, _ = worst_drop(w, k, self.gains, self.weights)
         finite = np.isfinite(x).all(axis=(1, 2, 3))
         return np.where(finite, kappa, 0.0)
 

@@ -22,6 +22,7 @@ from functools import cache
 import numpy as np
 
 from ...base.errors import ScenarioError
+from ...base.units import at_most, finite_or_none
 from ...paper.scenario.experiment import Scenario
 from .regressor import Regressor, Source, joint_regressor
 
@@ -40,12 +41,15 @@ class Certificate:
     drops: dict[str, float]
     rhos: dict[str, float]  # axis -> the guaranteed drop
     # Delta, or a flow that theta phi does not span, adds to V'
-    disturbed: bool = False
+    disturbed: bool
+    # axis -> number of directions in which errors fall to a tenth within the run
+    learned: dict[str, int]
+    time_to_tenth: float | None  # of all errors; None: never
 
     def __repr__(self) -> str:
         span = f"t = {self.start:g} to {self.start + self.window:g}"
         but = ", but for what the disturbance adds" if self.disturbed else ""
-        share = f"{self.contraction:.6g}"
+        share = at_most(self.contraction, 6)
         return f"<Certificate: V falls to {share} of itself at worst, {span}{but}>"
 
     @property
@@ -170,32 +174,32 @@ def propagate(
 
 def worst_drop(
     w: np.ndarray, k: np.ndarray, gains: np.ndarray, weights: np.ndarray
-) -> np.ndarray:
-    """Return the drop of V over a window by a linear law with a gain for each of w (..., n).
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drop of V by a linear law with a gain for each of w (..., n), and Phi.
 
     w_j is scaled by the root of gamma_j, the parameter error by its inverse; the gain is then 1.
     A parameter without a gain does not adapt.
     """
     adapted = gains > 0
     w, weights = finely(np.sqrt(gains[adapted]) * w[..., adapted], weights)
-    rows, _ = propagate(w, k, 1.0, weights.sum(axis=1))
-    return 2 * k * smallest_eigenvalue(rows, weights)
+    rows, transition = propagate(w, k, 1.0, weights.sum(axis=1))
+    return 2 * k * smallest_eigenvalue(rows, weights), transition
 
 
 def window_drops(
     w: np.ndarray, weights: np.ndarray, KD: np.ndarray, gain: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the exact and the guaranteed drop of V over a window, each (2, ...), axis first.
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the exact and the guaranteed drop of V over a window, and Phi; axis first.
 
     w (2, ..., pieces, nodes, n) is given at Gauss-Legendre nodes with weights (pieces, nodes).
     """
     k = np.asarray(KD, dtype=float).reshape(2, *[1] * (w.ndim - 4))
-    drop = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
+    drop, transition = worst_drop(w, k, np.full(w.shape[-1], gain), weights)
     lengths = weights.sum(axis=1)
     filtered, _ = propagate(w, k, 0.0, lengths)
     kappa = smallest_eigenvalue(filtered, weights)
     q = gain * np.sum(w**2, axis=-1).max((-1, -2)) * lengths.sum() / k
-    return drop, k * min(1.0, gain) * kappa / (1 + q**2)
+    return drop, k * min(1.0, gain) * kappa / (1 + q**2), transition
 
 
 def refuse_unproved(scenario: Scenario) -> None:
@@ -239,15 +243,29 @@ def certificate(
         )
     refuse_unproved(scenario)
     fixed = scenario.basis.N if scenario.learning.row.given_estimate else 0
+    flow, span, length = scenario.flow, regressor.window, regressor.run_length
     w, KD = regressor.w[..., fixed:], np.array(scenario.vehicle.feedback)
-    drops, rhos = (
-        dict(zip(("x1", "x2"), values.tolist(), strict=True))
-        for values in window_drops(w, regressor.weights, KD, gains.parameters)
+    gain, weights = gains.parameters, regressor.weights
+    # Phi^windows from e = 0: its small singular values are the directions that are learned
+    windows = int(max(1.0, length / span * (1 + 1e-12)))
+    *fallen, transition = window_drops(w, weights, KD, gain)
+    power = np.linalg.matrix_power(transition, windows)[..., 1:]
+    learned = np.sum(np.linalg.svd(power, compute_uv=False) <= 0.1, axis=-1)
+    drops, rhos, counts = (
+        dict(zip(regressor.names, values.tolist(), strict=True))
+        for values in (*fallen, learned)
     )
-    begin, end = regressor.cuts[[0, -1]].tolist()
-    flow = scenario.flow
-    disturbed = flow.disturbance is not None or flow.field is not None
-    return Certificate(begin, end - begin, regressor.trajectory, drops, rhos, disturbed)
+    time = time_to_tenth(span, min(*drops.values(), 1.0))
+    return Certificate(
+        regressor.start,
+        span,
+        regressor.trajectory,
+        drops,
+        rhos,
+        flow.disturbance is not None or flow.field is not None,
+        counts,
+        finite_or_none(min(time, length) if np.all(learned == w.shape[-1]) else time),
+    )
 
 
 def ultimate_bound(window: float, largest_disturbance: float, drop: float) -> float:

@@ -39,7 +39,6 @@ window of the run is assumed for all windows.
 #    small and D = 0, V(t+T)/V(t) <= 1 - delta, which is attained.
 
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -47,10 +46,10 @@ from scipy.optimize import brentq
 
 from ...base.arguments import Positive, public
 from ...base.errors import ScenarioError
-from ...base.units import at_most
+from ...base.units import at_least, at_most
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
-from ..promises import bounded, largest_disturbance
+from ..promises import largest_disturbance
 from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
 from .regressor import checked_window, joint_regressor
 
@@ -82,14 +81,14 @@ class Bounds:
         return reached is not None and reached <= float(self.time[-1])
 
     def __repr__(self) -> str:
-        return f"<Bounds: for V(0) <= {self.radius:g}, {self.said}>"
+        return f"<Bounds: for V(0) <= {at_least(self.radius, 6)}, {self.said}>"
 
     @property
     def said(self) -> str:
         """Sentence on the time to the error."""
         length = self.units["length"]
         if self.time_to_error is None:
-            return f"CLPE is not shown to come below {self.error:.4g} {length}"
+            return f"CLPE is not shown to come below {at_least(self.error)} {length}"
         time = f"{at_most(self.time_to_error, 6)} {self.units['time']}"
         condition = ", if later windows excite like the run's weakest"
         condition = self.known_until if self.within_run else condition
@@ -102,10 +101,7 @@ class Bounds:
 
     def report(self) -> dict[str, Any]:
         """Return the fields ready for JSON."""
-        fields = {
-            name: value.tolist() if isinstance(value, np.ndarray) else value
-            for name, value in vars(self).items()
-        }
+        fields = {name: np.asarray(v).tolist() for name, v in vars(self).items()}
         return {**fields, "within_run": self.within_run, "said": self.said}
 
 
@@ -226,9 +222,11 @@ def _check(scenario: Scenario) -> None:
             "no certificate: it is for the learned-flow law in a flow with parameters theta"
         )
     refuse_unproved(scenario)
-    if not bounded(scenario):
+    delta = scenario.flow.disturbance
+    if delta is not None and not delta.row.bounded:
         raise ScenarioError(
-            'no certificate: flow.disturbance.kind = "noise" is normal, so |Delta| has no bound'
+            f'no certificate: flow.disturbance.kind = "{delta.kind}" has no bound on |Delta|. '
+            'Use a bounded kind, such as "square"'
         )
     for name in ("feedback", "feedforward"):
         fixed = getattr(learning.used_gains, name) == 0
@@ -248,11 +246,9 @@ def _drops(scenario: Scenario, window: float) -> np.ndarray:
     count = int(np.floor(scenario.run.duration / window * (1 + 1e-12)))
     ends = window * np.arange(count + 1)
     regressor = joint_regressor(scenario, float(ends[-1]), 0.0, ends[1:-1], "position")
-    cuts = np.searchsorted(regressor.cuts, ends - 1e-9 * window)
-    windows = [slice(*pair) for pair in pairwise(cuts.tolist())]
     return np.array(
         [
-            worst_drop(regressor.w[:, span], k, gains, regressor.weights[span])
-            for span in windows
+            worst_drop(regressor.w[:, part], k, gains, regressor.weights[part])[0]
+            for part in regressor.parts(ends[:-1], window)
         ]
     )

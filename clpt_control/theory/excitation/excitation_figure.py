@@ -1,7 +1,7 @@
 """Figure of an excitation: a column for each axis.
 
 Above are the eigenvalues of the Gramian of Definition 3.1 in a window that slides over the run,
-below the least excited direction of one window and the identifiable share of each parameter.
+below the least excited direction of one window and the excited share of each parameter.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -19,8 +19,9 @@ LOWEST = 1e-30  # share of the largest eigenvalue; smaller ones are drawn there
 def draw_excitation(
     excitation: Any, starts: np.ndarray, values: dict[str, np.ndarray], ax: Any
 ) -> np.ndarray:
-    """Draw a `gramian.Excitation` and the eigenvalues (starts, N + 2) of each axis; (2, 2) Axes."""
-    axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=2, sharey="row")
+    """Draw a `gramian.Excitation` and the eigenvalues (starts, n) of each axis; (2, axes) Axes."""
+    columns = len(excitation.names)
+    axes = axes_for(ax, 7.6, 6.0, nrows=2, ncols=columns, sharey="row", squeeze=False)
     for (top, bottom), axis in zip(axes.T, excitation.names, strict=True):
         _draw_eigenvalues(top, starts, values[axis], excitation, axis)
         _draw_direction(bottom, excitation, axis)
@@ -29,7 +30,7 @@ def draw_excitation(
     axes[1, 0].set_ylabel("component")
     legend: dict[str, Any] = {"fontsize": 8, "frameon": False, "loc": "lower left"}
     axes[0, 0].legend(ncols=3, bbox_to_anchor=(0, 1.1), **legend)
-    axes[1, 1].legend(**legend)
+    axes[1, -1].legend(**legend)
     return axes
 
 
@@ -50,13 +51,13 @@ def _draw_eigenvalues(
 
 
 def _draw_direction(ax: "Axes", excitation: Any, axis: str) -> None:
-    """Draw the least excited direction and the identifiable shares of one axis."""
+    """Draw the least excited direction and the excited shares of one axis."""
     components = excitation.least_excited[axis]
     names = [*components]
     label = "least excited direction"
     ax.bar(names, [*components.values()], width=0.55, color=BLUE, label=label)
-    shares = np.linalg.norm(excitation.identifiable[axis], axis=1)
-    ax.plot(names, shares, "D", color=RED, markersize=5, label="learnable share")
+    shares = np.linalg.norm(excitation.excited[axis], axis=1)
+    ax.plot(names, shares, "D", color=RED, markersize=5, label="excited share")
     ax.axhline(0, color="black", linewidth=0.7)
     ax.tick_params(axis="x", labelsize=8, rotation=90)
     start, end = excitation.start, excitation.start + excitation.window

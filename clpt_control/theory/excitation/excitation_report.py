@@ -1,86 +1,133 @@
-"""Report of the excitation of a track, for `clpt excitation`.
+"""Report of an excitation: numbers for JSON, and the table of `clpt excitation`.
 
 The report has Definition 3.1 over one window, the exact contraction of V of Eq. (24) and its
 guaranteed drop, for one trajectory.
 """
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator
+from typing import Any
 
-import numpy as np
+from ...base.html import Result
+from ...base.units import at_least, at_most
 
-from ...base.errors import ScenarioError
-from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.team import Team
-from .certificates import certificate, time_to_tenth
-from .gramian import NOT_LEARNABLE, Excitation, gramian
-from .regressor import AnySource, joint_regressor, system_of
+MEASURED = (
+    "window",
+    "start",
+    "time_unit",
+    "trajectory",
+    "ceilings",
+    "least_excited",
+    "dimension",
+    "not_learnable",
+    "run_length",
+)
+CERTIFIED = ("rho", "contraction", "drop", "disturbed", "time_to_tenth", "learned")
+SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
-if TYPE_CHECKING:
-    import xarray
 
-MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
-CERTIFIED = ("rho", "contraction", "drop", "disturbed")
-
-
-def excitation_report(
-    source: AnySource, window: float | None = None, start: float | None = None
-) -> dict[str, Any]:
-    """Return the excitation of a scenario's run, a team's or a recorded one over one window.
+def report_of(excitation: Any) -> dict[str, Any]:
+    """Return a `gramian.Excitation` as JSON values.
 
     Its entries are ``window``, ``start``, ``time_unit``, ``trajectory``, ``not_learnable``
     (sentences), and by axis ``eigenvalues`` (ascending), ``ceilings`` (of the smallest
-    eigenvalue), ``least_excited`` and ``dimension`` (of the identifiable subspace).
+    eigenvalue), ``least_excited`` and ``dimension`` (of the excited subspace).
 
     ``rho`` (guaranteed drop of V), ``contraction`` (exact V(t+T)/V(t) at worst), ``drop``
-    (1 - contraction, with all its digits) and ``time_to_tenth`` (time in which sqrt(V) falls to
-    a tenth in windows like this one, or None) exclude the effect of a disturbance if
-    ``disturbed``.  All are None if the window cannot be certified; ``not_certified`` is the reason.
+    (1 - contraction, with all its digits), ``time_to_tenth`` (time in which all errors fall to
+    a tenth in windows like this one, or None for never) and ``learned`` (by axis, number of
+    directions in which errors do so within ``run_length``) exclude the effect of a disturbance
+    if ``disturbed``.  All are None if the window cannot be certified; ``not_certified`` is the
+    reason.
 
     A recorded run has an ``accuracy``: the largest relative change of an eigenvalue if every
-    second sample is left out, which is above the error; None if that is more than `MAX_CHANGE`.
+    second sample is left out, which is above the error; None if the change is large.
     A team has ``measured`` (description of the parameters), ``smallest`` (eigenvalues by name),
     and ``vehicles`` by name and ``team`` with ``eigenvalues``, ``dimension``, ``not_learnable``.
     """
-    if isinstance(source, Team) or isinstance(system_of(source), Team):
-        return _team_report(gramian(source, window, start))
-    regressor = joint_regressor(source, window, start)
-    excitation = gramian(regressor)
-    report: dict[str, Any] = excitation.report
-    report |= dict.fromkeys((*CERTIFIED, "time_to_tenth"))
-    try:
-        certified = certificate(regressor)
-        report |= {name: getattr(certified, name) for name in CERTIFIED}
-        time = time_to_tenth(excitation.window, min(certified.drop, 1.0))
-        report["time_to_tenth"] = time if np.isfinite(time) else None
-    except ScenarioError as error:
-        report["not_certified"] = str(error)
-    if not isinstance(source, Scenario):
-        report["accuracy"] = _accuracy(source, excitation)
-    return report
+    if excitation.vehicles:
+        by_name = {**excitation.vehicles, "team": excitation}
+        measured = {name: _measured(single) for name, single in by_name.items()}
+        team = measured.pop("team")
+        smallest = {name: single.smallest for name, single in by_name.items()}
+        shared = {"measured": SHARED, "smallest": smallest}
+        return team | shared | {"vehicles": measured, "team": team}
+    certificate, reason = excitation.certified
+    report = _measured(excitation)
+    report |= {name: getattr(certificate, name, None) for name in CERTIFIED}
+    report |= {"not_certified": reason} if reason else {}
+    recorded = hasattr(excitation.source, "data_vars")
+    return report | ({"accuracy": excitation.accuracy} if recorded else {})
 
 
-def _accuracy(run: "xarray.Dataset", excitation: Excitation) -> float | None:
-    """Return the relative change of the eigenvalues without every second sample."""
-    last = run.sizes["time"] - 1
-    thin = run.isel(time=np.unique([*range(0, last, 2), last]))
-    thin.encoding.update(run.encoding)
-    coarse = gramian(thin, excitation.window, excitation.start).eigenvalues
-    changes = [
-        np.abs(coarse[axis] - values) / np.maximum(values, NOT_LEARNABLE * values[-1])
-        for axis, values in excitation.eigenvalues.items()
-    ]
-    change = float(np.max(changes))
-    known = thin.sizes["time"] <= last and change <= MAX_CHANGE
-    return change if known else None
-
-
-def _team_report(excitation: Excitation) -> dict[str, Any]:
-    """Return the report of a team."""
-    by_name = {**excitation.vehicles, "team": excitation}
-    return {
-        **excitation.report,
-        "measured": "the flow parameters, which all share, and each one's gains where they adapt",
-        "smallest": {name: single.smallest for name, single in by_name.items()},
-        "vehicles": {n: single.report for n, single in excitation.vehicles.items()},
-        "team": excitation.report,
+def _measured(excitation: Any) -> dict[str, Any]:
+    """Return the entries of a single Gramian."""
+    values = {axis: array.tolist() for axis, array in excitation.eigenvalues.items()}
+    return {name: getattr(excitation, name) for name in MEASURED} | {
+        "eigenvalues": values
     }
+
+
+def result_of(excitation: Any) -> Result:
+    """Return a `gramian.Excitation` as a table: each vehicle of a team alone, and all together."""
+    team = "team" if excitation.vehicles else ""
+    columns = ["", "smallest eigenvalue", "largest", "excited"]
+    columns += [] if team else ["ceiling of the smallest", "least excited direction"]
+    rows, sentences = [], [f"measured: {SHARED}"] if team else []
+    for name, one in {**excitation.vehicles, team: excitation}.items():
+        for axis, values in one.eigenvalues.items():
+            row = [f"{name} {axis}".strip(), f"{values[0]:.4g}", f"{values[-1]:.4g}"]
+            row.append(f"{one.dimension[axis]} of {len(values)}")
+            rows.append(row + ([] if team else _direction(one, axis)))
+        who = {"": "", "team": "the team: "}.get(name, f"{name} alone: ")
+        sentences += [who + said for said in one.not_learnable]
+    title = f"Excitation {excitation.span}, {excitation.trajectory}"
+    sentences += [] if team else _how_fast(excitation)
+    return Result(title, columns, rows, sentences)
+
+
+def learned_text(excitation: Any) -> str:
+    """Return the numbers of directions that the law learns within the run, and the time of all."""
+    found, unit = excitation.certified[0], excitation.time_unit
+    counts = excitation.counted(found.learned)
+    time = found.time_to_tenth
+    when = "infinite" if time is None else f"at most {at_most(time, 6)} {unit}"
+    return (
+        f"can be learned within the run, {excitation.run_length:g} {unit}: {counts}; time "
+        f"in which all errors of adapted parameters fall to a tenth: {when}"
+    )
+
+
+def _direction(excitation: Any, axis: str) -> list[str]:
+    """Return the ceiling of the smallest eigenvalue, and the least excited direction."""
+    ceiling = excitation.ceilings.get(axis)
+    parts = excitation.least_excited[axis].items()
+    largest = sorted(parts, key=lambda part: -abs(part[1]))[:4]
+    listed = ", ".join(f"{what} {share:+z.2f}" for what, share in largest)
+    return ["-" if ceiling is None else at_most(ceiling), listed]
+
+
+def _how_fast(excitation: Any) -> Iterator[str]:
+    """Yield sentences on the decay of errors, and on the accuracy."""
+    certificate, reason = excitation.certified
+    if certificate is None:
+        yield f"contraction of V: {reason}"
+    else:
+        yield (
+            f"contraction of V, exact, at worst {at_most(certificate.contraction, 6)}; guaranteed "
+            f"drop rho {at_least(certificate.rho, 3)}"
+        )
+        yield f"{learned_text(excitation)}, in windows like this one"
+        if certificate.disturbed:
+            yield "V and errors fall so but for what the disturbance adds to them"
+    if hasattr(excitation.source, "data_vars"):
+        change = excitation.accuracy
+        yield "accuracy of the eigenvalues: " + (
+            "not known: the samples are too far apart. Use a smaller run.output_step"
+            if change is None
+            else f"{change:.2g} relative"
+        )
+    if excitation.ceilings:
+        yield (
+            "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
+            "GammaD^2): a vehicle that waits teaches nothing"
+        )

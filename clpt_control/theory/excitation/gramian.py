@@ -2,9 +2,10 @@
 
     kappa_2 I > int_t^{t+T} w(s) w(s)^T ds > kappa_1 I            Definition 3.1
 
-The joint regressor of an axis is w = [phi(x), z_i, zc_i], Eq. (31).  The eigenvalues of its
-Gramian measure the identifiability of the parameters on this trajectory.  The Gramian R^T R is
-stored as its QR factor R, so that eigenvalues of 1e-21 and 1e3 keep their digits.  With
+The joint regressor of an axis is w = [phi(x), z_i, zc_i], Eq. (31); of a run of any other loop w
+has the signals that are named.  A direction that the Gramian does not excite cannot be learned by
+any law.  The Gramian R^T R is stored as its QR factor R, so that eigenvalues of 1e-21 and 1e3 keep
+their digits.  With
 c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = x_i' + KD_i e_i, so
 
     kappa_1 <= int (x_i' + KD_i e_i)^2 dt / |c_i|^2
@@ -12,109 +13,133 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from textwrap import shorten
 from typing import Any
 
+import control
 import numpy as np
 
 from ...base.arguments import public
-from ...base.errors import ClptError, ScenarioError
-from ...base.html import facts, fragment, paragraphs
+from ...base.errors import ArgumentError, ClptError, ScenarioError
+from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.recorded_run import is_response
+from ...simulation.integrate import simulate
 from .certificates import Certificate, certificate
 from .excitation_figure import draw_excitation
+from .excitation_report import learned_text, report_of, result_of
 from .regressor import (
     AnySource,
     Regressor,
     Source,
     joint_regressor,
     joint_regressors,
+    signal_regressor,
     span_of,
     system_of,
 )
 
-AXES = ("x1", "x2")
-REPORTED = (
-    "window",
-    "start",
-    "time_unit",
-    "trajectory",
-    "ceilings",
-    "least_excited",
-    "dimension",
-    "not_learnable",
-)
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
+MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
 INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
-MAX_LETTERS = 250  # of a summary sentence
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
 @dataclass(frozen=True)
-class Excitation:
-    """Gramians of the joint regressor over one window, axes ``"x1"`` and ``"x2"``."""
+class Excitation(Regressor):
+    """Gramians over one window: of axes ``"x1"`` and ``"x2"``, or of signals, ``"w"``."""
 
-    start: float  # of the window, units.time
-    window: float  # its length
-    trajectory: str  # description of the trajectory
-    time_unit: str
-    names: dict[str, list[str]]  # axis -> names of its N + 2 parameters
-    factors: dict[str, np.ndarray]  # axis -> R, shape (N + 2, N + 2)
-    truth: dict[str, np.ndarray] = field(default_factory=dict)  # axis -> c, if known
     vehicles: dict[str, "Excitation"] = field(default_factory=dict)  # of a team
-    source: Any = field(default=None, repr=False)  # scenario or run that was measured
+    source: Any = None  # scenario or run that was measured
 
     def __repr__(self) -> str:
-        learnable = [f"{axis} {count}" for axis, count in self._counts().items()]
-        return f"<Excitation {self._span()}: can be learned {', '.join(learnable)}>"
+        learned = self.certified[0] and f"; {learned_text(self)}"
+        return f"<Excitation {self.span}: excited {self.counted()}{learned or ''}>"
 
     def _repr_html_(self) -> str:
-        rows = []
-        for name, excitation in {**self.vehicles, "": self}.items():
-            for axis, values in excitation.eigenvalues.items():
-                extremes = [f"{values[k]:.4g}" for k in (0, -1)]
-                rows.append((f"{name} {axis}", *extremes, excitation.dimension[axis]))
-        table = facts(rows, ("", "smallest eigenvalue", "largest", "can be learned"))
-        sentences = [*self.not_learnable, f"Measured: {self.trajectory}."]
-        return fragment("Excitation", self._span(), table, paragraphs(sentences))
+        found = self.result
+        contents = table(found.title, found.columns, found.rows)
+        return fragment("Excitation", self.span, contents, paragraphs(found.sentences))
+
+    report = property(report_of)
+    result = property(result_of)
 
     @property
-    def report(self) -> dict[str, Any]:
-        """Entries of a JSON report."""
-        values = {axis: array.tolist() for axis, array in self.eigenvalues.items()}
-        return {name: getattr(self, name) for name in REPORTED} | {
-            "eigenvalues": values
-        }
+    def span(self) -> str:
+        """The window as text."""
+        end = self.start + self.window
+        return f"from {self.start:g} to {end:g} {self.time_unit}".rstrip()
 
-    def _span(self) -> str:
-        """Return the window as text."""
-        return f"from {self.start:g} to {self.start + self.window:g} {self.time_unit}"
-
-    def _counts(self) -> dict[str, str]:
-        """Return the dimension of each axis out of its number of parameters."""
-        return {a: f"{n} of {len(self.names[a])}" for a, n in self.dimension.items()}
+    def counted(self, counts: dict[str, int] | None = None) -> str:
+        """Return counts of directions, by default excited ones, out of all."""
+        by_axis = (counts or self.dimension).items()
+        return ", ".join(f"{n} of {len(self.names[a])} along {a}" for a, n in by_axis)
 
     def certificate(self) -> Certificate:
         """Return the decay of V over this window, by one of the paper's laws."""
-        return certificate(self.source, self.window, self.start)
+        return certificate(self)
+
+    @cached_property
+    def factors(self) -> dict[str, np.ndarray]:
+        """Factor R of each axis, R^T R its Gramian, shape (n, n)."""
+        return dict(zip(self.names, map(factor, weighted(self)), strict=True))
+
+    @cached_property
+    def certified(self) -> tuple[Certificate | None, str]:
+        """The certificate, or None and the reason."""
+        try:
+            return self.certificate(), ""
+        except ClptError as error:
+            return None, str(error)
+
+    @cached_property
+    def accuracy(self) -> float | None:
+        """Relative change of the eigenvalues of a recorded run without every second sample."""
+        last, signals = self.source.sizes["time"] - 1, self.names.get("w")
+        thin = self.source.isel(time=np.unique([*range(0, last, 2), last]))
+        thin.encoding.update(self.source.encoding)
+        coarse = gramian(thin, self.window, self.start, signals=signals).eigenvalues
+        changes = [
+            np.abs(coarse[axis] - values)
+            / np.maximum(values, NOT_LEARNABLE * values[-1])
+            for axis, values in self.eigenvalues.items()
+        ]
+        change = float(np.max(changes))
+        return change if thin.sizes["time"] <= last and change <= MAX_CHANGE else None
 
     def plot(self, *, ax: Any = None) -> np.ndarray:
-        """Draw the eigenvalues along time and the least excited direction, (2, 2) Axes."""
-        starts, eigenvalues = sliding_excitation(self.source, self.window)
-        return draw_excitation(self, starts, eigenvalues, ax)
+        """Draw the eigenvalues along time and the least excited direction, (2, axes) Axes."""
+        return draw_excitation(self, *self.sliding(), ax)
+
+    def sliding(self, count: int = 100) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+        """Return starts of a sliding window and the eigenvalues of each axis, (count, n)."""
+        begin, end = span_of(self.source)
+        starts = np.unique(np.linspace(begin, max(begin, end - self.window), count))
+        edges = np.concatenate([starts, starts + self.window])
+        whole = end - begin, begin, edges
+        if signals := self.names.get("w"):
+            regressor = signal_regressor(self.source, signals, *whole)
+        else:
+            regressor = joint_regressor(self.source, *whole)
+        eigenvalues = {}
+        parts = regressor.parts(starts, self.window)
+        for axis, rows in zip(regressor.names, weighted(regressor), strict=True):
+            factors = [factor(rows[part]) for part in parts]
+            eigenvalues[axis] = np.linalg.svd(factors, compute_uv=False)[:, ::-1] ** 2
+        return starts, eigenvalues
 
     @property
     def gramians(self) -> dict[str, np.ndarray]:
-        """Gramian int w w^T dt of each axis, shape (N + 2, N + 2)."""
+        """Gramian int w w^T dt of each axis, shape (n, n)."""
         return {axis: R.T @ R for axis, R in self.factors.items()}
 
-    @property
+    @cached_property
     def eigenvalues(self) -> dict[str, np.ndarray]:
         """Eigenvalues of each axis, from kappa_1 to kappa_2."""
-        return {axis: values for axis, (values, _) in self._spectra.items()}
+        return {axis: s[::-1] ** 2 for axis, (_, s, _) in self._svd.items()}
 
     @property
     def smallest(self) -> float:
@@ -124,7 +149,7 @@ class Excitation:
     @property
     def directions(self) -> dict[str, np.ndarray]:
         """Unit eigenvectors as columns, in the order of the eigenvalues."""
-        return {axis: vectors for axis, (_, vectors) in self._spectra.items()}
+        return {axis: rows[::-1].T for axis, (_, _, rows) in self._svd.items()}
 
     @property
     def least_excited(self) -> dict[str, dict[str, float]]:
@@ -137,15 +162,28 @@ class Excitation:
         return components
 
     @property
-    def identifiable(self) -> dict[str, np.ndarray]:
-        """Orthonormal basis of the identifiable subspace, (N + 2, dimension)."""
-        idle = self._idle()
-        return {axis: self.directions[axis][:, ~idle[axis]] for axis in idle}
+    def excited(self) -> dict[str, np.ndarray]:
+        """Orthonormal basis of the excited subspace, (n, dimension)."""
+        return {a: self.directions[a][:, n:] for a, n in self._idle.items()}
 
     @property
     def dimension(self) -> dict[str, int]:
-        """Dimension of the identifiable subspace of each axis."""
-        return {axis: basis.shape[1] for axis, basis in self.identifiable.items()}
+        """Dimension of the excited subspace of each axis."""
+        return {axis: len(self.names[axis]) - n for axis, n in self._idle.items()}
+
+    @cached_property
+    def truth(self) -> dict[str, np.ndarray]:
+        """c of each axis, w^T c = x' + KD e, unless something else moves the vehicle."""
+        scenario = self.scenario
+        if scenario is None or self.python_parts or scenario.flow.parameters is None:
+            return {}
+        vehicle, flow = scenario.vehicle, scenario.flow
+        forces = vehicle.max_speed, flow.disturbance, scenario.localization
+        if any(force is not None for force in forces):
+            return {}
+        known = np.subtract(flow.parameters, scenario.model_parameters)
+        c = np.column_stack([known, np.negative(vehicle.feedback), vehicle.feedforward])
+        return {axis: row for axis, row in zip(self.names, c, strict=True) if row.any()}
 
     @property
     def ceilings(self) -> dict[str, float]:
@@ -173,8 +211,8 @@ class Excitation:
 
     def _not_learnable_names(self) -> Iterator[tuple[list[str], list[str]]]:
         """Yield the parameters of each axis that are not excited, alone and in combinations."""
-        for axis, idle in self._idle().items():
-            length = np.linalg.norm(self.directions[axis][:, idle], axis=1)
+        for axis, idle in self._idle.items():
+            length = np.linalg.norm(self.directions[axis][:, :idle], axis=1)
             single = length > np.sqrt(1 - INVOLVED**2)
             names = np.array(self.names[axis])
             mixed = names[(length > INVOLVED) & ~single]
@@ -190,35 +228,22 @@ class Excitation:
         ]
         if not names:
             return ""
-        counts = [f"{count} along {axis}" for axis, count in self._counts().items()]
-        sentence = (
-            "parameters that this track does not teach (of their combinations it teaches "
-            f"{', '.join(counts)}): {', '.join(names)}"
+        text = (
+            "parameters that this track does not teach (combinations that it excites: "
+            f"{self.counted()}): {', '.join(names)}"
         )
-        ending = " ... (`clpt excitation` names all)"
-        return shorten(sentence, MAX_LETTERS, placeholder=ending)
+        return shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
 
     @cached_property
-    def _spectra(self) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-        """Return rising eigenvalues and the eigenvectors of each axis."""
-        spectra = {}
-        for axis, R in self.factors.items():
-            _, singular_values, rows = np.linalg.svd(R)
-            spectra[axis] = singular_values[::-1] ** 2, rows[::-1].T
-        return spectra
+    def _svd(self) -> dict[str, Any]:
+        """Singular value decomposition of each factor."""
+        return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
-    def _idle(self) -> dict[str, np.ndarray]:
-        """Return the eigenvalues of each axis that count as zero, as a mask."""
-        values = self.eigenvalues
-        return {axis: v <= NOT_LEARNABLE * v[-1] for axis, v in values.items()}
-
-
-def parameter_names(N: int) -> dict[str, list[str]]:
-    """Return the N + 2 names of each axis's parameters, numbered from 1."""
-    return {
-        f"x{i}": [*(f"theta_{i}[{k + 1}]" for k in range(N)), f"K_{i}", f"Gamma_{i}"]
-        for i in (1, 2)
-    }
+    @property
+    def _idle(self) -> dict[str, int]:
+        """Number of eigenvalues of each axis that count as zero."""
+        values = self.eigenvalues.items()
+        return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}
 
 
 def weighted(regressor: Regressor) -> np.ndarray:
@@ -274,36 +299,53 @@ def started_true(scenario: Scenario) -> Scenario:
 
 @public
 def gramian(
-    source: AnySource | Regressor,
+    source: AnySource | control.InputOutputSystem,
     window: float | None = None,
     start: float | None = None,
+    *,
+    signals: Sequence[str] | None = None,
+    **options: Any,
 ) -> Excitation:
-    """Measure the joint regressor's Gramian over one window.
+    """Compute the Gramian of a regressor, or of any signals of a run.
 
     Parameters
     ----------
-    source : Scenario, Team, xarray.Dataset or Regressor
-        A scenario or a team is run from its own initial values; a run is read.
+    source : Scenario, Team, control.InputOutputSystem or xarray.Dataset
+        A scenario, a team or a diagram is simulated; a Dataset is a run.
     window : float, optional
-        Length of the window, units.time; one cycle of the waypoints, a team's longest.
+        Length of the window; by default one cycle of the waypoints, a team's longest, and with
+        `signals` the whole run.
     start : float, optional
-        Start of the window; the second cycle, or as late as fits.
+        Start of the window; by default the second cycle, or as late as fits.
+    signals : sequence of str, optional
+        Components of w: signals of the run, such as ``["r", "y"]``, or ports, such as ``"phi_x"``.
+        By default w = [phi(x), z_i, zc_i] of Eq. (31). Required for a diagram.
+    **options
+        Arguments of `simulate`: `timepts`, `inputs`, `initial_state`, `params`.
 
     Returns
     -------
     Excitation
-        Methods `plot()` and `certificate()`, the decay of V over the window. By axis, ``"x1"`` and
-        ``"x2"``: `gramians` of w = [phi(x), z_i, zc_i], Definition 3.1, `eigenvalues` (ascending),
-        `least_excited` (parameter name -> component), `identifiable` and its `dimension`;
-        `not_learnable` are sentences. The Gramian of a team is pooled, and `vehicles` has each
-        vehicle's by name. If gains are fixed, it has the flow parameters only.
+        By axis, ``"x1"`` and ``"x2"``, or for ``"w"``, the signals: `gramians`, int w w^T dt of
+        Definition 3.1, `eigenvalues` (ascending), `least_excited` (name -> component), `excited`
+        (basis of the excited subspace) and its `dimension`. `not_learnable` are sentences. Methods:
+        `plot()`, and `certificate()`, the decay of V over the window, with the number of directions
+        that the law learns within the run. The Gramian of a team is pooled, and `vehicles` has that
+        of each vehicle by name. If gains are fixed, it has the flow parameters only.
 
     Raises
     ------
     ScenarioError
         If the window is not positive or does not fit into the run.
+    ArgumentError
+        If `signals` are missing, or not in the run.
     DataError
         If the dataset is no run.
+
+    Notes
+    -----
+    Gauss-Legendre quadrature integrates w of Eq. (31). The trapezoidal rule integrates `signals`
+    from sample to sample, so that the error falls with the square of the time between samples.
 
     Examples
     --------
@@ -312,58 +354,60 @@ def gramian(
     >>> found = clpt.gramian(true, 200.0, 200.0)
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]
+    >>> lag = control.ss(-1, 1, 1, 0, inputs="u", outputs="y")
+    >>> clpt.gramian(lag, signals=["u"], timepts=[0, 1, 2], inputs=1).gramians
+    {'w': array([[2.]])}
     """
-    regressors = joint_regressors(source, window, start)
+    run: Any = source
+    recorded = hasattr(run, "data_vars")
+    if signals is None and (
+        is_response(run) if recorded else isinstance(run, control.InputOutputSystem)
+    ):
+        raise ArgumentError(
+            "gramian: signals: is required for a diagram. Name signals of the diagram, such as "
+            "signals=['y']"
+        )
+    if options or not (recorded or signals is None):
+        run = simulate(run, **options)
+    if signals is not None:
+        measured = signal_regressor(run, signals, window, start)
+        return Excitation(**vars(measured), source=run)
+    regressors = joint_regressors(run, window, start)
     if "" not in regressors:
-        return replace(_team_excitation(regressors), source=source)
-    regressor = regressors[""]
-    truth = {} if regressor.python_parts else _truth(regressor.scenario)
-    names = parameter_names(regressor.scenario.basis.N)
-    rows = weighted(regressor)
-    return _excitation(regressor, names, rows, truth=truth, source=source)
+        return _team_excitation(regressors, run)
+    return Excitation(**vars(regressors[""]), source=run)
 
 
-def _team_excitation(regressors: dict[str, Regressor]) -> Excitation:
+def _team_excitation(regressors: dict[str, Regressor], source: Any) -> Excitation:
     """Return the pooled excitation of a team, with each vehicle's."""
     regressor = next(iter(regressors.values()))
     N = regressor.scenario.basis.N
     gains = 2 if regressor.scenario.learning.adapt_gains else 0
-    names = {axis: labels[: N + gains] for axis, labels in parameter_names(N).items()}
+    names = {axis: labels[: N + gains] for axis, labels in regressor.names.items()}
     vehicles = {}
     pooled = []
     for k, (name, single) in enumerate(regressors.items()):
-        rows = weighted(single)[..., : N + gains]
-        vehicles[name] = _excitation(single, names, rows)
+        w = single.w[..., : N + gains]
+        alone = vars(single) | {"names": names, "w": w, "scenario": None}
+        vehicles[name] = Excitation(**alone)
         # the vehicle's gains have columns of their own
-        wide = np.zeros((*rows.shape[:-1], N + gains * len(regressors)))
-        wide[..., :N] = rows[..., :N]
-        wide[..., N + gains * k : N + gains * (k + 1)] = rows[..., N:]
+        wide = np.zeros((*w.shape[:-1], N + gains * len(regressors)))
+        wide[..., [*range(N), *range(N + gains * k, N + gains * (k + 1))]] = w
         pooled.append(wide)
     team_names = {
         axis: labels[:N] + [f"{g} of {name}" for name in regressors for g in labels[N:]]
         for axis, labels in names.items()
     }
-    rows = np.concatenate(pooled, axis=1)
-    return _excitation(regressor, team_names, rows, vehicles=vehicles)
-
-
-def _excitation(
-    regressor: Regressor, names: dict[str, list[str]], rows: np.ndarray, **fields: Any
-) -> Excitation:
-    """Return the excitation of named parameters from the rows (2, ..., n) of their Gramians."""
-    start, end = regressor.cuts[[0, -1]].tolist()
-    unit = regressor.scenario.units.time
-    factors = dict(zip(names, map(factor, rows), strict=True))
-    window = end - start
-    return Excitation(
-        start, window, regressor.trajectory, unit, names, factors, **fields
-    )
+    weights = np.concatenate([single.weights for single in regressors.values()])
+    w = np.concatenate(pooled, axis=1)
+    alone |= {"names": team_names, "w": w, "weights": weights}
+    return Excitation(**alone, vehicles=vehicles, source=source)
 
 
 def not_learned(source: Source) -> str:
-    """Return a sentence on the parameters that a cycle of the track cannot identify.
+    """Return a sentence on the parameters that a cycle of the track does not excite.
 
-    The sentence is empty if all are identifiable, and for a team, a recorded run with fixes, a
+    The sentence is empty if all are excited, and for a team, a recorded run with fixes, a
     learner that leaves its field, and more than 100 functions, which take longer than the run.
     """
     try:
@@ -373,34 +417,3 @@ def not_learned(source: Source) -> str:
         return gramian(source).in_one_sentence
     except ClptError:
         return ""
-
-
-def _truth(scenario: Scenario) -> dict[str, np.ndarray]:
-    """Return c of each axis, w^T c = x' + KD e, unless another force moves the vehicle."""
-    vehicle, theta = scenario.vehicle, scenario.flow.parameters
-    forces = vehicle.max_speed, scenario.flow.disturbance, scenario.localization
-    if theta is None or any(force is not None for force in forces):
-        return {}
-    flow = np.array(theta) - np.array(scenario.model_parameters)
-    feedback, feedforward = np.array(vehicle.feedback), np.array(vehicle.feedforward)
-    c = np.column_stack([flow, -feedback, feedforward])
-    return {axis: row for axis, row in zip(AXES, c, strict=True) if row.any()}
-
-
-def sliding_excitation(
-    source: Source, window: float, count: int = 100
-) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return starts of a sliding window and the eigenvalues of each axis, (count, N + 2)."""
-    begin, end = span_of(source)
-    starts = np.unique(np.linspace(begin, max(begin, end - window), count))
-    edges = np.concatenate([starts, starts + window])
-    regressor = joint_regressor(source, end - begin, begin, edges)
-    tolerance = 1e-9 * window
-    from_piece = np.searchsorted(regressor.cuts, starts - tolerance)
-    to_piece = np.searchsorted(regressor.cuts, starts + window - tolerance)
-    slices = [slice(*pair) for pair in zip(from_piece, to_piece, strict=True)]
-    eigenvalues = {}
-    for axis, rows in zip(AXES, weighted(regressor), strict=True):
-        factors = [factor(rows[piece]) for piece in slices]
-        eigenvalues[axis] = np.linalg.svd(factors, compute_uv=False)[:, ::-1] ** 2
-    return starts, eigenvalues

@@ -8,16 +8,18 @@ A scenario is simulated at the nodes.  A recorded run is interpolated by splines
 between the switches of the waypoint; zc and the tides are those of the scenario.  On the paper's
 scenario, started true, samples each 1 s give the eigenvalues of the Gramian within 0.2 %, samples
 each 0.2 s within 1e-6.
+
+`signal_regressor` is for any signals of any run.  They are joined by straight lines between the
+samples, and the trapezoidal rule integrates their products.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
-from ...base.arguments import numbers
 from ...base.errors import ArgumentError, DataError, ScenarioError
 from ...engine.model.block import Block, evaluate
 from ...engine.model.declaration import multiples
@@ -25,6 +27,7 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import CHANGED, OWN_LAW, OWN_PARTS
 from ...paper.scenario.recorded_run import check_run, unknown_parts
 from ...paper.scenario.team import Team, system_of_run
+from ...simulation.comparison import ports_along, signals_of
 from ...simulation.integrate import simulate
 
 if TYPE_CHECKING:
@@ -106,14 +109,33 @@ TRANSIENT = 10.0  # longest piece in time constants 1/KD
 
 @dataclass(frozen=True)
 class Regressor:
-    """Joint regressor at the nodes of a quadrature."""
+    """Signals of one or more Gramians at the nodes of a quadrature."""
 
-    scenario: Scenario  # for names, gains and the law
+    names: dict[str, list[str]]  # Gramian, such as an axis -> names of its n parameters
+    time_unit: str
     trajectory: str  # its description; w contains z, which depends on the learner
     cuts: np.ndarray  # (pieces + 1,), units.time; every switch is a cut
-    weights: np.ndarray  # (pieces, NODES)
-    w: np.ndarray  # [phi, z_i, zc_i], shape (2, pieces, NODES, N + 2)
+    weights: np.ndarray  # (pieces, nodes)
+    w: np.ndarray  # shape (Gramians, pieces, nodes, n); [phi, z_i, zc_i] of each axis
+    run_length: float
+    scenario: Any = None  # gains and law of the joint regressor, Eq. (31)
     python_parts: str = ""  # parts of a recorded run that its scenario does not contain
+
+    @property
+    def start(self) -> float:
+        """Start of the window, units.time."""
+        return float(self.cuts[0])
+
+    @property
+    def window(self) -> float:
+        """Length of the window."""
+        return float(self.cuts[-1] - self.cuts[0])
+
+    def parts(self, starts: np.ndarray, window: float) -> list[slice]:
+        """Return the pieces of windows that begin and end at cuts."""
+        ends = starts + window
+        cuts = np.searchsorted(self.cuts, np.array([starts, ends]) - 1e-9 * window)
+        return [slice(*pair) for pair in cuts.T.tolist()]
 
 
 # cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES)
@@ -121,7 +143,7 @@ Quadrature = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def quadrature(
-    scenario: Scenario, start: float, end: float, edges: np.ndarray | None = None
+    scenario: Scenario, start: float, end: float, edges: Any = ()
 ) -> Quadrature:
     """Return cuts (pieces + 1,), Gauss-Legendre nodes and weights (pieces, NODES).
 
@@ -142,7 +164,7 @@ def quadrature(
     if scenario.localization is not None:
         spans += scenario.localization.spans.values()
     switches = [multiples(span, start, end) for span in spans]
-    inner = np.sort(np.concatenate([*switches, [] if edges is None else edges]))
+    inner = np.sort(np.concatenate([*switches, edges]))
     tolerance = 1e-9 * min(longest, end - start)
     inner = inner[(inner > start + tolerance) & (inner < end - tolerance)]
     ends = start, *inner[np.diff(inner, prepend=start) > tolerance], end
@@ -164,12 +186,18 @@ def waypoint_in(scenario: Scenario, cuts: np.ndarray) -> np.ndarray:
 
 
 def checked_window(
-    source: AnySource, window: float | None, start: float | None
+    source: AnySource,
+    window: float | None,
+    start: float | None,
+    cycle: float = 0.0,
+    unit: str = "",
 ) -> tuple[float, float]:
     """Return the window's length and start, by default the second cycle, or as late as fits."""
     begin, end = span_of(source)
-    members = members_of(system_of(source)).values()
-    cycle = max(scenario.cycle for scenario in members)
+    if not cycle:
+        members = members_of(system_of(source)).values()
+        cycle = max(scenario.cycle for scenario in members)
+        unit = next(iter(members)).units.time
     window = float(min(cycle, end - begin) if window is None else window)
     if start is None:
         start = max(begin, min(begin + cycle, end - window))
@@ -177,9 +205,10 @@ def checked_window(
     shortest = SHORTEST * (end - begin)
     inside = start >= begin and start + window <= end * (1 + 1e-12)
     if not (shortest < window < np.inf and inside):
+        span = f"{begin:g} to {end:g} {unit}".rstrip()
         raise ScenarioError(
-            f"window {window:g} from {start:g}: must be positive and lie within the run, "
-            f"{begin:g} to {end:g} {next(iter(members)).units.time}; at least {shortest:.0e} long"
+            f"window {window:g} from {start:g}: must be positive and lie within the run, {span}; "
+            f"at least {shortest:.0e} long"
         )
     return window, start
 
@@ -188,17 +217,20 @@ def joint_regressor(
     source: Source | Regressor, *args: Any, **options: Any
 ) -> Regressor:
     """Return the joint regressor of one vehicle, as `joint_regressors` does."""
-    regressors_by_name = joint_regressors(source, *args, **options)
-    if "" not in regressors_by_name:
-        raise DataError("the run is a team's; clpt.gramian measures a team")
-    return regressors_by_name[""]
+    regressor = joint_regressors(source, *args, **options).get("")
+    if regressor is None or regressor.scenario is None:
+        raise DataError(
+            "no certificate: it is for the run of one scenario. A team and signals have Gramians "
+            "only"
+        )
+    return regressor
 
 
 def joint_regressors(
     source: AnySource | Regressor,
     window: float | None = None,
     start: float | None = None,
-    edges: np.ndarray | None = None,
+    edges: Any = (),
     predicted: str = PREDICTED,
 ) -> dict[str, Regressor]:
     """Return w = [phi(x), z_i, zc_i] of Eq. (31) over a window, by vehicle.
@@ -209,6 +241,7 @@ def joint_regressors(
     if isinstance(source, Regressor):
         return {"": source}
     system = system_of(source)
+    members, simulated = members_of(system), isinstance(source, Scenario | Team)
     window, start = checked_window(source, window, start)
     node, weight = np.polynomial.legendre.leggauss(NODES)
     legendre = np.polynomial.legendre.legvander(node, NODES - 1)
@@ -216,9 +249,8 @@ def joint_regressors(
     for _ in range(REFINEMENTS):
         nodes = {
             name: quadrature(scenario, start, start + window, edges)
-            for name, scenario in members_of(system).items()
+            for name, scenario in members.items()
         }
-        simulated = isinstance(source, Scenario | Team)
         run: Any = _simulated(system, nodes) if simulated else source
         result = {
             name: _regressor(
@@ -228,7 +260,7 @@ def joint_regressors(
                 predicted,
                 simulated,
             )
-            for name, scenario in members_of(system).items()
+            for name, scenario in members.items()
         }
         new_cuts = []
         for regressor in result.values():
@@ -268,8 +300,8 @@ def _regressor(
     cuts, times, weights = quadrature
     samples = run.time.values
     positions = [run[POSITION].values, run[predicted].values]
-    trajectory = "simulated from the initial values"
-    python_parts = ""
+    trajectory, python_parts = "simulated from the initial values", ""
+    run_length = scenario.run.duration if simulated else float(np.ptp(samples))
     if simulated:
         indices = np.searchsorted(samples, times)
         x, z = (values[indices] for values in positions)
@@ -288,36 +320,49 @@ def _regressor(
         python_parts = " and ".join(f"{PYTHON_PARTS[k]} {run.attrs[k]}" for k in named)
     zc = scenario.waypoints[waypoint_in(scenario, cuts)][:, None]
     w = w_along(scenario.basis_block(), times, x, z, np.broadcast_to(zc, z.shape))
-    return Regressor(scenario, trajectory, cuts, weights, w, python_parts)
+    numbers, unit = range(1, scenario.basis.N + 1), scenario.units.time
+    names = {
+        f"x{i}": [*(f"theta_{i}[{k}]" for k in numbers), f"K_{i}", f"Gamma_{i}"]
+        for i in (1, 2)
+    }
+    of_run = run_length, scenario, python_parts
+    return Regressor(names, unit, trajectory, cuts, weights, w, *of_run)
 
 
-def error_matrices(
-    phi: np.ndarray, z: np.ndarray, zc: np.ndarray, KD: np.ndarray, gain: float
-) -> np.ndarray:
-    """Return A(t) of Eq. (28), axis by axis.
-
-    >>> import clpt_control as clpt
-    >>> phi, z, zc = np.array([0.5]), np.array([2, 2]), np.array([3, 3])
-    >>> error_matrices(phi, z, zc, [1, 1], 2.0)[0]
-    array([[-1. ,  0.5,  2. ,  3. ],
-           [-1. ,  0. ,  0. ,  0. ],
-           [-4. ,  0. ,  0. ,  0. ],
-           [-6. ,  0. ,  0. ,  0. ]])
-    """
-    phi, KD = numbers("phi", phi, None), numbers("KD", KD, 2)
-    z, zc = numbers("z", z, 2), numbers("zc", zc, 2)
-    N, shape = phi.shape[-1], phi.shape[:-1]
-    for name, value in (("z", z), ("zc", zc)):
-        if value.shape[:-1] != shape:
-            raise ArgumentError(
-                f"{name}: has shape {value.shape}; must be {(*shape, 2)}, as phi is"
-            )
-    w = regressors(phi, z, zc)
-    A = np.zeros((*w.shape[:-1], N + 3, N + 3))
-    A[..., 0, 0] = -KD.reshape(2, *[1] * len(shape))
-    A[..., 0, 1:] = w
-    A[..., 1:, 0] = -gain * w
-    return A + 0.0  # without -0
+def signal_regressor(
+    run: "xarray.Dataset",
+    signals: Sequence[str],
+    window: float | None = None,
+    start: float | None = None,
+    edges: Any = (),
+) -> Regressor:
+    """Return signals of a run over a window, cut at its samples and at `edges`."""
+    unit, times = run.time.attrs.get("units", ""), run.time.values
+    window, start = checked_window(run, window, start, np.inf, unit)
+    end, ports = start + window, ports_along(run)
+    cuts = np.unique(np.clip([*times, *edges, end], start, end))
+    at_cuts = run[ports].interp(time=cuts)
+    columns = {
+        label: column
+        for name in signals
+        for port in ports
+        for label, column in signals_of(at_cuts[port]).items()
+        if name in (port, label)
+    }
+    unknown = set(signals) - {*ports, *columns}
+    if unknown or not columns:
+        raise ArgumentError(
+            f"gramian: signals = {[*unknown]}: must be signals of the run: {', '.join(ports)}. "
+            "run.clpt.table() has the names of single signals"
+        )
+    values = np.transpose([*columns.values()])
+    if not np.isfinite(values).all():
+        raise DataError("gramian: signals: must be finite in the window")
+    ends = np.stack([values[:-1], values[1:]], axis=1)
+    weights = np.tile(np.diff(cuts)[:, None] / 2, 2)
+    trajectory = f"signals of a run, {len(times)} samples"
+    of_run = trajectory, cuts, weights, ends[None], float(np.ptp(times))
+    return Regressor({"w": [*columns]}, unit, *of_run)
 
 
 def regressors(phi: np.ndarray, z: np.ndarray, zc: np.ndarray) -> np.ndarray:

@@ -61,7 +61,11 @@ WRONG = [  # changed keys, words that the line must hold, the first the key
         "flow.disturbance.period",
         "at least",
     ),
-    ({"flow.disturbance": {**NOISE, "kind": "sine", "seed": 1}}, ".seed", "noise"),
+    (
+        {"flow.disturbance": {**NOISE, "kind": "sine", "seed": 1}},
+        ".seed",
+        "has no seed. Leave it out",
+    ),
     (
         {"flow.disturbance": {"kind": "square", "amplitude": [1.0, 0.0]}},
         ".period",

@@ -5,7 +5,6 @@ import pickle
 import re
 import tomllib
 from operator import attrgetter
-from typing import get_args
 
 import numpy as np
 import pytest
@@ -16,12 +15,10 @@ from team_scenarios import PAPER as STRAIT
 
 import clpt_control as clpt
 from clpt_control import ScenarioError
-from clpt_control.paper.blocks import disturbance, flow
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.file import load_vehicle_scenario, scenario_to_text
 from clpt_control.paper.scenario.learning import KINDS, Learning
 from clpt_control.paper.scenario.quantities import CALL_TIME_NAMES
-from clpt_control.paper.scenario.tables import Disturbance, Kernel
 from clpt_control.paper.scenario.team import system_from_text, team_to_text
 from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
@@ -226,13 +223,6 @@ def test_a_setting_whose_square_is_no_number_is_refused():
         key = f"learning.kalman_flow.{key}"
         said = f"{key} = .*: must be .* 1e100"
         says(ScenarioError, said, PAPER.with_values, {**mine, key: value})
-
-
-def test_every_choice_is_made():
-    assert set(get_args(Kernel)) == set(flow.KERNELS)
-    assert set(get_args(Disturbance.model_fields["kind"].annotation)) == set(
-        disturbance.KINDS
-    )
 
 
 # --- a team --------------------------------------------------------------------------------------
