@@ -12,7 +12,7 @@ ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver test test-slow test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
+.PHONY: paper solver test test-slow proofs test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -22,6 +22,11 @@ test: $(READY)  ## every test but the slow ones
 
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
+
+proofs: $(READY)  ## compile the theorems in Coq, then files with altered signs: needs coqc and coqchk
+	$(BIN)/clpt prove --coq build/coq
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python tools/check_proofs.py build/coq
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m coq --no-header tests/theory/test_coq.py
 
 test-processes: $(READY)  ## processes that are interrupted, killed and given full disks; `make test` has one of each kind
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m processes --no-header

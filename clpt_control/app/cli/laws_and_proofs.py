@@ -97,6 +97,10 @@ def prove(
     out: Path | None = opt(
         "FILE", "With --search: scenario that breaks the promise, to write."
     ),
+    coq: Path | None = opt(
+        "DIR",
+        "Write the theorems as Coq files instead; coqc, if installed, checks them.",
+    ),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
@@ -107,8 +111,14 @@ def prove(
     Example:
         clpt prove sigma
         clpt prove --theorem 3.2
+        clpt prove --coq coq
         clpt prove concurrent --search 20 --out broken.toml
     """
+    if coq is not None:
+        if law is not None or theorem is not None or again or search is not None:
+            raise ClptError("--coq DIR: writes all theorems. Give no other option")
+        _prove_by_coq(coq, as_json)
+        return
     if search is not None:
         if law is None:
             raise ClptError("--search SECONDS: needs LAW. Name the law to search")
@@ -202,6 +212,37 @@ def _print_outcomes(
     if wrong:
         more = f" (and {len(wrong) - 1} more)" if len(wrong) > 1 else ""
         raise SimulationError(f"the proof fails: {wrong[0]}{more}")
+
+
+def _prove_by_coq(folder: Path, as_json: bool) -> None:
+    """Write the theorems as files of Coq, and print what Coq checked."""
+    from ...theory.coq.compiling import PACKAGES, write_proofs
+
+    with progress_bar("coqc", 1.0) as report:
+        proofs = write_proofs(folder, report)
+    sentences = [""]
+    if proofs.theorems is None:
+        sentences = [
+            f"{folder}: written, not checked. coqc is not installed. "
+            f"Install it on Debian with: apt-get install {PACKAGES}"
+        ]
+    sentences += [f"No file for {reason}" for reason in proofs.not_written.values()]
+    theorems = proofs.theorems or []
+    rows = [
+        [t.name, t.file, f"{t.seconds:.1f}", f"{len(t.axioms)} of the real numbers"]
+        for t in theorems
+    ]
+    axioms = sorted({axiom for theorem in theorems for axiom in theorem.axioms})
+    sentences += ["Axioms: " + ", ".join(axioms)] * bool(axioms)
+    columns = ["theorem", "file", "seconds of the file", "axioms"] if rows else []
+    report_of_coq = {
+        **proofs._asdict(),
+        "folder": str(folder),
+        "checked": proofs.theorems is not None,
+        "theorems": [t._asdict() for t in theorems],
+    }
+    result = Result("Theorems checked by Coq", columns, rows, sentences)
+    finish([result], {"coq": report_of_coq}, as_json, folder)
 
 
 def _search_counterexample(

@@ -1,0 +1,175 @@
+"""Theorems as files of Coq, by `clpt prove --coq DIR`; the tests marked `coq` need coqc."""
+
+import json
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from subprocesses import CLPT, ran
+
+import clpt_control
+from clpt_control.paper.laws.table import LAWS
+
+FIXED = Path(clpt_control.__file__).parent / "theory" / "coq"
+STATED = re.compile(r"^ *(?:Lemma|Theorem|Example) [\w']+", re.MULTILINE)
+ASSERTED = re.compile(r"\b(?:Axioms?|Parameters?|Conjecture|Admitted|admit|Abort)\b")
+WITHOUT_FILE = {"concurrent", "dead-zone", "drem", "fix-regression", "kalman-flow"}
+REALS = {"sig_forall_dec", "sig_not_dec", "functional_extensionality_dep", "classic"}
+
+
+@pytest.fixture(autouse=True)
+def empty_folder(monkeypatch, tmp_path):
+    """An empty folder, in which the command writes."""
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.fixture
+def no_coqc(monkeypatch):
+    """No coqc on the path."""
+    monkeypatch.setenv("PATH", "")
+
+
+@pytest.fixture
+def own_sigma(monkeypatch):
+    """Replace rates of the law `sigma` by a function of its rates and inputs."""
+
+    def replace(change):
+        law = LAWS["sigma"]
+
+        def rates(t, x, u, p):
+            own = law.rates(t, x, u, p)
+            return own | change(own, u)
+
+        monkeypatch.setitem(LAWS, "sigma", law._replace(rates=rates))
+
+    return replace
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """What the command prints where there is no coqc, and its folder."""
+    folder = tmp_path_factory.mktemp("written")
+    environment = {**os.environ, "PATH": ""}
+    words = "prove", "--coq", folder, "--json"
+    done = ran(*CLPT, *words, env=environment, cwd=Path(__file__).parents[2])
+    return json.loads(done.stdout)["coq"], folder
+
+
+@pytest.fixture(scope="module")
+def texts(written):
+    found, folder = written
+    return {name: (folder / name).read_text() for name in found["files"]}
+
+
+def comments_removed(text):
+    return re.sub(r"\(\*.*?\*\)", "", text, flags=re.DOTALL)
+
+
+def test_files_are_written_without_coqc(written):
+    found, folder = written
+    assert (found["checked"], found["theorems"]) == (False, [])
+    files = found["files"]
+    assert {path.name for path in folder.iterdir()} == {*files, "_CoqProject"}
+    assert (folder / "_CoqProject").read_text().split("\n")[1:-1] == files
+    assert set(files) == {path.name for path in FIXED.glob("*.v")}
+
+
+def test_the_command_says_that_nothing_is_checked(no_coqc, clpt):
+    outcome = clpt("prove", "--coq", "out")
+    assert outcome.status == 0
+    words = " ".join(outcome.out.split())
+    assert "written, not checked" in words
+    assert "coq libcoq-coquelicot" in words
+
+
+def test_every_law_has_a_file_or_a_reason(written):
+    found, _ = written
+    assert found["not_written"].keys() == WITHOUT_FILE
+    assert all(why.startswith(f"{law}: ") for law, why in found["not_written"].items())
+    for law in LAWS.keys() - WITHOUT_FILE - {"learned-flow"}:
+        assert f"Law{law.title().replace('-', '')}.v" in found["files"]
+
+
+def test_each_statement_has_a_proof(texts):
+    for name, text in texts.items():
+        text = comments_removed(text)
+        proofs = re.findall(r"\b(?:Qed|Defined)\.", text)
+        assert len(STATED.findall(text)) == len(proofs)
+        # `Print Assumptions` is the only command that may name axioms
+        assert not ASSERTED.search(text.replace("Print Assumptions", "")), name
+
+
+def test_names_of_records_have_a_prefix_and_are_different(texts):
+    records = [text for text in texts.values() if "\nDefinition run_V " in text]
+    assert len(records) == 10
+    for text in records:
+        declared = re.findall(r"^Variable ([\w']+) :", text, re.MULTILINE)
+        assert len(declared) == len({*declared}) > 20
+        assert all(word == "N" or word.startswith("r_") for word in declared)
+        divisors = re.findall(r"^Lemma domain_\d+.* : (.+) <> 0\.$", text, re.MULTILINE)
+        assert {"r_gamma", "r_adaptation'gain_K"} & {*divisors}
+
+
+def test_the_record_is_that_of_the_blocks(no_coqc, clpt, own_sigma, texts):
+    rate = r"^Definition run_K_1 \(t : R\) := .*"
+    [before] = re.findall(rate, texts["LawSigma.v"], re.MULTILINE)
+    own_sigma(lambda rates, u: {"K": -rates["K"] + np.tanh(u.z)})
+    clpt("prove", "--coq", "out")
+    [after] = re.findall(rate, Path("out/LawSigma.v").read_text(), re.MULTILINE)
+    assert "tanh" not in before
+    assert "(tanh ((r_z_1 t)))" in after
+
+
+@pytest.mark.parametrize(
+    "function", [np.sinh, np.sign, lambda z: np.where(z > 0, z, 1)]
+)
+def test_an_unknown_function_is_refused(no_coqc, refused, own_sigma, function):
+    own_sigma(lambda rates, u: {"K": rates["K"] + function(u.z)})
+    sentence = refused("prove", "--coq", "out")
+    assert sentence.startswith("clpt: sigma: ")
+    assert "no form in Coq" in sentence
+    assert not Path("out").exists()
+
+
+def test_a_function_that_cancels_is_refused(no_coqc, refused, own_sigma):
+    """For z < 0 exp(log(z)) is no number; SymPy makes z of it."""
+    own_sigma(lambda rates, u: {"K": rates["K"] + np.exp(np.log(u.z))})
+    assert "log(z_1): has no form in Coq" in refused("prove", "--coq", "out")
+
+
+def test_no_other_option_is_taken(refused):
+    assert "--coq DIR" in refused("prove", "--coq", "out", "--theorem", "3.2")
+    assert "--coq DIR" in refused("prove", "--coq", "out", "--again")
+
+
+@pytest.mark.coq
+def test_coq_checks_all_theorems(printed):
+    found = printed("prove", "--coq", "out")["coq"]
+    assert found["checked"]
+    names = {theorem["name"] for theorem in found["theorems"]}
+    assert {f"theorem_3_{n}" for n in range(1, 5)} <= names
+    assert {"printed_16_is_false", "printed_33_is_false", "running_converges"} <= names
+    axioms = {axiom for theorem in found["theorems"] for axiom in theorem["axioms"]}
+    assert {axiom.rpartition(".")[2] for axiom in axioms} == REALS
+    page = (FIXED.parents[2] / "docs" / "machine_checked.md").read_text("utf-8")
+    assert all(file in page for file in {t["file"] for t in found["theorems"]})
+
+
+@pytest.mark.coq
+@pytest.mark.parametrize(
+    "change", ["a wrong sign", "a division by z, which may be zero"]
+)
+def test_coq_refuses(clpt, own_sigma, change):
+    if change == "a wrong sign":
+        own_sigma(lambda rates, u: {"K": -rates["K"]})
+    else:
+        own_sigma(lambda rates, u: {"K": rates["K"] + 1 / u.z - 1 / u.z})
+    outcome = clpt("prove", "--coq", "out")
+    assert outcome.status == 1
+    assert "LawSigma.v: coqc refuses it" in outcome.err
+    lemma = "domain" if "division" in change else "same_K_1"
+    line = int(re.search(r", line (\d+)", outcome.err)[1])
+    above = Path("out/LawSigma.v").read_text().splitlines()[:line]
+    assert lemma in STATED.findall("\n".join(above))[-1]
