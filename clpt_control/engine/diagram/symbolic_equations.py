@@ -23,6 +23,7 @@ from ..model.ports import places, ports_of
 from ..model.sampled import Sampled
 from ..model.system import is_linear
 from ..record.graph import Shape
+from ..record.guards import branches_of, guarded
 from ..record.symbolic import LONG, Symbols, extent, rational
 from ..trace.arrays import Tape, Unread, operand
 from .merged_record import TapeRecord
@@ -328,7 +329,7 @@ class _SymbolicRecord:
             if owner is None:
                 return
             remark = watch(owner, kind, arguments)
-            if remark:
+            if remark and not self._has_value(index, arguments, owner, kind, watch):
                 result.undefined.append(f"{owner} {remark}")
 
         self.elements = Symbols(self.tape.operations, self._element, watched)
@@ -346,6 +347,23 @@ class _SymbolicRecord:
                     f"{result.name}: two states are called {symbol}. Rename one"
                 )
         return result
+
+    def _has_value(
+        self, index: int, arguments: tuple, owner: str, kind: str, watch: Watch
+    ) -> bool:
+        """Return whether an operation has a value in each branch in which it is used."""
+        values = self.record.signals, self.record.rates, self.record.jumps
+        outputs = {operand(value) for of in values for value in of.values()}
+        operations = self.tape.operations
+        for branches in (ways := branches_of(operations, index, outputs)):
+            conditions = [
+                (self.elements.at(condition, ()), truth)
+                for condition, truth in branches
+                if not operations[condition].shape
+            ]
+            if watch(owner, kind, guarded(arguments, conditions)):
+                return False
+        return bool(ways)
 
     def _add_signals(self, node: Node) -> None:
         """Add the signals, rates and jumps of a block."""

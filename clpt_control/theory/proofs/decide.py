@@ -6,8 +6,10 @@ factors, forms -s^T M s with M >= 0, roots, sectors and pieces of functions.  At
 completed squares, common factors and intervals of the whole expression.
 """
 
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import sympy
@@ -18,6 +20,9 @@ from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
 from .facts import (
+    COMPARISONS,
+    LOGIC,
+    WHERE,
     Sector,
     decided,
     facts_of,
@@ -59,6 +64,7 @@ def never_positive(
         or _by_common_factors(expression, variables)
         or _by_interval(expression)
         or by_gram(expression)
+        or without_choices(expression, variables) is not None
     )
 
 
@@ -361,6 +367,91 @@ def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) ->
     return groups_never_positive(expression, variables) or by_gram(
         expression, conditions
     )
+
+
+def without_choices(expression: Expr, variables: set) -> Expr | None:
+    """Return one branch of each `where` in V' if it is never positive, and the others are lower.
+
+    So a projection is judged: V' without it, and what V' loses where it acts.
+    """
+    inputs = {
+        f: Dummy(real=True) for f in expression.atoms(AppliedUndef) if is_input(f)
+    }
+    expression = expand(expression.xreplace(inputs))
+    choices = {f for f in functions_in(expression) if f.func == WHERE}
+    inner = {f for choice in choices for a in choice.args for f in functions_in(a)}
+    words = {choice: Dummy(real=True) for choice in choices - inner}
+    linear = expression.xreplace(words)
+    slopes = {choice: sympy.diff(linear, word) for choice, word in words.items()}
+    if not words or sympy.Tuple(*slopes.values()).has(*words.values()):
+        return None
+    variables = variables | {*inputs.values()}
+    branches = {choice: _branches(choice) for choice in words}
+    for default in (-1, 0):
+        taken = {words[choice]: of[default][1] for choice, of in branches.items()}
+        added: dict[Any, Expr] = {}  # under the same condition
+        for choice, of in branches.items():
+            for conditions, value in of:
+                change = slopes[choice] * (value - of[default][1])
+                added[conditions] = added.get(conditions, S.Zero) + change
+        pieces = [
+            (change, margins)
+            for conditions, change in added.items()
+            for margins in _margins(conditions)
+        ]
+        bound = expand(linear.xreplace(taken))
+        if groups_never_positive(bound, variables) and all(
+            _in_piece(_without_conditions(change, margins), variables, margins)
+            for change, margins in pieces
+        ):
+            return bound.xreplace({symbol: f for f, symbol in inputs.items()})
+    return None
+
+
+def _branches(e: Expr, conditions: tuple = ()) -> list[tuple[tuple, Expr]]:
+    """Return the values of a `where` with their conditions, each a comparison and its truth."""
+    if e.func != WHERE:
+        return [(conditions, e)]
+    condition, then, otherwise = e.args
+    return [
+        *_branches(then, (*conditions, (condition, True))),
+        *_branches(otherwise, (*conditions, (condition, False))),
+    ]
+
+
+def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
+    """Return sets of expressions that are not negative; in each case one of them holds."""
+    cases: list[tuple[Expr, ...]] = [()]
+    for condition, truth in conditions:
+        name, arguments = condition.func.__name__, condition.args
+        if name in COMPARISONS:
+            a, b = arguments if (name in ("gt", "ge")) == truth else arguments[::-1]
+            found = [(expand(a - b),)]
+        elif name == "not_":
+            found = _margins([(arguments[0], not truth)])
+        elif (name == "and_") == truth and name in LOGIC:
+            found = _margins((a, truth) for a in arguments)
+        elif name in LOGIC:
+            found = [case for a in arguments for case in _margins([(a, truth)])]
+        else:
+            found = [()]
+        cases = [(*case, *more) for case in cases for more in found]
+    return cases
+
+
+def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
+    """Return an expression without factors that are conditions or sums of squares."""
+    kept = []
+    for factor in Mul.make_args(factored(e)):
+        base, power = factor.as_base_exp()
+        total = squares(base, set()) if base.is_Add else None
+        ratios = [sympy.cancel(base / c) for c in conditions if c != 0]
+        same = next((r for r in ratios if r.is_number), S.Zero)
+        if same and power.is_odd:
+            kept.append(sympy.sign(same))
+        elif not (same or (total and total.constant.is_nonnegative)):
+            kept.append(factor)
+    return Mul(*kept)
 
 
 def in_one_piece(e: Expr, conditions: tuple[Expr, ...] = ()) -> Expr | None:

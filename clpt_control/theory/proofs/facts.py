@@ -274,7 +274,8 @@ def _simplified(call: Any) -> Any:
     if len(atoms) > MOST_ATOMS:
         return call
     keys = {atom: key for key, atom in atoms.items()}
-    return word(sympy.simplify_logic(statement, force=True))
+    simplified = word(sympy.simplify_logic(statement, force=True))
+    return min(call, simplified, key=sympy.count_ops)
 
 
 def _without_size(call: Any) -> Any:

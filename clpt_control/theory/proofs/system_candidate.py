@@ -25,7 +25,7 @@ from ...engine.diagram.wiring import wiring_of
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
 from .conclusions import Condition, Status
-from .decide import in_one_piece, never_positive
+from .decide import in_one_piece, never_positive, without_choices
 from .exact import factored, normal_form, vanishes, whole_coefficients
 from .facts import along, decided, has_time, is_continuous, meets_smoothly
 from .judge import Candidate, Fall, Refutation, Verdict, judge
@@ -227,9 +227,13 @@ class SystemCandidate(Candidate):
             falls = self.never_positive(bound.xreplace(zeroed))
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
         if falls:
+            bound = bound.xreplace(zeroed)
+            lower = without_choices(normal_form(bound), {*self.states})
+            if lower is not None:
+                bound, claim = lower, f"V' <= {self.text(factored(lower))}"
             bounded = {*(self.least or (f for f in self.forms if f.is_Symbol))}
             variables = (*self.states, *self.inputs)
-            loss = -whole_coefficients(normal_form(bound.xreplace(zeroed)), variables)
+            loss = -whole_coefficients(normal_form(bound), variables)
             losses = self.lost = lost_forms(loss, self.fixed, bounded)
             shows = f"falls{' loses' * bool(losses)}"
             steps.append(exact(f"{claim} <= 0{where}", True, "", shows))
