@@ -48,6 +48,7 @@ import sympy
 
 from ...paper.laws.law import Law
 from . import invariant_loop
+from .certificates import Ways, of_invariants
 from .conclusions import Condition, Status
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
@@ -122,6 +123,10 @@ class Invariants(Candidate):
         claim = "V does not rise where they jump"
         step = exact_step(self.cases, claim, InvariantLoop.V_rises_by, "jumps")
         return step, sympy.S.Zero
+
+    def ways(self, fall: Fall) -> Ways:
+        """Return the ways to write V' as a sum, for a certificate."""
+        return of_invariants(self)
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return nothing: `jumps` asks the loop."""

@@ -16,9 +16,9 @@ V(x+) - V(x).
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import sympy
@@ -27,6 +27,7 @@ from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from .certified import written
 from .conclusions import Condition, Judged, Status, concluded, go
 from .exact import vanishes
 from .facts import is_continuous, meets_smoothly
@@ -96,10 +97,18 @@ class Verdict(Judged):
     residual: sympy.Expr = sympy.S.Zero
     diagram: Diagram | None = None
     after: Point | None = None
+    ways: Callable[[], Any] = field(default=tuple, repr=False, compare=False)
 
     def certificate(self) -> dict | None:
-        """Return what an outsider needs to check it, in exact rational numbers, or None."""
-        return None
+        """Return what an outsider needs to check a proof, in exact rational numbers, or None.
+
+        `tools/check_certificate.py` checks it; docs/certificates.md describes it.
+        """
+        return written(self.ways(), self.conditions)[0]
+
+    def why_no_certificate(self) -> str:
+        """Return the reason for which `certificate` is None, or ""."""
+        return written(self.ways(), self.conditions)[1]
 
     def latex(self) -> str:
         r"""Return the verdict as a theorem and a proof in LaTeX.
@@ -265,6 +274,10 @@ class Candidate(ABC):
         """Return a point at which V rises at a jump."""
 
     @abstractmethod
+    def ways(self, fall: Fall) -> Sequence[Callable[[], Any]]:
+        """Return the ways to write V' as a sum, for a certificate."""
+
+    @abstractmethod
     def text(self, expression: sympy.Expr) -> str:
         """Return an expression as the user writes it."""
 
@@ -323,6 +336,7 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
         level=fall.level,
         conditions=tuple(conditions),
         steps=steps,
+        ways=partial(candidate.ways, fall),
     )
 
 

@@ -18,6 +18,7 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
+from .certificates import Ways, of_law
 from .conclusions import Condition, Status
 from .decide import never_positive
 from .every_n import base_and_term, reindexed
@@ -181,6 +182,10 @@ class LawCandidate(Candidate):
     def same_as_running(self) -> Step:
         """Return the step that the running blocks have the same V and rates."""
         return running_step(lambda: self.loop, self.points, seed=self.seed)
+
+    def ways(self, fall: Fall) -> Ways:
+        """Return the ways to write V' as a sum, for a certificate."""
+        return of_law(self)
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""

@@ -24,6 +24,7 @@ from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
+from .certificates import Ways, of_system
 from .conclusions import Condition, Status
 from .decide import in_one_piece, never_positive, without_choices
 from .exact import factored, normal_form, vanishes, whole_coefficients
@@ -292,6 +293,10 @@ class SystemCandidate(Candidate):
         motion = self.moving(dict.fromkeys(self.inputs, sympy.S.Zero))
         motion.outside()
         return motion.still_set(self.lost).rests(low, high)
+
+    def ways(self, fall: Fall) -> Ways:
+        """Return the ways to write V' as a sum, for a certificate."""
+        return of_system(self, fall)
 
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""

@@ -243,9 +243,19 @@ def pulled_at_once(
     return Pull(slowest, c + (b.T * left.inv() * b)[0] / 4)
 
 
-def pulled_forms(case: Any) -> Bound | None:
-    """Return the bound of V of a diagram in the forms of V, each of them one state."""
+class InForms(NamedTuple):
+    """V and V' of a diagram in the forms of V, each of them one state."""
+
+    V: sympy.Expr
+    rate: sympy.Expr
+    rest: dict[Any, sympy.Expr]
+    forms: dict[Any, sympy.Expr]  # state -> its error, in the states of the diagram
+
+
+def in_forms(case: Any) -> InForms | None:
+    """Return V and V' of a diagram in the forms of V; None where V has no one least point."""
     coordinates: dict[Any, sympy.Expr] = {}
+    forms: dict[Any, sympy.Expr] = {}
     for form in case.forms:
         states = sorted(form.free_symbols & {*case.motion}, key=str)
         if len(states) < 2 or not form.is_polynomial(*states):
@@ -256,6 +266,7 @@ def pulled_forms(case: Any) -> Bound | None:
             if slope.free_symbols <= case.fixed and s not in used and slope.is_nonzero:
                 e = sympy.Dummy(case.text(form), real=True)
                 coordinates[s] = sympy.expand((e - form) / slope + s)
+                forms[e] = form
                 break
     V, rate = (sympy.expand(e.xreplace(coordinates)) for e in (case.V, case.rate))
     total = squares(V, case.fixed)
@@ -263,6 +274,16 @@ def pulled_forms(case: Any) -> Bound | None:
     rest = zero_of(total, states) if total else None
     if rest is None:
         return None
+    errors = {s: forms.get(s, s) - true for s, true in rest.items()}
+    return InForms(V, rate, rest, errors)
+
+
+def pulled_forms(case: Any) -> Bound | None:
+    """Return the bound of V of a diagram in the forms of V, each of them one state."""
+    found = in_forms(case)
+    if found is None:
+        return None
+    V, rate, rest, _ = found
     moving = {TIME, *case.motion, *case.intervals}
     pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
     if pull is None or pull.rate == 0:

@@ -1,0 +1,273 @@
+"""V' of verdicts and theorems as sums, for certificates.
+
+    V' = -e^T KD e - losses                                          a law that falls
+    V' = -k e^2 + e d = -(k/2) e^2 - (k/2)(e - d/k)^2 + d^2/(2 k)    a law that is pushed
+    V' = -sum of a s^2 - b s over errors s of V                      a law or a diagram with leaks
+    V' = -(sum of squares)                                           any other diagram
+
+Relations of a law's states, such as b = theta Q, are put in before.  `invariants` proves that they
+are kept; they are conditions of a certificate.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from itertools import chain
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy import Add, Expr, Mul, Poly, Pow, S
+
+from ...engine.diagram.symbol_names import TIME
+from .certified import Case, NoCertificate, Term, written
+from .exact import vanishes
+from .facts import along
+from .steps import short
+from .sums_of_squares import squares
+from .symbolic_loop import symbolic_loop
+from .theorem_loop import theorem_loop, truth_in
+from .ultimate_bounds import in_forms, pulled_at_once
+
+SIZES = (1, 2, 3)  # numbers of basis functions of a theorem's certificates
+Ways = list[Callable[[], Case]]
+
+
+# --- sums of squares -----------------------------------------------------------------------------
+
+
+def terms_of(expression: Expr, fixed: set) -> list[Term]:
+    """Return an expression as a sum of terms that are not negative."""
+    total = squares(expression, fixed)
+    if total is None or not total.constant.is_nonnegative:
+        raise NoCertificate(f"{short(expression)} is not known as a sum of squares")
+    terms = [square(term, fixed) for term in total.terms]
+    constant = [Term(total.constant, [S.One])] * bool(total.constant)
+    return of_gram(terms) + constant
+
+
+def square(term: Expr, fixed: set) -> Term:
+    """Return a term as weight form^2; divisors are part of the weight."""
+    weight, form = S.One, S.One
+    for factor in Mul.make_args(term):
+        base, power = factor.as_base_exp()
+        if power.is_negative or factor.free_symbols <= fixed:
+            weight *= factor
+        elif power.is_Integer and power.is_even:
+            form *= base ** (power / 2)
+        else:
+            raise NoCertificate(f"{short(factor)} is no square")
+    return Term(weight, [form])
+
+
+def of_gram(terms: list[Term]) -> list[Term]:
+    """Return squares of polynomials of degree 2 or more as one term with a Gram matrix.
+
+    It is positive definite, so that it bounds each monomial; otherwise the squares stay.
+    """
+    forms = [form for term in terms for form in term.basis]
+    symbols = sorted(set().union(*(form.free_symbols for form in forms)), key=str)
+    is_number = all(t.weight.is_Rational for t in terms)
+    if not is_number or not all(form.is_polynomial(*symbols) for form in forms):
+        return terms
+    rows = [Poly(form, *symbols).as_dict() for form in forms]
+    powers = sorted(set().union(*rows), reverse=True)
+    is_linear = max(map(sum, powers), default=0) < 2
+    if is_linear or len(powers) > len(terms) or len(terms) == sum(map(len, rows)):
+        return terms
+    weighted = [*zip((t.weight for t in terms), rows, strict=True)]
+    G = [
+        [sum(w * row.get(a, 0) * row.get(b, 0) for w, row in weighted) for b in powers]
+        for a in powers
+    ]
+    monomials = [Mul(*map(Pow, symbols, power)) for power in powers]
+    return [Term(S.One, monomials, G)]
+
+
+# --- V' as a sum ---------------------------------------------------------------------------------
+
+
+def lost(case: Case, rate: Expr) -> Case:
+    """Return a case with V' as minus a sum of squares."""
+    return replace(case, losses=terms_of(-rate, case.fixed))
+
+
+def pulled(case: Case, V: Expr, rate: Expr, rest: Mapping, forms: Mapping) -> Case:
+    """Complete the squares of V' in the errors of V, whose squares V is a sum of; as `forms`."""
+    V_rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
+    shares = {s: sympy.diff(V, s, 2) / 2 for s in rest}
+    pairs = {s: (-V_rate.coeff(s, 2), V_rate.coeff(s, 1)) for s in rest}
+    rates = {s: a / (2 * shares[s]) for s, (a, _) in pairs.items() if a.is_positive}
+    if not rates or len(rates) < len(rest):
+        raise NoCertificate("V' does not pull all errors of V back")
+    is_number = all(r.is_Rational for r in rates.values())
+    decay = min(rates.values()) if is_number else sympy.Symbol("rate", positive=True)
+    push = V_rate.xreplace(dict.fromkeys(rest, S.Zero))
+    losses = []
+    for s, (a, b) in pairs.items():
+        spare = rates[s] - decay
+        parts = (shares[s] * spare, S.One) if is_number else (shares[s], spare)
+        losses += [Term(parts[0], [forms[s]], factor=parts[1])] * (spare != 0)
+        losses.append(Term(a / 2, [forms[s] - b / a]))
+        push += b**2 / (2 * a)
+    fixed = case.fixed | decay.free_symbols
+    return replace(case, losses=losses, push=push, decay=decay, fixed=fixed)
+
+
+def of_system(case: Any, fall: Any) -> Ways:
+    """Return the ways to write V' of a `SystemCandidate`."""
+
+    def system() -> Case:
+        if case.eq.discrete:
+            raise NoCertificate("certificates are of continuous time")
+        motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
+        functions = still(case.eq.jumps, case.V)
+        return Case(motion, case.fixed, terms_of(case.V, case.fixed), [], functions=functions)
+
+    def falls() -> Case:
+        return lost(system(), case.rate.xreplace(fall.zeroed))
+
+    def pulls() -> Case:
+        found = in_forms(case)
+        if fall.level is None or found is None:
+            raise NoCertificate("V' does not pull V back")
+        numbers = pulled_at_once(*found[:3])
+        if numbers is None:
+            return pulled(system(), *found)
+        loss = case.rate + numbers.rate * case.V - numbers.push
+        return replace(lost(system(), loss), decay=numbers.rate, push=numbers.push)
+
+    return [falls, pulls]
+
+
+def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
+    """Return states that jump as functions of time; V does not depend on them."""
+    moved = {s for change in jumps.values() for s, after in change.items() if s != after}
+    if moved & V.free_symbols:
+        raise NoCertificate(f"{moved.pop()} is in V and jumps")
+    return dict.fromkeys(moved, "signals")
+
+
+# --- laws ----------------------------------------------------------------------------------------
+
+
+class LawLoop:
+    """A law's loop in x and e = x - z; `read` puts in what is known of its symbols."""
+
+    def __init__(self, loop: Any, read: Callable[[Expr], Expr] = lambda e: e, fixed: set = frozenset()):
+        x, z, N = loop.states["x"], loop.states["z"], len(loop.inputs["phi_x"])
+        self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
+        in_e = {c: a - b for a, b, c in zip(x, self.e, z, strict=True)}
+        self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
+        self.fixed, self.truth, self.x = {*loop.values} | fixed, truth_in(loop), [*x]
+        motion = {s: self.read(rate) for s, rate in loop.motion.items()}
+        motion |= {b: motion[a] - motion.pop(c) for a, b, c in zip(x, self.e, z, strict=True)}
+        self.V = self.read(loop.signals["V"][0])
+        functions, N = still(loop.jumps, self.V), [f"N = {N}"]
+        self.case = Case(motion, self.fixed, [], [], functions=functions, conditions=N)
+
+    def falls(self, lost_beside: Expr = S.Zero) -> Case:
+        """Return V' as losses of e, those that the case has, and a push where V' has more."""
+        case, (k_1, k_2) = self.case, self.truth.KD
+        V = case.V or terms_of(self.V, self.fixed)
+        left = along(self.V, case.motion) + lost_beside
+        left += Add(*(k * e**2 for e, k in zip(self.e, self.truth.KD, strict=True)))
+        if vanishes(left):
+            losses = [Term(k, [e]) for e, k in zip(self.e, self.truth.KD, strict=True)]
+            return replace(case, V=V, losses=[*case.losses, *losses])
+        losses, push = [], S.Zero
+        for e, k in zip(self.e, self.truth.KD, strict=True):
+            d = sympy.diff(left, e)
+            losses += [Term(k / 2, [e]), Term(k / 2, [e - d / k])]
+            push += d**2 / (2 * k)
+        return replace(case, V=V, losses=[*case.losses, *losses], push=push)
+
+
+def of_law(law: Any) -> Ways:
+    """Return the ways to write V' of a `LawCandidate`; in the last a disturbance pushes e."""
+    loop = LawLoop(law.loop, lambda e: e.xreplace(law.known))
+    V = law.V.xreplace(dict(zip(law.e, loop.e, strict=True)))
+
+    def pulls() -> Case:
+        case, rest = loop.case, dict(law.least or {})
+        rest = {dict(zip(law.e, loop.e)).get(s, s): true for s, true in rest.items()}
+        case = replace(case, V=terms_of(V, loop.fixed), motion=dict(case.motion))
+        if law.takes_delta():
+            for k, (s, e) in enumerate(zip(loop.x, loop.e, strict=True), 1):
+                delta = sympy.Function(f"Delta_{k}", real=True)(TIME)
+                case.motion |= {s: case.motion[s] + delta, e: case.motion[e] + delta}
+        forms = {s: s - true for s, true in rest.items()}
+        return pulled(case, V, along(V, case.motion), rest, forms)
+
+    return [loop.falls, lambda: lost(replace(loop.case, V=terms_of(V, loop.fixed)), along(V, loop.case.motion)), pulls]
+
+
+def of_theorem(law: str, **options: Any) -> tuple[list | None, str]:
+    """Return the certificates of a theorem on the paper's loop, one for each N of `SIZES`."""
+    loops = [symbolic_loop(theorem_loop(N, law, **options)) for N in SIZES]
+    found = [written([LawLoop(loop).falls], []) for loop in loops]
+    reasons = [reason for _, reason in found if reason]
+    return (None, reasons[0]) if reasons else ([data for data, _ in found], "")
+
+
+def of_invariants(inv: Any) -> Ways:
+    """Return the way to write V' of a law with `Invariants`."""
+    return [lambda: WithRelations(inv).case_of()]
+
+
+class WithRelations(LawLoop):
+    """A law's loop where its relations hold."""
+
+    def __init__(self, inv: Any):
+        law = self.law = inv.case
+        super().__init__(inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed)
+        held = {s for M in law.symmetric.values() for s in M.flat} | inv.exist
+        bounded = {*inv.forms}
+        for s in held - self.V.free_symbols:
+            self.case.functions[s] = "inputs" if s in bounded else "signals"
+        self.case.semidefinite = law.symmetric
+        for s in law.relations:
+            self.case.motion.pop(s)
+        put_in = [port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()]
+        self.case.conditions.append(f"the relations of {', '.join(put_in)} hold")
+        truth, states, read = self.truth, law.states, np.vectorize(self.read, otypes=[object])
+        gains = read(np.stack([states["K"] - truth.KD, states["Gamma"] - truth.GammaD]))
+        self.errors = [[row] for row in gains.T]  # rows that matrices weigh
+        weighted = law.weighted_error
+        self.errors += [] if weighted is None else [[*read(weighted)]]
+        self.errors += [[*read(truth.theta + states["alpha"])]] if "alpha" in states else []
+
+    def case_of(self) -> Case:
+        """Return V' of the law with its losses."""
+        case, law = self.case, self.law
+        least = self.V.xreplace({s: S.Zero for M in law.symmetric.values() for s in M.flat})
+        case.V = terms_of(least, self.fixed) + self.weighed(sympy.expand(self.V - least))
+        case.losses = [term for factors in law.losses for term in self.product_of(factors)]
+        return self.falls(self.read(Add(*(Mul(*factors) for factors in law.losses))))
+
+    def weighed(self, expression: Expr) -> list[Term]:
+        """Return a multiple of the sum of b^T M b over rows b of errors as terms."""
+        for name, M in self.law.symmetric.items():
+            for rows in self.errors if expression.has(*M.flat) else []:
+                if len(rows[0]) == len(M):
+                    share = sympy.cancel(expression / sum(b @ M @ b for b in rows))
+                    if share.free_symbols <= self.fixed:
+                        return [Term(share, [*b], name) for b in rows]
+        return []
+
+    def product_of(self, factors: Iterable[Expr]) -> list[Term]:
+        """Return a product of factors that are not negative as terms."""
+        terms = [Term(S.One, [S.One])]
+        for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
+            if found := self.weighed(factor):
+                terms = [f._replace(weight=t.weight * f.weight, factor=t.factor) for t in terms for f in found]
+                continue
+            try:
+                found = terms_of(factor, self.fixed)
+            except NoCertificate:
+                found = [Term(S.One, [S.One], factor=factor)]
+            terms = [
+                Term(t.weight * f.weight, [b * f.basis[0] for b in t.basis], t.matrix, t.factor * f.factor)
+                for t in terms
+                for f in found
+            ]
+        return terms
