@@ -7,6 +7,7 @@ from typing import Any
 from ...base.errors import ClptError, SimulationError
 from ...base.html import Result
 from ...base.progress import progress_bar
+from .certificate_files import write_certificates
 from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
 
 JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
@@ -101,6 +102,9 @@ def prove(
         "DIR",
         "Write the theorems as Coq files instead; coqc, if installed, checks them.",
     ),
+    certificates: Path | None = opt(
+        "DIR", "Write certificates, which others can check, to this folder."
+    ),
     as_json: Json = False,
 ) -> None:
     """Check the paper's theorems, and every law, by symbols.
@@ -153,6 +157,8 @@ def prove(
                 cached.store(prove_all(new, report, pool))
     outcomes = {statement: cached.outcomes[statement] for statement in requested}
     proved_at = max(cached.times[statement] for statement in requested)
+    if certificates is not None:
+        write_certificates(outcomes, certificates, quiet=as_json)
     _print_outcomes(outcomes, proved_at, before=not new, as_json=as_json)
 
 

@@ -18,6 +18,7 @@ import sympy
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..promises import truth_of
+from .certified import written
 from .judge import Verdict
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
@@ -46,7 +47,8 @@ def proof_of(verdict: Verdict) -> Proof:
     """Return what is written of a verdict: its fields as text and numbers."""
     level = None if verdict.level is None else bound_text(verdict.level)
     fields = {**verdict.judged, "level": level}
-    return Proof(**fields, certificate=verdict.certificate())
+    certificate, reason = written(verdict.ways(), verdict.conditions)
+    return Proof(**fields, certificate=certificate, why_no_certificate=reason)
 
 
 def declared_level_step(law: Law, level: sympy.Expr) -> Step:

@@ -18,17 +18,18 @@ import numpy as np
 import sympy
 from sympy import Add, Expr, Mul, Poly, Pow, S
 
+from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from .certified import Case, NoCertificate, Term, written
 from .exact import vanishes
 from .facts import along
 from .steps import short
 from .sums_of_squares import squares
-from .symbolic_loop import symbolic_loop
+from .proof import Proof
+from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop, truth_in
 from .ultimate_bounds import in_forms, pulled_at_once
 
-SIZES = (1, 2, 3)  # numbers of basis functions of a theorem's certificates
 Ways = list[Callable[[], Case]]
 
 
@@ -201,12 +202,38 @@ def of_law(law: Any) -> Ways:
     return [loop.falls, lambda: lost(replace(loop.case, V=terms_of(V, loop.fixed)), along(V, loop.case.motion)), pulls]
 
 
-def of_theorem(law: str, **options: Any) -> tuple[list | None, str]:
-    """Return the certificates of a theorem on the paper's loop, one for each N of `SIZES`."""
-    loops = [symbolic_loop(theorem_loop(N, law, **options)) for N in SIZES]
-    found = [written([LawLoop(loop).falls], []) for loop in loops]
-    reasons = [reason for _, reason in found if reason]
-    return (None, reasons[0]) if reasons else ([data for data, _ in found], "")
+def of_theorem(law: str, N: int, **options: Any) -> Ways:
+    """Return the way to write V' on the paper's loop of a theorem."""
+    return [lambda: LawLoop(symbolic_loop(theorem_loop(N, law, **options))).falls()]
+
+
+def of_loop(diagram: Diagram, V: Callable[[SymbolicLoop], Expr], *conditions: str) -> Ways:
+    """Return the way to write V' of a diagram as minus a sum of squares."""
+
+    def falls() -> Case:
+        loop = symbolic_loop(diagram)
+        level, fixed = V(loop), {*loop.values}
+        case = Case(loop.motion, fixed, terms_of(level, fixed), [], conditions=[*conditions])
+        return lost(case, sympy.expand(along(level, loop.motion)))
+
+    return [falls]
+
+
+def without(reason: str) -> Ways:
+    """Return no way to write V', for a reason."""
+
+    def none() -> Case:
+        raise NoCertificate(reason)
+
+    return [none]
+
+
+def with_certificates(prove: Callable[[], Proof], cases: Callable[[], Iterable[Ways]]) -> Proof:
+    """Return a proof with the certificates of its cases, such as N = 1, 2, 3, in a list."""
+    found = [written(ways, []) for ways in cases()]
+    reason = next((why for _, why in found if why), "")
+    certificates = None if reason else [data for data, _ in found]
+    return replace(prove(), certificate=certificates, why_no_certificate=reason)
 
 
 def of_invariants(inv: Any) -> Ways:

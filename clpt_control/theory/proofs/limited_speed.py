@@ -24,6 +24,7 @@ from ...paper.blocks.vehicle import speed_limit
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..counterexamples import limited_speed_counterexample
+from .certificates import with_certificates
 from .exact import nonzero_residual, vanishes
 from .facts import MAXIMUM
 from .invariant_loop import InvariantLoop
@@ -32,7 +33,7 @@ from .proof import Proof, theorem
 from .steps import checked, counterexample
 from .symbolic_loop import symbolic_loop
 from .theorem_loop import law_and_V, law_loop, rate_of_V
-from .theorems import mean_square, quadratic, running
+from .theorems import loops, mean_square, quadratic, running
 
 N = 2  # functions of a law of the table
 POINTS = 1_000  # at which the running blocks are called
@@ -165,7 +166,13 @@ def without_hedging() -> Proof:
 
 
 LIMITED_SPEED: dict[str, Callable[[], Proof]] = {
-    "with hedging": with_hedging,
+    "with hedging": partial(
+        with_certificates, with_hedging, partial(loops, "learned-flow", speed="hedged")
+    ),
     "every law with hedging": every_law,
-    "without hedging": without_hedging,
+    "without hedging": partial(
+        with_certificates,
+        without_hedging,
+        partial(loops, "learned-flow", speed="not hedged"),
+    ),
 }

@@ -7,6 +7,7 @@ have invariants is proved by the steps of `invariants`.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import control
@@ -23,6 +24,7 @@ from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
 from ..promises import truth_of
+from .certificates import Ways, of_theorem, without
 from .conclusions import Condition
 from .default_candidate import LawV, default_V, user_V
 from .fixes import fix_steps
@@ -148,10 +150,12 @@ def prove(
 
 def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdict:
     """Judge a law of the table with the V and the invariants of its row."""
+    ways: Callable[[], Ways] = partial(of_theorem, law.name, functions_of(block))
     if law.at_fixes:  # CLPE does not go to zero between fixes
         claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         where = (Condition("phi"), Condition("exact fixes"))
         proof = where_all_hold(claim, fix_steps(law, points), "definite", where)
+        ways = partial(without, "V falls where states jump, at fixes")
     elif law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
@@ -159,7 +163,7 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
         return judge(Invariants(law, points, seed=seed))
     else:
         return prove(block, lambda truth, p: law.V(p, truth), points, seed)
-    return Verdict(**proof.judged)
+    return Verdict(**proof.judged, ways=ways)
 
 
 def _has_signs_of(law: Law, block: Block) -> bool:

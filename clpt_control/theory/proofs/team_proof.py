@@ -8,7 +8,9 @@ every N.  As V is non-increasing, e goes to zero by the argument of Theorem 3.2,
 differences between neighbours.
 """
 
+from functools import partial
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -17,6 +19,7 @@ from ...engine.model.ports import named, split, within
 from ...paper.laws.consensus import total_candidate
 from ...paper.scenario.team import TEAM_LAW, Team
 from ...simulation.loops import team_blocks
+from .certificates import Ways, of_loop, with_certificates
 from .conclusions import Condition
 from .paper_loop import PaperLoop, line
 from .proof import Proof, where_all_hold
@@ -52,7 +55,20 @@ def proof_of_team() -> Proof:
         Condition("bounded inputs", DRIVEN),
     )
     of = "CLPE and each alpha_i - alpha_j go"
-    return where_all_hold(CLAIM, steps, "jumps", where, of=of, cited=CITED)
+    prove = partial(where_all_hold, CLAIM, steps, "jumps", where, of=of, cited=CITED)
+    return with_certificates(prove, certified_graphs)
+
+
+def certified_graphs() -> list[Ways]:
+    """Return V' of each graph, for certificates."""
+
+    def level(loop: Any) -> Any:
+        return loop.signals["V"][0]
+
+    return [
+        of_loop(team_diagram(edges, N), level, name, f"N = {N}")
+        for name, edges in GRAPHS.items()
+    ]
 
 
 def steps_of(name: str, edges: tuple[tuple[str, str], ...]) -> list[Step]:

@@ -13,12 +13,14 @@ the regressor of the vehicle alone, w* = [phi(x), x, zc], as `clpt.certify` does
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
 
 from ...base.arguments import public
 from ...base.errors import ClptError
 from ...base.progress import interrupt
+from ...simulation.loops import error_loop
 from ..counterexamples import (
     burst_counterexample,
     disturbance_counterexample,
@@ -26,13 +28,14 @@ from ..counterexamples import (
     square_wave_counterexample,
     unlearned_counterexample,
 )
+from .certificates import Ways, of_loop, of_theorem, with_certificates
 from .circle import circle_step
 from .paper_loop import PaperLoop, algebra, errors_loop, line
 from .proof import Proof, proof_or_failure, theorem
 from .same_as_running import running_step
 from .steps import Step, counterexample
 from .symbolic_loop import ArrayLoop, symbolic_loop
-from .theorem_loop import vanish
+from .theorem_loop import theorem_scenario, vanish
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -384,11 +387,33 @@ def theorem_3_4() -> Proof:
     )
 
 
+SIZES = (1, 2, 3)  # numbers of basis functions of certificates
+
+
+def loops(law: str, **options: Any) -> list[Ways]:
+    """Return V' on the paper's loop for some N, for certificates."""
+    return [of_theorem(law, N, **options) for N in SIZES]
+
+
+def error_systems() -> list[Ways]:
+    """Return V' = (X^T P X)' on Eqs. (27)-(28) for some N, for certificates."""
+
+    def level(loop: Any) -> Any:
+        squares = {port: np.sum(state**2) for port, state in loop.states.items()}
+        gain = loop.parameters["parameter_system"].gain
+        return (squares.pop("e") + sum(squares.values()) / gain) / 2
+
+    scenarios = {f"N = {N}": theorem_scenario(N, "learned-flow") for N in SIZES}
+    return [of_loop(error_loop(case), level, N) for N, case in scenarios.items()]
+
+
 THEOREMS: dict[str, Callable[[], Proof]] = {
-    "3.1": theorem_3_1,
-    "3.2": theorem_3_2,
-    "3.3": theorem_3_3,
-    "3.4": theorem_3_4,
+    "3.1": partial(with_certificates, theorem_3_1, partial(loops, "known-flow")),
+    "3.2": partial(with_certificates, theorem_3_2, partial(loops, "learned-flow")),
+    "3.3": partial(with_certificates, theorem_3_3, error_systems),
+    "3.4": partial(
+        with_certificates, theorem_3_4, partial(loops, "learned-flow", disturbed=True)
+    ),
 }
 
 
