@@ -1,15 +1,15 @@
-"""Checker of the certificates that `clpt prove --certificates` writes.
+"""Checker of the certificates that `clpt prove --certificates FOLDER` writes.
 
     python check_certificate.py FILE...
 
-It imports the Python standard library alone and computes in exact rational numbers.  One line is
-printed for each file; the exit status is 1 if a file is rejected.  V' follows from V and the rates
-by the chain rule, and a certificate is valid only if
+It needs the Python standard library alone and computes in exact rational numbers.  One line is
+printed for each file; the exit status is 1 if a file is rejected.  V' is computed from V and the
+rates by the chain rule, and a certificate holds only if
 
     V' + decay V + losses - push = 0
 
-V and the losses are sums of weight b^T M b with weight >= 0, M >= 0 and b a list of polynomials.
-A polynomial is a list of [coefficient, {symbol: power}].  The format: docs/certificates.md.
+V and the losses are sums of weight b^T M b with weight >= 0, M >= 0 and a list b of polynomials.  A
+polynomial is a list of [coefficient, {symbol: power}].  docs/certificates.md has the format.
 """
 
 import json
@@ -17,7 +17,8 @@ import sys
 from fractions import Fraction
 
 FORMAT = "clpt certificate 1"
-ABOUT = ("goes to zero", "square-integrable", "bounded in the mean")  # some of the losses' forms
+ABOUT = ("goes to zero", "square-integrable", "bounded in the mean")  # forms of losses
+KINDS = ("rates", "positive", "constants", "inputs", "positive_inputs", "signals")
 
 
 def need(holds, problem):
@@ -26,56 +27,66 @@ def need(holds, problem):
         raise ValueError(problem)
 
 
+# --- polynomials: {((symbol, power), ...): coefficient} ------------------------------------------
+
+
+def combined(pairs):
+    """Return the sum of coefficients of equal monomials."""
+    p = {}
+    for m, c in pairs:
+        p[m] = p.get(m, 0) + c
+    return {m: c for m, c in p.items() if c}
+
+
 def add(p, q, factor=1):
-    """Return p + factor q, as {monomial: coefficient}; a monomial is ((symbol, power), ...)."""
-    sums = {m: p.get(m, 0) + factor * q.get(m, 0) for m in {**p, **q}}
-    return {m: c for m, c in sums.items() if c}
+    """Return p + factor q."""
+    return combined([*p.items(), *((m, factor * c) for m, c in q.items())])
+
+
+def monomial(*factors):
+    """Return a product of powers."""
+    powers = combined(factors)
+    return tuple(sorted(powers.items()))
 
 
 def multiply(p, q):
     """Return p q."""
-    product = {}
-    for a, c in p.items():
-        for b, d in q.items():
-            powers = dict(a)
-            for s, n in b:
-                powers[s] = powers.get(s, 0) + n
-            m = tuple(sorted((s, n) for s, n in powers.items() if n))
-            product = add(product, {m: c * d})
-    return product
+    return combined((monomial(*a, *b), c * d) for a, c in p.items() for b, d in q.items())
 
 
 def along(p, rates):
-    """Return the sum of dp/ds rates[s]: the time derivative of p."""
-    total = {}
-    for m, c in p.items():
-        for s, n in m:
-            slope = multiply({m: c * n}, {((s, -1),): 1})
-            total = add(total, multiply(slope, rates.get(s, {})))
-    return total
+    """Return p', the sum of dp/ds rates[s]."""
+    terms = [(monomial(*m, (s, -1)), c * n, s) for m, c in p.items() for s, n in m]
+    products = (multiply({m: c}, rates.get(s, {})) for m, c, s in terms)
+    return combined(term for product in products for term in product.items())
 
 
-def replace(p, values):
-    """Return p with polynomials in place of symbols."""
+def replace(p, s, value):
+    """Return p with a polynomial in place of a symbol."""
     total = {}
     for m, c in p.items():
-        term = {(): c}
-        for s, n in m:
-            base = values.get(s, {((s, 1 if n > 0 else -1),): 1})
-            for _ in range(abs(n)):
-                term = multiply(term, base)
+        term = {tuple(f for f in m if f[0] != s): c}
+        for _ in range(dict(m).get(s, 0)):
+            term = multiply(term, value)
         total = add(total, term)
     return total
 
 
-def names(p):
-    """Return the symbols of a polynomial."""
-    return {s for m in p for s, _ in m}
+def names(*polynomials):
+    """Return the symbols of polynomials."""
+    return {s for p in polynomials for m in p for s, _ in m}
 
 
 def at_zero(p):
-    """Return a polynomial where the bounded forms #k are 0."""
+    """Return p where the bounded forms #k are 0."""
     return {m: c for m, c in p.items() if not any("#" in s for s, _ in m)}
+
+
+def text(p):
+    """Return a polynomial as text."""
+    terms = ((c, [s if n == 1 else f"{s}^{n}" for s, n in m]) for m, c in p.items())
+    products = ["*".join([f"{c}"] * (c != 1 or not f) + f) for c, f in terms]
+    return " + ".join(products).replace("-1*", "-").replace("+ -", "- ")
 
 
 def is_definite(M):
@@ -90,48 +101,56 @@ def is_definite(M):
     return all(M[k][k] > 0 for k in size)
 
 
+# --- certificates --------------------------------------------------------------------------------
+
+
 class Certificate:
-    """Equations and assumptions of a certificate, and what follows from them."""
+    """Equations and assumptions of a certificate; it holds if it can be made."""
 
     def __init__(self, data):
         need(data["format"] == FORMAT, f"its format is not '{FORMAT}'")
-        kinds = "rates", "positive", "constants", "inputs", "positive_inputs", "signals"
-        symbols = [s for kind in kinds for s in data[kind]]
-        need(len({*symbols}) == len(symbols), "a symbol is declared twice")
-        need(not any("#" in s for s in symbols), "a symbol has a # in its name")
-        self.symbols, self.states = {*symbols}, {*data["rates"]}
-        self.positive, self.signals = {*data["positive"]}, {*data["signals"]}
-        self.factors = self.positive | {*data["positive_inputs"]}
-        self.constants = self.positive | {*data["constants"]}
-        self.known = self.constants | self.factors | {*data["inputs"]}
-        self.assumed = [self.read(p) for p in data["assumed"]]
-        self.semidefinite = data["semidefinite"]
+        self.symbols = [s for kind in KINDS for s in data[kind]]
+        need(len({*self.symbols}) == len(self.symbols), "a symbol is declared twice")
+        need("#" not in "".join(self.symbols), "a symbol has a # in its name")
+        self.states, self.positive, constants, inputs, factors, signals = (
+            {*data[kind]} for kind in KINDS
+        )
+        self.fixed, self.factors = self.positive | constants, self.positive | factors
+        self.bounded, self.signals = self.fixed | inputs | factors, signals
+        self.matrices = {name: self.matrix(M) for name, M in data["semidefinite"].items()}
+        self.assumed = [*map(self.read, data["assumed"])]
         self.rates = {s: self.read(p) for s, p in data["rates"].items()}
         V, self.forms = self.terms(data["V"])
-        need(names(V) <= self.states | self.constants, "V holds a function of time")
+        need(names(V) <= self.states | self.fixed, "V holds a function of time")
         losses, self.lost = self.terms(data["losses"])
-        decay, self.is_pulled = self.weight(data["decay"]) if data["decay"] else ({}, False)
-        self.push = self.read(data["push"])
-        left = add(add(along(V, self.rates), multiply(decay, V)), add(losses, self.push, -1))
+        self.push, self.decay = self.read(data["push"]), {}
+        if data["decay"]:
+            self.decay, pulls = self.weight(data["decay"])
+            need(pulls, "the decay is not known to be positive")
+        left = add(along(V, self.rates), multiply(self.decay, V))
+        left = add(add(left, losses), self.push, -1)
         need(not left, "V' + decay V + losses - push is not 0")
 
     def read(self, terms):
         """Read a polynomial; only positive constants have negative powers."""
-        p = {}
-        for c, powers in terms:
+        for _, powers in terms:
             for s, n in powers.items():
                 need(s in self.symbols, f"{s} is not declared")
                 need(type(n) is int and (n > 0 or s in self.positive), f"{s} has the power {n}")
-            m = tuple(sorted((s, n) for s, n in powers.items() if n))
-            p = add(p, {m: Fraction(c)})
-        return p
+        return combined((monomial(*powers.items()), Fraction(c)) for c, powers in terms)
+
+    def matrix(self, rows):
+        """Read a symmetric matrix of symbols."""
+        columns = [[*column] for column in zip(*rows)]
+        need(rows == columns, "a matrix is not symmetric")
+        return [[self.read([[1, {s: 1}]]) for s in row] for row in rows]
 
     def weight(self, factors):
         """Return a product that is not negative, and whether it is a positive constant."""
         product, is_constant = {(): Fraction(1)}, True
         for p in map(self.read, factors):
-            is_positive = p and names(p) <= self.factors and all(c > 0 for c in p.values())
-            need(is_positive or p in self.assumed, "a weight is not known to be positive")
+            is_positive = p and names(p) <= self.factors and min(p.values()) > 0
+            need(is_positive or p in self.assumed, f"weight {text(p)} may be negative")
             is_constant = is_constant and is_positive and names(p) <= self.positive
             product = multiply(product, p)
         return product, is_constant
@@ -140,53 +159,54 @@ class Certificate:
         """Return a sum of terms, and the forms that are bounded where the sum is bounded."""
         total, forms = {}, []
         for term in data:
-            weight, is_definite_term = self.weight(term["weight"])
-            M, basis = term["matrix"], [self.read(p) for p in term["basis"]]
+            weight, is_strict = self.weight(term["weight"])
+            M, basis = term["matrix"], [*map(self.read, term["basis"])]
             if isinstance(M, str):
-                M, is_definite_term = self.semidefinite[M], False
-                need(all(M[i][j] == M[j][i] for i in range(len(M)) for j in range(len(M))), "a matrix is not symmetric")
-                M = [[{((s, 1),): 1} for s in row] for row in M]
+                M, is_strict = self.matrices[M], False
             else:
-                is_definite_term = is_definite(M) and is_definite_term
+                is_strict = is_definite(M) and is_strict
                 M = [[{(): Fraction(c)} for c in row] for row in M]
-            need(len(M) == len(basis) and {len(row) for row in M} == {len(M)}, "a matrix does not fit")
+            need({len(M), *map(len, M)} == {len(basis)}, "a matrix does not fit its basis")
             for row, p in zip(M, basis):
                 for entry, q in zip(row, basis):
                     total = add(total, multiply(multiply(weight, entry), multiply(p, q)))
-            forms += basis if is_definite_term else []
+            forms += basis if is_strict else []
         return total, forms
 
-    def determined(self, forms, known):
-        """Return unknown states by what bounds them, and whether all forms can be 0 at once.
+    # --- conclusions -----------------------------------------------------------------------------
 
-        States are eliminated one by one from form = #k, a bounded number.
+    def determined(self, forms, known):
+        """Return unknown states as polynomials in the forms #k, and whether all can be 0.
+
+        States are eliminated one by one.
         """
-        values, can_vanish, left = {}, True, {f"#{k}": form for k, form in enumerate(forms)}
-        while pivot := self.pivot(left, values, known):
+        values, can_vanish, left = {}, True, {f"#{k}": p for k, p in enumerate(forms)}
+        while pivot := self.pivot(left, known):
             mark, s, value, vanishes = pivot
             del left[mark]
-            values = {v: replace(p, {s: value}) for v, p in values.items()} | {s: value}
-            can_vanish = can_vanish and vanishes
-        return values, can_vanish and not any(at_zero(replace(p, values)) for p in left.values())
+            left, values = (
+                {k: replace(p, s, value) for k, p in old.items()} for old in (left, values)
+            )
+            values[s], can_vanish = value, can_vanish and vanishes
+        return values, can_vanish and not any(map(at_zero, left.values()))
 
-    def pivot(self, left, values, known):
+    def pivot(self, left, known):
         """Return a form, a state that it determines, the state's value, and whether it can be 0."""
-        for mark, form in left.items():
-            p, bound = replace(form, values), {((mark, 1),): Fraction(1)}
+        for mark, p in left.items():
             for s in sorted(names(p) & self.states - known):
                 own = {m: c for m, c in p.items() if s in dict(m)}
-                rest = add(p, own, -1)
+                rest, (m, c) = add(p, own, -1), next(iter(own.items()))
+                bound = {((mark, 1),): Fraction(1)}
                 if len(own) > 1 or not names(own) - {s} <= self.positive:
                     continue
-                [(m, c)] = own.items()
                 if dict(m)[s] == 1:  # s = (#k - rest)/factor
-                    share = {tuple((v, -n) for v, n in m if v != s): 1 / c}
+                    share = {monomial(*((v, -n) for v, n in m if v != s)): 1 / c}
                     return mark, s, multiply(add(bound, rest, -1), share), True
                 if not names(rest) & self.states - known:  # c s^n + what is bounded
                     return mark, s, bound, not at_zero(rest)
         return None
 
-    def bounded(self):
+    def bounded_states(self):
         """Return the states that are bounded: by V, or stable and driven by what is bounded."""
         known, before = set(), None
         while known != before:
@@ -195,53 +215,67 @@ class Certificate:
             known |= {s for s, p in values.items() if not names(p) & self.states - known}
             for s in self.states - known:
                 own = {m: c for m, c in self.rates[s].items() if s in dict(m)}
-                pulls = all(c < 0 and dict(m)[s] == 1 for m, c in own.items())
-                is_linear = own and pulls and names(own) - {s} <= self.positive
-                if is_linear and names(add(self.rates[s], own, -1)) <= known | self.known:
+                pulls = own and all(c < 0 and dict(m)[s] == 1 for m, c in own.items())
+                rest = names(add(self.rates[s], own, -1))
+                if pulls and names(own) - {s} <= self.positive and rest <= known | self.bounded:
                     known.add(s)
         return known
 
     def conclusions(self):
         """Return each conclusion that holds, and the forms that it is true of."""
-        bounded = self.bounded()
-        free = self.states - bounded
+        known = self.bounded_states()
+        of_states = [q for q in self.lost if names(q) <= self.states | self.fixed]
+        free, falls = self.states - known, not self.push
         degrees = [sum(n for s, n in m if s in free) for f in free for m in self.rates[f]]
-        exist, falls = max(degrees, default=0) <= 1, not self.push
-        found = {"V' is at most the push": []}
+        exist, found = max(degrees, default=0) <= 1, {"V' is at most the push": []}
         if falls:
-            found |= {"V does not increase": [], "square-integrable": self.lost}
-        elif exist and names(self.push) <= self.known | self.signals:
-            found["bounded in the mean"] = self.lost
-        if exist and self.is_pulled and names(self.push) <= self.known:
+            found |= {"V does not increase": [], "square-integrable": of_states}
+        elif exist and names(self.push) <= self.bounded | self.signals:
+            found["bounded in the mean"] = of_states
+        if exist and self.decay and names(self.push) <= self.bounded:
             found["ultimately bounded"] = []
-        if falls and exist:
-            calm = self.known | bounded
-            fixed = self.states | self.constants
-            found["goes to zero"] = [
-                q for q in self.lost if names(q) <= fixed and names(along(q, self.rates)) <= calm
-            ]
-            rest, has_rest = self.determined(self.forms, set())
-            ends, has_end = self.determined(self.lost, set())
+        if exist and falls:
+            found["goes to zero"] = [q for q in of_states if self.is_calm(q, known)]
+            (rest, has_rest), (end, has_end) = (
+                self.determined(forms, set()) for forms in (self.forms, self.lost)
+            )
             if has_rest and rest.keys() == self.states and not self.signals:
                 found["stable"] = []
-                points = [{s: at_zero(p) for s, p in v.items()} for v in (rest, ends)]
+                points = [{s: at_zero(p) for s, p in v.items()} for v in (rest, end)]
                 if has_end and points[0] == points[1]:
                     found["asymptotically stable"] = []
         return found
 
+    def is_calm(self, form, known):
+        """Return whether a form has a bounded rate, so that it goes to zero (Barbalat)."""
+        return names(along(form, self.rates)) <= known | self.bounded
+
+    def assumptions(self):
+        """Return what is assumed, as text."""
+        lists = [
+            (self.positive, "> 0"),
+            (self.bounded - self.fixed, "bounded"),
+            (self.signals, "any functions of time"),
+            (self.matrices, ">= 0"),
+            (map(text, self.assumed), ">= 0"),
+        ]
+        listed = [(", ".join(sorted(items)), of) for items, of in lists]
+        return "; ".join(f"{items} {of}" for items, of in listed if items)
+
 
 def checked(data):
-    """Return what is shown by a certificate, or by each of a list; raise ValueError if nothing is."""
+    """Return what a certificate shows, or each of a list; raise ValueError if it is rejected."""
     if isinstance(data, list):
         need(data, "it is empty")
         return " | ".join(map(checked, data))
     certificate = Certificate(data)
     found, claim = certificate.conclusions(), data["conclusion"]
     need(claim in found, f"'{claim}' does not follow")
-    about = [certificate.read(p) for p in data["of"]]
-    need(all(p in found[claim] for p in about), f"'{claim}' does not follow of each form")
-    need(about or claim not in ABOUT, f"'{claim}' is said of nothing")
-    return ", ".join([claim, *map(str, data["conditions"])])
+    of = [certificate.read(p) for p in data["of"]]
+    need(all(p in found[claim] for p in of), f"'{claim}' does not follow of each form")
+    need(of or claim not in ABOUT, f"'{claim}' is said of nothing")
+    shown = f"{claim} ({', '.join(map(text, of))})" if of else claim
+    return ", ".join([shown, *map(str, data["conditions"]), f"if {certificate.assumptions()}"])
 
 
 def main(paths):
@@ -251,10 +285,9 @@ def main(paths):
         try:
             with open(path, encoding="utf-8") as file:
                 print(f"{path}: checked: {checked(json.load(file))}")
-        except Exception as error:  # whatever a file holds, it is rejected in one line
-            failed = True
-            known = isinstance(error, (ValueError, OSError))
-            print(f"{path}: rejected: {error if known else f'malformed: {error!r}'}")
+        except Exception as error:  # a file of any content is rejected in one line
+            failed, is_known = True, isinstance(error, (ValueError, OSError))
+            print(f"{path}: rejected: {error if is_known else f'malformed: {error!r}'}")
     return int(failed)
 
 
