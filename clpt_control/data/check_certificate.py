@@ -51,7 +51,9 @@ def monomial(*factors):
 
 def multiply(p, q):
     """Return p q."""
-    return combined((monomial(*a, *b), c * d) for a, c in p.items() for b, d in q.items())
+    return combined(
+        (monomial(*a, *b), c * d) for a, c in p.items() for b, d in q.items()
+    )
 
 
 def along(p, rates):
@@ -92,7 +94,9 @@ def text(p):
 def is_definite(M):
     """Return whether D > 0 in M = L D L^T; reject a matrix with a negative D."""
     M, size = [list(map(Fraction, row)) for row in M], range(len(M))
-    need(all(M[i][j] == M[j][i] for i in size for j in size), "a matrix is not symmetric")
+    need(
+        all(M[i][j] == M[j][i] for i in size for j in size), "a matrix is not symmetric"
+    )
     for k in size:
         need(M[k][k] > 0 or not any(M[k][k:]), "a matrix is not semidefinite")
         for i in size[k + 1 :] if M[k][k] else ():
@@ -117,7 +121,9 @@ class Certificate:
         )
         self.fixed, self.factors = self.positive | constants, self.positive | factors
         self.bounded, self.signals = self.fixed | inputs | factors, signals
-        self.matrices = {name: self.matrix(M) for name, M in data["semidefinite"].items()}
+        self.matrices = {
+            name: self.matrix(M) for name, M in data["semidefinite"].items()
+        }
         self.assumed = [*map(self.read, data["assumed"])]
         self.rates = {s: self.read(p) for s, p in data["rates"].items()}
         V, self.forms = self.terms(data["V"])
@@ -136,7 +142,10 @@ class Certificate:
         for _, powers in terms:
             for s, n in powers.items():
                 need(s in self.symbols, f"{s} is not declared")
-                need(type(n) is int and (n > 0 or s in self.positive), f"{s} has the power {n}")
+                need(
+                    type(n) is int and (n > 0 or s in self.positive),
+                    f"{s} has the power {n}",
+                )
         return combined((monomial(*powers.items()), Fraction(c)) for c, powers in terms)
 
     def matrix(self, rows):
@@ -166,10 +175,15 @@ class Certificate:
             else:
                 is_strict = is_definite(M) and is_strict
                 M = [[{(): Fraction(c)} for c in row] for row in M]
-            need({len(M), *map(len, M)} == {len(basis)}, "a matrix does not fit its basis")
+            need(
+                {len(M), *map(len, M)} == {len(basis)},
+                "a matrix does not fit its basis",
+            )
             for row, p in zip(M, basis):
                 for entry, q in zip(row, basis):
-                    total = add(total, multiply(multiply(weight, entry), multiply(p, q)))
+                    total = add(
+                        total, multiply(multiply(weight, entry), multiply(p, q))
+                    )
             forms += basis if is_strict else []
         return total, forms
 
@@ -185,7 +199,8 @@ class Certificate:
             mark, s, value, vanishes = pivot
             del left[mark]
             left, values = (
-                {k: replace(p, s, value) for k, p in old.items()} for old in (left, values)
+                {k: replace(p, s, value) for k, p in old.items()}
+                for old in (left, values)
             )
             values[s], can_vanish = value, can_vanish and vanishes
         return values, can_vanish and not any(map(at_zero, left.values()))
@@ -212,12 +227,18 @@ class Certificate:
         while known != before:
             before = {*known}
             values, _ = self.determined(self.forms, known)
-            known |= {s for s, p in values.items() if not names(p) & self.states - known}
+            known |= {
+                s for s, p in values.items() if not names(p) & self.states - known
+            }
             for s in self.states - known:
                 own = {m: c for m, c in self.rates[s].items() if s in dict(m)}
                 pulls = own and all(c < 0 and dict(m)[s] == 1 for m, c in own.items())
                 rest = names(add(self.rates[s], own, -1))
-                if pulls and names(own) - {s} <= self.positive and rest <= known | self.bounded:
+                if (
+                    pulls
+                    and names(own) - {s} <= self.positive
+                    and rest <= known | self.bounded
+                ):
                     known.add(s)
         return known
 
@@ -226,7 +247,9 @@ class Certificate:
         known = self.bounded_states()
         of_states = [q for q in self.lost if names(q) <= self.states | self.fixed]
         free, falls = self.states - known, not self.push
-        degrees = [sum(n for s, n in m if s in free) for f in free for m in self.rates[f]]
+        degrees = [
+            sum(n for s, n in m if s in free) for f in free for m in self.rates[f]
+        ]
         exist, found = max(degrees, default=0) <= 1, {"V' is at most the push": []}
         if falls:
             found |= {"V does not increase": [], "square-integrable": of_states}
@@ -251,7 +274,7 @@ class Certificate:
         return names(along(form, self.rates)) <= known | self.bounded
 
     def assumptions(self):
-        """Return what is assumed, as text."""
+        """Return the assumptions as texts."""
         lists = [
             (self.positive, "> 0"),
             (self.bounded - self.fixed, "bounded"),
@@ -260,7 +283,7 @@ class Certificate:
             (map(text, self.assumed), ">= 0"),
         ]
         listed = [(", ".join(sorted(items)), of) for items, of in lists]
-        return "; ".join(f"{items} {of}" for items, of in listed if items)
+        return [f"{items} {of}" for items, of in listed if items]
 
 
 def checked(data):
@@ -275,7 +298,7 @@ def checked(data):
     need(all(p in found[claim] for p in of), f"'{claim}' does not follow of each form")
     need(of or claim not in ABOUT, f"'{claim}' is said of nothing")
     shown = f"{claim} ({', '.join(map(text, of))})" if of else claim
-    return ", ".join([shown, *map(str, data["conditions"]), f"if {certificate.assumptions()}"])
+    return "; ".join([shown, *map(str, data["conditions"]), *certificate.assumptions()])
 
 
 def main(paths):

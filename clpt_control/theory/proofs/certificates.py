@@ -122,7 +122,9 @@ def of_system(case: Any, fall: Any) -> Ways:
             raise NoCertificate("certificates are of continuous time")
         motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
         functions = still(case.eq.jumps, case.V)
-        return Case(motion, case.fixed, terms_of(case.V, case.fixed), [], functions=functions)
+        return Case(
+            motion, case.fixed, terms_of(case.V, case.fixed), [], functions=functions
+        )
 
     def falls() -> Case:
         return lost(system(), case.rate.xreplace(fall.zeroed))
@@ -142,7 +144,9 @@ def of_system(case: Any, fall: Any) -> Ways:
 
 def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
     """Return states that jump as functions of time; V does not depend on them."""
-    moved = {s for change in jumps.values() for s, after in change.items() if s != after}
+    moved = {
+        s for change in jumps.values() for s, after in change.items() if s != after
+    }
     if moved & V.free_symbols:
         raise NoCertificate(f"{moved.pop()} is in V and jumps")
     return dict.fromkeys(moved, "signals")
@@ -154,14 +158,21 @@ def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
 class LawLoop:
     """A law's loop in x and e = x - z; `read` puts in what is known of its symbols."""
 
-    def __init__(self, loop: Any, read: Callable[[Expr], Expr] = lambda e: e, fixed: set = frozenset()):
+    def __init__(
+        self,
+        loop: Any,
+        read: Callable[[Expr], Expr] = lambda e: e,
+        fixed: set = frozenset(),
+    ):
         x, z, N = loop.states["x"], loop.states["z"], len(loop.inputs["phi_x"])
         self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         in_e = {c: a - b for a, b, c in zip(x, self.e, z, strict=True)}
         self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
         self.fixed, self.truth, self.x = {*loop.values} | fixed, truth_in(loop), [*x]
         motion = {s: self.read(rate) for s, rate in loop.motion.items()}
-        motion |= {b: motion[a] - motion.pop(c) for a, b, c in zip(x, self.e, z, strict=True)}
+        motion |= {
+            b: motion[a] - motion.pop(c) for a, b, c in zip(x, self.e, z, strict=True)
+        }
         self.V = self.read(loop.signals["V"][0])
         functions, N = still(loop.jumps, self.V), [f"N = {N}"]
         self.case = Case(motion, self.fixed, [], [], functions=functions, conditions=N)
@@ -199,7 +210,13 @@ def of_law(law: Any) -> Ways:
         forms = {s: s - true for s, true in rest.items()}
         return pulled(case, V, along(V, case.motion), rest, forms)
 
-    return [loop.falls, lambda: lost(replace(loop.case, V=terms_of(V, loop.fixed)), along(V, loop.case.motion)), pulls]
+    return [
+        loop.falls,
+        lambda: lost(
+            replace(loop.case, V=terms_of(V, loop.fixed)), along(V, loop.case.motion)
+        ),
+        pulls,
+    ]
 
 
 def of_theorem(law: str, N: int, **options: Any) -> Ways:
@@ -207,13 +224,17 @@ def of_theorem(law: str, N: int, **options: Any) -> Ways:
     return [lambda: LawLoop(symbolic_loop(theorem_loop(N, law, **options))).falls()]
 
 
-def of_loop(diagram: Diagram, V: Callable[[SymbolicLoop], Expr], *conditions: str) -> Ways:
+def of_loop(
+    diagram: Diagram, V: Callable[[SymbolicLoop], Expr], *conditions: str
+) -> Ways:
     """Return the way to write V' of a diagram as minus a sum of squares."""
 
     def falls() -> Case:
         loop = symbolic_loop(diagram)
         level, fixed = V(loop), {*loop.values}
-        case = Case(loop.motion, fixed, terms_of(level, fixed), [], conditions=[*conditions])
+        case = Case(
+            loop.motion, fixed, terms_of(level, fixed), [], conditions=[*conditions]
+        )
         return lost(case, sympy.expand(along(level, loop.motion)))
 
     return [falls]
@@ -228,7 +249,9 @@ def without(reason: str) -> Ways:
     return [none]
 
 
-def with_certificates(prove: Callable[[], Proof], cases: Callable[[], Iterable[Ways]]) -> Proof:
+def with_certificates(
+    prove: Callable[[], Proof], cases: Callable[[], Iterable[Ways]]
+) -> Proof:
     """Return a proof with the certificates of its cases, such as N = 1, 2, 3, in a list."""
     found = [written(ways, []) for ways in cases()]
     reason = next((why for _, why in found if why), "")
@@ -246,7 +269,9 @@ class WithRelations(LawLoop):
 
     def __init__(self, inv: Any):
         law = self.law = inv.case
-        super().__init__(inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed)
+        super().__init__(
+            inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed
+        )
         held = {s for M in law.symmetric.values() for s in M.flat} | inv.exist
         bounded = {*inv.forms}
         for s in held - self.V.free_symbols:
@@ -254,21 +279,35 @@ class WithRelations(LawLoop):
         self.case.semidefinite = law.symmetric
         for s in law.relations:
             self.case.motion.pop(s)
-        put_in = [port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()]
+        put_in = [
+            port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()
+        ]
         self.case.conditions.append(f"the relations of {', '.join(put_in)} hold")
-        truth, states, read = self.truth, law.states, np.vectorize(self.read, otypes=[object])
+        truth, states, read = (
+            self.truth,
+            law.states,
+            np.vectorize(self.read, otypes=[object]),
+        )
         gains = read(np.stack([states["K"] - truth.KD, states["Gamma"] - truth.GammaD]))
         self.errors = [[row] for row in gains.T]  # rows that matrices weigh
         weighted = law.weighted_error
         self.errors += [] if weighted is None else [[*read(weighted)]]
-        self.errors += [[*read(truth.theta + states["alpha"])]] if "alpha" in states else []
+        self.errors += (
+            [[*read(truth.theta + states["alpha"])]] if "alpha" in states else []
+        )
 
     def case_of(self) -> Case:
         """Return V' of the law with its losses."""
         case, law = self.case, self.law
-        least = self.V.xreplace({s: S.Zero for M in law.symmetric.values() for s in M.flat})
-        case.V = terms_of(least, self.fixed) + self.weighed(sympy.expand(self.V - least))
-        case.losses = [term for factors in law.losses for term in self.product_of(factors)]
+        least = self.V.xreplace(
+            {s: S.Zero for M in law.symmetric.values() for s in M.flat}
+        )
+        case.V = terms_of(least, self.fixed) + self.weighed(
+            sympy.expand(self.V - least)
+        )
+        case.losses = [
+            term for factors in law.losses for term in self.product_of(factors)
+        ]
         return self.falls(self.read(Add(*(Mul(*factors) for factors in law.losses))))
 
     def weighed(self, expression: Expr) -> list[Term]:
@@ -286,14 +325,23 @@ class WithRelations(LawLoop):
         terms = [Term(S.One, [S.One])]
         for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
             if found := self.weighed(factor):
-                terms = [f._replace(weight=t.weight * f.weight, factor=t.factor) for t in terms for f in found]
+                terms = [
+                    f._replace(weight=t.weight * f.weight, factor=t.factor)
+                    for t in terms
+                    for f in found
+                ]
                 continue
             try:
                 found = terms_of(factor, self.fixed)
             except NoCertificate:
                 found = [Term(S.One, [S.One], factor=factor)]
             terms = [
-                Term(t.weight * f.weight, [b * f.basis[0] for b in t.basis], t.matrix, t.factor * f.factor)
+                Term(
+                    t.weight * f.weight,
+                    [b * f.basis[0] for b in t.basis],
+                    t.matrix,
+                    t.factor * f.factor,
+                )
                 for t in terms
                 for f in found
             ]

@@ -71,7 +71,9 @@ class Case:
             "decay": [self.polynomial(self.decay)] if self.decay else [],
             "assumed": [*map(self.polynomial, dict.fromkeys(factors))],
             "semidefinite": {
-                name: [[*map(self.name, row)] for row in self.semidefinite[name].tolist()]
+                name: [
+                    [*map(self.name, row)] for row in self.semidefinite[name].tolist()
+                ]
                 for name in sorted(used)
             },
         }
@@ -79,7 +81,9 @@ class Case:
         kinds = {name: self.kind(atom) for atom, name in self.names.items()}
         for kind in ("positive", "constants", "inputs", "positive_inputs", "signals"):
             data[kind] = [name for name, k in kinds.items() if k == kind]
-        divisors = [f"{self.names[r]} = 1/({short(e)})" for e, r in self.divisors.items()]
+        divisors = [
+            f"{self.names[r]} = 1/({short(e)})" for e, r in self.divisors.items()
+        ]
         return data | {"conditions": [*self.conditions, *divisors]} | strongest(data)
 
     def rates(self) -> dict[str, list]:
@@ -101,7 +105,9 @@ class Case:
         return {
             "weight": [*map(self.polynomial, weights)],
             "basis": [*map(self.polynomial, term.basis)],
-            "matrix": term.matrix if is_name else [[*map(str, row)] for row in term.matrix],
+            "matrix": term.matrix
+            if is_name
+            else [[*map(str, row)] for row in term.matrix],
         }
 
     def name(self, atom: Any) -> str:
@@ -142,7 +148,9 @@ class Case:
         total = squares(base, self.fixed) if base.is_Add else None
         is_masked = base.is_Symbol and base not in self.motion and base.is_positive
         if not is_masked and not (total and total.constant.is_positive):
-            raise NoCertificate(f"{short(base)} divides, and is not known to be positive")
+            raise NoCertificate(
+                f"{short(base)} divides, and is not known to be positive"
+            )
         r = self.divisors.setdefault(base, sympy.Dummy(f"r_{len(self.divisors) + 1}"))
         self.functions[r] = "positive_inputs"
         return r
