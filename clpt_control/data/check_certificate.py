@@ -15,6 +15,7 @@ polynomial is a list of [coefficient, {symbol: power}].  docs/certificates.md ha
 import json
 import sys
 from fractions import Fraction
+from pathlib import Path
 
 FORMAT = "clpt certificate 1"
 ABOUT = ("goes to zero", "square-integrable", "bounded in the mean")  # forms of losses
@@ -32,7 +33,7 @@ def need(holds, problem):
 
 def combined(pairs):
     """Return the sum of coefficients of equal monomials."""
-    p = {}
+    p: dict = {}
     for m, c in pairs:
         p[m] = p.get(m, 0) + c
     return {m: c for m, c in p.items() if c}
@@ -65,7 +66,7 @@ def along(p, rates):
 
 def replace(p, s, value):
     """Return p with a polynomial in place of a symbol."""
-    total = {}
+    total: dict = {}
     for m, c in p.items():
         term = {tuple(f for f in m if f[0] != s): c}
         for _ in range(dict(m).get(s, 0)):
@@ -101,7 +102,7 @@ def is_definite(M):
         need(M[k][k] > 0 or not any(M[k][k:]), "a matrix is not semidefinite")
         for i in size[k + 1 :] if M[k][k] else ():
             share = M[i][k] / M[k][k]
-            M[i] = [a - share * b for a, b in zip(M[i], M[k])]
+            M[i] = [a - share * b for a, b in zip(M[i], M[k], strict=True)]
     return all(M[k][k] > 0 for k in size)
 
 
@@ -150,7 +151,7 @@ class Certificate:
 
     def matrix(self, rows):
         """Read a symmetric matrix of symbols."""
-        columns = [[*column] for column in zip(*rows)]
+        columns = [[*column] for column in zip(*rows, strict=True)]
         need(rows == columns, "a matrix is not symmetric")
         return [[self.read([[1, {s: 1}]]) for s in row] for row in rows]
 
@@ -166,7 +167,8 @@ class Certificate:
 
     def terms(self, data):
         """Return a sum of terms, and the forms that are bounded where the sum is bounded."""
-        total, forms = {}, []
+        total: dict = {}
+        forms: list = []
         for term in data:
             weight, is_strict = self.weight(term["weight"])
             M, basis = term["matrix"], [*map(self.read, term["basis"])]
@@ -179,8 +181,8 @@ class Certificate:
                 {len(M), *map(len, M)} == {len(basis)},
                 "a matrix does not fit its basis",
             )
-            for row, p in zip(M, basis):
-                for entry, q in zip(row, basis):
+            for row, p in zip(M, basis, strict=True):
+                for entry, q in zip(row, basis, strict=True):
                     total = add(
                         total, multiply(multiply(weight, entry), multiply(p, q))
                     )
@@ -194,7 +196,8 @@ class Certificate:
 
         States are eliminated one by one.
         """
-        values, can_vanish, left = {}, True, {f"#{k}": p for k, p in enumerate(forms)}
+        values: dict = {}
+        can_vanish, left = True, {f"#{k}": p for k, p in enumerate(forms)}
         while pivot := self.pivot(left, known):
             mark, s, value, vanishes = pivot
             del left[mark]
@@ -223,7 +226,8 @@ class Certificate:
 
     def bounded_states(self):
         """Return the states that are bounded: by V, or stable and driven by what is bounded."""
-        known, before = set(), None
+        known: set = set()
+        before = None
         while known != before:
             before = {*known}
             values, _ = self.determined(self.forms, known)
@@ -250,7 +254,8 @@ class Certificate:
         degrees = [
             sum(n for s, n in m if s in free) for f in free for m in self.rates[f]
         ]
-        exist, found = max(degrees, default=0) <= 1, {"V' is at most the push": []}
+        exist = max(degrees, default=0) <= 1
+        found: dict = {"V' is at most the push": []}
         if falls:
             found |= {"V does not increase": [], "square-integrable": of_states}
         elif exist and names(self.push) <= self.bounded | self.signals:
@@ -306,8 +311,8 @@ def main(paths):
     failed = not paths
     for path in paths:
         try:
-            with open(path, encoding="utf-8") as file:
-                print(f"{path}: checked: {checked(json.load(file))}")
+            data = json.loads(Path(path).read_text("utf-8"))
+            print(f"{path}: checked: {checked(data)}")
         except Exception as error:  # a file of any content is rejected in one line
             failed, is_known = True, isinstance(error, (ValueError, OSError))
             print(f"{path}: rejected: {error if is_known else f'malformed: {error!r}'}")

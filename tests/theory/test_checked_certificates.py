@@ -1,4 +1,4 @@
-"""Certificates are accepted by a checker that knows nothing of the package; altered ones are not."""
+"""A checker without the package accepts certificates, and rejects altered ones."""
 
 import json
 import subprocess
@@ -16,7 +16,10 @@ import clpt_control as clpt
 ROOT = Path(__file__).parents[2]
 CHECKER = ROOT / "tools" / "check_certificate.py"
 LAWS = {  # with settings that a law needs
-    **dict.fromkeys(("learned-flow", "sigma", "concurrent", "normalised-gradient"), {}),
+    **{
+        key: {}
+        for key in ("learned-flow", "sigma", "concurrent", "normalised-gradient")
+    },
     "kalman-flow": {"learning.parameters": None},
 }
 STRENGTH = ("asymptotically stable", "goes to zero", "stable", "V does not increase")
@@ -229,7 +232,7 @@ def test_no_certificate_has_a_reason():
 def test_clpt_prove_writes_them(clpt, tmp_path):
     printed = clpt("prove", "learned-flow", "--certificates", tmp_path / "out")
     path = tmp_path / "out" / "law_learned-flow.json"
-    assert "Wrote 1 certificates" in str(printed)
+    assert "Wrote 1 certificate to" in str(printed)
     (line,), status = checked([path])
     assert status == 0
     assert "checked: goes to zero" in line

@@ -19,18 +19,19 @@ CHECKER = "python -m clpt_control.data.check_certificate"
 def write_certificates(outcomes: dict[Any, Any], folder: Path, quiet: bool) -> None:
     """Write the certificate of each proof that has one; print the reason of one that has none."""
     make_folder(folder)
-    names = []
+    lines, count = [], 0
     for statement, proof in outcomes.items():
         if statement.room not in NAMES:
             continue
         title, file = (text.format(statement.name) for text in NAMES[statement.room])
         if proof.certificate is None:
-            reason = proof.why_no_certificate or "it is about no single V'"
-            quiet or say(f"{title} has no certificate: {reason}.")
+            reason = proof.why_no_certificate or "the statement is not about one V'"
+            lines.append(f"{title}: has no certificate, as {reason}.")
             continue
-        names.append(file.replace(".", "_").replace(" ", "_") + ".json")
-        write_file(folder / names[-1], json.dumps(proof.certificate, indent=1) + "\n")
-    quiet or say(
-        f"Wrote {len(names)} certificates to {folder}. Check them with: "
-        f"{CHECKER} {folder}/*.json\n"
-    )
+        name = file.replace(".", "_").replace(" ", "_")
+        write_file(folder / f"{name}.json", json.dumps(proof.certificate, indent=1))
+        count += 1
+    files = f"{count} certificate{'s' * (count != 1)}"
+    lines.append(f"Wrote {files} to {folder}. Check with: {CHECKER} {folder}/*.json\n")
+    for line in lines if not quiet else ():
+        say(line)

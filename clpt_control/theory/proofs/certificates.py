@@ -9,7 +9,7 @@ Relations of a law's states, such as b = theta Q, are put in before.  `invariant
 are kept; they are conditions of a certificate.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 from dataclasses import replace
 from itertools import chain
 from typing import Any
@@ -23,9 +23,9 @@ from ...engine.diagram.symbol_names import TIME
 from .certified import Case, NoCertificate, Term, written
 from .exact import vanishes
 from .facts import along
+from .proof import Proof
 from .steps import short
 from .sums_of_squares import squares
-from .proof import Proof
 from .symbolic_loop import SymbolicLoop, symbolic_loop
 from .theorem_loop import theorem_loop, truth_in
 from .ultimate_bounds import in_forms, pulled_at_once
@@ -162,61 +162,59 @@ class LawLoop:
         self,
         loop: Any,
         read: Callable[[Expr], Expr] = lambda e: e,
-        fixed: set = frozenset(),
+        fixed: Set = frozenset(),
     ):
         x, z, N = loop.states["x"], loop.states["z"], len(loop.inputs["phi_x"])
         self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         in_e = {c: a - b for a, b, c in zip(x, self.e, z, strict=True)}
         self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
         self.fixed, self.truth, self.x = {*loop.values} | fixed, truth_in(loop), [*x]
+        self.pairs = [*zip(self.e, self.truth.KD, strict=True)]
         motion = {s: self.read(rate) for s, rate in loop.motion.items()}
-        motion |= {
-            b: motion[a] - motion.pop(c) for a, b, c in zip(x, self.e, z, strict=True)
-        }
+        for a, b, c in zip(x, self.e, z, strict=True):
+            motion[b] = motion[a] - motion.pop(c)
         self.V = self.read(loop.signals["V"][0])
-        functions, N = still(loop.jumps, self.V), [f"N = {N}"]
-        self.case = Case(motion, self.fixed, [], [], functions=functions, conditions=N)
+        self.case = Case(motion, self.fixed, [], [], conditions=[f"N = {N}"])
+        self.case.functions |= still(loop.jumps, self.V)
 
-    def falls(self, lost_beside: Expr = S.Zero) -> Case:
-        """Return V' as losses of e, those that the case has, and a push where V' has more."""
-        case, (k_1, k_2) = self.case, self.truth.KD
+    def falls(self, others: Expr = S.Zero) -> Case:
+        """Return V' as losses of e and `others`, which the case has, and a push if more is left."""
+        case, push, losses = self.case, S.Zero, list[Term]()
+        decay = Add(*(k * e**2 for e, k in self.pairs))
+        left = along(self.V, case.motion) + others + decay
+        is_pushed = not vanishes(left)
+        for e, k in self.pairs:
+            drive = sympy.diff(left, e)
+            losses += [Term(k / 2, [e]), Term(k / 2, [e - drive / k])] * is_pushed
+            push += drive**2 / (2 * k) if is_pushed else 0
+        losses = losses or [Term(k, [e]) for e, k in self.pairs]
         V = case.V or terms_of(self.V, self.fixed)
-        left = along(self.V, case.motion) + lost_beside
-        left += Add(*(k * e**2 for e, k in zip(self.e, self.truth.KD, strict=True)))
-        if vanishes(left):
-            losses = [Term(k, [e]) for e, k in zip(self.e, self.truth.KD, strict=True)]
-            return replace(case, V=V, losses=[*case.losses, *losses])
-        losses, push = [], S.Zero
-        for e, k in zip(self.e, self.truth.KD, strict=True):
-            d = sympy.diff(left, e)
-            losses += [Term(k / 2, [e]), Term(k / 2, [e - d / k])]
-            push += d**2 / (2 * k)
         return replace(case, V=V, losses=[*case.losses, *losses], push=push)
 
 
 def of_law(law: Any) -> Ways:
     """Return the ways to write V' of a `LawCandidate`; in the last a disturbance pushes e."""
     loop = LawLoop(law.loop, lambda e: e.xreplace(law.known))
-    V = law.V.xreplace(dict(zip(law.e, loop.e, strict=True)))
+    case, V = loop.case, loop.V
+
+    def loses() -> Case:
+        return lost(replace(case, V=terms_of(V, loop.fixed)), along(V, case.motion))
 
     def pulls() -> Case:
-        case, rest = loop.case, dict(law.least or {})
-        rest = {dict(zip(law.e, loop.e)).get(s, s): true for s, true in rest.items()}
-        case = replace(case, V=terms_of(V, loop.fixed), motion=dict(case.motion))
+        own = dict(zip(law.e, loop.e, strict=True))
+        rest = {own.get(s, s): true for s, true in (law.least or {}).items()}
+        motion, deltas = (
+            dict(case.motion),
+            sympy.symbols("Delta_1:3", cls=sympy.Function),
+        )
         if law.takes_delta():
-            for k, (s, e) in enumerate(zip(loop.x, loop.e, strict=True), 1):
-                delta = sympy.Function(f"Delta_{k}", real=True)(TIME)
-                case.motion |= {s: case.motion[s] + delta, e: case.motion[e] + delta}
+            for s, e, delta in zip(loop.x, loop.e, deltas, strict=True):
+                motion[s], motion[e] = motion[s] + delta(TIME), motion[e] + delta(TIME)
         forms = {s: s - true for s, true in rest.items()}
-        return pulled(case, V, along(V, case.motion), rest, forms)
+        disturbed = replace(case, V=terms_of(V, loop.fixed), motion=motion)
+        return pulled(disturbed, V, along(V, motion), rest, forms)
 
-    return [
-        loop.falls,
-        lambda: lost(
-            replace(loop.case, V=terms_of(V, loop.fixed)), along(V, loop.case.motion)
-        ),
-        pulls,
-    ]
+    return [loop.falls, loses, pulls]
 
 
 def of_theorem(law: str, N: int, **options: Any) -> Ways:

@@ -48,7 +48,7 @@ class Term(NamedTuple):
 class Case:
     """Equations with V, and V' as a sum."""
 
-    motion: Mapping[Any, Expr]
+    motion: dict[Any, Expr]
     fixed: set  # symbols of parameters
     V: list[Term]
     losses: list[Term]
@@ -134,7 +134,7 @@ class Case:
             coefficient, product = term.as_coeff_Mul()
             factors = [f.as_base_exp() for f in Mul.make_args(product) if f != 1]
             for base, power in factors:
-                is_symbol = base.is_Symbol and base != TIME or base.args == (TIME,)
+                is_symbol = (base.is_Symbol and base != TIME) or base.args == (TIME,)
                 if not (is_symbol and power.is_Integer and coefficient.is_Rational):
                     raise NoCertificate(f"{short(term)} is no polynomial")
             powers_of = {self.name(base): int(power) for base, power in factors}
