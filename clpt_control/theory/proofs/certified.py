@@ -136,7 +136,7 @@ class Case:
             for base, power in factors:
                 is_symbol = (base.is_Symbol and base != TIME) or base.args == (TIME,)
                 if not (is_symbol and power.is_Integer and coefficient.is_Rational):
-                    raise NoCertificate(f"{short(term)} is no polynomial")
+                    raise NoCertificate(f"{short(base**power)} is no polynomial")
             powers_of = {self.name(base): int(power) for base, power in factors}
             terms += [[str(coefficient), powers_of]] if coefficient else []
         return terms
