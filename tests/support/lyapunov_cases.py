@@ -1,4 +1,10 @@
-"""Systems with a V each: right ones, and wrong ones of many kinds, most as they are written."""
+"""Systems with a V each: right ones, and wrong ones of many kinds, most as they are written.
+
+A right one stands under the strongest conclusion that is true of it; `LESS` has those of which a
+weaker conclusion is shown, which is true as well.
+"""
+
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -154,56 +160,63 @@ def tuner(b, mu):
 
 
 RIGHT = {
-    "MRAC": (mrac(), textbook),
-    "MRAC, numbers in V": (
-        mrac(),
-        lambda s: (
-            (s.y - s.ym) ** 2 / 2 + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.kx + 5 / 3) ** 2)
+    "asymptotically stable": {
+        "tanh": "x' = -tanh(x)",
+        "a chain of diodes": chain("(exp(40*{0}) - 1)"),
+        "a chain of soft dampers": chain("({0}/sqrt(1 + {0}**2))"),
+        "a barrier": "x' = minimum(-x, 1 - x)",
+        "a limit that is never reached": "x' = x**3 - maximum(x**2 + 0.5, 0.0)*x",
+        "gain of a higher wave": "x' = -(2 + sin(3*t))*x",
+        "gain of a wave's high power": "x' = -(1.001 - sin(t/1000)**2000)*x",
+        "V of time":  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
+        "x' = -x - exp(-2*t)*y; y' = x - y; V = x**2 + (1 + exp(-2*t))*y**2",
+        "gain that grows": "x' = -t*x",
+        "a divisor of masses": "q' = v; v' = -(q + v)/(M*m - c**2); V = q**2 + (M*m - c**2)*v**2; "
+        "m = 1; M = 2; c = 0.5",
+        "a power that a parameter gives": "x' = -x**n; n = 3",
+        "a spinning body":  # Euler's equations, J = 1, 2, 3
+        "x' = -y*z - 0.2*x; y' = (2*z*x - 0.2*y)/2; z' = (-x*y - 0.2*z)/3; "
+        "V = x**2/2 + y**2 + 1.5*z**2",
+        "a cross term": "x' = y; y' = -x - y; V = 1.5*x**2 + x*y + y**2",
+        "a rest elsewhere": "x' = 3 - x; V = (x - 3)**2; at x = 3",
+        "a jump that turns": (memory(-1.0),),
+        "a pull that ends at rest": "x' = -sign(x)*sqrt(abs(x))",
+        "a pull that is limited": "x' = -clip(x, -1, 1)",
+        "a pull of two strengths": "x' = where(x > 0, -x, -2*x)",
+        "a square of squares": "x' = y - x**3; y' = -x; V = (x**2 + y**2)**2",
+        "a diode": "x' = 1 - exp(x)",
+        "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)),),
+        "a sine beside squares": "x' = -x + 0.5*sin(y); y' = -y",
+        "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)),),
+        "a polynomial that just stays below zero": "x' = -x**5 + 1.9999*x**3 - x",
+        "V of a root that goes on rising": "x' = -x; V = x**2/sqrt(1 + x**2)",
+        "a gradient's flow": "x' = -(x**3 + x - y); y' = -(y - x + y**3); "
+        "V = x**4/4 + (x - y)**2/2 + y**4/4",
+    },
+    "comes to rest": {
+        "backstepping": backstepping(),
+        "pendulum": f"{PENDULUM}; {ENERGY}",
+        "two pendulums on one shaft": shaft(1),
+        "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
+        "two wells": "x' = y; y' = x - x**3 - y; V = y**2/2 + (x**2 - 1)**2/4",
+        "a pendulum a turn further": f"th' = w; w' = -sin(th) - w; {TURNED}; at th = 2*pi",
+        "friction of each state, and forces that do no work": rubbed(1.0),
+    },
+    "goes to zero": {
+        "MRAC": (mrac(), textbook),
+        "MRAC, numbers in V": (
+            mrac(),
+            lambda s: (
+                (s.y - s.ym) ** 2 / 2
+                + 0.75 * ((s.kr - 4 / 3) ** 2 + (s.kx + 5 / 3) ** 2)
+            ),
         ),
-    ),
-    "backstepping": backstepping(),
-    "observer": (observer(), of_the_error),
-    "pendulum": f"{PENDULUM}; {ENERGY}",
-    "tanh": "x' = -tanh(x)",
-    "two pendulums on one shaft": shaft(1),
-    "a chain of diodes": chain("(exp(40*{0}) - 1)"),
-    "a chain of soft dampers": chain("({0}/sqrt(1 + {0}**2))"),
-    "a barrier": "x' = minimum(-x, 1 - x)",
-    "a limit that is never reached": "x' = x**3 - maximum(x**2 + 0.5, 0.0)*x",
-    "a projection": "e' = -e + (1 - h)*f; h' = where((h > 2) & (e*f > 0), 0.0, e*f); "
-    "V = e**2/2 + (h - 1)**2/2; input f",
-    "a higher-order tuner": tuner(1.0, 2.0),
-    "a rate of which rounding is left": "x' = x*(-1.65*maximum(x, -0.7) - 1.65*0.7)",
-    "gain of a higher wave": "x' = -(2 + sin(3*t))*x",
-    "gain of a wave's high power": "x' = -(1.001 - sin(t/1000)**2000)*x",
-    "V of time":  # Khalil, Nonlinear Systems, 3rd ed., Example 4.20
-    "x' = -x - exp(-2*t)*y; y' = x - y; V = x**2 + (1 + exp(-2*t))*y**2",
-    "gain that grows": "x' = -t*x",
-    "a divisor of masses": "q' = v; v' = -(q + v)/(M*m - c**2); V = q**2 + (M*m - c**2)*v**2; "
-    "m = 1; M = 2; c = 0.5",
-    "a power that a parameter gives": "x' = -x**n; n = 3",
-    "a spinning body":  # Euler's equations, J = 1, 2, 3
-    "x' = -y*z - 0.2*x; y' = (2*z*x - 0.2*y)/2; z' = (-x*y - 0.2*z)/3; "
-    "V = x**2/2 + y**2 + 1.5*z**2",
-    "a cross term": "x' = y; y' = -x - y; V = 1.5*x**2 + x*y + y**2",
-    "a rest elsewhere": "x' = 3 - x; V = (x - 3)**2; at x = 3",
-    "a jump that turns": (memory(-1.0),),
-    "two wells": "x' = y; y' = x - x**3 - y; V = y**2/2 + (x**2 - 1)**2/4",
-    "a pull that ends at rest": "x' = -sign(x)*sqrt(abs(x))",
-    "a pull that is limited": "x' = -clip(x, -1, 1)",
-    "a pull of two strengths": "x' = where(x > 0, -x, -2*x)",
-    "a square of squares": "x' = y - x**3; y' = -x; V = (x**2 + y**2)**2",
-    "a diode": "x' = 1 - exp(x)",
-    "a pendulum a turn further": f"th' = w; w' = -sin(th) - w; {TURNED}; at th = 2*pi",
-    "a gain of its own in each interval": (counting(lambda k: -2 - np.sin(k)),),
-    "a sine beside squares": "x' = -x + 0.5*sin(y); y' = -y",
-    "a jump to its tanh": (jumping(lambda t, x, p: np.tanh(x.m)),),
-    "a polynomial that just stays below zero": "x' = -x**5 + 1.9999*x**3 - x",
-    "V of a root that goes on rising": "x' = -x; V = x**2/sqrt(1 + x**2)",
-    "V of what follows a wave": "x' = cos(t) + sin(t) - x; V = (x - sin(t))**2",
-    "friction of each state, and forces that do no work": rubbed(1.0),
-    "a gradient's flow": "x' = -(x**3 + x - y); y' = -(y - x + y**3); "
-    "V = x**4/4 + (x - y)**2/2 + y**4/4",
+        "observer": (observer(), of_the_error),
+        "a projection": "e' = -e + (1 - h)*f; h' = where((h > 2) & (e*f > 0), 0.0, e*f); "
+        "V = e**2/2 + (h - 1)**2/2; input f",
+        "a higher-order tuner": tuner(1.0, 2.0),
+        "V of what follows a wave": "x' = cos(t) + sin(t) - x; V = (x - sin(t))**2",
+    },
 }
 REFUTED = {
     "a chain with a link that pushes": chain("sin{0}"),
@@ -225,10 +238,6 @@ REFUTED = {
     "a gain of a fast wave": "x' = -(1 + 1.01*sin(1e6*t))*x",
     "a gain that turns at 900": "x' = -(900 - t)*x",
     "a gain that turns at the fifth breakpoint": (counting(lambda k: k - 5),),
-    "V of an output that is called as its state": (
-        lag(-1, lambda t, x: x - 1, "x"),
-        half,
-    ),
     "V of a table": "x' = 0.1*x; V = interp(abs(x), [0.0, 1.0, 2.0], [0.0, 1.0, 3.0])",
     "V of a floor": "x' = 0*x + 1; V = x*floor(x)",
     "a polynomial that just passes zero": "x' = -x**5 + 2.0001*x**3 - x",
@@ -295,45 +304,179 @@ OPEN = {  # no point shows it, or none is looked for
     "a place outside of a table": "x' = -x*(1 + lookup([1.0, 2.0], where(x > 1e6, 5, 0))**2)",
     "V of an area cosine": "x' = 0*x; V = arccosh(x)**2 + x**2",
 }
-BESIDE = {  # V' <= 0 is right, and more is to be said
-    "V of what runs with time": ("but for x", "x' = 1 + 0*x; V = (x - t)**2"),
-    "V that a parameter of zero lets go": (
-        "but for x", "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; k = 0"
+BESIDE = {  # more is to be said: the conclusion, its conditions, and the system with its V
+    "V of what runs with time": (
+        "V does not increase",
+        {"outside V": "x is", "t >= 0": ""},
+        "x' = 1 + 0*x; V = (x - t)**2",
     ),
-    "oscillators that agree": ("but for a", "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)"),
-    "an angle that drives": ("but for th, y", f"th' = w; w' = -sin(th); y' = th - y; {TURNED}"),
-    "an angle whose square turns": (
-        "but for th", f"th' = w; w' = -sin(th) - w*(2 + sin(th**2)); {TURNED}"
+    "V that a parameter of zero lets go": (
+        "goes to zero",
+        {"outside V": "x is", "values": ""},
+        "x' = x; y' = 0*k - y; V = (y + k*x)**2 + y**2; k = 0",
+    ),
+    "oscillators that agree": (
+        "goes to zero",
+        {"outside V": "a is"},
+        "a' = sin(b - a); b' = sin(a - b); V = 1 - cos(a - b)",
+    ),
+    "an angle that drives": (
+        "V does not increase",
+        {"outside V": "th, y are"},
+        f"th' = w; w' = -sin(th); y' = th - y; {TURNED}",
+    ),
+    "an angle whose square turns": (  # w' is bounded, however large the angle is
+        "goes to zero",
+        {"outside V": "th is"},
+        f"th' = w; w' = -sin(th) - w*(2 + sin(th**2)); {TURNED}",
     ),
     "what runs with an angle": (
-        "but for th, q", f"th' = w; w' = -sin(th); z' = w; q' = z - q; {TURNED} + (z - th)**2"
+        "V does not increase",
+        {"outside V": "th, q are"},
+        f"th' = w; w' = -sin(th); z' = w; q' = z - q; {TURNED} + (z - th)**2",
     ),
-    "a source that drives": ("but for y", (sourced(lambda t: np.array([t**2])), half)),
-    "V that misses a state": ("but for y", "x' = -x; y' = y; V = x**2/2"),
-    "a jump of what V misses": ("but for n", (memory(0.5, 3.0), lambda s: s.m**2)),
-    "V that misses two integrators": (  # whose eigenvalues are -1e-10 in floating point
-        "but for y, z", "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2"
+    "V that misses a state": (
+        "goes to zero",
+        {"outside V": "y is"},
+        "x' = -x; y' = y; V = x**2/2",
+    ),
+    "a jump of what V misses": (
+        "goes to zero",
+        {"outside V": "n is"},
+        (memory(0.5, 3.0), lambda s: s.m**2),
+    ),
+    "V that misses two integrators": (  # eigenvalues are -1e-10 in floating point
+        "goes to zero",
+        {"outside V": "y, z are"},
+        "x' = -x; y' = (3*y + x)/10 - 9*z/100; z' = y - 3*z/10; V = x**2/2",
     ),
     "a jump that rises at no breakpoint": (
-        "between jumps", (jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),)
+        "V does not increase",
+        {"between jumps": "jumps"},
+        (jumping(lambda t, x, p: (1 + np.sin(np.pi * t) ** 2) * x.m),),
     ),
     "a jump that would rise before the first breakpoint": (
-        "between jumps", (jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),)
+        "V does not increase",
+        {"between jumps": "jumps"},
+        (jumping(lambda t, x, p: np.where(p.interval < 0.5, 2.0, 0.5) * x.m),),
     ),
     "an angle that ends": (
-        "as long as th exist", f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}"
+        "V does not increase",
+        {"existence": "th"},
+        f"th' = w*(1 + th**2); w' = -sin(th)*(1 + th**2); {TURNED}",
     ),
-    "V of the sum alone": ("as long as x exist", "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2"),
-    "V that misses a state that ends": ("as long as y exist", "x' = -x; y' = 1 + y**2; V = x**2/2"),
-}  # fmt: skip
+    "V of the sum alone": (
+        "square-integrable",
+        {"existence": "x"},
+        "x' = -x + y**3; y' = -y - y**3; V = (x + y)**2",
+    ),
+    "V that misses a state that ends": (
+        "square-integrable",
+        {"existence": "y"},
+        "x' = -x; y' = 1 + y**2; V = x**2/2",
+    ),
+    "V of an output that is called as its state": (  # V' = -y (y + 1) <= 1/2 - V
+        "ultimately bounded",
+        {},
+        (lag(-1, lambda t, x: x - 1, "x"), half),
+    ),
+    "V of no certain sign": (  # y falls to zero where it is positive, x goes to 3
+        "V does not increase",
+        {"outside V, bounded": "x, y are"},
+        "x' = 3 - x; y' = -y; V = (y + abs(y))**2",
+    ),
+}
+LESS = {  # a weaker conclusion is shown
+    **dict.fromkeys(
+        (
+            "a chain of diodes",
+            "a chain of soft dampers",
+            "a diode",
+            "a higher-order tuner",
+            "a polynomial that just stays below zero",
+            "a pull of two strengths",
+            "a rate of which rounding is left",
+            "a sine beside squares",
+            "friction of each state, and forces that do no work",
+            "gain of a wave's high power",
+            "gain that grows",
+        ),
+        "stable",
+    ),
+    "a square of squares": "comes to rest",
+}
+OF_TIME = (
+    "gain of a higher wave",
+    "gain of a wave's high power",
+    "gain that grows",
+    "V of time",
+    "V of what follows a wave",
+)
+NEEDED = {  # conditions of right ones
+    "MRAC": {"outside V, bounded": "ym is", "bounded inputs": "r is"},
+    "MRAC, numbers in V": {
+        "outside V, bounded": "ym is",
+        "bounded inputs": "r is",
+        "values": "",  # b = 3
+    },
+    "observer": {
+        "outside V, bounded": "x1, x2 are",
+        "bounded inputs": "u is",  # else x1 and x2 are not bounded
+        "values": "",  # of P
+    },
+    "a projection": {"bounded inputs": "f is"},
+    "a higher-order tuner": {"values": ""},  # b mu >= 0.8
+    "a divisor of masses": {"values": ""},  # M m > c^2
+    "a power that a parameter gives": {"values": ""},  # n is odd
+    **{name: {"t >= 0": ""} for name in OF_TIME},
+}
+MISSED = {  # what is not said as it should be
+    "a projection": "V' is not taken piece by piece, and is shown for f = 0 alone",
+    "observer": "x1 and x2 are bounded where u is, which is not said",
+    "V of what follows a wave": "x follows sin(t), and there is no rest to be stable",
+}
+ORDER = (  # each conclusion is true where one before it is
+    "asymptotically stable",
+    "comes to rest",
+    "goes to zero",
+    "square-integrable",
+    "stable",
+    "V does not increase",
+)
+
+
+class Case(NamedTuple):
+    """A system, its V, and what is right to say."""
+
+    status: str
+    plant: Any
+    V: Any
+    more: dict  # what else `lyapunov` is given
+    conclusions: tuple = ()  # true ones that are strong enough
+    conditions: Any = None
+
+
+def case(status, row, conclusions=(), conditions=None):
+    """Make a case of what is written."""
+    plant, V, *more = filled(*((row,) if isinstance(row, str) else row))
+    given = dict(*more)
+    return Case(status, plant, V, given, conclusions, conditions or {})
+
+
+def true_of(name, strongest):
+    """Conclusions from the strongest true one to the one that is shown at least."""
+    least = LESS.get(name, strongest)
+    return ORDER[ORDER.index(strongest) : ORDER.index(least) + 1]
+
+
 CASES = {
-    name: (status, *filled(*((row,) if isinstance(row, str) else row)))
-    for said, rows in {
-        "proved": RIGHT,
-        "refuted": REFUTED,
-        "open": OPEN,
-        "": BESIDE,
-    }.items()
+    name: case("proved", row, true_of(name, strongest), NEEDED.get(name))
+    for strongest, rows in RIGHT.items()
     for name, row in rows.items()
-    for status, row in [(said, row) if said else (f"proved {row[0]}", row[1])]
+}
+CASES |= {name: case("refuted", row) for name, row in REFUTED.items()}
+CASES |= {name: case("open", row) for name, row in OPEN.items()}
+CASES |= {
+    name: case("proved", row, (conclusion,), conditions)
+    for name, (conclusion, conditions, row) in BESIDE.items()
 }

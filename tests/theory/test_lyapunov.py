@@ -6,18 +6,17 @@ import control
 import numpy as np
 import pytest
 import sympy
-from lyapunov_cases import CASES, ENERGY, PENDULUM, half
+from lyapunov_cases import CASES, ENERGY, MISSED, PENDULUM, half
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control import lyapunov as judge
-from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.proofs import point_search
-from clpt_control.theory.proofs.exact import factored
-from clpt_control.theory.proofs.sums_of_squares import squares
-from clpt_control.theory.proofs.theorem_loop import theorem_loop
 
-lyapunov = partial(judge, points=50)  # at which the running blocks are called
+lyapunov = partial(clpt.lyapunov, points=50)  # at which the running blocks are called
+
+
+def fields_of(verdict):
+    """The conditions of a verdict: name -> of what."""
+    return {condition.name: condition.of for condition in verdict.conditions}
 
 
 EXACT = {  # V' in the user's own signals
@@ -27,9 +26,15 @@ EXACT = {  # V' in the user's own signals
     "pendulum": "-omega**2/10",
     "a spinning body": "-(x**2 + y**2 + z**2)/5",
     "van der Pol": "eps*y**2*(x - 1)*(x + 1)",
-    "V of an arm, no sum of squares": "-v1**2 - v2**2",  # its masses divide by 2 - cos(q2)^2
 }
-LONG = ("no value at a point", "a pull of powers without a number", "a needle")
+LONG = ("a pull of powers without a number", "a spring stronger in each interval")
+MARKS = {
+    **{name: [pytest.mark.slow] for name in LONG},
+    **{
+        name: [pytest.mark.xfail(strict=True, reason=reason)]
+        for name, reason in MISSED.items()
+    },
+}
 
 
 def test_a_point_that_refutes_is_not_near_the_equilibrium():
@@ -38,35 +43,44 @@ def test_a_point_that_refutes_is_not_near_the_equilibrium():
     spring = control.nlsys(rates, inputs=0, states=["x", "v"], name="spring")
     found = lyapunov(spring, lambda s: s.v**2 / 2 + s.x**2)
     assert found.status == "refuted"
-    assert 1.0 < np.abs(found.point.x).max() <= point_search.LARGE_STATE
+    assert 1.0 < np.abs(found.point.x).max() <= 1e8
     x, v = found.point.x
     assert found.value == pytest.approx(-v * (x + v / 5))
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=pytest.mark.slow) if n in LONG else n for n in CASES]
+    "name", [pytest.param(name, marks=MARKS.get(name, ())) for name in CASES]
 )
-def test_a_V_is_judged(name, monkeypatch):
-    status, plant, V, *more = CASES[name]
-    if status == "open":  # no point refutes it, and few draws look for one
-        monkeypatch.setattr(point_search, "SEARCHES", 4)
-    found = lyapunov(plant, V, **dict(*more))
-    if status == "refuted":
-        assert found.status.startswith(status), found.claim
+def test_a_V_is_judged(name):
+    case = CASES[name]
+    found = lyapunov(case.plant, case.V, **case.more)
+    assert found.status == case.status, found.claim
+    if case.status == "refuted":
         assert found.value is not None
     else:
-        assert found.status == status, found.claim
-    if status == "proved":
         assert found.point is None
-        assert all(step.holds for step in found.steps)
+    if case.status == "proved":
+        assert found.conclusion in case.conclusions
+        assert fields_of(found) == case.conditions
+    else:
+        assert (found.conclusion, found.conditions, found.level) == ("", (), None)
+        assert found.failed or found.point
     assert str(found.rate) == EXACT.get(name, str(found.rate))
 
 
+def test_a_level_that_V_comes_down_to_is_said():
+    """V' = -y (y + 1) of V = y^2/2 is at most 1/2 - V."""
+    case = CASES["V of an output that is called as its state"]
+    found = lyapunov(case.plant, case.V)
+    assert found.level == 0.5
+    assert found.sentence.endswith("so V comes down to 0.5")
+
+
 def test_a_point_of_refutation_is_one_of_the_running_blocks():
-    _, plant, V = CASES["van der Pol"]  # half the squares of x
-    found = lyapunov(plant, V)
+    case = CASES["van der Pol"]  # half the squares of x
+    found = lyapunov(case.plant, case.V)
     t, x, u = found.point
-    assert x @ plant.dynamics(t, x, u) == pytest.approx(found.value, rel=1e-6)
+    assert x @ case.plant.dynamics(t, x, u) == pytest.approx(found.value, rel=1e-6)
     assert found.value > 0
 
 
@@ -87,81 +101,79 @@ def test_V_is_a_name_a_function_or_an_expression():
         "outputs": {"V": 1},
     }
     lag = control.tf(1, [1, 2], inputs="w", outputs="q", name="lag")
-    found = lyapunov(
-        clpt.connect([lag, clpt.Block("meter", **half_square)], external="w"), "V"
-    )
-    assert (found.status, found.inputs) == ("proved where w = 0", ("w",))
+    meter = clpt.Block("meter", **half_square)
+    found = lyapunov(clpt.connect([lag, meter], external="w"), "V")
+    assert (found.status, found.inputs) == ("proved", ("w",))
+    assert fields_of(found) == {"zero inputs": "w"}
 
 
-def test_a_claim_is_compared_exactly():
+def test_a_claim_is_an_upper_bound():
+    """V' = -3 x^2: what is above is true, what is below is refuted at a point."""
     plant = written("x' = -3*x")[0]
-    assert lyapunov(plant, half, claim=lambda s: -3 * s.x**2).status == "proved"
+    for factor in (3, 2, 0.5):
+        found = lyapunov(plant, half, claim=lambda s, k=factor: -k * s.x**2)
+        assert (found.status, found.conclusion) == ("proved", "asymptotically stable")
     wrong = lyapunov(plant, half, claim=lambda s: -3.0001 * s.x**2)
     assert (wrong.status, str(wrong.rate)) == ("refuted", "-3*x**2")
-    assert "not as claimed" in wrong.claim
+    assert "V' is above the claim" in wrong.claim
+    x = float(wrong.point.x[0])
+    assert -3 * x**2 > -3.0001 * x**2
 
 
-SUMS = "x**2 + x*y + y**2; (y + x**3)**2 + x**2; k*(1 - cos(x)) + y**2; exp(x) - x - 1"
-RISING = "x**2*exp(-y); x*atan(x) - log(1 + x**2)/2"
-NO_SUMS = "x**2 + 3*x*y + y**2; x**4 - 2*x**3 + 0.999*x**2; x**3; x**2*y**2 - x*y"
+def test_a_claim_of_either_sign_says_no_more_than_it_shows():
+    """V' = x^2 <= 2 x^2 is true, and V does not fall."""
+    plant = written("x' = x")[0]
+    found = lyapunov(plant, half, claim=lambda s: 2 * s.x**2)
+    assert (found.status, found.conclusion) == ("proved", "V' is at most the claim")
+    assert lyapunov(plant, half).status == "refuted"
+    assert lyapunov(plant, half, claim=0).status == "refuted"
 
 
-@pytest.mark.parametrize("chance", [1, 12, 16])
-def test_what_has_no_factors_is_told_whatever_places_sympy_draws(chance):
-    """With SymPy's own few places it took minutes or more after these."""
-    a, b, c, x, y = sympy.symbols("a b c x y", real=True)
-    of_x = (x**2 - 1) * (180 * x**2 - 200 * x * a - 189 * x * sympy.tanh(x))
-    of_y = y * (b * y * (55 * y * sympy.cos(y) + 110 * sympy.sin(y) + 220))
-    of_y += y * c * (50 * y * sympy.cos(y) + 100 * sympy.sin(y) + 200)
-    whole = sympy.expand(of_x - of_y * sympy.exp(x**2))
-    sympy.core.cache.clear_cache()
-    sympy.core.random.seed(chance)
-    assert sympy.expand(factored(whole) - whole) == 0
-
-
-@pytest.mark.parametrize("text", f"{SUMS}; {RISING}; {NO_SUMS}".split("; "))
-def test_sums_of_squares(text):
-    names = {s: sympy.Symbol(s, real=True) for s in "xy"} | {
-        "k": sympy.Symbol("k", positive=True)
+def papers_loop(**gains):
+    """The paper's closed loop of one function, whose V is an output."""
+    one = {
+        "basis.centers": [[0, 0]],
+        "basis.widths": [5.0],
+        "basis.periods": [12.42],
+        "basis.phases": [0.0],
     }
-    V = sympy.nsimplify(sympy.sympify(text, locals=names), rational=True)
-    found = squares(V, {names["k"]})
-    assert (found is None) == (text in NO_SUMS.split("; "))
-    if found is not None:
-        assert sympy.simplify(sympy.Add(*found.terms) + found.constant - V) == 0
-        random = np.random.default_rng(0)
-        at = [
-            dict(zip(names.values(), abs(random.normal(size=3)), strict=True))
-            for _ in range(50)
-        ]
-        assert (
-            min([float(term.subs(one)) for one in at for term in found.terms]) > -1e-9
-        )
+    one |= {f"{k}.parameters": [[0.9], [0.4]] for k in ("flow", "model", "learning")}
+    scenario = clpt.paper_scenario().with_values({**one, "vehicle.feedback": [1, 0.7]})
+    row = clpt.laws()["learned-flow"]
+    law = row.of(1, **{"gain": scenario.learning.gain, **gains})
+    return clpt.closed_loop(scenario, law=law, external=["zc"])
+
+
+def eq_24(s):
+    off = np.sum((s.alpha + s.theta) ** 2) + np.sum((s.K - s.KD) ** 2)
+    return s.e @ s.e / 2 + (off + np.sum((s.Gamma - s.GammaD) ** 2)) / (2 * s.gain)
 
 
 def test_the_papers_law_is_proved():
-    loop = theorem_loop(2, "learned-flow")
-    found = lyapunov(loop, "V")
-    assert (found.status, found.inputs) == ("proved", ())
-    KD = next(
-        part for part in loop.syslist if part.name == "vehicle_controller"
-    ).parameters.KD
-    e = sympy.symbols("e[0] e[1]", real=True)
-    wanted = -sum(sympy.Rational(str(k)) * one**2 for k, one in zip(KD, e, strict=True))
-    assert sympy.expand(found.rate - wanted) == 0
-    wrong = theorem_loop(
-        2, "learned-flow", law_block=LAWS["learned-flow"].of(2, gain=-0.5)
+    """V' = -e^T KD e of Eq. (24), KD = 1, 0.7."""
+    found = lyapunov(papers_loop(), eq_24)
+    assert (found.status, found.conclusion) == ("proved", "goes to zero")
+    assert found.inputs == ()
+    assert str(found.rate) == "-e[0]**2 - 7*e[1]**2/10"
+    assert fields_of(found) == {
+        "outside V, bounded": "x is",
+        "bounded inputs": "zc is",
+        "values": "",
+    }
+    wrong = lyapunov(
+        papers_loop(gain=-0.5), lambda s: eq_24(s) + s.alpha[0] @ s.alpha[0]
     )
-    assert lyapunov(wrong, "V").status == "refuted"
+    assert wrong.status == "refuted"
 
 
 PLANT, _ = written("x' = -x")
 DRIVEN = partial(control.nlsys, lambda t, x, u, p: [x[0] * (u[0] - 1e6)], states=["x"])
+TWO = clpt.Block("two", update=lambda t, x, u, p: {"e": -x.e}, states={"e": 2})
 MISTAKES = {
     "has no 'W'": (PLANT, "W"),
     "no port 'q'": (PLANT, lambda s: s.q**2),
     "which returns a number and no block": (PLANT, lambda s: None),
-    "is not a single number": (theorem_loop(1, "learned-flow"), "e"),
+    "is not a single number": (TWO, "e"),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),
     "has no states": (
@@ -171,7 +183,7 @@ MISTAKES = {
     "at = {'x': nan}: must be": (PLANT, half, {"at": {"x": np.nan}}),
     "points = 0: must be a whole number, 1 or": (PLANT, half, {"points": 0}),
     "as they are x' has no value": written("x' = -x/k; k = 0"),
-    "discrete time": (control.ss(0.5, 1, 1, 0, dt=True), half),
+    "leave the claim out": (PLANT, half, {"claim": 0, "within": {"x": (-1, 1)}}),
     **{
         f"has a {name}, as time or a function is called": (DRIVEN(inputs=[name]), half)
         for name in ("t", "sign", "inside", "clip", "Abs")
@@ -188,8 +200,9 @@ def test_a_mistake_is_one_sentence(said):
 
 def test_a_result_says_itself():
     found = lyapunov(*written(f"{PENDULUM}; {ENERGY}"))
-    assert repr(found).startswith(
-        "<Verdict proved: V' = -omega**2/10 <= 0; V is positive"
+    assert repr(found) == (
+        "<Verdict proved: V' = -omega**2/10 <= 0, so every run comes to rest and "
+        "omega, sin(theta) go to zero>"
     )
     assert "sampled" in found._repr_html_()
 
@@ -211,10 +224,12 @@ def test_a_limit_at_infinity_is_none():
 def test_a_linear_system_says_nothing_of_params():
     """Nor is a number that is too large a warning of NumPy's: here each would be an error."""
     lag = control.ss([[0, 1], [-1, -2]], [[0], [1]], [[1, 0]], 0, name="lag")
-    assert lyapunov(lag).status == "proved where u = 0"
+    found = lyapunov(lag)
+    assert (found.status, found.conclusion) == ("proved", "asymptotically stable")
+    assert fields_of(found)["zero inputs"] == "u"
     plant, V = written(
         "a' = -a - (exp(a)*a*b + exp(b)*a**3); b' = -b + (exp(a)*a**2 + exp(b)*a*b); "
         "V = a**2 + b**2 + 0.1*a**4"
     )
     found = lyapunov(plant, V, within=dict.fromkeys("ab", (-0.5, 0.5)))
-    assert found.status == "proved in a region"
+    assert found.conclusion == "asymptotically stable in a region"
