@@ -6,8 +6,6 @@ u = e[2], phi_x[N], z[2], zc[2]; states alpha[2N], K[2], Gamma[2], section III.
 import numpy as np
 
 import clpt_control as clpt
-from clpt_control.engine.model.ports import places
-from clpt_control.simulation.initial_states import state_columns
 
 EACH = {"parameters": 0.8, "feedback": 0.3, "feedforward": 0.5}  # a gain for each part
 TRUE_GAINS = {"learning.feedback": [1, 1], "learning.feedforward": [1, 1]}
@@ -89,20 +87,22 @@ def off(run):
     )
 
 
+def places(labels):
+    """Return where each port is among labels, as K[0] and K[1] are of K."""
+    ports = [label.partition("[")[0] for label in labels]
+    return {port: [k for k, one in enumerate(ports) if one == port] for port in ports}
+
+
 def alone(law, t, phi, theta, **start):
     """Run a law of one without CLPE: its signals by port, where theta phi carries a vehicle from 0.
 
     phi (N, times), theta (2, N); v = 0, and states begin at 0 but for those in `start`.
     """
-    inputs = places({port: (size,) for port, size in law.input_ports.items()})
-    u, flow, columns = (
-        np.zeros((law.ninputs, len(t))),
-        theta @ phi,
-        state_columns([law]),
-    )
-    u[inputs["phi_x"][0]] = phi
+    inputs, columns = places(law.input_labels), places(law.state_labels)
+    u, flow = np.zeros((law.ninputs, len(t))), theta @ phi
+    u[inputs["phi_x"]] = phi
     steps = np.diff(t) * (flow[:, 1:] + flow[:, :-1]) / 2  # inputs are straight lines
-    u[inputs["x"][0], 1:] = np.cumsum(steps, axis=1)
+    u[inputs["x"], 1:] = np.cumsum(steps, axis=1)
     state = np.zeros(law.nstates)
     for port, value in start.items():
         state[columns[port]] = np.ravel(value)

@@ -7,17 +7,17 @@ those of states, parameters and inputs, where two have one x.x, u.x or p.x.
 
 import builtins
 import re
+from typing import Any, NamedTuple
 
 import numpy as np
 from law_blocks import LEARNED, filled
 
 from clpt_control import Block, lookup
-from clpt_control.paper.blocks.clpe import clpe
-from clpt_control.paper.laws.law import Truth
 
 N = 2
 GAIN = {"gain": 0.5}
 FLOW = {"flow_x": 2}
+TRUTH = ("theta", "KD", "GammaD")
 EPS = "(flow_x + alpha @ phi_x)"  # the flow's own prediction error
 OFF = "(sum((theta + alpha)**2) + sum((K - KD)**2) + sum((Gamma - GammaD)**2))"
 
@@ -112,7 +112,7 @@ def seen(text, c=0.3):
 
 def V_of(level, inputs=LEARNED, **parameters):
     """Make V of the truth, whatever vehicle and flow there are; `off` are all squared errors."""
-    V = formula(level, (), {**GAIN, **dict.fromkeys(Truth._fields), **parameters})
+    V = formula(level, (), {**GAIN, **dict.fromkeys(TRUTH), **parameters})
     return lambda truth: Block(
         "level",
         output=lambda t, x, u, p: {"V": V(t, x, u, p)},
@@ -225,7 +225,10 @@ FOR_TWO = {  # right for N = 2, and not for every N
     ),
     "wrong from N = 5 on": changed(FIFTH),
 }
-BOUNDED = {"leak": constant, "leak of alpha": leak("gain*c", ("alpha",), two(0.1))}
+BOUNDED = {  # V' <= -e^T KD e/2 - c/2 |eta|^2 + push, eta the errors of what leaks
+    "leak": (constant, "ultimately bounded"),
+    "leak of alpha": (leak("gain*c", ("alpha",), two(0.1)), "bounded in the mean"),
+}
 REFUTED = {
     "gain -0.5": with_numbers(paper, gain=-0.5),
     "every sign flipped": turned,
@@ -285,7 +288,15 @@ TOO_MUCH = {  # -> what is said
         driven("e*random.default_rng().random()"),
         "^own.update: .* draws random numbers",
     ),
-    "no law": (clpe, r"makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
+    "no law": (
+        lambda: Block(
+            "clpe",
+            output=lambda t, x, u, p: {"e": u.x - u.z},
+            inputs={"x": 2, "z": 2},
+            outputs={"e": 2},
+        ),
+        r"makes alpha\[2N\], K\[2\] and Gamma\[2\]",
+    ),
     "one z": (
         lambda: law(of_other_ports, GAIN, {"zc": 3, "z": 1}),
         "'zc?' has 2 signals",
@@ -363,9 +374,23 @@ def squares_lost(s, p, truth):
     return [(np.sum(eps**2), 1 / (2 * p.gain))]
 
 
-def shown(make, status="proved", **more):
-    """A law, what else `prove` is given, and what it says."""
-    return make, more, status
+class Shown(NamedTuple):
+    """A law, what else `prove` is given, and what is right to say."""
+
+    make: Any
+    more: dict
+    conclusion: str
+    conditions: dict  # name -> of what; N is asked apart
+
+
+USUAL = {"outside V, bounded": "x is", "bounded inputs": "phi_x, zc are"}
+OF_TRUE_FLOW = USUAL | {"reads the truth": "the true flow"}
+NO_LIMIT = {"outside V, bounded": "x is"}  # no rate of CLPE is asked for
+
+
+def shown(make, conclusion="goes to zero", conditions=USUAL, **more):
+    """A law, and the conclusion under its conditions."""
+    return Shown(make, more, conclusion, conditions)
 
 
 ZONES = {"gain": 0.5, "zone": np.array([0.1, 0.3])}
@@ -376,12 +401,14 @@ TEXTBOOK = {  # each with the V that proves it in two lines, or the default
     "a matrix of gains": shown(changed("alpha' = -outer(e, M @ phi_x)", MATRIX)),
     "axes mixed": shown(changed("alpha' = -outer(M @ e, phi_x)", MATRIX)),
     "gains crossed": shown(changed(CROSSED, two(0.1), n=1)),
-    "tanh of eps": shown(seen("tanh(eps)")),
-    "sign of eps": shown(seen("sign(eps)")),
-    "clip of eps": shown(seen("clip(eps, -0.2, 0.2)")),
-    "a dead zone of eps": shown(seen("(eps - clip(eps, -0.3, 0.3))")),
-    "eps exp(-eps^2)": shown(seen("eps*exp(-eps**2)")),
-    "eps and its cube": shown(seen("eps + eps**3")),
+    "tanh of eps": shown(seen("tanh(eps)"), conditions=OF_TRUE_FLOW),
+    "sign of eps": shown(seen("sign(eps)"), conditions=OF_TRUE_FLOW),
+    "clip of eps": shown(seen("clip(eps, -0.2, 0.2)"), conditions=OF_TRUE_FLOW),
+    "a dead zone of eps": shown(
+        seen("(eps - clip(eps, -0.3, 0.3))"), conditions=OF_TRUE_FLOW
+    ),
+    "eps exp(-eps^2)": shown(seen("eps*exp(-eps**2)"), conditions=OF_TRUE_FLOW),
+    "eps and its cube": shown(seen("eps + eps**3"), conditions=OF_TRUE_FLOW),
     "tanh of e": shown(driven("tanh(e)"), V=of_e("log(cosh(e))")),
     "atan of e": shown(driven("arctan(e)"), V=of_e("e*arctan(e) - log1p(e**2)/2")),
     "clip of e": shown(
@@ -392,10 +419,19 @@ TEXTBOOK = {  # each with the V that proves it in two lines, or the default
     "the cube of e": shown(driven("e**3"), V=of_e("e**4/4")),
     "e |e|": shown(driven("e*abs(e)"), V=of_e("abs(e)**3/3")),
     "a dead zone each": shown(
-        driven(BEYOND, ZONES), "bounded", V=of_e(f"{BEYOND}**2/2", zone=ZONES["zone"])
+        driven(BEYOND, ZONES),
+        "comes to a zone",  # |Delta| <= KD zone leaves V' <= 0
+        USUAL | {"truth": "|Delta_1| <= 0.1 KD_1 and |Delta_2| <= 0.3 KD_2"},
+        V=of_e(f"{BEYOND}**2/2", zone=ZONES["zone"]),
     ),
-    "a cubic leak": shown(leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded"),
-    "a periodic leak": shown(leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)), "bounded"),
+    "a cubic leak": shown(
+        leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded in the mean", NO_LIMIT
+    ),
+    "a periodic leak": shown(
+        leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)),
+        "bounded in the mean",
+        NO_LIMIT | {"t >= 0": ""},
+    ),
     "alpha = 2 s": shown(through("2*s")),
     "alpha = s + s^3": shown(
         through("s + s**3"), V=of_state("theta*s + s**2/2 + s**4/4")
@@ -403,9 +439,15 @@ TEXTBOOK = {  # each with the V that proves it in two lines, or the default
     "a part in proportion to e": shown(
         through("s - c*outer(e, phi_x)", two(0.2)), V=of_state("(theta + s)**2/2")
     ),
-    "a rising gain": shown(scaled(RISING), V=V_of(f"e @ e/2 + off/(2*gain*{RISING})")),
+    "a rising gain": shown(
+        scaled(RISING),
+        conditions=USUAL | {"t >= 0": ""},
+        V=V_of(f"e @ e/2 + off/(2*gain*{RISING})"),
+    ),
     "least squares": shown(
         lambda: law(least_squares, GAIN, FLOW, **SQUARES),
+        # P falls and R grows as the integral of phi phi^T does, so both exist for all times
+        conditions=OF_TRUE_FLOW | {"start": "R > 0"},
         V=V_of(WITH_R, {**LEARNED, "R": (N, N)}),
         invariants=inverse,
         semidefinite=("R",),
