@@ -10,10 +10,12 @@ from user_laws import GAIN, LEARNED, V_of, beside, changed, driven, scaled
 import clpt_control as clpt
 from clpt_control import ClptError, lyapunov, prove
 
-pytestmark = pytest.mark.usefixtures("few_calls")
 POINTS = 200
 SIZES = {"alpha": 4, "K": 2, "Gamma": 2}
 ONE = "(cos(r)**2 + sin(r)**2)"
+NOT_SAID = pytest.mark.xfail(
+    strict=True, reason="inputs that must be bounded are not said"
+)
 SUM = {"a": 0.1, "b": 0.2, "c": 0.3}
 
 
@@ -29,6 +31,12 @@ def counted(rate):
 
 def square_of_x(s):
     return s.x**2
+
+
+def fields_of(verdict):
+    """Status, conclusion, and conditions of a verdict: name -> of what."""
+    conditions = {condition.name: condition.of for condition in verdict.conditions}
+    return verdict.status, verdict.conclusion, conditions
 
 
 # --- rounding ---------------------------------------------------------------------------------
@@ -64,7 +72,8 @@ def test_rates_of_states_outside_V_are_compared_with_the_blocks(rest):
 
 @pytest.mark.parametrize("rate", [lambda k: k, np.exp])
 def test_an_interval_is_no_constant(rate):
-    assert lyapunov(counted(rate), square_of_x).status == "proved but for y"
+    verdict = lyapunov(counted(rate), square_of_x)
+    assert fields_of(verdict) == ("proved", "goes to zero", {"outside V": "y is"})
 
 
 def test_a_state_whose_rate_grows_with_the_interval_may_grow():
@@ -74,13 +83,16 @@ def test_a_state_whose_rate_grows_with_the_interval_may_grow():
         GAIN | TICKS["parameters"],
         breakpoints=whole_times,
     )
-    assert prove(law(), points=POINTS).status == "proved but for s"
+    verdict = prove(law(), points=POINTS)
+    assert (verdict.status, verdict.conclusion) == ("proved", "goes to zero")
+    assert "s is not in V, and not known to be bounded" in verdict.sentence
 
 
-def test_a_state_that_an_opaque_source_drives_is_not_known_exactly_to_exist():
-    source = clpt.Block(
+def driven_by(source):
+    """A plant whose y is driven by an opaque source of time."""
+    made = clpt.Block(
         "source",
-        output=lambda t, x, u, p: {"w": 1 / (1 - t)},
+        output=lambda t, x, u, p: {"w": source(t)},
         outputs={"w": 1},
         opaque=True,
     )
@@ -90,10 +102,38 @@ def test_a_state_that_an_opaque_source_drives_is_not_known_exactly_to_exist():
         states={"x": 1, "y": 1},
         inputs={"w": 1},
     )
-    verdict = lyapunov(clpt.connect([source, plant]), square_of_x)
+    return clpt.connect([made, plant])
+
+
+def test_a_state_that_an_opaque_source_drives_is_not_known_exactly_to_exist():
+    verdict = lyapunov(driven_by(lambda t: 1 / (1 - t)), square_of_x)
     (step,) = [step for step in verdict.steps if "exist" in step.claim]
-    assert (verdict.status, step.how) == ("proved but for y", "sampled")
+    assert (verdict.status, step.how) == ("proved", "sampled")
     assert step.claim.endswith("if w is bounded")
+
+
+@NOT_SAID
+def test_a_source_that_must_be_bounded_is_a_condition():
+    """Where w = 1/(1 - t) y ends at t = 1, and x with it."""
+    verdict = lyapunov(driven_by(lambda t: 1 / (1 - t)), square_of_x)
+    conditions = fields_of(verdict)[2]
+    assert conditions["outside V"] == "y is"
+    assert conditions["bounded inputs"] == "w is"
+
+
+@NOT_SAID
+def test_a_state_outside_V_is_bounded_where_its_input_is():
+    """y' = -y + w, w any input."""
+    plant = control.nlsys(
+        lambda t, x, u, p: [-x[0], -x[1] + u[0]],
+        states=["x", "y"],
+        inputs=["w"],
+        outputs=0,
+        name="plant",
+    )
+    wanted = {"outside V, bounded": "y is", "bounded inputs": "w is"}
+    verdict = lyapunov(plant, square_of_x)
+    assert fields_of(verdict) == ("proved", "goes to zero", wanted)
 
 
 # --- names ----------------------------------------------------------------------------------
@@ -103,7 +143,7 @@ def test_a_state_called_as_an_error_is_another_symbol():
     law = beside(
         "e_1' = 0*e_1; K' = dK + stack([10*(u.e[0] - e_1[0]), 0*u.e[0]])", {"e_1": 1}
     )
-    assert prove(law(), points=POINTS).status not in ("proved", "bounded")
+    assert prove(law(), points=POINTS).status != "proved"
 
 
 def test_a_state_called_as_the_time_is_refused():
@@ -177,7 +217,7 @@ def test_an_invariant_that_repels_proves_nothing(rate, status):
     law = beside(f"a' = phi_x[:1]**2 - a; b' = phi_x[:1]**2 + {rate}", {"a": 1, "b": 1})
     kept = {"invariants": lambda s, p, truth: {"b": s["a"]}, **KEPT}
     verdict = prove(law(), LEVEL, **kept)
-    assert verdict.status.partition(" ")[0] == status.partition(" ")[0]
+    assert verdict.status == status
     assert ("repel" in verdict.claim) == (status == "open")
 
 
@@ -263,16 +303,17 @@ def test_a_hedged_loop_says_its_condition():
     loop = clpt.closed_loop(clpt.paper_scenario().with_values(limits))
     verdict = prove(loop, points=POINTS)
     assert verdict.status == "proved"
-    assert "where the flow stays slower than the vehicle" in verdict.claim
+    assert "slower flow" in fields_of(verdict)[2]
+    assert "where the flow stays slower than the vehicle" in verdict.sentence
 
 
 # --- inputs ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("inputs", "status"), [(0, "proved"), (["torque"], "proved where torque = 0")]
+    ("inputs", "conditions"), [(0, {}), (["torque"], {"zero inputs": "torque"})]
 )
-def test_a_V_is_searched_for_with_inputs_of_0(inputs, status):
+def test_a_V_is_searched_for_with_inputs_of_0(inputs, conditions):
     def swing(t, x, u, params):
         torque = u[0] if inputs else 0
         return [x[1], -9.81 * np.sin(x[0]) - 0.1 * x[1] + torque]
@@ -280,7 +321,8 @@ def test_a_V_is_searched_for_with_inputs_of_0(inputs, status):
     pendulum = control.nlsys(
         swing, states=["angle", "rate"], inputs=inputs, outputs=2, name="p"
     )
-    assert lyapunov(pendulum).status == status
+    verdict = fields_of(lyapunov(pendulum))
+    assert verdict == ("proved", "comes to rest", conditions)
 
 
 def test_where_no_V_is_found_none_is_shown():
@@ -297,19 +339,20 @@ def test_where_no_V_is_found_none_is_shown():
 
 
 def test_a_wrong_law_is_refuted_by_both():
-    from clpt_control.paper.laws.table import LAWS
-    from clpt_control.theory.proofs.theorem_loop import theorem_loop
-
-    law = LAWS["learned-flow"].of(2, gain=0.5)
+    law = clpt.laws()["learned-flow"].of(1, gain=0.5)
     rates = law.update_function
 
     def wrong(t, x, u, p):
         """Eqs. (21)-(23), one sign turned."""
-        signs = np.array([[-1.0, 1.0], [1.0, 1.0]])
+        signs = np.array([[-1.0], [1.0]])
         right = rates(t, x, u, p)
         return right | {"alpha": signs * right["alpha"]}
 
-    bad = user_laws.law(wrong, law.parameters._asdict())
+    bad = user_laws.law(wrong, law.parameters._asdict(), n=1)
     assert prove(bad, points=POINTS).status == "refuted"
-    loop = theorem_loop(2, "learned-flow", law_block=bad)
-    assert lyapunov(loop, "V", points=50).status == "refuted"
+    one = {"centers": [[0, 0]], "widths": [5], "periods": [12], "phases": [0]}
+    values = {f"basis.{key}": value for key, value in one.items()}
+    values |= {f"{k}.parameters": [[0.9]] * 2 for k in ("flow", "model", "learning")}
+    scenario = clpt.paper_scenario().with_values(values)
+    loop = clpt.closed_loop(scenario, law=bad, external=["zc"])
+    assert lyapunov(loop, of_squares, points=50).status == "refuted"
