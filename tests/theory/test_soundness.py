@@ -4,6 +4,7 @@ import control
 import numpy as np
 import pytest
 import user_laws
+from small_scenarios import paper_of
 from text_systems import TICKS, whole_times
 from user_laws import GAIN, LEARNED, V_of, beside, changed, driven, scaled
 
@@ -350,9 +351,5 @@ def test_a_wrong_law_is_refuted_by_both():
 
     bad = user_laws.law(wrong, law.parameters._asdict(), n=1)
     assert prove(bad, points=POINTS).status == "refuted"
-    one = {"centers": [[0, 0]], "widths": [5], "periods": [12], "phases": [0]}
-    values = {f"basis.{key}": value for key, value in one.items()}
-    values |= {f"{k}.parameters": [[0.9]] * 2 for k in ("flow", "model", "learning")}
-    scenario = clpt.paper_scenario().with_values(values)
-    loop = clpt.closed_loop(scenario, law=bad, external=["zc"])
+    loop = clpt.closed_loop(paper_of(1), law=bad, external=["zc"])
     assert lyapunov(loop, of_squares, points=50).status == "refuted"
