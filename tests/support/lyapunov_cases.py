@@ -432,7 +432,6 @@ NEEDED = {  # conditions of right ones
 }
 MISSED = {  # what is not said as it should be
     "a projection": "V' is not taken piece by piece, and is shown for f = 0 alone",
-    "observer": "x1 and x2 are bounded where u is, which is not said",
     "V of what follows a wave": "x follows sin(t), and there is no rest to be stable",
 }
 ORDER = (  # each conclusion is true where one before it is

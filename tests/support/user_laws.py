@@ -385,7 +385,6 @@ class Shown(NamedTuple):
 
 USUAL = {"outside V, bounded": "x is", "bounded inputs": "phi_x, zc are"}
 OF_TRUE_FLOW = USUAL | {"reads the truth": "the true flow"}
-NO_LIMIT = {"outside V, bounded": "x is"}  # no rate of CLPE is asked for
 
 
 def shown(make, conclusion="goes to zero", conditions=USUAL, **more):
@@ -425,12 +424,12 @@ TEXTBOOK = {  # each with the V that proves it in two lines, or the default
         V=of_e(f"{BEYOND}**2/2", zone=ZONES["zone"]),
     ),
     "a cubic leak": shown(
-        leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded in the mean", NO_LIMIT
+        leak("gain*c*alpha**2", ("alpha",), two(0.1)), "bounded in the mean", USUAL
     ),
     "a periodic leak": shown(
         leak("gain*c*(1 + sin(t))", LEARNED, two(0.1)),
         "bounded in the mean",
-        NO_LIMIT | {"t >= 0": ""},
+        USUAL | {"t >= 0": ""},
     ),
     "alpha = 2 s": shown(through("2*s")),
     "alpha = s + s^3": shown(

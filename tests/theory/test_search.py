@@ -55,10 +55,7 @@ def test_what_is_found_is_proved_and_falls_along_a_run_of_python_control(name):
     assert values.min() > -1e-12
 
 
-NOT_SAID = pytest.mark.xfail(strict=True, reason="f is bounded where r is, not said")
-
-
-@pytest.mark.parametrize("filtered", [False, pytest.param(True, marks=NOT_SAID)])
+@pytest.mark.parametrize("filtered", [False, True])
 def test_of_a_model_reference_loop_it_is_the_textbooks(filtered):
     """A filter of the reference, which input alone moves, is not in V."""
     rates = "y' = y + 3*(kr*{0} - ky*y); ym' = -4*ym + 4*{0}; kr' = -2*{0}*(y - ym)"

@@ -122,7 +122,6 @@ def test_a_source_that_must_be_bounded_is_a_condition():
     assert conditions["bounded inputs"] == "w is"
 
 
-@NOT_SAID
 def test_a_state_outside_V_is_bounded_where_its_input_is():
     """y' = -y + w, w any input."""
     plant = control.nlsys(
