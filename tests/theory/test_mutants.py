@@ -5,27 +5,23 @@ by hand.  Equations of the paper are the theorems' to defend, those of a law its
 those of a team its proof's, sources of time and tables those of `source_checks`.
 """
 
+from collections import namedtuple
 from functools import cache
 from types import FunctionType
 
+import numpy as np
 import pytest
 from mutated_equations import alterations, altered, exchanged
 from package_blocks import BLOCKS
+from small_scenarios import paper_of
 from source_checks import CHECKS
 
-from clpt_control.paper.laws.table import LAWS
+import clpt_control as clpt
 from clpt_control.theory import audit, misprints
-from clpt_control.theory.proofs import (
-    all_proofs,
-    invariant_loop,
-    team_proof,
-    theorem_loop,
-    theorems,
-)
-from clpt_control.theory.proofs.steps import proof_or_failure
+from clpt_control.theory.proofs.all_proofs import PROOFS  # limited speed, and a team
 
+LAWS, Truth = clpt.laws(), namedtuple("Truth", "theta KD GammaD")
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
-ALL_SIZES = invariant_loop.SIZES
 SOURCES = (".flow", "reference", "disturbance", "field", "localization")
 
 
@@ -63,12 +59,18 @@ def reached(blocks):
     return found
 
 
+def law_and_V(name):
+    """The blocks of a law of two functions and of its V."""
+    scenario = paper_of(2, name)
+    law, vehicle = LAWS[name].block(scenario.known_to_law), scenario.vehicle
+    numbers = scenario.flow.parameters, vehicle.feedback, vehicle.feedforward
+    return law, LAWS[name].V(law.parameters, Truth(*map(np.array, numbers)))
+
+
 @cache
 def functions():
     """Every function that a block of the package runs."""
-    laws = [
-        b for law in LAWS.values() for b in theorem_loop.law_and_V(law, all_proofs.N)
-    ]
+    laws = [block for name in LAWS for block in law_and_V(name)]
     return reached([*BLOCKS, *laws])
 
 
@@ -90,20 +92,31 @@ def laws_of(function):
     """Name the laws whose equations or V have this function of a law's page."""
     if ".laws." not in function.__module__:
         return ()
-    made = {
-        name: theorem_loop.law_and_V(law, all_proofs.N) for name, law in LAWS.items()
-    }
+    made = {name: law_and_V(name) for name in LAWS}
     return tuple(
         name for name, two in made.items() if function in reached(two).values()
     )
 
 
 def said(law):
-    found = all_proofs.Statement("laws", law).prove()
-    return found.status, found.claim, found.for_every_N
+    """What is found of a law, or why it cannot be read."""
+    try:
+        found = PROOFS["laws"][law]()
+    except clpt.ClptError as error:
+        return f"{error}"
+    return found.status, found.sentence, found.for_every_N
 
 
 said_unaltered = cache(said)
+
+
+def failed(proof):
+    """The first step of a proof that fails, or why none can be read."""
+    try:
+        steps = proof().failed
+    except clpt.ClptError as error:
+        return f"{error}"
+    return next((step.claim for step in steps), None)
 
 
 def caught_by(function, code, first):
@@ -114,30 +127,23 @@ def caught_by(function, code, first):
                 check()
             except Exception:  # whatever a wrong equation does
                 return check.__name__
-        for step in (
-            team_proof.team_steps()
-            if function.__module__.endswith(".consensus")
-            else ()
-        ):
-            if not step.holds:
-                return f"team: {step.claim}"
-    for sizes in (invariant_loop.SIZES, ALL_SIZES):  # the largest only for what is left
-        for law in laws_of(function):
-            before = said_unaltered(law)
-            with pytest.MonkeyPatch.context() as patch, exchanged(function, code):
-                patch.setattr(invariant_loop, "SIZES", sizes)
-                if said(law) != before:
-                    return law
+        if function.__module__.endswith(".consensus"):
+            return failed(PROOFS["team"][""])
+    for law in laws_of(function):
+        before = said_unaltered(law)
+        with exchanged(function, code):
+            if said(law) != before:
+                return law
     with exchanged(function, code):
-        for number in sorted(theorems.THEOREMS, key=lambda n: n != first):
+        for number in sorted(PROOFS["theorems"], key=lambda n: n != first):
             for step in audit(number)[number].failed:
                 return f"{number}: {step.claim}"
         for misprint in misprints():
             if not misprint.confirmed:
                 return f"misprint {misprint.equation}"
-        for name, proof in all_proofs.LIMITED_SPEED.items():
-            for step in proof_or_failure("failed", proof).failed:
-                return f"{name}: {step.claim}"
+        for name, proof in PROOFS["limited_speed"].items():
+            if claim := failed(proof):
+                return f"{name}: {claim}"
     return None
 
 
@@ -155,15 +161,6 @@ def test_there_are_signs_to_alter():
     assert {"vehicle", "learner", "laws", "flow", "clpe", "localization"} <= rooms
 
 
-@pytest.fixture(autouse=True)
-def few_points(monkeypatch):
-    """The exact steps come first; blocks are called at a few points only."""
-    monkeypatch.setattr(theorems, "POINTS", 100)
-    monkeypatch.setattr(theorems, "FEWER", 100)
-    monkeypatch.setattr(all_proofs, "POINTS", 100)
-    monkeypatch.setattr(invariant_loop, "SIZES", (1, 2))  # `clpt prove` asks all three
-
-
 @pytest.mark.parametrize(
     "room", ["vehicle", "learner", "field", "laws", "laws.consensus", "clpe"]
 )
@@ -175,3 +172,45 @@ def test_altered_signs_fail_the_proof(room):
 @pytest.mark.slow
 def test_every_altered_sign_fails_the_proof():
     assert survivors(mutants()) == []
+
+
+# --- equations that look right -------------------------------------------------------------------
+
+
+def added(t, x, u, p):
+    """z' = F_M + v + d, not Eq. (2) hedged."""
+    return u.flow_z + u.v_z + getattr(u, "unflown", 0.0)
+
+
+def too_fast(t, x, u, p):
+    """v = 2 v_c, no limit, for Eq. (1)."""
+    return 2 * u.v_c
+
+
+def together(t, x, u, p):
+    """pull = -kappa sum_j (alpha + alpha_j), section III with a wrong sign."""
+    own = (u.alpha + getattr(u, f"alpha_{j}") for j in range(p.neighbours))
+    return {"pull": -p.coupling * sum(own)}
+
+
+WRONG = [
+    ("learner.model", added, "with hedging", "V' = -e^T KD e"),
+    ("vehicle.limited", too_fast, "with hedging", "up to |v_c| = v_max"),
+    ("vehicle.difference", too_fast, "with hedging", "V' = -e^T KD e"),
+    ("laws.consensus.consensus", together, "", "V' = "),
+]
+
+
+@pytest.mark.parametrize(("key", "wrong", "name", "claim"), WRONG)
+def test_a_wrong_equation_is_not_proved(key, wrong, name, claim):
+    room = "limited_speed" if name else "team"
+    with exchanged(functions()[key], wrong.__code__):
+        assert claim in failed(PROOFS[room][name])
+    assert failed(PROOFS[room][name]) is None
+
+
+def test_a_team_in_which_one_does_not_hear_back_is_not_proved(monkeypatch):
+    """V' is not that of the edge."""
+    heard = lambda self, name: ["b"] if name == "a" else []  # noqa: E731
+    monkeypatch.setattr(clpt.Team, "neighbours", heard)
+    assert failed(PROOFS["team"][""])
