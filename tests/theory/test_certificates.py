@@ -14,6 +14,7 @@ from clpt_control.theory.excitation.certificates import (
     ultimate_bound,
     window_drops,
 )
+from clpt_control.theory.excitation.certify import after_window, least_error, settled
 from clpt_control.theory.excitation.regressor import joint_regressor, regressors
 
 NODES = 12
@@ -193,3 +194,127 @@ def test_times_and_bounds_at_their_limits():
     for drop in (-0.1, 1.1, np.nan):
         with pytest.raises(clpt.ClptError, match="drop"):
             ultimate_bound(10.0, 0.1, drop)
+
+
+# --- bounds for every start ---
+
+
+def test_steps_2_and_3_are_true_of_the_error_matrices():
+    rng, gain = np.random.default_rng(1), 0.7
+    phi, x, zc, KD = (
+        rng.normal(size=3),
+        rng.normal(size=2),
+        rng.normal(size=2),
+        [1.3, 0.6],
+    )
+    S, back = (np.diag([1.0, *[gain**power] * 5]) for power in (-0.5, 0.5))
+    for axis in range(2):
+        y = rng.normal(size=6)
+        place = x - y[0] * np.eye(2)[axis]
+        A, B = (
+            S @ error_matrices(phi, z, zc, KD, gain)[axis] @ back for z in (place, x)
+        )
+        d = np.sqrt(gain) * y[0] * np.array([-y[4], 0, 0, 0, y[0], 0])
+        np.testing.assert_allclose((A - B) @ y, d, atol=1e-12)
+        assert y @ B @ y == pytest.approx(-KD[axis] * y[0] ** 2)  # step 3
+
+
+@pytest.mark.parametrize("D", [0.0, 0.03])
+def test_the_least_error_is_the_root_and_the_bound_rises(D):
+    """Steps 5 to 7, at 300 values of V."""
+    c, k, gain = 0.3, 0.8, 0.6
+    V = np.geomspace(1e-6, 1e3, 300)
+    a = np.array([least_error(one, c, k, gain, D) for one in V])
+    B = 1 + np.sqrt(gain * (2 * V + D**2 / (2 * k))) / k
+    left = np.sqrt(V * c) - D / k - B * a - np.sqrt(gain / (2 * k)) * a**2
+    np.testing.assert_allclose(
+        np.where(a > 0, left, np.minimum(left, 0) * 0), 0, atol=1e-12
+    )
+    after = np.array([after_window(one, c, k, gain, D) for one in V])
+    assert np.all(np.diff(a) >= 0)
+    assert np.all(np.diff(after) > 0)
+    end = settled(c, k, gain, D)
+    assert after_window(end, c, k, gain, D) == pytest.approx(end)
+    later = 10.0
+    for _ in range(3000):
+        later = after_window(later, c, k, gain, D)
+    assert later == pytest.approx(end, abs=1e-9)
+    assert settled(0.0, k, gain, D) == np.inf
+    assert settled(c, k, gain, 10.0) == np.inf
+
+
+PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
+
+
+def pushed(kind, amplitude, **more):
+    """A disturbance."""
+    return {"flow.disturbance": {"kind": kind, "amplitude": amplitude, **more}}
+
+
+DISTURBED = pushed("square", [0.004, 0.003], period=1.8)
+
+
+def start_within(scenario, R, rng):
+    """A learner that begins with V(0) = R times a uniform number, in any direction."""
+    car = scenario.vehicle
+    y = rng.normal(size=12)
+    y *= np.sqrt(2 * R * rng.uniform()) / np.linalg.norm(y)
+    eta = np.sqrt(scenario.learning.gain) * y[2:]
+    start = {
+        "position": np.array(car.position) - y[:2],
+        "parameters": eta[:6].reshape(2, 3) - np.array(scenario.flow.parameters),
+        "feedback": np.array(car.feedback) + eta[6:8],
+        "feedforward": np.array(car.feedforward) - eta[8:],
+    }
+    return scenario.with_values(
+        {f"learning.{key}": value for key, value in start.items()}
+    )
+
+
+STARTS = [
+    ({}, 0.05, 6),
+    (DISTURBED, 0.05, 6),
+    pytest.param({}, 4.63125, 200, marks=pytest.mark.slow),
+    pytest.param({}, 0.05, 200, marks=pytest.mark.slow),
+    pytest.param(DISTURBED, 0.5, 200, marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("values", "R", "starts"), STARTS)
+def test_no_start_within_r_leaves_the_bounds(values, R, starts):
+    """V, CLPE and errors at every sample of three cycles; the closest comes near."""
+    scenario = PAPER.with_values(
+        {"run.duration": 600, "run.output_step": 0.5, **values}
+    )
+    found, rng, closest = clpt.certify(scenario, R), np.random.default_rng(3), 0.0
+    D = found.disturbance * np.sqrt(found.window)
+    for _ in range(starts):
+        run = clpt.simulate(start_within(scenario, R, rng))
+        V, t = run.lyapunov.values, run.time.values
+        window = np.minimum((t / found.window + 1e-9).astype(int), len(found.V) - 1)
+        assert V[0] <= R * (1 + 1e-9)
+        assert np.all((found.V[window] + D**2 / 4) * (1 + 1e-7) >= V)
+        assert np.all(np.hypot(*run.clpe.values.T) <= found.clpe[window])
+        wrong = np.abs(
+            run.flow_parameters_estimate.values - np.array(PAPER.flow.parameters)
+        )
+        assert np.all(wrong.max(axis=(1, 2)) <= found.flow_error[window])
+        for j, drop in enumerate(found.drops[:3]):  # a window begun at its own V
+            share = V[400 * (j + 1)] / after_window(V[400 * j], drop, 1.0, 0.8, D)
+            assert share <= 1 + 1e-6
+            closest = max(closest, share)
+    assert closest > 0.15
+
+
+def test_the_time_is_the_first_from_which_the_bound_holds():
+    found = clpt.certify(PAPER.with_values({"run.duration": 1000}), 0.05, error=0.2)
+    j = round(found.time_to_error / 200)
+    assert found.within_run
+    assert found.clpe[j] <= 0.2 < found.clpe[j - 1]
+    later = clpt.certify(PAPER, 0.05, error=0.01)
+    assert not later.within_run
+    assert "if later windows" in later.said
+    V = later.V[-1]
+    for _ in range(round(later.time_to_error / 200) - 2):
+        V = after_window(V, later.drops.min(), 1.0, 0.8, 0.0)
+    assert V <= 0.01**2 / 2
