@@ -13,7 +13,7 @@ from subprocesses import CLPT, GUARD, ran, started
 import clpt_control as package
 
 CACHE = "CLPT_CONTROL_CACHE"
-WORDS = ("prove", "sigma")
+WORDS = ("prove", "known-flow")
 RATES = package.laws()["learned-flow"].rates.__globals__["driven_by"]
 
 

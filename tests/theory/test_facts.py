@@ -1,5 +1,7 @@
 """The table of facts about functions, each row against NumPy at random points and at the ends."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 import sympy
@@ -56,11 +58,15 @@ def points():
     return np.vstack([drawn, grid])
 
 
+@cache
+def function_of(e):
+    """An expression as a function, functions with pieces by NumPy."""
+    return sympy.lambdify((S, A, B), e, [NUMPY_OF, "scipy", "numpy"])
+
+
 def value_of(e, values):
-    """An expression as a number, functions with pieces by NumPy."""
-    numbers = dict(zip((S, A, B), values, strict=True))
-    function = sympy.lambdify((S, A, B), e, [NUMPY_OF, "scipy", "numpy"])
-    return float(np.asarray(function(*numbers.values()), dtype=float))
+    """An expression as a number."""
+    return float(np.asarray(function_of(e)(*values), dtype=float))
 
 
 def within_domain(name):

@@ -7,7 +7,22 @@ from judged_loops import RIGHT, WRONG
 
 import clpt_control as clpt
 
-SLOW = ()
+SLOW = (  # a refuting point is searched for: some by `make test`, all by `make test-slow`
+    "a claim of zero",
+    "a cube that grows",
+    "a gain that turns at t = 50",
+    "a lag that grows",
+    "a leak that feeds",
+    "a loop gain above 1",
+    "a product that is lost",
+    "a region of what grows",
+    "a region with a drift",
+    "a V that grows too fast",
+    "discrete: -1.01",
+    "discrete: a cube",
+    "discrete: a turn that gains",
+    "Rayleigh's friction",
+)
 PULSES = "the rate of an input is taken for bounded where the input is"
 FALSE = {  # what is said that is not true
     "a leak that grows with e": "V' > 0 near the truth; V has a level, which is not found",

@@ -28,7 +28,15 @@ EXACT = {  # V' in the user's own signals
     "a spinning body": "-(x**2 + y**2 + z**2)/5",
     "van der Pol": "eps*y**2*(x - 1)*(x + 1)",
 }
-LONG = ("a pull of powers without a number", "a spring stronger in each interval")
+LONG = (  # of a second or so: by `make test-slow`
+    "a gradient's flow",
+    "a pull of powers without a number",
+    "a polynomial that just passes zero",
+    "a spring stronger in each interval",
+    "backstepping, a term forgotten",
+    "wrong in a small region",
+    "wrong in a smaller region",
+)
 MARKS = {
     **{name: [pytest.mark.slow] for name in LONG},
     **{

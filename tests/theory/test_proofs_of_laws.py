@@ -78,7 +78,12 @@ def name_of(one):
 
 def dearest_slow(laws):
     """Leave to `make test-slow` what takes most of the time and is proved in the same way."""
-    dear = ("composite-least-squares", "concurrent")
+    dear = (
+        "composite-least-squares",
+        "concurrent",
+        "least-squares",
+        "composite-memory",
+    )
     return [
         pytest.param(law, marks=pytest.mark.slow) if law.name in dear else law
         for law in laws
