@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from team_scenarios import DIFFERENT, ROW, team
 
 import clpt_control as clpt
 from analysis.worst_disturbance import error_matrices
-from clpt_control.theory.excitation import certificates
+from clpt_control.engine.model.block import evaluate
+from clpt_control.theory.excitation import certificates, regressor
 from clpt_control.theory.excitation.certificates import (
     collocation,
     propagate,
@@ -318,3 +320,70 @@ def test_the_time_is_the_first_from_which_the_bound_holds():
     for _ in range(round(later.time_to_error / 200) - 2):
         V = after_window(V, later.drops.min(), 1.0, 0.8, 0.0)
     assert V <= 0.01**2 / 2
+
+
+# --- pieces of windows ---
+
+
+def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(paper):
+    """Gauss's rule on panels of 0.1 s; with the learner's gain e and z turn 15 times in a dwell."""
+    scenario = paper.with_values({"learning.gain": 20.0})
+    node, weight = np.polynomial.legendre.leggauss(6)
+    times = (np.arange(400)[:, None] + (1 + node) / 2).ravel() / 10
+    run = clpt.simulate(scenario, np.append(0.0, times), rtol=1e-10, atol=1e-12)
+    phi = evaluate(scenario.basis_block(), times, run.position.values[1:])
+    team = clpt.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
+    alone, of_team = (
+        clpt.gramian(scenario, 40.0, 0.0),
+        clpt.gramian(team, 40.0, 0.0).vehicles["a"],
+    )
+    for i, axis in enumerate(("x1", "x2")):
+        z, zc = run.predicted_position.values[1:, i], run.reference.values[1:, i]
+        w = np.column_stack([phi, z, zc])
+        wanted = w.T @ (w * np.tile(weight / 20, 400)[:, None])
+        for found in (alone, of_team):  # of two that are alike
+            np.testing.assert_allclose(found.gramians[axis], wanted, rtol=1e-6)
+
+
+def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
+    cuts, times, weights = regressor.quadrature(
+        paper, 13.0, 71.5, np.array([20.0, 33.3])
+    )
+    assert weights.sum() == pytest.approx(58.5, abs=1e-10)
+    assert {20.0, 33.3, 40.0, 60.0} <= set(cuts.tolist())
+    assert np.all(np.diff(times.ravel()) > 0)
+    assert np.all(np.floor(times / 20) == np.floor(times[:, :1] / 20))
+
+
+def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
+    monkeypatch.setattr(certificates, "MAX_PIECES", 0)
+    report = clpt.gramian(paper, 40.0, 0.0).report
+    assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
+    assert "too many to compute. Give a shorter" in report["not_certified"]
+    assert len(report["eigenvalues"]["x1"]) == 5
+
+
+# then each has its own pieces
+@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
+    monkeypatch.setattr(regressor, "ROUGH", rough)
+    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
+    N, window, start = 3, 6.0, 2.0
+    found = clpt.gramian(of, window, start)
+    assert found.names["x1"][N:] == [
+        f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")
+    ]
+    for axis in ("x1", "x2"):
+        whole = np.zeros((N + 6, N + 6))
+        for k, scenario in enumerate(of.members.values()):
+            at = [*range(N), N + 2 * k, N + 2 * k + 1]
+            whole[np.ix_(at, at)] += clpt.gramian(scenario, window, start).gramians[
+                axis
+            ]
+        np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
+    read = clpt.gramian(clpt.simulate(of, np.arange(0.0, 12.01, 0.05)), window, start)
+    for one, exact in (
+        (read, found),
+        *((read.vehicles[v], found.vehicles[v]) for v in "abc"),
+    ):
+        assert one.smallest == pytest.approx(exact.smallest, rel=1e-2)

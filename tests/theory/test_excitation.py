@@ -9,17 +9,12 @@ from error_sentences import says
 from gridded_currents import uniform_field
 from image_checks import inked
 from scipy.linalg import expm
-from team_scenarios import DIFFERENT, ROW, team, vehicle
+from team_scenarios import team, vehicle
 
 import clpt_control as clpt_package
 from analysis.worst_disturbance import regressor_matrices
 from clpt_control import gramian
-from clpt_control.engine.model.block import evaluate
-from clpt_control.paper.blocks.reference import circle
 from clpt_control.theory import started_true
-from clpt_control.theory.excitation import certificates, regressor
-from clpt_control.theory.excitation.certificates import certificate
-from clpt_control.theory.proofs.circle import circle_step
 from examples import mrac
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
@@ -67,36 +62,6 @@ def test_equal_functions_are_learnable_only_together(true_paper):
     assert found.dimension == {"x1": 4, "x2": 4}
 
 
-def test_a_learner_that_swings_within_a_dwell_has_the_gramian_of_a_fine_sum(paper):
-    """Gauss's rule on panels of 0.1 s; with the learner's gain e and z turn 15 times in a dwell."""
-    scenario = paper.with_values({"learning.gain": 20.0})
-    node, weight = np.polynomial.legendre.leggauss(6)
-    times = (np.arange(400)[:, None] + (1 + node) / 2).ravel() / 10
-    run = clpt_package.simulate(scenario, np.append(0.0, times), rtol=1e-10, atol=1e-12)
-    phi = evaluate(scenario.basis_block(), times, run.position.values[1:])
-    team = clpt_package.Team(members={"a": scenario, "b": scenario}, coupling=0.5)
-    alone, of_team = (
-        gramian(scenario, 40.0, 0.0),
-        gramian(team, 40.0, 0.0).vehicles["a"],
-    )
-    for i, axis in enumerate(("x1", "x2")):
-        z, zc = run.predicted_position.values[1:, i], run.reference.values[1:, i]
-        w = np.column_stack([phi, z, zc])
-        wanted = w.T @ (w * np.tile(weight / 20, 400)[:, None])
-        for found in (alone, of_team):  # of two that are alike
-            np.testing.assert_allclose(found.gramians[axis], wanted, rtol=1e-6)
-
-
-def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
-    cuts, times, weights = regressor.quadrature(
-        paper, 13.0, 71.5, np.array([20.0, 33.3])
-    )
-    assert weights.sum() == pytest.approx(58.5, abs=1e-10)
-    assert {20.0, 33.3, 40.0, 60.0} <= set(cuts.tolist())
-    assert np.all(np.diff(times.ravel()) > 0)
-    assert np.all(np.floor(times / 20) == np.floor(times[:, :1] / 20))
-
-
 @pytest.mark.parametrize(("step", "tolerance"), [(1.0, 2e-3), (0.7, 1e-3), (0.2, 1e-6)])
 def test_a_recorded_run_gives_the_same(true_paper, step, tolerance):
     exact = gramian(true_paper, 200.0, 200.0).report
@@ -135,19 +100,11 @@ def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
     pushed = started_true(paper.with_values(push))
     before, after = clpt_package.simulate(pushed, [0.0, 200.0]).lyapunov.values
     assert after > before
-    said = repr(certificate(pushed, 200.0, 0.0))
+    said = repr(gramian(pushed, 200.0, 0.0).certificate())
     assert "at worst, t = 0 to 200, but for what the disturbance adds" in said
     said = gramian(pushed, 200.0, 0.0).result.sentences
     assert "V and errors fall so but for what the disturbance adds to them" in said
     assert not gramian(paper, 200.0, 0.0).report["disturbed"]
-
-
-def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
-    monkeypatch.setattr(certificates, "MAX_PIECES", 0)
-    report = gramian(paper, 40.0, 0.0).report
-    assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
-    assert "too many to compute. Give a shorter" in report["not_certified"]
-    assert len(report["eigenvalues"]["x1"]) == 5
 
 
 def test_the_known_flow_law_has_a_certificate_of_its_gains(paper):
@@ -216,14 +173,15 @@ def test_the_figure_shows_what_is_not_learnable(true_paper, tmp_path):
     assert [bar.get_height() for bar in bottom.patches] == list(least.values())
 
 
-def test_the_circles_closed_form_is_the_reference_blocks(paper):
-    assert circle_step().holds
+def test_places_on_a_circle_excite_both_axes_alike(paper):
+    """sum p p^T = n r^2/2 I of n > 2 places, radius 3; of two the rank is 1."""
     for n in range(3, 25):
-        points = circle(3.0, n)
+        points = paper.with_values({"reference.count": n}).waypoints
         np.testing.assert_allclose(
             points.T @ points, n * 9.0 / 2 * np.eye(2), atol=5e-11
         )
-    assert np.linalg.matrix_rank(circle(3.0, 2), tol=1e-9) == 1
+    two = paper.with_values({"reference.count": 2}).waypoints
+    assert np.linalg.matrix_rank(two, tol=1e-9) == 1
 
 
 def test_the_command_prints_the_report(printed, tmp_path, true_paper):
@@ -429,32 +387,6 @@ MOVED = [
 def test_where_something_else_moves_the_vehicle_there_is_no_ceiling(key, value):
     scenario = PAPER.with_values({"run.duration": 60, key: value})
     assert gramian(scenario, 20.0, 20.0).ceilings == {}
-
-
-# then each has its own pieces
-@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])
-def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
-    monkeypatch.setattr(regressor, "ROUGH", rough)
-    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
-    N, window, start = 3, 6.0, 2.0
-    found = gramian(of, window, start)
-    assert found.names["x1"][N:] == [
-        f"{g}_1 of {v}" for v in "abc" for g in ("K", "Gamma")
-    ]
-    for axis in ("x1", "x2"):
-        whole = np.zeros((N + 6, N + 6))
-        for k, scenario in enumerate(of.members.values()):
-            at = [*range(N), N + 2 * k, N + 2 * k + 1]
-            whole[np.ix_(at, at)] += gramian(scenario, window, start).gramians[axis]
-        np.testing.assert_allclose(found.gramians[axis], whole, rtol=0, atol=1e-6)
-    read = gramian(
-        clpt_package.simulate(of, np.arange(0.0, 12.01, 0.05)), window, start
-    )
-    for one, exact in (
-        (read, found),
-        *((read.vehicles[v], found.vehicles[v]) for v in "abc"),
-    ):
-        assert one.smallest == pytest.approx(exact.smallest, rel=1e-2)
 
 
 ALIKE = team(a=vehicle(), b=vehicle())
