@@ -431,8 +431,7 @@ NEEDED = {  # conditions of right ones
     **{name: {"t >= 0": ""} for name in OF_TIME},
 }
 MISSED = {  # what is not said as it should be
-    "a projection": "V' is not taken piece by piece, and is shown for f = 0 alone",
-    "V of what follows a wave": "x follows sin(t), and there is no rest to be stable",
+    "V of what follows a wave": "x follows sin(t), and there is no rest to be stable"
 }
 ORDER = (  # each conclusion is true where one before it is
     "asymptotically stable",
