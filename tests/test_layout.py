@@ -106,11 +106,7 @@ def test_names_of_public_modules_leave_the_modules_in_place(module):
 
 
 def test_every_module_has_a_room():
-    rooms = (
-        {room_of(name) for name in FILES}
-        - {*DOORS, *DIVIDED}
-        - {*PUBLIC_MODULES}
-    )
+    rooms = {room_of(name) for name in FILES} - {*DOORS, *DIVIDED} - {*PUBLIC_MODULES}
     assert rooms == set(ROW)
 
 
