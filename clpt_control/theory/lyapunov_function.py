@@ -14,6 +14,7 @@ import sympy
 
 from ..base.arguments import Count, Seed, public
 from ..base.errors import DiagramError
+from ..base.units import at_least
 from .proofs.conclusions import CONCLUSIONS, concluded, strength
 from .proofs.judge import Verdict, judge, refuted
 from .proofs.steps import How, Step, first_failure, short, worked_out
@@ -39,7 +40,9 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     if not level and (rests := candidate.ends_at(region.low, region.high)):
         level, how, where = region.level(rests), "exact", "V' <= 0, and V falls on,"
     less = f" - {short(region.least)}" if region.least else ""
-    below = f"where V{less} < {level:g} in the box" if level else "near the rest"
+    below = (
+        f"where V{less} < {at_least(level, 6)} in the box" if level else "near the rest"
+    )
     claim = f"{where} {below}, but at the rest"
 
     def in_box(points: tuple) -> tuple:
@@ -54,7 +57,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     ]
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, steps=steps)
-    conditions = candidate.conditions(inputs)
+    conditions = tuple(candidate.conditions(inputs))
     conclusion = concluded(steps)
     verdict = candidate.verdict(
         "proved", claim, conclusion=conclusion, conditions=conditions, steps=steps

@@ -61,7 +61,7 @@ CONCLUSIONS = {
     ),
     "comes to a zone": Conclusion(
         "V never rises, and {of}",
-        _needs("definite zone jumps exists"),
+        _needs("definite zone limit jumps exists"),
         "a smaller zone needs a smaller disturbance",
     ),
     "asymptotically stable": Conclusion(
@@ -160,7 +160,7 @@ def go(names: Iterable[Any]) -> str:
 
 @dataclass(frozen=True)
 class Judged:
-    """What is shown of a law, a team or a V: fields, and the sentence that is made of them.
+    """Verdict on a law, a team or a V: fields, and the sentence made of them.
 
     Attributes
     ----------

@@ -424,6 +424,7 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
     cases: list[tuple[Expr, ...]] = [()]
     for condition, truth in conditions:
         name, arguments = condition.func.__name__, condition.args
+        found: list[tuple[Expr, ...]]
         if name in COMPARISONS:
             a, b = arguments if (name in ("gt", "ge")) == truth else arguments[::-1]
             found = [(expand(a - b),)]

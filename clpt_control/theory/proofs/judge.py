@@ -210,6 +210,9 @@ class Candidate(ABC):
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
         holds_all = self.least is not None and len(held) == len(states)
         holds_all = holds_all and not self.moving({}).not_bounded(level)
+        holds_all = holds_all and not sympy.Tuple(*(self.least or {}).values()).has(
+            TIME
+        )
         shows = "definite all" if holds_all else "definite"
         return exact(f"{claim} in {names}", True, "", shows)
 
@@ -229,6 +232,7 @@ class Candidate(ABC):
         at_least = self.least or {}
         if (
             at_least
+            and not sympy.Tuple(*at_least.values()).has(TIME)
             and contains_all(lost, states)
             and all(vanishes(form.xreplace(at_least)) for form in forms)
         ):

@@ -16,6 +16,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
+from ...base.units import at_least, at_most
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
 from .certificates import Ways, of_law
@@ -170,6 +171,7 @@ class LawCandidate(Candidate):
             steps = [exact(bound.claim, True, "", bound.shows)]
             fall = Fall(steps, bound.claim, level=bound.level, of=bound.of)
             fall.bound, fall.conditions = bound.bound, [*bound.conditions]
+            fall.losses = self.e if bound.shows.startswith("zone") else ()
         else:
             fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
             fall.remarks = [self._every_N()] if falls else []
@@ -249,17 +251,18 @@ class LawCandidate(Candidate):
 
         As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
         """
-        zones = [f"{float(zone):.4g}" for zone in self.zones]
+        zones = [at_least(float(zone)) for zone in self.zones]
+        most_of = [at_most(float(zone)) for zone in self.zones]
         suffix = "/2" * fall.endswith("/2")
         below = " and ".join(
             f"|Delta_{i}| <= {d} KD_{i}{suffix}" for i, d in enumerate(zones, 1)
         )
         most = f"-D^T KD D{suffix}" if fall.startswith("-D^T") else "0"
-        ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(zones, 1))
+        ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(most_of, 1))
         if not self.takes_delta():
-            return Bound(f"V' <= {fall}", "zone", of=ends)
+            return Bound(f"V' <= {fall}", "zone falls", of=ends)
         where = (Condition("truth", below),)
-        return Bound(f"V' <= {most}", "zone", of=ends, conditions=where)
+        return Bound(f"V' <= {most}", "zone falls", of=ends, conditions=where)
 
     # --- every N --------------------------------------------------------------------------------
 

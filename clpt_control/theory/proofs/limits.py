@@ -163,12 +163,14 @@ class Motion:
         if degree(e, states.__contains__) == 0:
             return []
         alone = [s for s in states if degree(e, {s}.__contains__) > 0]
-        return sorted(map(str, alone)) or sorted(map(str, e.free_symbols & states))
+        loose = alone or e.free_symbols & states
+        return sorted(str(s).removeprefix("_") for s in loose)
 
     def limit(self, forms: Iterable[Expr], of: str) -> Step:
         """Return the step that the rates of forms are bounded where V is (Barbalat)."""
         claim = f"the rate of {of} is bounded where V is"
         motion = {TIME: sympy.S.One, **self.rates}
+        motion |= {s: self.still[f.diff(TIME)] for f, s in self.inputs.items()}
         rates = [sympy.expand(along(self.quiet(q), motion)) for q in forms]
         used = self._inputs_of(rates)
         loose = dict.fromkeys(name for rate in rates for name in self.not_bounded(rate))

@@ -35,6 +35,7 @@ LARGE_STATE = 10.0  # to which points are enlarged
 SIGNIFICANT = 1e-7  # of the size of its terms; smaller values may be rounding errors
 PER_JUMP = 300  # points
 LATEST_JUMP = 1000.0  # time until which jumps are searched
+EARLIEST = 1e-6  # s: at t = 0 itself a function of time may have a kink
 Failure = tuple[Point, float]  # a point, and V', or the rise of V, at the point
 
 
@@ -119,6 +120,7 @@ class PointSearch:
         exponents = 3 * random.random(count) * (random.random(count) < 0.3)
         times = random.uniform(0, 20, count) * 10.0**exponents
         times *= random.random(count) > 0.1
+        times = np.maximum(times, EARLIEST)
         return times, x + self.rest_at(x), u
 
     def wide(self, count: int, still: bool = False) -> tuple:

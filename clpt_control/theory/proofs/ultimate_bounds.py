@@ -30,7 +30,7 @@ import numpy as np
 import sympy
 from sympy.core.function import AppliedUndef
 
-from ...base.units import at_most
+from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from .conclusions import Condition
@@ -361,7 +361,7 @@ class Bounding:
             excess += (
                 radial.top * leak.weight * (radial.R**2 + self.size(leak) * radial.R)
             )
-            conditions.append(f"{self.size(leak)} <= {float(radial.M):.4g}")
+            conditions.append(f"{self.size(leak)} <= {at_least(float(radial.M))}")
         pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
@@ -398,8 +398,8 @@ class Bounding:
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
             port = leak.states[0].name.partition("_")[0]
             radius, largest = (
-                f"|{port}| <= {float(radial.R):.4g}",
-                f"{float(radial.M):.4g}",
+                f"|{port}| <= {at_most(float(radial.R))}",
+                f"{at_least(float(radial.M))}",
             )
             conditions.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
