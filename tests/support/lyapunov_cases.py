@@ -430,9 +430,7 @@ NEEDED = {  # conditions of right ones
     "a power that a parameter gives": {"values": ""},  # n is odd
     **{name: {"t >= 0": ""} for name in OF_TIME},
 }
-MISSED = {  # what is not said as it should be
-    "V of what follows a wave": "x follows sin(t), and there is no rest to be stable"
-}
+MISSED: dict[str, str] = {}  # what is not said as it should be
 ORDER = (  # each conclusion is true where one before it is
     "asymptotically stable",
     "comes to rest",

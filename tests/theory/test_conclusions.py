@@ -147,7 +147,6 @@ def test_narrower_pulses_leave_an_integral():
     assert "it holds t, not known to be bounded" in step.detail
 
 
-@missing("the rate of e is not asked for where e comes to a zone")
 def test_narrower_pulses_come_to_no_zone():
     """The same with a dead zone of 0.1."""
     zone = np.array([0.1, 0.1])
@@ -156,7 +155,6 @@ def test_narrower_pulses_come_to_no_zone():
     assert found.conclusion != "comes to a zone"
 
 
-@missing("the rate of an input is taken for bounded where the input is")
 def test_what_an_input_weighs_goes_to_zero_where_its_rate_is_bounded():
     """Of ever narrower pulses r, height 1, th stays and th r comes back to th."""
     found = of("th' = -r**2*th; input r")
@@ -331,7 +329,6 @@ def test_time_is_said_to_be_positive():
     assert "for t >= 0" in found.sentence
 
 
-@missing("V' at t = 0 is that of before, where 1 - t is cut to 1")
 def test_a_V_that_a_state_leaves_is_not_refuted():
     """From 0 to 1 V' = -2 x^2 - (1 - t^2) y^2; after t = 1 V is x^2 alone, and y grows."""
     plant, _ = written("x' = -x; y' = y/2")

@@ -23,11 +23,8 @@ SLOW = (  # a refuting point is searched for: some by `make test`, all by `make 
     "discrete: a turn that gains",
     "Rayleigh's friction",
 )
-PULSES = "the rate of an input is taken for bounded where the input is"
 FALSE = {  # what is said that is not true
-    "a leak that grows with e": "V' > 0 near the truth; V has a level, which is not found",
-    "an estimator of a regressor that may be pulses": PULSES,
-    "an estimator of two regressors": PULSES,
+    "a leak that grows with e": "V' > 0 near the truth; V has a level, which is not found"
 }
 
 

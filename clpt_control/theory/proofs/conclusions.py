@@ -196,7 +196,7 @@ class Judged:
 
     @property
     def shown(self) -> str:
-        """What is shown, and what follows from it, without the conditions."""
+        """The claim and the conclusion, without the conditions."""
         if not self.conclusion:
             return self.claim
         level = self.level

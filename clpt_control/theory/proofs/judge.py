@@ -119,7 +119,7 @@ class Verdict(Judged):
         --------
         >>> import clpt_control as clpt
         >>> lag = clpt.Block("lag", update=lambda t, x, u, p: {"x": -x.x}, states={"x": 1})
-        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:50])
+        >>> print(clpt.lyapunov(lag, lambda s: s.x**2 / 2).latex()[:45])
         \begin{theorem}
         Let
         \[ V = \frac{x^{2}}{2} \]
@@ -140,7 +140,7 @@ class Verdict(Judged):
 
 @dataclass
 class Fall:
-    """What is shown of V': it falls, and loses squares of forms; or V is bounded."""
+    """Claims on V': it falls, and loses squares of forms; or V is bounded."""
 
     steps: list[Step]
     claim: str = ""  # V' <= -e^T KD e

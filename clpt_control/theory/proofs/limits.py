@@ -245,7 +245,7 @@ class Still:
 
     @property
     def is_rest(self) -> bool:
-        """Whether all rates are zero there."""
+        """True if all rates are zero there."""
         values = (
             rate if not self.discrete else rate - s for s, rate in self.rates.items()
         )

@@ -168,6 +168,8 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
 
 def _has_signs_of(law: Law, block: Block) -> bool:
     """Return whether parameters have the signs that the proof of their law's row has."""
+    if block.parameters._fields != law_and_V(law, 1)[0].parameters._fields:
+        return False  # as of a sampled law
     pairs = zip(block.parameters, law_and_V(law, 1)[0].parameters, strict=True)
     signs = ([{*np.sign(np.ravel(v)).tolist()} for v in pair] for pair in pairs)
     return all(own <= of_row or len(of_row) > 1 for own, of_row in signs)

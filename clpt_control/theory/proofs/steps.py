@@ -134,7 +134,7 @@ def bound_text(bound: Any, up: bool = True) -> str:
     >>> import sympy
     >>> a, b, k = sympy.symbols("a b k", positive=True)
     >>> bound_text(a**2 / 3 + b**2 / 3 + a / (7 * k))
-    '0.3334*(a**2 + b**2) + 0.1429*a/k'
+    '0.1429*a/k + 0.3334*(a**2 + b**2)'
     """
     import sympy
 

@@ -194,6 +194,4 @@ def test_a_param_whose_value_an_if_asks_is_as_it_is():
     equations = clpt.equations(plant)
     assert str(equations) == "y' = -k*y"
     assert equations.pinned == [(plant.name, "mode")]
-    assert "with the parameters as they are" in str(
-        clpt.lyapunov(plant, lambda s: s.y**2)
-    )
+    assert "with the parameters' values" in str(clpt.lyapunov(plant, lambda s: s.y**2))
