@@ -518,3 +518,18 @@ def test_a_sampled_law_is_judged_in_discrete_time():
 
     found = lyapunov(stepped(update, "k", ["r"], g=0.5), lambda s: s.k**2)
     assert (found.status, "zero inputs" in fields_of(found)[2]) == ("proved", False)
+
+
+@pytest.mark.parametrize("argument", ["V", "claim"])
+def test_a_function_that_is_NaN_is_refused(argument):
+    plant, V = written("x' = -x; V = x**2")
+    arguments = {"V": V, argument: lambda s: np.nan * s.x**2}
+    with pytest.raises(clpt.DiagramError, match="NaN"):
+        clpt.lyapunov(plant, **arguments)
+
+
+def test_a_claim_that_rises_is_all_that_is_said():
+    """V' = -2 x^2 <= x^2: the status is of the claim, and nothing follows from it."""
+    plant, V = written("x' = -x; V = x**2")
+    found = clpt.lyapunov(plant, V, claim=lambda s: s.x**2)
+    assert (found.status, found.conclusion) == ("proved", "V' is at most the claim")

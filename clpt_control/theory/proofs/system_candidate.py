@@ -150,7 +150,13 @@ class SystemCandidate(Candidate):
         Where it may have no value is added to `undefined`.
         """
         if callable(source):
-            return self._traced(source)
+            value = self._traced(source)
+            if value.has(*NO_VALUE):
+                raise DiagramError(
+                    f"{self.system.name}: a function of signals is NaN or infinite. "
+                    "Return a number that is finite"
+                )
+            return value
         value = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
         if not isinstance(value, sympy.Expr):
             raise DiagramError(f"{self.system.name}: {source} is not a single number")
@@ -252,7 +258,8 @@ class SystemCandidate(Candidate):
             failed = [] if self.claim is not None else [exact(f"{claim} <= 0", False)]
             return Fall([*steps, *failed], claim)
         steps.append(exact(bound.claim, True, "", bound.shows))
-        return Fall(steps, bound.claim, level=bound.level)
+        shown = bound.claim if self.claim is None else f"{claim}, and {bound.claim}"
+        return Fall(steps, shown, level=bound.level)
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""

@@ -197,7 +197,6 @@ def truth_in(loop: SymbolicLoop) -> Truth:
 
 
 Loop = ArrayLoop | SymbolicLoop
-Claim = Callable[[Any], Any]  # loop -> the claimed V'
 WIRED = 3  # functions of a loop whose equations are computed for every N
 
 

@@ -286,7 +286,7 @@ def pulled_forms(case: Any) -> Bound | None:
     V, rate, rest, _ = found
     moving = {TIME, *case.motion, *case.intervals}
     pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
-    if pull is None or pull.rate == 0:
+    if pull is None or pull.rate == 0 or pull.push == 0:
         return None
     values = case.eq.values
     numbers = pull.rate.xreplace(values), (pull.push / pull.rate).xreplace(values)
