@@ -16,6 +16,8 @@ from ...engine.model.block import Block
 from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
 from .between_fixes import METHODS, whitened
+from .dive import Dive
+from .recorded_fixes import flow_of_legs
 from .run_segments import run_scenario, run_segments
 
 
@@ -65,20 +67,24 @@ class FlowEstimate:
 
 @public
 def flow_estimate(
-    run: "xarray.Dataset",
-    method: str = "least-squares",
+    source: "xarray.Dataset | list[Dive]",
+    scenario: Scenario | None = None,
     *,
+    method: str = "least-squares",
     basis: Block | None = None,
     every: float | None = None,
     prior: float | np.ndarray | None = None,
     noise: float | np.ndarray | None = None,
-) -> FlowEstimate:
-    """Estimate the flow parameters theta from fixes of a run.
+) -> "FlowEstimate | xarray.Dataset":
+    """Estimate the flow parameters theta from fixes.
 
     Parameters
     ----------
-    run : xarray.Dataset
-        A run of `simulate`, whose vehicle has a fix each `every`.
+    source : list of Dive, or xarray.Dataset
+        Recorded legs of `read_dives`, or a run of `simulate`, whose vehicle has a fix each `every`.
+    scenario : Scenario, optional
+        With legs: basis functions and law for fixes, as `FlowEstimator` takes them.  The other
+        arguments are of runs.
     method : str
         ``"least-squares"`` or ``"kalman"``.
     basis : Block, optional
@@ -95,8 +101,9 @@ def flow_estimate(
 
     Returns
     -------
-    FlowEstimate
-        `theta`, its `covariance`, the residuals `misses`, and the `steps`.
+    FlowEstimate, or xarray.Dataset
+        Of a run `theta`, its `covariance`, the residuals `misses`, and the `steps`.  Of legs the
+        error of each forecast, the learned flow and the parameters after each leg, in m and m/s.
 
     Raises
     ------
@@ -110,10 +117,19 @@ def flow_estimate(
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> estimate = clpt.currents.flow_estimate(run, "kalman")
+    >>> estimate = clpt.currents.flow_estimate(run, method="kalman")
     >>> estimate.theta.round(2).tolist()
     [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
     """
+    if not isinstance(source, xarray.Dataset):
+        if scenario is None:
+            raise ScenarioError(
+                "scenario: is required with legs. Give the scenario whose law learns"
+            )
+        return flow_of_legs(list(source), scenario)[0]
+    if scenario is not None:
+        raise ScenarioError("scenario: is that of the run. Leave it out")
+    run = source
     if method not in METHODS:
         raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
     scenario = run_scenario(run)

@@ -2,8 +2,8 @@
 
 Required columns: `dive`, `t_gps2`, `lat_gps2`, `lon_gps2`, `t_gpse`, `lat_gpse`, `lon_gpse` (s
 since 1970 UTC or ISO 8601, degrees) and `dr_east_m`, `dr_north_m` (dead reckoning through the
-water, m) or `dac_east`, `dac_north` (the vehicle's own depth-averaged current c, m/s), of which
-dead reckoning is computed,
+water, m), or `course`, `speed` (degrees, m/s) of a straight leg, or `dac_east`, `dac_north` (the
+vehicle's own depth-averaged current c, m/s), of which dead reckoning is computed,
 
     dr = (displacement between the fixes) - c (t_gpse - t_gps2).
 
@@ -19,7 +19,6 @@ never read.
 """
 
 from collections.abc import Iterable
-from contextlib import suppress
 from math import isfinite, nan
 from pathlib import Path
 from typing import Any
@@ -29,10 +28,10 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from ...base.units import seconds_since_1970
 from ..currents.text_table import other_marks, table_of
 from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
 from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
+from .fix_log import AS_TIME, STEERING, is_log, log_legs, row_number, velocity_of
 from .samples import HEADINGS, VARIATIONS
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
@@ -40,8 +39,10 @@ END = ("t_gpse", "lat_gpse", "lon_gpse")
 THROUGH_WATER = ("dr_east_m", "dr_north_m")
 CURRENT = ("dac_east", "dac_north")
 REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
-AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
-OTHERWISE = "; dac_east, dac_north (m/s), the vehicle's own current, may stand instead"
+OTHERWISE = (
+    "; course (degrees), speed (m/s), or dac_east, dac_north (m/s), the vehicle's own current, may "
+    "stand instead of dr_east_m, dr_north_m"
+)
 GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
 ANGLES = {"magvar": VARIATIONS, "next_course": HEADINGS}
 CONTRADICTS = 0.03  # m/s, as `slocum.CLEAR`
@@ -59,6 +60,8 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
     """
     cells = table_of(text, path, f"NetCDF or a table with {', '.join(REQUIRED)}")
     header = list(cells.columns)
+    if "dive" not in header and is_log(header):
+        return [*log_legs(cells, path)]
     _check_header(header, path)
     rows: list[Dive | Skipped] = [
         _dive(dict(zip(header, row, strict=True)), f"{path}, line {line}")
@@ -107,7 +110,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
     """Refuse a header without a required column, or with a column twice."""
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
-    if set(CURRENT) <= set(header) and not set(header) & set(THROUGH_WATER):
+    otherwise = set(CURRENT) <= set(header) or set(STEERING) <= set(header)
+    if otherwise and not set(header) & set(THROUGH_WATER):
         missing = [column for column in missing if column not in THROUGH_WATER]
     if missing:
         marks = other_marks(line, REQUIRED[0])
@@ -136,7 +140,7 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
     cells: dict[str, Any] = {}
     for column in (*REQUIRED[1:], *OPTIONAL):
         text = row.get(column, "")
-        value = _number(text, column in TIMES)
+        value = row_number(text, column in TIMES)
         if text and value is None:
             must_be = AS_TIME if column in TIMES else "must be a number"
             if column in REQUIRED:
@@ -155,7 +159,13 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         tuple(cells[column] for column in columns)
         for columns in (START, END, THROUGH_WATER)
     )
-    if not set(THROUGH_WATER) & set(row):
+    if not set(THROUGH_WATER) & set(row) and set(STEERING) <= set(row):
+        course, speed = (row_number(row[column], False) for column in STEERING)
+        course, speed = (nan if x is None else x for x in (course, speed))
+        velocity = velocity_of(course, speed, where)
+        duration = end[0] - start[0]
+        through_water = velocity[0] * duration, velocity[1] * duration
+    elif not set(THROUGH_WATER) & set(row):
         current = cells["dac_east"], cells["dac_north"]
         if None in current:
             through_water = nan, nan
@@ -175,14 +185,6 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         notes=tuple(notes),
     )
     return with_dac_note(dive)
-
-
-def _number(text: str, is_time: bool) -> float | None:
-    """Return the number or the date, s since 1970, that a text is, or None."""
-    for read in (float, seconds_since_1970) if is_time else (float,):
-        with suppress(ValueError):
-            return read(text)
-    return None
 
 
 @public

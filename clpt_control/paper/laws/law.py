@@ -238,6 +238,8 @@ class Law(NamedTuple):
     promises: tuple[Promise, ...] = ()
     # a reason for which the law may break its promise, or ""
     doubt: Callable[[Any, Truth], str] = lambda p, truth: ""
+    # of (P, time, settings): covariance P after a time without fixes; None: not for recorded fixes
+    between_fixes: Callable[..., np.ndarray] | None = None
     # ultimate bound on V, given the largest disturbance
     level: Callable[[Any, Truth, float], float] | None = None
 

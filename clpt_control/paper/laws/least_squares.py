@@ -108,6 +108,13 @@ def errors_by_rho(s: Any, p: Any, truth: Truth) -> Any:
     return s["rho"] * (truth.theta + p.alpha_0) * p.information
 
 
+def forgotten(P: np.ndarray, time: float, p: Any) -> np.ndarray:
+    """Return P after P' = lambda P, `covariance_rates` without phi_f: tr P is logistic."""
+    trace = np.trace(P)
+    growth = np.exp(p.forgetting * time)
+    return P * growth / (1 + trace / p.largest * (growth - 1))
+
+
 LEAST_SQUARES = Law(
     "least-squares",
     rates=least_squares,
@@ -124,6 +131,7 @@ LEAST_SQUARES = Law(
     },
     candidate=least_squares_level,
     V_inputs=("e", "alpha", "K", "Gamma", "rho"),
+    between_fixes=forgotten,
     perturbation=lambda s, p, truth: (
         (s["x"] - s["z"]) @ ((truth.theta + s["alpha"]) @ s["phi_x"])
     ),

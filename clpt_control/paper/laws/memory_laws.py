@@ -431,6 +431,7 @@ FIX_REGRESSION = Law(
     breakpoints=events,
     candidate=fix_level,
     V_inputs=("alpha", "information"),
+    between_fixes=lambda P, time, p: P,
     V_rate="0; at an exact fix V falls by r^2 |eta m|^2/(2 (r^2 + m^T P m))",
 )
 

@@ -158,6 +158,7 @@ KALMAN_FLOW = Law(
     output=known_flow_output,
     outputs={"alpha": (2, "N")},
     error_growth=error_growth,
+    between_fixes=lambda P, time, p: P + time * p.walk**2 * np.eye(len(P)),
     promises=(
         *promised("true exact", "mean square"),
         *promised("spanned exact", "estimate"),

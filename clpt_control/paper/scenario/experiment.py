@@ -60,24 +60,37 @@ class Scenario(tables.Table):
     origin: tables.Pair | None = None
     units: tables.Units = tables.Units()
     basis: tables.Basis
-    flow: tables.Flow
+    flow: tables.Flow = tables.left_out("flow")
     model: tables.Model = tables.Model()
-    vehicle: tables.Vehicle
-    reference: Annotated[tables.Circle | tables.Waypoints, Field(discriminator="kind")]
+    vehicle: tables.Vehicle = tables.left_out("vehicle")
+    reference: Annotated[
+        tables.Circle | tables.Waypoints, Field(discriminator="kind")
+    ] = tables.left_out("reference")
     learning: Learning
     localization: tables.Localization | None = None
-    run: tables.Run
+    run: tables.Run = tables.left_out("run")
     _folder: Path = PrivateAttr(default_factory=Path)
 
     def _mistakes(self) -> Iterator[str]:
+        if self.left_out and self.learning.row.between_fixes is None:
+            yield f"missing key {self.left_out[0]}"
         yield from self._place_mistakes()
         yield from self._shape_mistakes()
-        yield from self._law_mistakes()
-        yield from self._size_mistakes()
+        if not self.left_out:
+            yield from self._law_mistakes()
+            yield from self._size_mistakes()
+
+    @property
+    def left_out(self) -> list[str]:
+        """Tables of the simulated truth that a scenario for recorded fixes leaves out."""
+        return [name for name, table in self if isinstance(table, tables.LeftOut)]
 
     def _place_mistakes(self) -> Iterator[str]:
         """Yield mistakes of latitudes and longitudes, also of those given as lengths."""
-        reference = self.reference
+        given = dict(self)
+        for name in self.left_out:
+            given[name] = None
+        reference = given["reference"]
         points = getattr(reference, "points_lat_lon", None) or ()
         keys = {
             "origin": () if self.origin is None else (self.origin,),
@@ -98,7 +111,9 @@ class Scenario(tables.Table):
         lengths = {
             "reference.points": getattr(reference, "points", None) or (),
             "basis.centers": self.basis.centers,
-            "vehicle.position": (self.vehicle.position,),
+            "vehicle.position": (
+                () if given["vehicle"] is None else (self.vehicle.position,)
+            ),
             "learning.position": (self.learning.position,),
         }
         for key, pairs in lengths.items():
@@ -108,6 +123,8 @@ class Scenario(tables.Table):
                     f"{self.units.length} from the origin {list(self.origin)}. Give waypoints in "
                     "degrees as reference.points_lat_lon"
                 )
+        if reference is None:
+            return
         try:
             self.waypoints  # noqa: B018 - too far from the origin
         except DataError as error:
@@ -124,7 +141,9 @@ class Scenario(tables.Table):
 
     def _shape_mistakes(self) -> Iterator[str]:
         for key, quantity in QUANTITIES.items():
-            rows = attrgetter(key)(self) if quantity.axes == "axis basis" else None
+            is_given = key.partition(".")[0] not in self.left_out
+            has_rows = is_given and quantity.axes == "axis basis"
+            rows = attrgetter(key)(self) if has_rows else None
             if rows is not None and any(len(row) != self.basis.N for row in rows):
                 yield (
                     f"{key}: must be 2 rows of {self.basis.N} numbers, one per basis "
@@ -181,7 +200,10 @@ class Scenario(tables.Table):
         folder = (info.context or {}).get("folder")
         if folder is None:
             return self
-        self._folder, path = Path(folder), Path(folder) / (self.flow.field or "")
+        self._folder = Path(folder)
+        if "flow" in self.left_out:
+            return self
+        path = Path(folder) / (self.flow.field or "")
         if self.flow.field is not None and not os.path.isfile(path):  # noqa: PTH113 - never raises
             raise ValueError(
                 f'flow.field = "{self.flow.field}": no such file; must be a NetCDF file, relative '
@@ -193,6 +215,11 @@ class Scenario(tables.Table):
         return isinstance(value, Scenario) and self.__dict__ == value.__dict__
 
     def __repr__(self) -> str:
+        if self.left_out:
+            return (
+                f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} "
+                f"flow functions, for recorded fixes>"
+            )
         points = len(self.waypoints)
         return (
             f"<Scenario {shortened(self.title, 60)!r}: {self.learning.law}, {self.basis.N} flow "
@@ -321,7 +348,9 @@ class Scenario(tables.Table):
     @property
     def field_path(self) -> Path | None:
         """The file of the gridded field; None with parameters theta."""
-        return None if self.flow.field is None else self._folder / self.flow.field
+        if "flow" in self.left_out or self.flow.field is None:
+            return None
+        return self._folder / self.flow.field
 
     @public
     def with_values(self, values: Mapping[str, Any]) -> "Scenario":
@@ -350,10 +379,11 @@ class Scenario(tables.Table):
         2.0
         """
         nested = scenario_tables(self)
-        reference = self.reference
-        if values.get("reference.kind", reference.kind) != reference.kind:
+        reference = nested.get("reference", {})
+        kind = values.get("reference.kind")
+        if kind is not None and kind != reference.get("kind", kind):
             # the two kinds have only the dwell in common
-            nested["reference"] = {"dwell": reference.dwell}
+            nested["reference"] = {"dwell": self.reference.dwell}
         for key, value in values.items():
             *path, leaf_key = str(key).split(".")
             table = nested

@@ -8,6 +8,7 @@ is allowed.  Tables made by a call and from nested dicts are checked in the same
 import difflib
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal, Self
 
 import pydantic
@@ -326,6 +327,26 @@ class Localization(Table):
                 f"localization.latency = {self.latency}: must be 0 or below the interval, "
                 f"{self.interval}, and not within {margin:.1g} of either"
             )
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A table of the simulated truth that a scenario for recorded fixes leaves out."""
+
+    table: str
+
+    def __getattr__(self, key: str) -> Any:
+        if key.startswith("__"):
+            raise AttributeError(key)
+        raise ScenarioError(
+            f"{self.table}: the scenario leaves this table out, so it can only learn from recorded "
+            "fixes (clpt estimate FIXES --scenario). Add the table"
+        )
+
+
+def left_out(table: str) -> Any:
+    """Return the default of a table; reading one of its keys is an error."""
+    return LeftOut(table)
 
 
 class Run(Table):

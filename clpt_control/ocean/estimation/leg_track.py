@@ -1,0 +1,129 @@
+"""A leg under way: its prediction z and the integral m of phi, between two fixes.
+
+    z' = theta_hat phi(z) + v,    m' = phi(z)        (`predict` of the law fix-regression)
+
+v is the velocity through the water, constant along each stretch.  Stretches that are short against
+the functions are joined.  A stretch is integrated by the method of Runge and Kutta of order 4.
+Numbers are in units of the scenario.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from math import ceil, hypot
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from ...engine.model.block import Block
+from ...paper.laws.memory_laws import predict
+
+JOINED = (
+    32  # stretches that are shorter than this part of a width or a period are joined
+)
+STEPS = 4  # of the integration, at least, while the vehicle crosses a width
+STEPS_OF_PERIOD = 24
+
+Stretch = tuple[float, float, float]  # time at its end, displacement along both axes
+
+
+@dataclass
+class Leg:
+    """Way through the water since a fix.
+
+    `time` is the end of the last stretch, and `known` the time that stretches cover; `waiting` is
+    the last stretch, to which short ones are still joined.
+    """
+
+    start: float
+    place: list[float]
+    time: float
+    known: float = 0.0
+    stretches: list[Stretch] = field(default_factory=list)
+    waiting: Stretch | None = None
+
+    def add(
+        self, t: float, displacement: np.ndarray, size: tuple[float, float]
+    ) -> None:
+        """Add a stretch; `size` is the least width and the least period of the functions."""
+        begin = self.stretches[-1][0] if self.stretches else self.start
+        x, y = (float(part) for part in displacement)
+        if self.waiting is not None:
+            x, y = self.waiting[1] + x, self.waiting[2] + y
+        self.waiting, self.time = (t, x, y), t
+        width, period = size
+        if JOINED * hypot(x, y) >= width or JOINED * (t - begin) >= period:
+            self.stretches.append(self.waiting)
+            self.waiting = None
+
+    @property
+    def way(self) -> list[Stretch]:
+        """All stretches."""
+        return [*self.stretches, *([self.waiting] if self.waiting else [])]
+
+
+class LegTrack:
+    """Integration of legs over the basis functions of a scenario."""
+
+    def __init__(self, basis: Block, widths: Any, periods: np.ndarray) -> None:
+        self.basis = basis
+        self.size = float(np.min(widths)), float(np.min(periods))
+
+    def phi(self, t: float, place: np.ndarray) -> np.ndarray:
+        """Return phi of Eq. (5)."""
+        output: Any = self.basis.output_function
+        return output(t, np.zeros(0), place, self.basis.parameters)
+
+    def end(
+        self, leg: Leg, theta: np.ndarray, drift: np.ndarray | float = 0.0
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return z and m at the end of a leg.
+
+        `drift` is a velocity in addition to flow and velocity through the water.
+        """
+        state = np.array(leg.place), np.zeros(theta.shape[1])
+        x, u = SimpleNamespace(alpha=-theta), SimpleNamespace()
+
+        def rates(time: float, state: tuple[Any, Any]) -> tuple[Any, Any]:
+            u.phi_z = self.phi(time, state[0])
+            rate = predict(time, x, u, None)
+            return rate["z"], rate["m"]
+
+        t = leg.start
+        for end, east, north in leg.way:
+            span = end - t
+            if span > 0:
+                u.v_x = np.array([east, north]) / span + drift
+                flow = theta @ self.phi(t, state[0])
+                way = hypot(*u.v_x) * span + hypot(*flow) * span
+                count = self._steps(way, span)
+                for k in range(count):
+                    state = runge_kutta(
+                        rates, t + k * span / count, state, span / count
+                    )
+            t = end
+        return state
+
+    def _steps(self, way: float, span: float) -> int:
+        """Return the number of steps of a stretch."""
+        width, period = self.size
+        return max(1, ceil(STEPS * way / width), ceil(STEPS_OF_PERIOD * span / period))
+
+
+def runge_kutta(
+    rates: Callable[..., Any], t: float, state: tuple[Any, ...], step: float
+) -> tuple[Any, Any]:
+    """Return two states after one step."""
+
+    def after(factor: float, slopes: tuple[Any, ...]) -> tuple[Any, Any]:
+        first, second = (
+            x + factor * slope for x, slope in zip(state, slopes, strict=True)
+        )
+        return first, second
+
+    k1 = rates(t, state)
+    k2 = rates(t + step / 2, after(step / 2, k1))
+    k3 = rates(t + step / 2, after(step / 2, k2))
+    k4 = rates(t + step, after(step, k3))
+    slopes = zip(k1, k2, k3, k4, strict=True)
+    return after(step, tuple((a + 2 * b + 2 * c + d) / 6 for a, b, c, d in slopes))

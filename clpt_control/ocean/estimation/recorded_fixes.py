@@ -1,0 +1,178 @@
+"""Flow learned from recorded legs, a leg at a time, as a Dataset.
+
+Each leg (`dive.Dive`: two fixes and the way through the water between them) goes through
+`FlowEstimator`, so that feeding legs at once is feeding their fixes one by one.  The learned flow
+along the track is that of the parameters after the last leg, at the middle of each leg.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import pairwise
+from math import hypot, isfinite
+
+import numpy as np
+import xarray
+
+from ...base.errors import DataError
+from ...base.progress.interrupt import check
+from ...paper.scenario.experiment import Scenario
+from .dive import Dive, mid_time, reckoned
+from .flow_estimator import FlowEstimator
+from .learned_fix import Learned
+
+BENT = 0.9  # share of its way at most from which on a leg is straight
+MPS = {"units": "m s-1"}
+METRE = {"units": "m"}
+
+
+def drifting(legs: Iterable[Dive]) -> list[Dive]:
+    """Return legs with displacement 0 through the water where none is known."""
+    return [
+        leg
+        if isfinite(leg.dr_east)
+        else replace(leg, dr_east=0.0, dr_north=0.0, notes=())
+        for leg in legs
+    ]
+
+
+def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
+    """Learn from one leg."""
+    estimator.fix(leg.t_gps2, leg.lat_gps2, leg.lon_gps2)
+    elapsed, east, north = reckoned(leg)
+    keep = np.diff(elapsed, prepend=-1.0) > 0
+    points = np.array([elapsed, east, north]).T[keep]
+    points = points[points[:, 0] < leg.duration]
+    points = np.vstack([points, [leg.duration, leg.dr_east, leg.dr_north]])
+    for (_, *before), (time, *after) in pairwise(points):
+        stretch = np.subtract(after, before)
+        estimator.move(leg.t_gps2 + float(time), float(stretch[0]), float(stretch[1]))
+    return estimator.fix(leg.t_gpse, leg.lat_gpse, leg.lon_gpse)
+
+
+def learn_legs(
+    estimator: FlowEstimator, legs: Iterable[Dive]
+) -> Iterator[tuple[Dive, Learned]]:
+    """Yield each leg with what its end fix taught."""
+    for leg in legs:
+        check()
+        yield leg, learn_leg(estimator, leg)
+
+
+def flow_of_legs(
+    legs: list[Dive], scenario: Scenario
+) -> tuple[xarray.Dataset, FlowEstimator]:
+    """Return the Dataset of `flow_estimate`, and the estimator after the last leg."""
+    if not legs:
+        raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
+    estimator = FlowEstimator(scenario)
+    learned = [result for _, result in learn_legs(estimator, legs)]
+    frame, _ = estimator.under_way
+    middle = [_middle(leg) for leg in legs]
+    flow = np.array(
+        [
+            estimator.flow(mid_time(leg), *place)
+            for leg, place in zip(legs, middle, strict=True)
+        ]
+    )
+    errors = np.array([(r.error_east, r.error_north) for r in learned], dtype=float)
+    forecasts = [result.forecast for result in learned if result.forecast is not None]
+
+    def column(values: object, name: str, units: str) -> tuple:
+        return "leg", np.array(values), {"long_name": name, "units": units}
+
+    data = xarray.Dataset(
+        {
+            "start_time": column(
+                _dates(leg.t_gps2 for leg in legs), "last fix before the leg", ""
+            ),
+            "end_time": column(
+                _dates(leg.t_gpse for leg in legs), "first fix after the leg", ""
+            ),
+            "latitude": column(
+                [r.latitude for r in learned], "latitude of the fix", "degrees_north"
+            ),
+            "longitude": column(
+                [r.longitude for r in learned], "longitude of the fix", "degrees_east"
+            ),
+            "predicted_latitude": column(
+                [f.latitude for f in forecasts], "forecast latitude", "degrees_north"
+            ),
+            "predicted_longitude": column(
+                [f.longitude for f in forecasts], "forecast longitude", "degrees_east"
+            ),
+            "position_error": (
+                ("leg", "axis"),
+                errors,
+                {"long_name": "fix less forecast, before it was learned", **METRE},
+            ),
+            "forecast_radius": column(
+                [f.radius for f in forecasts],
+                "radius of the forecast's 90 % region",
+                "m",
+            ),
+            "inside": ("leg", np.array([r.inside for r in learned])),
+            "flow": (
+                ("leg", "axis"),
+                flow,
+                {"long_name": "learned flow at the middle of the leg", **MPS},
+            ),
+            "flow_parameters_estimate": (
+                ("leg", "axis", "basis"),
+                np.array([r.flow_parameters for r in learned]),
+                {"long_name": "estimate of theta after the leg", **MPS},
+            ),
+            "standard_error": (
+                ("leg", "basis"),
+                np.array([r.standard_error for r in learned]),
+                {"long_name": "standard error of each row of theta", **MPS},
+            ),
+        },
+        {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
+        {
+            "law": scenario.learning.law,
+            "origin": list(frame.place),
+            "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
+            "noise_scale": estimator.scale,
+            "notes": [
+                f"leg {leg.number}: its end fix {r.note}"
+                for leg, r in zip(legs, learned, strict=True)
+                if r.note
+            ]
+            + bent_legs(legs),
+        },
+    )
+    for name in ("start_time", "end_time"):
+        del data[name].attrs["units"]
+    return data, estimator
+
+
+def bent_legs(legs: list[Dive]) -> list[str]:
+    """Return a note on legs of a table whose way was not straight."""
+    speeds = np.array(
+        [
+            hypot(leg.dr_east, leg.dr_north) / leg.duration
+            for leg in legs
+            if leg.track is None
+        ]
+    )
+    bent = int(np.sum(speeds < BENT * speeds.max())) if len(speeds) else 0
+    if len(speeds) < 2 or 2 * bent < len(speeds):
+        return []
+    return [
+        f"{bent} of {len(legs)} legs are shorter than {speeds.max():.2f} m/s x duration, as if the "
+        "vehicle had turned or slowed. They are taken as straight: give the way between fixes "
+        "(rows of time, course, speed) for a better estimate"
+    ]
+
+
+def _middle(leg: Dive) -> tuple[float, float]:
+    """Return latitude and longitude half-way between the two fixes."""
+    longitude = (leg.lon_gpse - leg.lon_gps2 + 180.0) % 360.0 - 180.0
+    return (leg.lat_gps2 + leg.lat_gpse) / 2, leg.lon_gps2 + longitude / 2
+
+
+def _dates(times: Iterable[float]) -> np.ndarray:
+    """Return s since 1970 UTC as dates."""
+    return np.array([round(1e3 * t) for t in times], dtype="datetime64[ms]").astype(
+        "datetime64[ns]"
+    )
