@@ -50,11 +50,11 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
         random = candidate.search.random
         return t, random.uniform(region.low, region.high, x.T.shape).T, 0.0 * u
 
-    steps = [
+    steps = (
         candidate.has_values(),
         Step(claim, level > 0.0, how, "", False, "region"),
         candidate.compared(in_box),
-    ]
+    )
     if failed := first_failure(steps):
         return candidate.verdict("open", failed, steps=steps)
     conditions = tuple(candidate.conditions(inputs))

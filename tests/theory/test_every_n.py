@@ -41,6 +41,13 @@ def test_what_is_added_is_zero_for_every_N_or_for_two(added):
     assert sizes_of(verdict) == ["every N" if ADDED[added] else "N = 2"]
 
 
+def test_a_sum_over_two_indices_of_a_matrix_is_read_for_every_N():
+    cancels = "phi_x @ P @ tanh(phi_x) - tanh(phi_x) @ P.T @ phi_x"
+    rates = f"P' = outer(phi_x, phi_x) - P; K' = dK + ({cancels})"
+    verdict = prove(beside(rates, {"P": ("N", "N")})(), points=POINTS)
+    assert (verdict.status, sizes_of(verdict)) == ("proved", ["every N"])
+
+
 NOT_DECIDED = pytest.mark.xfail(
     strict=True, reason="comparisons of numbers are left as they are"
 )

@@ -33,6 +33,7 @@ from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_l
 from .theorem_loop import mixed_candidate, theorem_loop, theorem_scenario
 
 MakeV = Callable[[Truth], Block]
+WEIGHTS = ("inverse", "gain", "gain_K", "gain_Gamma")  # parameters of the default V
 
 
 class LawV(NamedTuple):
@@ -79,34 +80,29 @@ def default_V(law: Block, N: int) -> LawV:
         weight = gain if number.is_positive else -gain if number else S.One
         weights.append(weight)
         terms[state] = sympy.expand(rate + gain * product) / weight
-    # is V fitted to the law?
+    symbols = flat(loop.parameters[law.name])
+
+    def weights_of(values: list) -> list[Expr]:
+        pairs = zip(symbols, values, strict=True)
+        value_of = {s: value for s, value in pairs if isinstance(s, sympy.Symbol)}
+        return [weight.xreplace(value_of) for weight in weights]
+
     inverse = _inverse_of_gains(loop, learned, terms)
-    constant = {s: sympy.Dummy(real=True) for s in _inputs_without_e(loop)}
+    if inverse is not None:
+        weights = [*inverse]
+        matrix = np.array(inverse, dtype=float)
+        return LawV(partial(mixed_candidate, matrix), weights_of)
+    # is V fitted to the law?
+    ports = {port: inputs for port, inputs in loop.inputs.items() if port != "e"}
+    constant = {s: sympy.Dummy(real=True) for port in ports.values() for s in port.flat}
     of_states = {s: e.xreplace(constant) for s, e in terms.items() if s.is_Symbol}
     is_fitted = (
         has_gains
-        and inverse is None
         and len(of_states) == len(learned.states)
         and _is_gradient(of_states, {*loop.values, *constant.values()})
     )
-    # V in numbers
-    weights_of = partial(
-        _substituted,
-        [*weights] if inverse is None else [*inverse],
-        flat(loop.parameters[law.name]),
-    )
-    if inverse is not None:
-        matrix = np.array(inverse, dtype=float)
-        return LawV(partial(mixed_candidate, matrix), weights_of, is_fitted)
     numbers = [float(weight.subs(loop.values)) for weight in weights]
     return LawV(partial(_candidate_of_gains, numbers), weights_of, is_fitted)
-
-
-def _substituted(weights: list, symbols: list, values: list) -> list[Expr]:
-    """Return weights with values in place of symbols."""
-    pairs = zip(symbols, values, strict=True)
-    value_of = {s: value for s, value in pairs if isinstance(s, sympy.Symbol)}
-    return [weight.xreplace(value_of) for weight in weights]
 
 
 def _candidate_of_gains(gains: list[float], truth: Truth) -> Block:
@@ -136,12 +132,6 @@ def _learned(loop: SymbolicLoop, N: int) -> Learned:
     return Learned(e, states, rates, products)
 
 
-def _inputs_without_e(loop: SymbolicLoop) -> list[Any]:
-    """Return the symbols of the law's inputs, except e."""
-    ports = {port: symbols for port, symbols in loop.inputs.items() if port != "e"}
-    return [s for symbols in ports.values() for s in symbols.flat]
-
-
 def _inverse_of_gains(
     loop: SymbolicLoop, learned: Learned, terms: dict
 ) -> sympy.Matrix | None:
@@ -154,8 +144,8 @@ def _inverse_of_gains(
         for rate in learned.rates
     ]
     gains = sympy.Matrix(rows).xreplace(loop.values)
-    is_mixed = gains.is_symmetric() and not gains.is_diagonal()
-    return gains.inv() if is_mixed and gains.is_positive_definite else None
+    is_mixed = not gains.is_diagonal() and gains.is_positive_definite
+    return gains.inv() if gains.is_symmetric() and is_mixed else None
 
 
 def _is_gradient(terms: dict, constants: set) -> bool:
@@ -176,13 +166,14 @@ def _coefficient(rate: Expr, product: Expr, parameters: set) -> Expr:
     """Return the coefficient of a product in a rate, made of parameters alone."""
     if product == 0:  # the law does not read a signal of the product
         return S.Zero
-    quotients = [term / product for term in sympy.Add.make_args(rate)]
-    coefficients = [
-        quotient
-        for quotient in quotients
-        if not quotient.atoms(AppliedUndef) and quotient.free_symbols <= parameters
-    ]
-    return sympy.Add(*coefficients)
+    quotients = (term / product for term in sympy.Add.make_args(rate))
+    return sympy.Add(
+        *(
+            q
+            for q in quotients
+            if q.free_symbols <= parameters and not q.has(AppliedUndef)
+        )
+    )
 
 
 # --- a V of the user ------------------------------------------------------------------------
@@ -232,9 +223,8 @@ def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Bloc
     """Return V as a block, of a function of the loop's signals."""
     loop = theorem_loop(functions_of(law), "learned-flow", law_block=law)
     shapes: dict[str, Any] = {}
-    for block in loop.syslist:
-        if block.output_ports != {"V": 1}:
-            shapes |= block.declared["outputs"]
+    for block in loop.syslist[:-1]:  # the last one is V
+        shapes |= block.declared["outputs"]
     shapes |= {"phi_x": ("N",), "phi_z": ("N",), "zc": (2,)}
     parameters = {**law.parameters._asdict(), **truth._asdict()}
 
@@ -250,11 +240,7 @@ def _block_of_signals(V: Callable[[Any], Any], law: Block, truth: Truth) -> Bloc
         )
 
     # only with the ports and parameters that V reads
-    record = candidate(shapes, parameters).array_record("output")
-    ports = {port: shapes[port] for port in shapes if port in {*record.leaves("u")}}
-    fields = {
-        name: value
-        for name, value in parameters.items()
-        if name in {*record.leaves("p")}
-    }
+    leaves = candidate(shapes, parameters).array_record("output").leaves
+    ports = {port: shapes[port] for port in shapes if port in leaves("u")}
+    fields = {name: parameters[name] for name in parameters if name in leaves("p")}
     return candidate(ports, fields)

@@ -83,8 +83,8 @@ class AtFixes:
         return wrong(
             {
                 "x - z - eta m": [
-                    loop.derivative(e).subs(equal_phi)
-                    for e in s["x"] - s["z"] - self.missed(s)
+                    rate.subs(equal_phi)
+                    for rate in loop.derivative(s["x"] - s["z"] - self.missed(s))
                 ],
                 "V": rate_of_V(loop),
                 **{f"{port} read": loop.signals[port] - s[port] for port in READ},

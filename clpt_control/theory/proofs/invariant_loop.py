@@ -6,6 +6,7 @@ checks each for one N; `invariants` makes the proof of the checks.
 """
 
 import math
+from collections import Counter
 from collections.abc import Callable, Mapping, Set
 from functools import cache, cached_property
 from itertools import combinations_with_replacement
@@ -26,7 +27,7 @@ from .exact import as_factors, nonzero_residual, vanishes
 from .facts import is_positive_maximum
 from .steps import short
 from .sums_of_squares import contains_all, squares
-from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, flat, symbolic_loop
+from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, symbolic_loop
 from .theorem_loop import (
     Hedging,
     law_and_V,
@@ -55,14 +56,12 @@ class InvariantLoop:
         start: Mapping[str, Any] = NOTHING,
     ):
         """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
-        self.law, self.N = law, N
+        self.law, self.N, self.is_row, self.start = law, N, blocks is None, start
         true = truth_of(theorem_scenario(N, "learned-flow"))
         block, V = (
             law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
         )
-        self.loop: SymbolicLoop = symbolic_loop(
-            law_loop(law, block, V, speed), jumps=True
-        )
+        self.loop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
         self.words: dict[Any, sympy.Symbol] = {}
         self.states, self.rates = (
             {port.rpartition(":")[2]: values for port, values in ports.items()}
@@ -72,24 +71,15 @@ class InvariantLoop:
         assert law.invariants is not None
         self.stated = equated(self.states, law.invariants(self.states, p, truth))
         self.relations = _solved(self.stated)
-        self.start = start
         rates = {f"{port}'": rate for port, rate in self.rates.items()}
         every = {**self.loop.inputs, **self.states, **rates}
         self.parameters = p
         if blocks is None:
-            self.tied = symbols_of_V(
-                self.loop, V, law.V, (block.parameters, p), (true, truth)
-            )
+            sources = (block.parameters, p), (true, truth)
+            self.tied = symbols_of_V(self.loop, V, law.V, *sources)
         else:
-            judged = {
-                s
-                for block_k in (block, V)
-                for s in flat(self.loop.parameters[block_k.name])
-            }
-            values = {
-                s: number for s, number in self.loop.values.items() if s in judged
-            }
-            self.tied = values | symbols_of_V(self.loop, V, blocks[1], (true, truth))
+            self.tied = self.loop.numbers_of(block.name, V.name)
+            self.tied |= symbols_of_V(self.loop, V, blocks[1], (true, truth))
         self.losses = [
             tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
             for product in law.losses(every, p, truth)
@@ -104,13 +94,10 @@ class InvariantLoop:
         self.matrices = {port: self.states[port] for port in law.semidefinite}
         self.V = self.loop.signals["V"][0].xreplace(self.tied)
         self.truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
-        error = (
-            law.weighted_error(self.states, p, truth) if law.weighted_error else None
-        )
-        self.weighted_error, self.free = (
-            error,
-            {} if error is None else _free_symbols_for(error),
-        )
+        self.weighted_error, self.free = None, dict[Any, Any]()
+        if law.weighted_error:
+            self.weighted_error = law.weighted_error(self.states, p, truth)
+            self.free = _free_symbols_for(self.weighted_error)
         fresh = (value.free_symbols for value in self.free.values())
         self.apart = {*self.loop.motion, *self.truths}.union(*fresh)
 
@@ -133,11 +120,7 @@ class InvariantLoop:
         assert self.law.invariants is not None
         p = self.law.parameters_of(scenario.known_to_law)
         values = self.law.invariants(states, p, truth_of(scenario))
-        off = (
-            name
-            for name, value in values.items()
-            if not np.allclose(value, states[name])
-        )
+        off = [s for s, value in values.items() if not np.allclose(value, states[s])]
         return ", ".join(f"{name} at the start" for name in off)
 
     def off_at_zero(self) -> str:
@@ -145,14 +128,11 @@ class InvariantLoop:
 
         No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
         """
-        any_start = {
-            s
-            for port in ("x", "z", *LEARNED)
-            for s in self.states.get(port, np.array([])).flat
-        }
-        start = dict.fromkeys(self.loop.motion.keys() - any_start, sympy.S.Zero)
-        for name, value in self.start.items():
-            values = np.broadcast_to(np.asarray(value, float), self.states[name].shape)
+        own = self.states.keys() - {"x", "z", *LEARNED}
+        start: dict[Any, sympy.Expr] = {}
+        for name in own | self.start.keys():
+            value = np.asarray(self.start.get(name, 0.0), float)
+            values = np.broadcast_to(value, self.states[name].shape)
             start |= equated(self.states, {name: np.vectorize(rational)(values)})
         for symbol, value in self.stated.items():
             residual = (symbol - value).xreplace(start)
@@ -242,9 +222,8 @@ class InvariantLoop:
                 new = np.array(
                     [[after.get(m, m) for m in row] for row in M], dtype=object
                 )
-                if not self.not_negative(
-                    self.masked(sympy.expand(c @ new @ c)), set(c)
-                ):
+                form = self.masked(sympy.expand(c @ new @ c))
+                if not self.not_negative(form, set(c)):
                     return False
         return True
 
@@ -268,43 +247,43 @@ class InvariantLoop:
         if np.any(M != M.T):
             return f"left over: {short(M[0, 1] - M[1, 0])}"
         theta = self.loop.parameters["true_flow"].theta
-        substitutions = dict(
-            zip(self.states["theta_hat"].flat, (theta + c @ M).flat, strict=True)
-        )
-        rate = 2 * np.sum(self.rates["theta_hat"] * c) - np.sum(
-            (c @ self.rates[port]) * c
-        )
+        substitutions = equated(self.states, {"theta_hat": theta + c @ M})
+        rate = 2 * np.sum(self.rates["theta_hat"] * c)
+        rate -= np.sum((c @ self.rates[port]) * c)
         if not self.error_growth.is_nonpositive:
             return "what it gains may be positive"
-        return nonzero_residual(
-            self.reduced(
-                sympy.sympify(rate - self.error_growth).xreplace(substitutions)
-            )
-        )
+        excess = sympy.sympify(rate - self.error_growth).xreplace(substitutions)
+        return nonzero_residual(self.reduced(excess))
 
     def stays_semidefinite(self, port: str) -> bool:
-        """Return whether c^T M' c is not negative where M c = 0, for every c.
+        """Return whether c^T M' c is not negative where M c = 0, for every c."""
+        M = self.matrices[port]
+        form = as_factors(self.rate_where(port, np.zeros(len(M), dtype=object)))
+        return bool(form.is_nonnegative) and not self.forks(self.form_of_rate(port))
+
+    def form_of_rate(self, port: str) -> sympy.Expr:
+        """Return c^T M' c, whatever c is, with 1 for its last element.
 
         As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, M and c are rotated a
         little.
         """
+        c = _arbitrary(len(self.matrices[port]))
+        form = sympy.sympify(c @ self.rates[port] @ c)
+        return form.xreplace({c[-1]: sympy.S.One})
+
+    def rate_where(self, port: str, K: np.ndarray) -> sympy.Expr:
+        """Return c^T M' c where M c = K c, K diagonal."""
         M = self.symmetric[port].copy()
-        c = np.append(_arbitrary(len(M) - 1), sympy.Integer(1))
-        M[:-1, -1] = M[-1, :-1] = -(M[:-1, :-1] @ c[:-1])
-        M[-1, -1] = -np.dot(M[-1, :-1], c[:-1])
-        substitutions = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
-        rate = sympy.sympify(c @ self.rates[port] @ c)
-        form = as_factors(rate.xreplace(substitutions))
-        return bool(form.is_nonnegative) and not self.forks(rate)
+        c = _arbitrary(len(M))[:-1]
+        M[:-1, -1] = M[-1, :-1] = K[:-1] * c - M[:-1, :-1] @ c
+        M[-1, -1] = K[-1] - np.dot(M[-1, :-1], c)
+        return self.form_of_rate(port).xreplace(equated(self.matrices, {port: M}))
 
     def forks(self, rate: sympy.Expr) -> bool:
         """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
         roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
-        return any(
-            base.free_symbols & {*self.loop.motion}
-            for base in roots
-            if not base.is_positive
-        )
+        may_be_zero = sympy.Tuple(*(base for base in roots if not base.is_positive))
+        return bool(may_be_zero.free_symbols & {*self.loop.motion})
 
     @cached_property
     def symmetric(self) -> dict[str, np.ndarray]:
@@ -317,35 +296,28 @@ class InvariantLoop:
     def not_negative(self, expression: Any, arbitrary: Set[Any] = frozenset()) -> bool:
         """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
 
-        `others` are symbols beside states and truths that may have any value.
+        `arbitrary` are symbols beside states and truths that may have any value.
         """
         expression = sympy.sympify(expression)
         if self.masked(expression).is_nonnegative or self.is_room(expression):
             return True
         expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
-        matrices, shares_of_M = self.symmetric, []
-        symbols = sorted({s for M in matrices.values() for s in M.ravel()}, key=str)
+        matrices = self.symmetric
+        symbols = sorted({s for M in matrices.values() for s in M.flat}, key=str)
         if not expanded.is_polynomial(*symbols):
             return False
-        shares = sympy.Poly(expanded, *symbols).as_dict() if symbols else {(): expanded}
-        if any(sum(powers) > 1 for powers in shares):
+        of_M = sympy.Poly(expanded, *symbols, sympy.Dummy())  # there may be no matrices
+        if of_M.total_degree() > 1:
             return False
-        of = {
-            s: shares.get(tuple(int(s == symbol) for symbol in symbols), 0)
-            for s in symbols
-        }
+        shares_of_M = [of_M.coeff_monomial(1)]
         for M in matrices.values():
             c = _arbitrary(len(M), "d")
             # M_jk stands for M_kj too
             pairs = combinations_with_replacement(range(len(M)), 2)
-            shares_of_M.append(
-                sympy.Add(*(sympy.expand(c[j] * c[k] * of[M[j, k]]) for j, k in pairs))
-            )
-        shares_of_M.append(shares.get((0,) * len(symbols), sympy.S.Zero))
-        return all(
-            groups_never_positive(-share, self.apart | arbitrary)
-            for share in shares_of_M
-        )
+            shares = (c[j] * c[k] * of_M.coeff_monomial(M[j, k]) for j, k in pairs)
+            shares_of_M.append(sympy.expand(sympy.Add(*shares)))
+        variables = self.apart | arbitrary
+        return all(groups_never_positive(-share, variables) for share in shares_of_M)
 
     def held(self) -> tuple[set, set, list[str]]:
         """Return states that are bounded, others that exist, and matrices positive at the start.
@@ -359,10 +331,8 @@ class InvariantLoop:
         for port, M in self.matrices.items():
             c = _arbitrary(len(M))
             rate = c @ self.rates[port] @ c
-            flows, same = (
-                not loop.jumps,
-                dict(zip(M.flat, self.symmetric[port].flat, strict=True)),
-            )
+            flows = not loop.jumps
+            same = equated(self.matrices, {port: self.symmetric[port]})
             grown += [port] * (flows and self.not_negative(rate, set(c)))
             at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
             slows = as_factors((rate - at_zero).xreplace(same)).is_nonpositive
@@ -375,16 +345,16 @@ class InvariantLoop:
                 exist |= {*M.flat} | estimate
             bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
             V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
-        weighs_alpha = law.weighted_error is not None or bool(law.error_left)
+        in_V = [port for port in LEARNED if port in loop.states]
         if (
             law.error_left
         ):  # its w falls, and each parameter's error is w times the first one
             bounded |= {*self.states[law.error_left].flat, *self.states["alpha"].flat}
+        if law.error_left or law.weighted_error is not None:
+            in_V.remove("alpha")
         e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
         x, z = loop.states["x"], loop.states["z"]
         V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
-        in_V = [p for p in LEARNED if p in loop.states]
-        in_V = [p for p in in_V if not (p == "alpha" and weighs_alpha)]
         learned = [s for port in in_V for s in loop.states[port].flat]
         total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
         if total and contains_all(total, [*e, *learned]):
@@ -405,22 +375,13 @@ class InvariantLoop:
     def keeps_a_ceiling(self, port: str) -> bool:
         """Return whether c^T M' c = 0 where M c = K c, K > 0 diagonal: then M <= K is kept.
 
-        M begins at 0; K is made of parameters; c_n is 1, as in `stays_semidefinite`.
+        M begins at 0; K is made of parameters.
         """
-        if any(
-            after[m] != m
-            for after in self.loop.jumps.values()
-            for m in after
-            if m in {*self.matrices[port].flat}
-        ):
-            return False
-        M = self.symmetric[port].copy()
-        K = np.array([sympy.Dummy(positive=True) for _ in M])
-        c = np.append(_arbitrary(len(M) - 1), sympy.Integer(1))
-        M[:-1, -1] = M[-1, :-1] = K[:-1] * c[:-1] - M[:-1, :-1] @ c[:-1]
-        M[-1, -1] = K[-1] - np.dot(M[-1, :-1], c[:-1])
-        substitutions = dict(zip(self.matrices[port].ravel(), M.ravel(), strict=True))
-        rate = sympy.sympify(c @ self.rates[port] @ c).xreplace(substitutions)
+        for after in self.loop.jumps.values():
+            if any(after.get(m, m) != m for m in self.matrices[port].flat):
+                return False
+        K = np.array([sympy.Dummy(positive=True) for _ in self.matrices[port]])
+        rate = self.rate_where(port, K)
         for factor in sympy.Mul.make_args(as_factors(rate)):
             base, power = factor.as_base_exp()
             is_linear = base.has(*K) and sympy.Poly(base, *K).total_degree() == 1
@@ -470,12 +431,10 @@ def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:
 
 def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
     """Return symbol -> expression such that each value, linear in it, becomes a symbol."""
-    flat, replacements = list(np.ravel(values)), {}
-    for k, value in enumerate(flat):
-        shared = {
-            s for j, value_j in enumerate(flat) if j != k for s in value_j.free_symbols
-        }
-        symbol = min(value.free_symbols - shared, key=str)
+    replacements = {}
+    counts = Counter(s for value in values.flat for s in value.free_symbols)
+    for k, value in enumerate(values.flat):
+        symbol = min((s for s in value.free_symbols if counts[s] == 1), key=str)
         fresh = sympy.Symbol(f"over_{k + 1}", real=True)
         replacements[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(
             value, symbol

@@ -47,15 +47,14 @@ import numpy as np
 import sympy
 
 from ...paper.laws.law import Law
-from . import invariant_loop
 from .certificates import Ways, of_invariants
-from .conclusions import Condition, Status
+from .conclusions import Condition
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
 from .invariant_loop import InvariantLoop
-from .judge import Candidate, Fall, Refutation, Verdict
-from .same_as_running import running_step
-from .steps import Step, exact_step, short
+from .judge import Fall
+from .law_candidate import LoopCandidate
+from .steps import Step, exact_step
 from .theorem_loop import decay, rate_of_V
 from .theorems import mean_square
 
@@ -63,18 +62,18 @@ Claims = dict[str, tuple[str, Callable[[InvariantLoop], bool | str]]]
 IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
 
 
-class Invariants(Candidate):
-    """A law whose row has invariants, for N = 1, 2, 3; or a single loop, of your own law."""
+class Invariants(LoopCandidate):
+    """A law with invariants, on its loops: of its row N = 1, 2, 3, of your own law one N."""
 
     def __init__(
-        self, law: Law, points: int, single: InvariantLoop | None = None, seed: int = 0
+        self, law: Law, cases: list[InvariantLoop], points: int, seed: int = 0
     ):
-        self.law, self.points, self.single, self.seed = law, points, single, seed
-        sizes = invariant_loop.SIZES
-        self.cases = [single] if single else [InvariantLoop(law, N) for N in sizes]
-        self.case = self.cases[len(self.cases) // 2]
+        self.law, self.cases, self.points, self.seed = law, cases, points, seed
+        self.case = cases[len(cases) // 2]
         self.eq = self.loop = self.case.loop
-        self.V, self.fixed = self.case.V, {*self.loop.values}
+        self.V, self.residual = self.case.V, self.case.beside
+        self.fixed = {*self.loop.values}
+        self.sizes = "N = " + ", ".join(str(case.N) for case in cases)
         self.rate = rate_of_V(self.loop).xreplace(self.case.tied)
         self.motion = self.loop.motion
         self.undefined = [s for case in self.cases for s in case.loop.undefined]
@@ -95,10 +94,9 @@ class Invariants(Candidate):
 
     def fall(self) -> Fall:
         """Return what is shown of the relations, and of V' where they hold."""
-        claims = claims_of(self.law, self.cases[0], self.single is not None).items()
         steps = [
             exact_step(self.cases, claim, check, shows)
-            for claim, (shows, check) in claims
+            for claim, (shows, check) in claims_of(self.law, self.case).items()
         ]
         fall = Fall(steps, f"V' = {self.law.V_rate}")
         if self.law.perturbation is not None:
@@ -108,15 +106,11 @@ class Invariants(Candidate):
             e = self.loop.states["x"] - self.loop.states["z"]
             fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
         positive = f"{' and '.join(self.grown)} > 0" * bool(self.grown)
-        kept = "the relations hold" * (self.single is not None)
+        kept = "the relations hold" * (not self.case.is_row)
         fall.conditions = [
             Condition("start", text) for text in (kept, positive) if text
         ]
         return fall
-
-    def same_as_running(self) -> Step:
-        """Return the step that the running blocks have the same V and rates."""
-        return running_step(lambda: self.loop, self.points, seed=self.seed)
 
     def jumps(self) -> tuple[Step, sympy.Expr]:
         """Return the step that V does not rise where states jump."""
@@ -128,49 +122,22 @@ class Invariants(Candidate):
         """Return the ways to write V' as a sum, for a certificate."""
         return of_invariants(self)
 
-    def rises_at_jumps(self) -> list[sympy.Expr]:
-        """Return nothing: `jumps` asks the loop."""
-        return []
-
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive where M >= 0."""
         return self.case.not_negative(-expression)
 
-    def refuted(self, steps: list[Step]) -> Refutation | None:
-        """Return None: a law with invariants is proved or open."""
-        return None
 
-    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
-        """Return None, as of `refuted`."""
-        return None
-
-    def text(self, expression: sympy.Expr) -> str:
-        """Return an expression in a line."""
-        return short(expression)
-
-    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
-        """Return a verdict on the law; a step that fails at jumps leaves it open."""
-        sizes = ", ".join(str(case.N) for case in self.cases)
-        conditions = (*fields.pop("conditions", ()), Condition("N", f"N = {sizes}"))
-        fields |= {"steps": tuple(fields["steps"])}
-        fields["conditions"] = conditions if status == "proved" else ()
-        diagram, beside = self.loop.diagram, self.case.beside
-        V, rate = self.V, self.rate
-        return Verdict(
-            status, claim, V=V, rate=rate, residual=beside, diagram=diagram, **fields
-        )
-
-
-def claims_of(law: Law, case: InvariantLoop, is_user_law: bool) -> Claims:
+def claims_of(law: Law, case: InvariantLoop) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     names = law.semidefinite
-    start = InvariantLoop.off_at_zero if is_user_law else InvariantLoop.off_at_the_start
-    sizes = (
-        f"N = {case.N} and the parameters as they are" if is_user_law else "N = 1, 2, 3"
-    )
-    kept = f"what the law's states keep is kept{' where it begins so' * is_user_law}"
+    kept, sizes = "what the law's states keep is kept", "N = 1, 2, 3"
+    start = InvariantLoop.off_at_the_start
+    if not case.is_row:
+        kept += " where it begins so"
+        sizes = f"N = {case.N} and the parameters as they are"
+        start = InvariantLoop.off_at_zero
     claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
-    if is_user_law:
+    if not case.is_row:
         claims["what is kept does not repel"] = "", InvariantLoop.repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"

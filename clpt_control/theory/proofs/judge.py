@@ -29,7 +29,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from .certified import written
 from .conclusions import Condition, Judged, Status, concluded, go
-from .exact import vanishes
+from .exact import normal_form, vanishes
 from .facts import is_continuous, meets_smoothly
 from .latex import theorem_and_proof
 from .limits import Motion
@@ -261,29 +261,30 @@ class Candidate(ABC):
                 return exact(claim, False, f"V changes by {short(rise)}"), rise
         return exact(claim, True, "", "jumps"), sympy.S.Zero
 
-    @abstractmethod
     def rises_at_jumps(self) -> list[sympy.Expr]:
         """Return by how much V rises at each set of jumps."""
+        after = self.eq.jumps_at_once()
+        return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
     @abstractmethod
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive."""
 
-    @abstractmethod
     def refuted(self, steps: list[Step]) -> Refutation | None:
-        """Return a point that refutes V, of the steps that fail."""
+        """Return a point that refutes V, of the steps that fail, if one is searched for."""
+        return None
 
-    @abstractmethod
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
-        """Return a point at which V rises at a jump."""
+        """Return a point at which V rises at a jump, if one is searched for."""
+        return None
 
     @abstractmethod
     def ways(self, fall: Fall) -> Sequence[Callable[[], Any]]:
         """Return the ways to write V' as a sum, for a certificate."""
 
-    @abstractmethod
     def text(self, expression: sympy.Expr) -> str:
-        """Return an expression as the user writes it."""
+        """Return an expression as the user writes it, in a line."""
+        return short(expression)
 
     @abstractmethod
     def verdict(self, status: Status, claim: str, **known: Any) -> Verdict:
@@ -314,7 +315,7 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
         refutation = candidate.refuted(steps) if refute else None
         if refutation is not None:
             return refuted(candidate, refutation, steps)
-        return candidate.verdict("open", failed, steps=steps)
+        return candidate.verdict("open", failed, steps=tuple(steps))
     steps += fall.remarks
     motion, of = candidate.moving(fall.zeroed), fall.of
     steps.append(motion.outside())
@@ -339,7 +340,7 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
         bound=fall.bound,
         level=fall.level,
         conditions=tuple(conditions),
-        steps=steps,
+        steps=tuple(steps),
         ways=partial(candidate.ways, fall),
     )
 
@@ -349,7 +350,7 @@ def refuted(candidate: Candidate, found: Refutation, steps: list[Step]) -> Verdi
     return candidate.verdict(
         "refuted",
         found.claim,
-        steps=[*steps, found.step],
+        steps=(*steps, found.step),
         point=found.point,
         value=found.value,
         after=found.after,

@@ -19,47 +19,91 @@ from sympy.core.function import AppliedUndef
 from ...base.units import at_least, at_most
 from ...engine.model.block import Block
 from ...engine.record.scalar_graph import Index
+from ...simulation.user_components import functions_of
+from ..promises import truth_of
 from .certificates import Ways, of_law
 from .conclusions import Condition, Status
 from .decide import never_positive
+from .default_candidate import WEIGHTS, LawV
 from .every_n import base_and_term, reindexed
 from .exact import as_factors, normal_form, vanishes
 from .facts import CLIP, SIGN, along, degree, has_time
 from .judge import Candidate, Fall, Refutation, Verdict
 from .limits import CLOCK
+from .point_search import PointSearch
 from .same_as_running import running_step, search_of
 from .steps import Step, checked, exact, short
 from .sums_of_squares import dead_zone, rising_in, squares
-from .symbolic_loop import TIME, ArrayLoop, SymbolicLoop, flat, refuse_no_value
-from .theorem_loop import decay, rate_of_V, truth_in
-from .ultimate_bounds import Bound, Bounding
+from .symbolic_loop import (
+    TIME,
+    ArrayLoop,
+    SymbolicLoop,
+    flat,
+    refuse_no_value,
+    symbolic_loop,
+)
+from .theorem_loop import (
+    decay,
+    rate_of_V,
+    symbols_of_V,
+    theorem_loop,
+    theorem_scenario,
+    truth_in,
+)
+from .ultimate_bounds import Bounding, bounded
 
 HIDDEN = {"flow_x": "the true flow", "V": "V, which is made of the truth"}
 
 
-class LawCandidate(Candidate):
-    """A law with its V, on symbols and running.
+class LoopCandidate(Candidate):
+    """V on the loop of a law."""
 
-    `tied` are V's symbols -> what they are of the truth or of the law; V' > 0 refutes the law only
-    where V is `fitted` to it.
-    """
+    loop: SymbolicLoop
+    points: int
+    seed: int
+    residual: sympy.Expr  # V' less its fall
+    sizes: str  # numbers of functions for which V' is as shown: N = 2
+    for_every_N = False
 
-    def __init__(
-        self,
-        loop: SymbolicLoop,
-        V: Block,
-        law: Block,
-        tied: Mapping[Any, sympy.Expr],
-        fitted: bool,
-        points: int,
-        seed: int,
-    ):
-        self.eq = self.loop = loop
-        self.block, self.law, self.fitted = V, law, fitted
+    def same_as_running(self) -> Step:
+        """Return the step that the running blocks have the same V and rates."""
+        return running_step(lambda: self.loop, self.points, seed=self.seed)
+
+    def at_z(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the states of the loop."""
+        return expression
+
+    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
+        """Return a verdict on the law."""
+        if status == "proved":
+            of_N = Condition("N", "every N" if self.for_every_N else self.sizes)
+            fields["conditions"] = (*fields["conditions"], of_N)
+        return Verdict(
+            status,
+            claim,
+            V=self.at_z(self.V),
+            rate=self.at_z(self.rate),
+            residual=self.at_z(self.residual),
+            diagram=self.loop.diagram,
+            for_every_N=self.for_every_N and status == "proved",
+            **fields,
+        )
+
+
+class LawCandidate(LoopCandidate):
+    """A law with its V, on symbols and running."""
+
+    def __init__(self, law: Block, law_V: LawV, points: int, seed: int):
+        self.N = N = functions_of(law)
+        truth = truth_of(theorem_scenario(N, "learned-flow"))
+        V = law_V.make(truth)
+        diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=V)
+        self.eq = self.loop = loop = symbolic_loop(diagram, jumps=True)
+        self.block, self.law, self.fitted = V, law, law_V.fitted
         self.points, self.seed = points, seed
         refuse_no_value(loop, V.name)
-        self.N = len(loop.inputs["phi_x"])
-        self._replace_symbols({s: e for s, e in tied.items() if s != e})
+        self.sizes = f"N = {N}"
+        self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
         self.fixed = {*loop.values}
         # e as symbols of their own, z = x - e; a state of the law may be called e_1 as well
         self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
@@ -85,26 +129,22 @@ class LawCandidate(Candidate):
             self.zones.append(zone)
         self.rate = normal_form(self.of_e(rate_of_V(loop)))
         self.residual = self._residual()
-        self.for_every_N = False
+
+    def _tie(self, tied: dict[Any, Any], law_V: LawV) -> None:
+        """Set what symbols are: numbers of the law and of V, but not of the truth."""
+        p = self.loop.parameters[self.block.name]
+        if law_V.gains is not None:
+            weights = law_V.gains(flat(self.loop.parameters[self.law.name]))
+            fields = [getattr(p, field) for field in WEIGHTS if field in p._fields]
+            tied |= zip(flat(fields), weights, strict=True)
+        tied = {s: e for s, e in tied.items() if s != e}
+        self.values = self.loop.numbers_of(self.law.name, self.block.name)
+        self.known = self.values | {s: e.xreplace(self.values) for s, e in tied.items()}
+        self.of_V = {s: v for s, v in self.values.items() if s in {*flat(p)}} | tied
 
     def of_e(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in x and e, with the numbers of the law and of V."""
         return sympy.sympify(expression).xreplace(self.known).xreplace(self.in_e)
-
-    def _replace_symbols(self, tied: dict) -> None:
-        """Set what symbols are: numbers of the law and of V, but not of the truth."""
-        parameters = self.loop.parameters
-        judged = self.law.name, self.block.name
-        hidden = {
-            s
-            for name in parameters
-            if name not in judged
-            for s in flat(parameters[name])
-        }
-        self.values = {s: v for s, v in self.loop.values.items() if s not in hidden}
-        self.known = self.values | {s: e.xreplace(self.values) for s, e in tied.items()}
-        of_V = {*flat(parameters[self.block.name])} & self.values.keys()
-        self.of_V = {s: self.values[s] for s in of_V} | tied
 
     def _residual(self) -> sympy.Expr:
         """Return V' less its fall."""
@@ -159,31 +199,25 @@ class LawCandidate(Candidate):
         below = f"V' {'=' if self.residual == 0 else '<='} {text}"
         detail = f"left over: {short(self.at_z(self.residual))}" * (self.residual != 0)
         detail = detail if self.rises else "V is not known to rise with |e|"
-        sizes = f"N = {self.N} and the parameters as they are"
+        sizes = f"{self.sizes} and the parameters as they are"
         shows = "falls loses" * (not any(self.zones))
         step = exact(f"{below}, {sizes}", falls, "" if falls else detail, shows)
-        bound = None
+        fall = None
         if falls and any(self.zones):
-            bound = self._comes_to_zones(text)
+            fall = self._comes_to_zones(text)
         elif self.least is not None and not (falls or any(self.zones)):
-            bound = Bounding(self).bound()
-        if bound is not None:
-            steps = [exact(bound.claim, True, "", bound.shows)]
-            fall = Fall(steps, bound.claim, level=bound.level, of=bound.of)
-            fall.bound, fall.conditions = bound.bound, [*bound.conditions]
-            fall.losses = self.e if bound.shows.startswith("zone") else ()
-        else:
+            fall = Bounding(self).bound()
+        if fall is None:
             fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
-            fall.remarks = [self._every_N()] if falls else []
+            if falls:
+                every_N = checked("the same for every N", self._holds_for_every_N)
+                self.for_every_N = every_N.holds
+                fall.remarks = [every_N]
         read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
         if has_time(self.V, self.rate):
             fall.conditions.append(Condition("t >= 0"))
         fall.conditions += [Condition("reads the truth", why) for why in read]
         return fall
-
-    def same_as_running(self) -> Step:
-        """Return the step that the running blocks have the same V and rates."""
-        return running_step(lambda: self.loop, self.points, seed=self.seed)
 
     def ways(self, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
@@ -246,7 +280,7 @@ class LawCandidate(Candidate):
                 return True, fall + text
         return False, fall
 
-    def _comes_to_zones(self, fall: str) -> Bound:
+    def _comes_to_zones(self, fall: str) -> Fall:
         """Return the zones that e comes to, outside of which V falls.
 
         As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
@@ -259,18 +293,12 @@ class LawCandidate(Candidate):
         )
         most = f"-D^T KD D{suffix}" if fall.startswith("-D^T") else "0"
         ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(most_of, 1))
-        if not self.takes_delta():
-            return Bound(f"V' <= {fall}", "zone falls", of=ends)
-        where = (Condition("truth", below),)
-        return Bound(f"V' <= {most}", "zone falls", of=ends, conditions=where)
+        where = [Condition("truth", below)] if self.takes_delta() else []
+        claim = f"V' <= {most if where else fall}"
+        fields = {"losses": self.e, "of": ends, "conditions": where}
+        return bounded(claim, "zone falls", **fields)
 
     # --- every N --------------------------------------------------------------------------------
-
-    def _every_N(self) -> Step:
-        """Return the step that the same holds for every N."""
-        step = checked("the same for every N", self._holds_for_every_N)
-        self.for_every_N = step.holds
-        return step
 
     def _holds_for_every_N(self) -> tuple[bool, str]:
         loop = ArrayLoop(self.loop.diagram, substitute=self._of_every_N)
@@ -328,13 +356,12 @@ class LawCandidate(Candidate):
     def refuted(self, steps: list[Step]) -> Refutation | None:
         """Return a point at which V' > 0 however far off, or V is below V at the truth."""
         V, rest_state = self.at_z(self.V), self.rest_of_states
-        self.search = search_of(self.loop, rest_state, self.seed)
         if not steps[1].holds:
             below = self.search.below_rest(V - V.xreplace(rest_state))
             if below is None:
                 return None
             claim = f"V is {-below[1]:.3g} below its value at the truth at `point`"
-            step = Step(claim, True, "counterexample", "", False)
+            step = Step(claim, True, "counterexample", every_N=False)
             return Refutation(claim, step, *below)
         if not self.fitted:
             return None
@@ -354,7 +381,6 @@ class LawCandidate(Candidate):
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V of the running blocks rises at a jump, however far off."""
-        self.search = search_of(self.loop, self.rest_of_states, self.seed)
         jump = self.search.rising_jump() if self.fitted else None
         if jump is None:
             return None
@@ -364,6 +390,11 @@ class LawCandidate(Candidate):
         )
         step = Step(claim, True, "counterexample", f"by {size:.3g}", False)
         return Refutation(claim, step, before, None, after)
+
+    @cached_property
+    def search(self) -> PointSearch:
+        """Random points about the truth."""
+        return search_of(self.loop, self.rest_of_states, self.seed)
 
     @property
     def rest_of_states(self) -> dict[Any, sympy.Expr]:
@@ -375,27 +406,6 @@ class LawCandidate(Candidate):
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the loop."""
         return expression.xreplace(self.in_x)
-
-    def text(self, expression: sympy.Expr) -> str:
-        """Return an expression in a line."""
-        return short(expression)
-
-    def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
-        """Return a verdict on the law."""
-        every_N = self.for_every_N and status == "proved"
-        of_N = Condition("N", "every N" if every_N else f"N = {self.N}")
-        conditions = (*fields.pop("conditions", ()), *[of_N] * (status == "proved"))
-        fields |= {"steps": tuple(fields["steps"]), "conditions": conditions}
-        return Verdict(
-            status,
-            claim,
-            V=self.at_z(self.V),
-            rate=self.at_z(self.rate),
-            residual=self.at_z(self.residual),
-            diagram=self.loop.diagram,
-            for_every_N=every_N,
-            **fields,
-        )
 
 
 def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:

@@ -16,7 +16,6 @@ if the flow is slower than the vehicle; x is then bounded.  A faster flow carrie
 from collections.abc import Callable
 from functools import partial
 
-import numpy as np
 import sympy
 
 from ...engine.diagram.interconnection import connect
@@ -32,7 +31,7 @@ from .paper_loop import PaperLoop, algebra, line
 from .proof import Proof, theorem
 from .steps import checked, counterexample
 from .symbolic_loop import symbolic_loop
-from .theorem_loop import law_and_V, law_loop, rate_of_V
+from .theorem_loop import decay, law_and_V, law_loop, rate_of_V
 from .theorems import loops, mean_square, quadratic, running
 
 N = 2  # functions of a law of the table
@@ -88,7 +87,7 @@ def with_hedging() -> Proof:
     zero, KD, e, phi, zc = paper.zero, paper.KD, paper.e, paper.phi, paper.zc
     signals, inputs = paper.loop.signals, paper.loop.inputs
     claim = "V' = -e^T KD e, whatever v is flown"
-    fall = paper.rate(paper.V) + np.sum(KD * e**2)
+    fall = paper.rate(paper.V) - decay(paper.loop)
     commanded = paper.GammaD * zc - paper.alpha_M @ phi - KD * paper.x
     moved = paper.rate(paper.x) - (signals["flow_x"] + inputs["v_x"])
     steps = [
@@ -143,14 +142,15 @@ def without_hedging() -> Proof:
     """Refute Theorem 3.2 of a vehicle whose speed is limited, without hedging."""
     paper = PaperLoop("learned-flow", speed="not hedged")
     missing = paper.loop.signals["v_c"] - paper.loop.inputs["v_x"]
-    decay = -np.sum(paper.KD * paper.e**2)
     return theorem(
         OPEN,
         ("Assumptions of Theorem 3.2",),
         [
             line(
                 "V' = -e^T KD e - e^T (v_c - v), for every N",
-                paper.zero(paper.rate(paper.V) - (decay - paper.e @ missing)),
+                paper.zero(
+                    paper.rate(paper.V) - (decay(paper.loop) - paper.e @ missing)
+                ),
             ),
             mean_square(),
             counterexample(  # largest |e| with hedging, and without

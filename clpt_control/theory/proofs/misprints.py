@@ -17,8 +17,9 @@ from ...paper.blocks import flow
 from ...paper.laws.law import LEARNED
 from ...simulation.loops import error_loop
 from .exact import vanishes
+from .paper_loop import PaperLoop
 from .steps import checked
-from .symbolic_loop import SymbolicLoop, symbolic_loop
+from .symbolic_loop import symbolic_loop
 from .theorem_loop import (
     decay,
     decay_and_known_error,
@@ -65,50 +66,28 @@ def misprints() -> tuple[Misprint, ...]:
     >>> found.equation, found.holds(True), found.holds(False)
     ('(18)', False, True)
     """
-    for cached in (any_gains, paper_loop, error_dynamics):
+    for cached in (any_gains, of_law, error_dynamics):
         cached.cache_clear()  # the blocks may have been changed
     return MISPRINTS
-
-
-def errors(loop: SymbolicLoop) -> dict[str, Any]:
-    """Return e and eta: theta + alpha, K - KD and GammaD - Gamma."""
-    p, s, car = loop.parameters, loop.states, loop.parameters["vehicle_controller"]
-    first = {
-        "e": s["x"] - s["z"],
-        "eta_3": s["K"] - car.KD,
-        "eta_4": car.GammaD - s["Gamma"],
-    }
-    return (
-        {**first, "eta": p["true_flow"].theta + s["alpha"]} if "alpha" in s else first
-    )
-
-
-def wanted_rate(loop: SymbolicLoop, before_eta_3: str = "z") -> Any:
-    """Return e' = -KD e + W^T eta, Eq. (27) with z eta_3."""
-    error, inputs = errors(loop), loop.inputs
-    KD = loop.parameters["vehicle_controller"].KD
-    rate = -KD * error["e"] + error["eta"] @ inputs["phi_x"]
-    rate = rate + loop.states[before_eta_3] * error["eta_3"]
-    return rate + inputs["zc"] * error["eta_4"]
 
 
 # --- symbolic loops ----------------------------------------------------------------------------
 
 
 @cache
-def any_gains(law: str, disturbed: bool = False) -> SymbolicLoop:
+def any_gains(law: str, disturbed: bool = False) -> PaperLoop:
     """Return a loop with free injection and free rates of the adapted parameters."""
     loop = symbolic_loop(theorem_loop(2, law, disturbed), ("injection",))
     rate_symbol = np.vectorize(lambda s: sympy.Symbol(f"{s}'", real=True))
     adapted = [port for port in LEARNED if port in loop.states]
     free = {port: rate_symbol(loop.states[port]) for port in adapted}
-    return replace(loop, rates=loop.rates | free)
+    return PaperLoop(loop=replace(loop, rates=loop.rates | free))
 
 
 @cache
-def paper_loop(law: str) -> SymbolicLoop:
+def of_law(law: str) -> PaperLoop:
     """Return the closed loop of a law of the paper."""
-    return symbolic_loop(theorem_loop(2, law))
+    return PaperLoop(loop=symbolic_loop(theorem_loop(2, law)))
 
 
 @cache
@@ -120,36 +99,30 @@ def error_dynamics() -> tuple[sympy.Matrix, sympy.Matrix, sympy.Matrix, sympy.Sy
     return A, A[:2, 2:].T, KD, loop.parameters["parameter_system"].gain
 
 
-def rate_of_e(loop: SymbolicLoop) -> np.ndarray:
-    """Return e' along the equations."""
-    return np.array([loop.derivative(e) for e in loop.signals["e"]])
-
-
-def brackets(loop: SymbolicLoop, flow: Any, K: bool, alpha: bool = False) -> sympy.Expr:
+def brackets(paper: PaperLoop, flow: Any, K: bool, alpha: bool = False) -> sympy.Expr:
     """Return V' less e^T (flow - KD e - psi) and less the brackets of the parameter errors.
 
     K' and alpha' are divided by gamma, or not, if `K` or `alpha` is as printed.
     """
-    error, rates, inputs = errors(loop), loop.rates, loop.inputs
-    e, gamma = error["e"], loop.parameters["adaptation"].gain
-    KD = loop.parameters["vehicle_controller"].KD
-    of_K = rates["K"] / (1 if K else gamma)
-    form = e @ (flow - KD * e - loop.signals["psi"])
-    form += error["eta_3"] @ (of_K + loop.states["z"] * e)
-    form += error["eta_4"] @ (inputs["zc"] * e - rates["Gamma"] / gamma)
-    if "eta" in error:
-        of_alpha = rates["alpha"] / (1 if alpha else gamma)
-        form += np.sum(error["eta"] * (of_alpha + np.outer(e, inputs["phi_x"])))
+    e, gamma, loop = paper.e, paper.gamma, paper.loop
+    of_K = loop.rates["K"] / (1 if K else gamma)
+    form = e @ (flow - paper.KD * e - loop.signals["psi"])
+    form += paper.kappa @ (of_K + paper.z * e)
+    form += paper.nu @ (paper.zc * e - loop.rates["Gamma"] / gamma)
+    if "alpha" in loop.states:
+        of_alpha = loop.rates["alpha"] / (1 if alpha else gamma)
+        form += np.sum(paper.eta * (of_alpha + np.outer(e, paper.phi)))
     return rate_of_V(loop) - form
 
 
-def modelled_flow(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
+def modelled_flow(paper: PaperLoop, printed: bool = False) -> np.ndarray:
     """Return -(alpha_M + alpha) phi(x) - (alpha_M - alpha) phi(z), Eq. (19), or that of (25)."""
-    alpha_M, alpha = loop.parameters["vehicle_controller"].alpha_M, loop.states["alpha"]
-    phi, phi_z = loop.inputs["phi_x"], loop.inputs["phi_z"]
+    alpha_M, alpha = paper.alpha_M, paper.alpha
     if printed:
-        return -2 * alpha_M @ phi
-    return -(alpha_M + alpha) @ phi - (alpha_M - alpha) @ phi_z
+        return -2 * alpha_M @ paper.phi
+    return (
+        -(alpha_M + alpha) @ paper.phi - (alpha_M - alpha) @ paper.loop.inputs["phi_z"]
+    )
 
 
 # --- residuals ---------------------------------------------------------------------------------
@@ -157,32 +130,31 @@ def modelled_flow(loop: SymbolicLoop, printed: bool = False) -> np.ndarray:
 
 def equation_18(printed: bool) -> Any:
     """V' of Eq. (18)."""
-    loop = any_gains("known-flow")
-    theta = loop.parameters["true_flow"].theta
-    alpha_M = loop.parameters["vehicle_controller"].alpha_M
-    return brackets(loop, (theta - alpha_M) @ loop.inputs["phi_x"], printed)
+    paper = any_gains("known-flow")
+    return brackets(paper, (paper.theta - paper.alpha_M) @ paper.phi, printed)
 
 
 def equation_25(
     K: bool = False, alpha: bool = False, flow: bool = False, delta: bool = False
 ):
     """V' of the learned-flow law by Eq. (25) or, with Delta, Eq. (34), as printed."""
-    loop = any_gains("learned-flow", delta)
-    total = modelled_flow(loop, flow) + loop.inputs.get("delta", 0)
-    return brackets(loop, total, K, alpha)
+    paper = any_gains("learned-flow", delta)
+    total = modelled_flow(paper, flow) + paper.loop.inputs.get("delta", 0)
+    return brackets(paper, total, K, alpha)
 
 
 def second_derivative(printed: bool) -> Any:
     """e' in V'' after Eq. (26)."""
-    loop = any_gains("learned-flow")
-    flow = modelled_flow(loop, printed) - loop.signals["psi"]
-    return rate_of_e(loop) - wanted_rate(loop) - flow
+    paper = any_gains("learned-flow")
+    flow = modelled_flow(paper, printed) - paper.loop.signals["psi"]
+    return paper.rate(paper.e) - paper.error_rate - flow
 
 
 def equation_27(printed: bool) -> Any:
     """e' of Eq. (27)."""
-    loop = paper_loop("learned-flow")
-    return rate_of_e(loop) - wanted_rate(loop, "x" if printed else "z")
+    paper = of_law("learned-flow")
+    rate = paper.rate(paper.e) - paper.error_rate
+    return rate - (paper.x - paper.z) * paper.kappa if printed else rate
 
 
 def equation_28_rows(printed: bool) -> Any:
@@ -212,7 +184,7 @@ def output_injection(printed: bool) -> Any:
 
 def hats(printed: bool) -> Any:
     """V' with theta or theta_hat in Eqs. (12)-(16)."""
-    loop = paper_loop("known-flow")
+    loop = of_law("known-flow").loop
     rate = decay(loop) if printed else decay_and_known_error(loop)
     return rate_of_V(loop) - rate
 
@@ -236,23 +208,20 @@ def gaussian(printed: bool) -> Any:
 
 def converges_to(printed: bool) -> Any:
     """Gradient of V of Eq. (24) at the supposed minimum."""
-    loop = paper_loop("learned-flow")
-    alpha = loop.states["alpha"].flat
-    theta = loop.parameters["true_flow"].theta.ravel()
-    minimum = dict(zip(alpha, theta if printed else -theta, strict=True))
-    return [sympy.diff(loop.signals["V"][0], a).xreplace(minimum) for a in minimum]
+    paper = of_law("learned-flow")
+    learned = paper.theta if printed else -paper.theta
+    minimum = dict(zip(paper.alpha.flat, learned.flat, strict=True))
+    return [sympy.diff(paper.V, a).xreplace(minimum) for a in minimum]
 
 
 def bounded_z(printed: bool) -> Any:
     """Term that vanishes by the argument for bounded z, proof of Theorem 3.2."""
-    loop = paper_loop("learned-flow")
-    states = loop.states
+    paper = of_law("learned-flow")
     if not printed:
-        return states["z"] - (states["x"] - loop.signals["e"])
-    adapted = [symbol for port in LEARNED for symbol in states[port].flat]
-    slopes = [
-        rate.diff(z) for rate, z in zip(loop.rates["z"], states["z"], strict=True)
-    ]
+        return paper.z - (paper.x - paper.e)
+    loop = paper.loop
+    adapted = [symbol for port in LEARNED for symbol in loop.states[port].flat]
+    slopes = [rate.diff(z) for rate, z in zip(loop.rates["z"], paper.z, strict=True)]
     return [slope.diff(symbol) for slope in slopes for symbol in adapted]
 
 

@@ -1,7 +1,7 @@
-"""The paper's closed loop for every N, with the paper's names, and lines of proofs on it.
+"""The paper's closed loop with the paper's names, and lines of proofs on it.
 
-`PaperLoop` reads the blocks that run as arrays whose size N is open.  A line of a proof is a claim
-and what was checked of it:
+`PaperLoop` reads the blocks that run, by default as arrays whose size N is open.  A line of a proof
+is a claim and what was checked of it:
 
     line("(22)  kappa' = -gamma z e", loop.zero(loop.rate(kappa) + gamma * z * e))
 
@@ -13,11 +13,10 @@ from typing import Any
 import numpy as np
 
 from ...engine.model.ports import named
-from ...simulation.loops import error_loop
 from .exact import vanishes
 from .steps import Step
 from .symbolic_loop import ArrayLoop
-from .theorem_loop import WIRED, Hedging, theorem_loop, theorem_scenario, vanish
+from .theorem_loop import WIRED, Hedging, theorem_loop
 
 Check = tuple[bool, str]  # whether a claim holds, and why not
 
@@ -35,9 +34,9 @@ def algebra(*residuals: str) -> Check:
 
 
 class PaperLoop:
-    """The loop of the learned-flow or the known-flow law as arrays, by the paper's names.
+    """The loop of the learned-flow or the known-flow law by the paper's names, for every N.
 
-    Of a team: `loop` with all vehicles, and the name of the one that is meant.
+    Another loop is given as `loop`; of a team with the name of the vehicle that is meant.
     """
 
     def __init__(
@@ -45,7 +44,7 @@ class PaperLoop:
         law: str = "learned-flow",
         disturbed: bool = False,
         speed: Hedging = "no limit",
-        loop: ArrayLoop | None = None,
+        loop: Any = None,
         vehicle: str = "",
     ):
         if loop is None:
@@ -96,15 +95,10 @@ class PaperLoop:
 
     def zero(self, *residuals: Any) -> Check:
         """Check that arrays are zero, and that the loop has a value everywhere."""
-        return vanish(self.loop, residuals)
+        return self.loop.zero(*residuals)
 
     def positive(self, *values: Any) -> Check:
         """Check that all elements of arrays are positive."""
         elements = [element for value in values for element in self.loop.read(value)]
         wrong = next((e for e in elements if not e.is_positive), None)
         return wrong is None, f"{wrong} is not known to be positive"
-
-
-def errors_loop() -> ArrayLoop:
-    """Return the error and parameter systems, Eqs. (27)-(28), for every N."""
-    return ArrayLoop(error_loop(theorem_scenario(WIRED, "learned-flow")))

@@ -74,27 +74,21 @@ def parameter_names(blocks: Sequence[Block]) -> dict[tuple[str, str], str]:
 
 def _are_equal(name: str, values: list) -> bool:
     """Return whether all values of a name are equal; scalars in any shape."""
-    expected = np.ravel(values[0])[0] if name in SCALARS else values[0]
     if name in SCALARS:
-        return all(np.all(np.asarray(value) == expected) for value in values)
-    return all(np.array_equal(value, expected) for value in values)
+        values = np.concatenate([np.ravel(value) for value in values]).tolist()
+    return all(np.array_equal(value, values[0]) for value in values)
 
 
 def parameter_symbol(name: str, value: Any, index: Index) -> Expr:
-    """Return the symbol of a parameter's element; it has the sign that all values have."""
-    if name in SCALARS or not index:
-        return signed(name, value)
-    has_axis = split(name)[1] in PAPER_FIELDS and np.shape(value)[0] == 2
-    return signed(_indexed(name, index, has_axis), value)
-
-
-def signed(name: str, value: Any) -> Expr:
-    """Return a symbol with the sign that all values have, or zero."""
+    """Return the symbol of a parameter's element, or zero; it has the sign that all values have."""
     signs = {*np.sign(np.asarray(value, float)).flat}
     if name.endswith(".interval"):
         signs = set()  # its value, -1, only marks that intervals are counted
     if signs == {0}:
         return S.Zero
+    if index and name not in SCALARS:
+        has_axis = split(name)[1] in PAPER_FIELDS and np.shape(value)[0] == 2
+        name = _indexed(name, index, has_axis)
     sign = "positive" if signs == {1} else "negative" if signs == {-1} else "real"
     return sympy.Symbol(name, **{sign: True})
 

@@ -23,12 +23,11 @@ from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
-from ..promises import truth_of
 from .certificates import Ways, of_theorem, without
 from .conclusions import Condition
-from .default_candidate import LawV, default_V, user_V
+from .default_candidate import default_V, user_V
 from .fixes import fix_steps
-from .invariant_loop import InvariantLoop
+from .invariant_loop import SIZES, InvariantLoop
 from .invariants import Invariants
 from .judge import Verdict, judge
 from .law_candidate import LawCandidate
@@ -36,14 +35,7 @@ from .paper_loop import PaperLoop
 from .paper_symbols import paper_name
 from .proof import where_all_hold
 from .steps import worked_out
-from .symbolic_loop import flat, symbolic_loop
-from .theorem_loop import (
-    law_and_V,
-    symbols_of_V,
-    theorem_loop,
-    theorem_scenario,
-    truth_in,
-)
+from .theorem_loop import law_and_V, theorem_loop
 from .theorems import KNOWN_ERROR, known_flow_steps
 
 MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
@@ -134,7 +126,7 @@ def prove(
     with worked_out(block.name):
         if invariants is None:
             law_V = default_V(block, N) if V is None else user_V(V, block)
-            return judge(_candidate(block, N, law_V, points, seed))
+            return judge(LawCandidate(block, law_V, points, seed))
         if V is None:
             raise DiagramError(
                 f"{block.name}: a law whose states keep relations needs its V"
@@ -145,7 +137,7 @@ def prove(
         )
         blocks = block, user_V(V, block).make
         case = InvariantLoop(law, N, blocks=blocks, start=start or {})
-        return judge(Invariants(law, points, case, seed))
+        return judge(Invariants(law, [case], points, seed))
 
 
 def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdict:
@@ -160,7 +152,8 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
     elif law.invariants is not None:
-        return judge(Invariants(law, points, seed=seed))
+        cases = [InvariantLoop(law, N) for N in SIZES]
+        return judge(Invariants(law, cases, points, seed))
     else:
         return prove(block, lambda truth, p: law.V(p, truth), points, seed)
     return Verdict(**proof.judged, ways=ways)
@@ -218,19 +211,3 @@ def _changes_of_V(scenario: Scenario) -> str:
     if scenario.vehicle.max_speed is not None and not scenario.hedged:
         return "a limit of its speed without hedging"
     return "" if scenario.learning.adapt_gains else "K and Gamma that are held"
-
-
-def _candidate(law: Block, N: int, law_V: LawV, points: int, seed: int) -> LawCandidate:
-    """Return a law with its V on the symbols of the theorems' loop."""
-    truth = truth_of(theorem_scenario(N, "learned-flow"))
-    V = law_V.make(truth)
-    diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=V)
-    loop = symbolic_loop(diagram, jumps=True)
-    symbols = symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop)))
-    if law_V.gains is not None:
-        p = loop.parameters[V.name]
-        is_matrix = "inverse" in p._fields
-        fields = [p.inverse] if is_matrix else [p.gain, p.gain_K, p.gain_Gamma]
-        weights = law_V.gains(flat(loop.parameters[law.name]))
-        symbols |= zip(flat(fields), weights, strict=True)
-    return LawCandidate(loop, V, law, symbols, law_V.fitted, points, seed)

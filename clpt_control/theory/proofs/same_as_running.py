@@ -64,7 +64,8 @@ def compare(search: PointSearch, points: tuple, count: int) -> tuple[bool, str]:
         for row, k in np.argwhere(~is_equal)[:1]:
             name = _name_of(search, row)
             problem = _problem(difference[row, k], lost[row, k])
-            point_text = f"t = {t[k]:.4g}, states {_few_numbers(x[k])}"
+            states = np.array2string(x[k], precision=4, threshold=8, max_line_width=200)
+            point_text = f"t = {t[k]:.4g}, states {states}"
             return False, f"{name} {problem} at {point_text}"
         largest = max(largest, float(difference.max(initial=0.0)))
     compared = np.sum(np.all(np.abs(values) < HUGE, axis=0))
@@ -113,11 +114,6 @@ def _differences(
     is_huge = ~(np.abs(values) < HUGE) & ~(np.abs(computed) < HUGE)
     is_skipped = is_huge & ~np.isnan(computed) | is_huge[0]
     return np.where(is_skipped, 0.0, difference)
-
-
-def _few_numbers(values: np.ndarray) -> str:
-    """Return numbers as text: if there are many, the first and the last three."""
-    return np.array2string(values, precision=4, threshold=8, max_line_width=200)
 
 
 def _digits_lost(values: np.ndarray, computed: np.ndarray) -> np.ndarray:

@@ -30,6 +30,7 @@ from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
 from .every_n import EveryN
+from .exact import nonzero_residual
 from .facts import NUMPY_OF, along, is_input
 from .paper_symbols import PaperNames, parameter_symbol, undefined
 
@@ -45,9 +46,19 @@ class SymbolicLoop(Equations):
 
     diagram: Any = None
 
-    def derivative(self, expression: Any) -> sympy.Expr:
-        """Differentiate an expression along the equations, functions with kinks as well."""
-        return along(sympy.sympify(expression), {TIME: sympy.S.One, **self.motion})
+    def derivative(self, expression: Any) -> Any:
+        """Differentiate expressions along the equations, functions with kinks as well."""
+        rates = {TIME: sympy.S.One, **self.motion}
+        along_rates = np.vectorize(
+            lambda e: along(sympy.sympify(e), rates), otypes=[object]
+        )
+        return along_rates(expression)[()]
+
+    def numbers_of(self, *blocks: str) -> dict[Any, sympy.Expr]:
+        """Return the symbols of parameters that only these blocks have -> their numbers."""
+        others = self.parameters.keys() - {*blocks}
+        hidden = {s for name in others for s in flat(self.parameters[name])}
+        return {s: number for s, number in self.values.items() if s not in hidden}
 
 
 def symbolic_loop(
@@ -231,9 +242,13 @@ class ArrayLoop:
         """Return a value's elements on symbols, row by row."""
         return list(np.ravel(self.elements.of(value)))
 
-    def direction(self, state: str) -> Any:
-        """Return an arbitrary direction of a state, as an array of its shape."""
-        return self.tape.add("leaf", (), self.states[state].shape, ("d", state))
+    def zero(self, *residuals: Any) -> tuple[bool, str]:
+        """Return whether arrays are zero for every N, and the first element that is not."""
+        for residual in residuals:
+            for element in self.read(residual):
+                if problem := nonzero_residual(element):
+                    return False, problem
+        return (False, self.undefined[0]) if self.undefined else (True, "")
 
     @cached_property
     def _direction(self) -> Direction:
@@ -277,9 +292,7 @@ class ArrayLoop:
         if group == "p":
             symbol = parameter_symbol(name, self.values[name], index)
             return self.substitute(symbol, index)
-        prefix = "d " if group == "d" else ""
-        suffix = "'" if group.endswith("'") else ""
-        port = prefix + name + suffix
+        port = name + "'" * group.endswith("'")
         element = self.names.element(port, shape, self.declared[name], index)
         return sympy.Symbol(element, real=True)
 

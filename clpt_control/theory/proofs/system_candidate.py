@@ -257,9 +257,8 @@ class SystemCandidate(Candidate):
         if bound is None:
             failed = [] if self.claim is not None else [exact(f"{claim} <= 0", False)]
             return Fall([*steps, *failed], claim)
-        steps.append(exact(bound.claim, True, "", bound.shows))
         shown = bound.claim if self.claim is None else f"{claim}, and {bound.claim}"
-        return Fall(steps, shown, level=bound.level)
+        return Fall([*steps, *bound.steps], shown, level=bound.level)
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
@@ -304,11 +303,6 @@ class SystemCandidate(Candidate):
     def ways(self, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
         return of_system(self, fall)
-
-    def rises_at_jumps(self) -> list[sympy.Expr]:
-        """Return by how much V rises at each set of jumps."""
-        after = self.eq.jumps_at_once()
-        return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
     # --- V' -------------------------------------------------------------------------------------
 
@@ -369,11 +363,9 @@ class SystemCandidate(Candidate):
         """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
         _, definite, falls, *_ = steps
         below = "V is below its value at rest" if self.rest else "V falls without end"
-        over, rises = "V' > 0", self._rises
-        if self.claim is not None:
-            over, rises = "V' is above the claim", self._rises_above_the_claim
+        over = "V' > 0" if self.claim is None else "V' is above the claim"
         for fails, find, holds in (
-            (over, rises, falls.holds),
+            (over, self._rises, falls.holds),
             (below, self._no_least, definite.holds),
         ):
             if holds:
@@ -408,16 +400,16 @@ class SystemCandidate(Candidate):
         return Refutation(claim, exact(claim, False), *failure)
 
     def _rises(self) -> Failure | None:
+        """Return a point at which V' is above 0, or above the claim."""
         rate, zero = normal_form(self.rate), sympy.S.Zero
+        if self.claim is not None:
+            return self.search.rate_above(rate, self.claim, still=False)
         still = self.search.rate_above(rate, zero, still=True)
         if still is not None:
             return still
         if self.depends_on(rate):
             return self.search.rises_far_off(self.rate, set())
         return self.search.rate_above(rate, zero, still=False)
-
-    def _rises_above_the_claim(self) -> Failure | None:
-        return self.search.rate_above(normal_form(self.rate), self.claim, still=False)
 
     def _no_least(self) -> Failure | None:
         """Return a point at which V is below its value at the rest, and by how much.
@@ -438,7 +430,6 @@ class SystemCandidate(Candidate):
         """Return a verdict on V, in the diagram's own signals."""
         if status == "open":
             claim = f"V' = {self.shown_rate}; {claim}"
-        fields = {**fields, "steps": tuple(fields["steps"])}
         rate, V = self.readable_rate(), self.in_signals(self.V)
         inputs = tuple(self.depends_on(self.rate))
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)

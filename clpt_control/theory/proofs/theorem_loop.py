@@ -9,7 +9,7 @@ the loop's arrays, and compared with V' of the blocks: for every N, and at rando
 running blocks.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import cache
 from typing import Any, Literal
 
@@ -25,7 +25,6 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.loop_blocks import paper_blocks
 from ..promises import truth_of
-from .exact import nonzero_residual
 from .symbolic_loop import ArrayLoop, SymbolicLoop
 
 SOURCES = {
@@ -207,10 +206,8 @@ def decay(loop: Loop) -> Any:
 
 
 def decay_and_known_error(loop: Loop) -> Any:
-    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1; theta_hat a state or given."""
-    theta_hat = loop.states.get("theta_hat")
-    if theta_hat is None:
-        theta_hat = loop.parameters["injection"].theta_hat
+    """V' = -e^T KD e + e^T (theta - theta_hat) phi, Theorem 3.1."""
+    theta_hat = loop.parameters["injection"].theta_hat
     error = loop.parameters["true_flow"].theta - theta_hat
     return decay(loop) + loop.signals["e"] @ (error @ loop.inputs["phi_x"])
 
@@ -218,12 +215,3 @@ def decay_and_known_error(loop: Loop) -> Any:
 def rate_of_V(loop: Loop) -> Any:
     """Return V' along the equations."""
     return loop.derivative(loop.signals["V"][0])
-
-
-def vanish(loop: ArrayLoop, residuals: Iterable[Any]) -> tuple[bool, str]:
-    """Return whether each residual of a loop is zero for every N, and the first that is not."""
-    for residual in residuals:
-        for element in loop.read(residual):
-            if problem := nonzero_residual(element):
-                return False, problem
-    return (False, loop.undefined[0]) if loop.undefined else (True, "")

@@ -30,12 +30,12 @@ from ..counterexamples import (
 )
 from .certificates import Ways, of_loop, of_theorem, with_certificates
 from .circle import circle_step
-from .paper_loop import PaperLoop, algebra, errors_loop, line
+from .paper_loop import PaperLoop, algebra, line
 from .proof import Proof, proof_or_failure, theorem
 from .same_as_running import running_step
 from .steps import Step, counterexample
 from .symbolic_loop import ArrayLoop, symbolic_loop
-from .theorem_loop import theorem_scenario, vanish
+from .theorem_loop import WIRED, decay, decay_and_known_error, theorem_scenario
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -84,10 +84,7 @@ KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
 
 def known_flow_steps(paper: PaperLoop, points: int) -> list[Step]:
     """Check V' of the known-flow law, Theorem 3.1."""
-    theta_hat = paper.loop.parameters["injection"].theta_hat
-    drive = (paper.theta - theta_hat) @ paper.phi
-    V_rate = -np.sum(paper.KD * paper.e**2) + paper.e @ drive
-    zero = paper.zero(paper.rate(paper.V) - V_rate)
+    zero = paper.zero(paper.rate(paper.V) - decay_and_known_error(paper.loop))
     return [
         line(f"{KNOWN_ERROR}, for every N", zero, shows="values"),
         running(paper, points, KNOWN_ERROR),
@@ -276,20 +273,12 @@ def vehicle_alone(paper: PaperLoop) -> list[Step]:
 
 def theorem_3_3() -> Proof:
     """Judge Theorem 3.3: the parameters converge."""
-    errors = errors_loop()
-    gamma, KD = (
-        errors.parameters["parameter_system"].gain,
-        errors.parameters["error_system"].KD,
-    )
-    squares = {name: np.sum(state**2) for name, state in errors.states.items()}
-    e_square = squares.pop("e")
-    V = (e_square + sum(squares.values()) / gamma) / 2
+    errors = ArrayLoop(error_loop(theorem_scenario(WIRED, "learned-flow")))
+    e_decay = -np.sum(errors.parameters["error_system"].KD * errors.states["e"] ** 2)
     steps = [
         line(
             "(27)-(29) as blocks: (X^T P X)' = -e^T KD e with P = diag(I, I/gamma)/2, Eq. (29)",
-            vanish(
-                errors, [errors.derivative(V) + np.sum(KD * errors.states["e"] ** 2)]
-            ),
+            errors.zero(errors.derivative(level_of_errors(errors)) - e_decay),
         ),
         line("(27)-(28) are the closed loop's e' and eta'", same_dynamics(errors)),
         *filtered_steps(PaperLoop("learned-flow")),
@@ -317,6 +306,13 @@ def theorem_3_3() -> Proof:
     )
 
 
+def level_of_errors(errors: Any) -> Any:
+    """Return V = X^T P X of Eqs. (27)-(28)."""
+    squares = {port: np.sum(state**2) for port, state in errors.states.items()}
+    gain = errors.parameters["parameter_system"].gain
+    return (squares.pop("e") + sum(squares.values()) / gain) / 2
+
+
 def same_dynamics(errors: ArrayLoop) -> tuple[bool, str]:
     """Check that Eqs. (27)-(28) as blocks are the rates of the errors in the closed loop."""
     states = errors.states
@@ -330,20 +326,18 @@ def same_dynamics(errors: ArrayLoop) -> tuple[bool, str]:
         "eta_3": -gamma * z * e,
         "eta_4": -gamma * zc * e,
     }
-    return vanish(errors, [errors.rates[name] - rate for name, rate in rates.items()])
+    return errors.zero(*(errors.rates[name] - rates[name] for name in rates))
 
 
 def theorem_3_4() -> Proof:
     """Judge Theorem 3.4: the bound (33) under a disturbance, by Eq. (35)."""
     paper = PaperLoop("learned-flow", disturbed=True)
-    decay = -np.sum(paper.KD * paper.e**2)
+    disturbed_decay = decay(paper.loop) + paper.e @ paper.loop.inputs["delta"]
     claim = "V' = -e^T KD e + e^T Delta"
     steps = [
         line(
             f"(35)  {claim}, for every N",
-            paper.zero(
-                paper.rate(paper.V) - (decay + paper.e @ paper.loop.inputs["delta"])
-            ),
+            paper.zero(paper.rate(paper.V) - disturbed_decay),
         ),
         running(paper, FEWER, claim),
         quadratic(paper, "(24)"),
@@ -397,14 +391,8 @@ def loops(law: str, **options: Any) -> list[Ways]:
 
 def error_systems() -> list[Ways]:
     """Return V' = (X^T P X)' on Eqs. (27)-(28) for some N, for certificates."""
-
-    def level(loop: Any) -> Any:
-        squares = {port: np.sum(state**2) for port, state in loop.states.items()}
-        gain = loop.parameters["parameter_system"].gain
-        return (squares.pop("e") + sum(squares.values()) / gain) / 2
-
-    scenarios = {f"N = {N}": theorem_scenario(N, "learned-flow") for N in SIZES}
-    return [of_loop(error_loop(case), level, N) for N, case in scenarios.items()]
+    diagrams = {N: error_loop(theorem_scenario(N, "learned-flow")) for N in SIZES}
+    return [of_loop(diagrams[N], level_of_errors, f"N = {N}") for N in SIZES]
 
 
 THEOREMS: dict[str, Callable[[], Proof]] = {

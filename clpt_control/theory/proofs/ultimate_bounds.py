@@ -36,7 +36,8 @@ from ...engine.record.symbolic import rational
 from .conclusions import Condition
 from .decide import groups_of
 from .facts import interval, is_positive_maximum
-from .steps import bound_text
+from .judge import Fall
+from .steps import bound_text, exact
 from .sums_of_squares import squares, zero_of
 
 
@@ -47,16 +48,13 @@ class Pull(NamedTuple):
     push: sympy.Expr
 
 
-class Bound(NamedTuple):
-    """A bound of V or of the mean of e: what is shown of V', what that requires, and a level."""
+def bounded(claim: str, shows: str, level: Any = None, **fields: Any) -> Fall:
+    """Return a bound of V or of the mean of e, and what conclusions require of it.
 
-    claim: str
-    shows: str  # pulled, mean, ceiling or zone: of what conclusions require
-    # in theta, KD, GammaD and the bounds Delta_1, Delta_2
-    level: sympy.Expr | float | None = None
-    bound: str = ""  # of the mean
-    of: str = ""  # what comes to a zone
-    conditions: tuple[Condition, ...] = ()
+    `level` is in theta, KD, GammaD and the bounds Delta_1, Delta_2.
+    """
+    step = exact(claim, True, "", shows)
+    return Fall([step], claim, level=level, **fields)
 
 
 class Leak(NamedTuple):
@@ -278,7 +276,7 @@ def in_forms(case: Any) -> InForms | None:
     return InForms(V, rate, rest, errors)
 
 
-def pulled_forms(case: Any) -> Bound | None:
+def pulled_forms(case: Any) -> Fall | None:
     """Return the bound of V of a diagram in the forms of V, each of them one state."""
     found = in_forms(case)
     if found is None:
@@ -294,7 +292,7 @@ def pulled_forms(case: Any) -> Bound | None:
     level = float(at_most(float(numbers[1]))) if numbers[1].is_number else numbers[1]
     rate, push = bound_text(pull.rate, up=False), bound_text(pull.push)
     claim = f"V' <= -{rate} V + {push}"
-    return Bound(claim, "pulled", level) if least == 0 else None
+    return bounded(claim, "pulled", level) if least == 0 else None
 
 
 class Bounding:
@@ -318,7 +316,7 @@ class Bounding:
         self.delta = deltas if case.takes_delta() else (sympy.S.Zero, sympy.S.Zero)
         self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
 
-    def bound(self) -> Bound | None:
+    def bound(self) -> Fall | None:
         """Return what is known of V, or None."""
         pull = self.pulled(self.case.rate) if self.case.has_decay() else None
         if pull is not None and (pull.rate != 0 or self.square):
@@ -333,24 +331,23 @@ class Bounding:
         """Bound V' by what pulls back and a constant, state by state."""
         return pulled(self.case.V, rate, self.truth, self.case.moving_symbols)
 
-    def pulled_to(self, pull: Pull) -> Bound:
+    def pulled_to(self, pull: Pull, more: str = "") -> Fall:
         """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
         shares = zip(self.errors, self.delta, self.KD, strict=True)
         push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
         number = f"c, c = {bound_text(push)}"
         if pull.rate == 0:
             mean = "e^T KD e is at most 2 c"
-            return Bound(f"V' <= -e^T KD e/2 + {number}", "mean", bound=mean)
+            return bounded(f"V' <= -e^T KD e/2 + {number}{more}", "mean", bound=mean)
         rate = bound_text(pull.rate, up=False)
-        return Bound(
-            f"V' <= -r V + {number}, r = {rate}", "pulled", push / pull.rate, "c/r"
-        )
+        claim = f"V' <= -r V + {number}, r = {rate}{more}"
+        return bounded(claim, "pulled", push / pull.rate, bound="c/r")
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
         return sympy.sqrt(sympy.Add(*(self.truth[s] ** 2 for s in leak.states)))
 
-    def rising(self) -> Bound | None:
+    def rising(self) -> Fall | None:
         """Return the bound where every factor rises with |s|."""
         full, excess, conditions = self.case.rate, sympy.Integer(0), []
         for leak in self.leaks:
@@ -365,11 +362,10 @@ class Bounding:
         pull = self.pulled(sympy.expand(full))
         if pull is None:
             return None
-        bound = self.pulled_to(Pull(pull.rate, pull.push + excess))
-        more_known = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
-        return bound._replace(claim=bound.claim + more_known)
+        more = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
+        return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
 
-    def by_error(self) -> Bound | None:
+    def by_error(self) -> Fall | None:
         """Return the bound where the one factor is |e|."""
         if len(self.leaks) != 1 or not self.all_leak:
             return None
@@ -383,9 +379,9 @@ class Bounding:
         c = leak.weight * self.size(leak) ** 2 / 2 + self.push
         slowest = sympy.Max(*(self.weights[s] for s in leak.states))
         level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        return Bound("V' <= 0 where V >= level", "ceiling", level)
+        return bounded("V' <= 0 where V >= level", "ceiling", level)
 
-    def within_balls(self) -> Bound | None:
+    def within_balls(self) -> Fall | None:
         """Return the bound where what is learned stays within balls."""
         if not self.all_leak:
             return None
@@ -403,9 +399,9 @@ class Bounding:
             )
             conditions.append((f"{self.size(leak)} <= {largest}", radius))
         truths, radii = map(listed, zip(*conditions, strict=True))
-        where = (Condition("start", radii), Condition("truth", truths))
+        where = [Condition("start", radii), Condition("truth", truths)]
         claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"
-        return Bound(claim, "pulled", level, conditions=where)
+        return bounded(claim, "pulled", level, conditions=where)
 
     def stays(self, leak: Leak, radial: Radial) -> bool:
         """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
