@@ -106,8 +106,9 @@ def application() -> "typer.Typer":
     """Return the command line with all its commands."""
     import typer
 
+    from .estimate import estimate
     from .laws_and_proofs import laws, prove
-    from .measurements import estimate, fit
+    from .measurements import fit
     from .printing import Command, HelpPage, clpt, help_of
     from .replay import replay, watch
     from .runs import ensemble, export, init, paper, report, run, tune

@@ -1,13 +1,13 @@
-"""Commands on measurements: `clpt fit` and `clpt estimate`."""
+"""Command `clpt fit`: a scenario in a measured current, or tides of a record."""
 
 from pathlib import Path
 
 import clpt_control as clpt
 
-from ...base.errors import DataError, ScenarioError
+from ...base.errors import ScenarioError
 from ...base.html import Result
-from ...base.units import finite_or_none, percent
-from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
+from ...base.units import percent
+from .printing import Json, Report, arg, cell_text, finish, flag, opt
 
 MOSTLY = 0.5  # least share of the variance that functions should explain
 
@@ -167,88 +167,3 @@ def tides_result(report: Report) -> Result:
         "phase",
     ]
     return Result(title, columns, rows, sentences)
-
-
-def estimate(
-    run: Path = arg("RUN", "A run's NetCDF, as clpt run writes it."),
-    method: str = opt("NAME", "least-squares or kalman.", default="least-squares"),
-    every: float | None = opt(
-        "TIME", "Time between fixes; a tenth of reference.dwell."
-    ),
-    prior: float | None = opt(
-        "SPEED", "Standard deviation of each theta before any fix."
-    ),
-    noise: float | None = opt("LENGTH", "Standard deviation of a miss between fixes."),
-    until: float | None = opt("TIME", "Use the run up to this time."),
-    out: Path | None = opt(
-        "FILE", "Scenario file to write: the run's, with the estimate given."
-    ),
-    as_json: Json = False,
-) -> None:
-    """Estimate the flow from fixes of a run, for the known-flow law.
-
-    Example:
-        clpt estimate run.nc --method kalman --out known.toml
-    """
-    import numpy as np
-
-    from ...ocean.estimation.run_segments import run_scenario
-
-    if run.suffix != ".nc":
-        raise DataError(
-            f"{run}: is not a run. Make a run with: clpt run {run} --out run.nc"
-        )
-    check_out(out, "a scenario")
-    data = clpt.load_run(run)
-    scenario = run_scenario(data)
-    if until is not None:
-        if not data.time.values[1] < until <= data.time.values[-1]:
-            raise ScenarioError(f"--until {until:g}: must lie within the run")
-        data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    fitted_flow = clpt.currents.flow_estimate(
-        data, method, every=every, prior=prior, noise=noise
-    )
-    if out is not None:
-        fed = clpt.currents.known_flow_scenario(scenario, fitted_flow.theta)
-        clpt.save_scenario(fed, out)
-    sd, length = fitted_flow.standard_deviation, scenario.units.length
-    speed = f"{length}/{scenario.units.time}"
-    report = {
-        "method": method,
-        "units": {"length": length, "time": scenario.units.time},
-        "fixes": len(fitted_flow.misses) + 1,
-        "theta": fitted_flow.theta.tolist(),
-        "standard_deviation": sd.tolist(),
-        "condition_number": finite_or_none(fitted_flow.condition_number),
-        "rms_of_misses_left": float(
-            np.sqrt(np.mean(np.sum(fitted_flow.misses**2, axis=1)))
-        ),
-        "steps": len(fitted_flow.steps),
-    }
-    if scenario.flow.parameters is not None:
-        error = np.abs(fitted_flow.theta - np.array(scenario.flow.parameters))
-        report["largest_error"] = float(error.max())
-    rows = [
-        [
-            str(k + 1),
-            *(f"{fitted_flow.theta[i, k]:#.4g}" for i in range(2)),
-            f"{sd[k]:.1e}",
-        ]
-        for k in range(len(sd))
-    ]
-    names = "theta_1", "theta_2", "standard deviation"
-    columns = ["function", *(f"{name} ({speed})" for name in names)]
-    units = {
-        "condition_number": "",
-        "rms_of_misses_left": length,
-        "largest_error": speed,
-    }
-    sentences = [
-        f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()
-        for key, unit in units.items()
-        if report.get(key) is not None
-    ]
-    if out is not None:
-        sentences.append(f"Wrote {out}, with law = known-flow and this estimate")
-    title = f"{run}: {method}, {report['fixes']} fixes"
-    finish([Result(title, columns, rows, sentences)], report, as_json)

@@ -9,6 +9,9 @@ track ends at the fix.  Least squares moves theta_hat (`learn` of the law fix-re
 1999, section 11.2).  Laws with this regression differ in P between the fixes (`Law.between_fixes`):
 `kalman-flow` adds its random walk, `least-squares` forgets.  r is that of `fix_settings`.
 
+A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
+way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, which adds (T 0.25 m/s min(b/width, 1))^2 to r^2.
+
 A fix outside its 99.9 % region has its r multiplied by its squared distance over that of the
 region, so that it teaches less.  Standard errors and regions are scaled by the position errors so
 far: with n legs, N functions and the weighted sum of squares S that theta_hat leaves, r is
@@ -40,6 +43,7 @@ from .local_frame import LocalFrame
 FAR = -2 * log(0.001)  # chi-squared of two components, 99.9 %
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
+BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 PRIOR_ERRORS = 4.0  # weight of r as it is set, in position errors on an axis
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 
@@ -89,6 +93,7 @@ class FlowEstimator:
         self.leg: Leg | None = None
         self.legs = 0
         self.squares = 0.0  # of position errors over their standard deviation
+        self.fastest = 0.0  # speed through the water, length per time
         self.theta = self.settings.theta.copy()
         self.P = np.diag(self.settings.prior**2)
         basis = scenario.basis_block("z")
@@ -168,6 +173,9 @@ class FlowEstimator:
         t = frame.own_time(time)
         leg.known += t - leg.time
         moved = frame.displacement(np.array(leg.place), east, north)
+        if t > leg.time:
+            speed = float(np.hypot(*moved)) / (t - leg.time)
+            self.fastest = max(self.fastest, speed)
         leg.add(t, moved, self._track.size)
 
     @public
@@ -257,6 +265,7 @@ class FlowEstimator:
             "leg": self.leg and asdict(self.leg),
             "legs": self.legs,
             "squares": self.squares,
+            "fastest": self.fastest,
             "theta": self.theta.tolist(),
             "P": self.P.tolist(),
         }
@@ -269,6 +278,7 @@ class FlowEstimator:
         )
         self.leg = leg and Leg(**leg)
         self.legs, self.squares = state["legs"], state["squares"]
+        self.fastest = state["fastest"]
         self.theta, self.P = np.array(state["theta"]), np.array(state["P"])
 
     # --- one leg --------------------------------------------------------------------------------
@@ -290,7 +300,8 @@ class FlowEstimator:
     def _variance(self, leg: Leg, m: np.ndarray) -> float:
         """Return the variance of a position error on each axis, length squared."""
         noise = self.scale * self.settings.noise_of(leg.time - leg.start)
-        return float(noise**2 + m @ self.covariance @ m)
+        bend = self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+        return float(noise**2 + bend**2 + m @ self.covariance @ m)
 
     def _learn(self, place: np.ndarray) -> str:
         """Move theta and P by the fix at the end of the leg; return a remark."""
@@ -306,7 +317,8 @@ class FlowEstimator:
         between_fixes = self.scenario.learning.row.between_fixes
         assert between_fixes is not None
         P = between_fixes(self.P, duration, self.settings.p)
-        noise = self.settings.noise_of(duration)
+        bend = self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+        noise = float(np.hypot(self.settings.noise_of(duration), bend))
         y = place - z
         distance = float(y @ y) / float(noise**2 + m @ P @ m)
         is_far = self.legs > 0 and beyond > 1

@@ -104,6 +104,17 @@ class LegTrack:
             t = end
         return state
 
+    def bend(self, leg: Leg, fastest: float) -> float:
+        """Return the time by which an unknown bend of stretches counts: root of sum of squares."""
+        width, _ = self.size
+        t, total = leg.start, 0.0
+        for end, x, y in leg.way:
+            span = end - t
+            off = np.sqrt(max((fastest * span) ** 2 - x * x - y * y, 0.0)) / 2
+            total += (span * min(off / width, 1.0)) ** 2
+            t = end
+        return float(np.sqrt(total))
+
     def _steps(self, way: float, span: float) -> int:
         """Return the number of steps of a stretch."""
         width, period = self.size

@@ -2,13 +2,12 @@
 
 Each leg (`dive.Dive`: two fixes and the way through the water between them) goes through
 `FlowEstimator`, so that feeding legs at once is feeding their fixes one by one.  The learned flow
-along the track is that of the parameters after the last leg, at the middle of each leg.
+along the track is that of the parameters after the last leg, at each fix.
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 from itertools import pairwise
-from math import hypot, isfinite
+from math import hypot
 
 import numpy as np
 import xarray
@@ -16,23 +15,13 @@ import xarray
 from ...base.errors import DataError
 from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
-from .dive import Dive, mid_time, reckoned
+from .dive import Dive, reckoned
 from .flow_estimator import FlowEstimator
 from .learned_fix import Learned
 
 BENT = 0.9  # share of its way at most from which on a leg is straight
 MPS = {"units": "m s-1"}
 METRE = {"units": "m"}
-
-
-def drifting(legs: Iterable[Dive]) -> list[Dive]:
-    """Return legs with displacement 0 through the water where none is known."""
-    return [
-        leg
-        if isfinite(leg.dr_east)
-        else replace(leg, dr_east=0.0, dr_north=0.0, notes=())
-        for leg in legs
-    ]
 
 
 def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
@@ -67,13 +56,7 @@ def flow_of_legs(
     estimator = FlowEstimator(scenario)
     learned = [result for _, result in learn_legs(estimator, legs)]
     frame, _ = estimator.under_way
-    middle = [_middle(leg) for leg in legs]
-    flow = np.array(
-        [
-            estimator.flow(mid_time(leg), *place)
-            for leg, place in zip(legs, middle, strict=True)
-        ]
-    )
+    flow = np.array([estimator.flow(r.time, r.latitude, r.longitude) for r in learned])
     errors = np.array([(r.error_east, r.error_north) for r in learned], dtype=float)
     forecasts = [result.forecast for result in learned if result.forecast is not None]
 
@@ -114,7 +97,7 @@ def flow_of_legs(
             "flow": (
                 ("leg", "axis"),
                 flow,
-                {"long_name": "learned flow at the middle of the leg", **MPS},
+                {"long_name": "learned flow at the fix", **MPS},
             ),
             "flow_parameters_estimate": (
                 ("leg", "axis", "basis"),
@@ -163,12 +146,6 @@ def bent_legs(legs: list[Dive]) -> list[str]:
         "vehicle had turned or slowed. They are taken as straight: give the way between fixes "
         "(rows of time, course, speed) for a better estimate"
     ]
-
-
-def _middle(leg: Dive) -> tuple[float, float]:
-    """Return latitude and longitude half-way between the two fixes."""
-    longitude = (leg.lon_gpse - leg.lon_gps2 + 180.0) % 360.0 - 180.0
-    return (leg.lat_gps2 + leg.lat_gpse) / 2, leg.lon_gps2 + longitude / 2
 
 
 def _dates(times: Iterable[float]) -> np.ndarray:

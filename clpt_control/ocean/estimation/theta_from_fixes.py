@@ -12,6 +12,7 @@ import xarray
 
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
+from ...base.units import METRES, SECONDS
 from ...engine.model.block import Block
 from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
@@ -209,10 +210,35 @@ def known_flow_scenario(scenario: Scenario, theta: np.ndarray) -> Scenario:
     if learning.row.settings:
         values[f"learning.{learning.row.table}"] = None
     gains = learning.used_gains
-    if not learning.adapt_gains:
+    if scenario.left_out or learning.row.at_fixes:
+        values |= _simulated_truth(scenario, theta)
+    elif not learning.adapt_gains:
         values |= {"learning.gain": None, "learning.gains": None}
     elif learning.gains is not None:
         values["learning.gains.parameters"] = None
     else:
         values["learning.gain"] = gains.feedback
     return scenario.with_values(values)
+
+
+def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
+    """Return tables for a run in the learned flow, of those that the scenario leaves out.
+
+    The vehicle visits the centers of the functions and stays for as long as it takes to cross a
+    width at 1 m/s; the gain is that time's and that width's.
+    """
+    width = min(scenario.basis.widths)
+    units = scenario.units
+    dwell = width * METRES[units.length] / SECONDS[units.time]
+    points = list(dict.fromkeys(scenario.basis.centers))
+    truth = {
+        "flow": {"parameters": np.asarray(theta, dtype=float).tolist()},
+        "vehicle": {"feedback": [2 / dwell] * 2, "feedforward": [2 / dwell] * 2},
+        "reference": {"kind": "waypoints", "points": points, "dwell": dwell},
+        "run": {
+            "duration": 2 * dwell * max(len(points), 2),
+            "output_step": dwell / 100,
+        },
+    }
+    added = {name: table for name, table in truth.items() if name in scenario.left_out}
+    return {**added, "localization": None, "learning.gain": 1 / (width * dwell) ** 2}

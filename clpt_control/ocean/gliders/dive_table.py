@@ -30,8 +30,9 @@ from ...base.errors import DataError
 from ...base.files import write_file
 from ..currents.text_table import other_marks, table_of
 from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
+from ..estimation.log_columns import STEERING, velocity_of
 from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
-from .fix_log import AS_TIME, STEERING, is_log, log_legs, row_number, velocity_of
+from .fix_log import AS_TIME, is_log, log_legs, row_number
 from .samples import HEADINGS, VARIATIONS
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")

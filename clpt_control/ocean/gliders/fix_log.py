@@ -16,7 +16,7 @@ left out if the motion of a row in between is not known.
 
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from math import cos, isfinite, nan, radians, sin
+from math import isfinite, nan
 from pathlib import Path
 
 import numpy as np
@@ -25,8 +25,8 @@ import pandas
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970
 from ..estimation.dive import Dive, Fix, make_dive
+from ..estimation.log_columns import STEERING, STRETCH, velocity_of
 from .dives import name_of
-from .samples import HEADINGS
 
 NAMES = {
     "time": ("time", "date", "datetime"),
@@ -34,8 +34,6 @@ NAMES = {
     "longitude": ("longitude", "lon"),
 }
 AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
-STEERING = ("course", "speed")
-STRETCH = ("dr_east_m", "dr_north_m")
 NO_MOTION = (
     "the table has fixes without the motion through the water. Give columns course (degrees) and "
     "speed (m/s), or dr_east_m and dr_north_m; a drifter has none: clpt estimate --drifter"
@@ -135,20 +133,6 @@ def log_legs(cells: pandas.DataFrame, path: str | Path) -> list[Dive]:
 
 def _unknown(leg: Dive) -> Dive:
     return replace(leg, notes=(NO_MOTION,))
-
-
-def velocity_of(course: float, speed: float, where: str) -> tuple[float, float]:
-    """Return the velocity to the east and to the north, m/s."""
-    low, high = HEADINGS
-    if isfinite(course) and not low <= course <= high:
-        raise DataError(
-            f"{where}: course is {course:g}; must be {low:g} to {high:g} degrees"
-        )
-    if speed < 0:
-        raise DataError(f"{where}: speed is {speed:g}; must be 0 or more, m/s")
-    if speed == 0:
-        return 0.0, 0.0
-    return speed * sin(radians(course)), speed * cos(radians(course))
 
 
 def row_number(text: str, is_time: bool) -> float | None:
