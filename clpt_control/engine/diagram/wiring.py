@@ -62,6 +62,21 @@ class Node:
                 if (k < 0) is external:
                     yield to, ~k if external else k, gain
 
+    def external_input(self, port: str) -> int | None:
+        """Return the input of the diagram that alone feeds a port of one signal, or None."""
+        to = next(
+            (
+                k
+                for k, name in enumerate(self.system.input_labels)
+                if name.partition("[")[0] == port
+            ),
+            None,
+        )
+        sources = [] if to is None else [*self.rows[to].items()]
+        if len(sources) != 1 or sources[0][0] >= 0 or sources[0][1] != 1.0:
+            return None
+        return ~sources[0][0]
+
     @cached_property
     def wires(self) -> tuple[Wire, ...]:
         """Wires to the block's inputs; wires from the diagram's inputs are the last."""

@@ -58,6 +58,8 @@ class Sweep:
         jumping = [system.jump_function is not None for system in systems]
         self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
+        # block -> its breakpoints, of blocks that an input of the diagram triggers
+        self._triggered: dict[int, ndarray] = {}
         self.enter(0.0)
 
     def _views(self, node: Node) -> tuple[ndarray, list[tuple]]:
@@ -84,21 +86,46 @@ class Sweep:
 
         Times that differ by rounding alone are one time, the later.
         """
-        jumps = []
-        for k in self._breaking:
-            system = self.nodes[k].system
-            jumps.append(system.breakpoints(t0, t1, self.parameters[k]))
+        jumps = [self.block_breakpoints(k, t0, t1) for k in self._breaking]
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
         spans = np.diff(times, append=np.inf)
         return times[spans > rounding(times)]
 
+    def block_breakpoints(self, k: int, t0: float, t1: float) -> ndarray:
+        """Return the times in (t0, t1] at which a block jumps."""
+        times = self._triggered.get(k)
+        if times is None:
+            return self.nodes[k].system.breakpoints(t0, t1, self.parameters[k])
+        return times[(times > t0) & (times <= t1)]
+
+    def interval_of(self, k: int, t: float) -> float:
+        """Return the number of a block's interval that holds t."""
+        times = self._triggered.get(k)
+        if times is None:
+            return self.nodes[k].system.interval_at(t, self.parameters[k])
+        return float(np.searchsorted(times, t, side="right"))
+
+    def trigger(self, inputs: Any) -> None:
+        """Set the breakpoints of blocks that jump where an input of the diagram rises."""
+        self._triggered = {}
+        for k in self._breaking:
+            node = self.nodes[k]
+            trigger = getattr(node.system.breakpoints_function, "trigger", None)
+            signal = None if trigger is None else node.external_input(trigger)
+            if inputs is None or signal is None:
+                continue
+            rises = inputs.rises(signal)
+            if rises is not None:
+                after = node.system.breakpoints_function.after
+                self._triggered[k] = after(self.parameters[k], rises)
+
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""
         for k in self._with_intervals:
             parameters = self.parameters[k]
-            interval = self.nodes[k].system.interval_at(t, parameters)
+            interval = self.interval_of(k, t)
             self._current[k] = parameters._replace(interval=interval)
 
     def evaluate(

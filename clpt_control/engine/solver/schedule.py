@@ -111,6 +111,14 @@ class Inputs:
         noticeable = np.any(noticeable, axis=0)
         return sharp, noticeable
 
+    def rises(self, k: int) -> ndarray | None:
+        """Return the times at which an input rises above 1/2; None if it is constant."""
+        times, u = self.samples
+        if len(times) < 2:
+            return None
+        high = u[k] > 0.5
+        return times[1:][high[1:] & ~high[:-1]]
+
     def along(self, times: ndarray) -> ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         sample_times, u = self.samples
@@ -232,6 +240,7 @@ def make_schedule(
     values, slopes.  In discrete time each sample begins a segment.
     """
     wiring = diagram.sweep.wiring
+    diagram.sweep.trigger(inputs)
     # 1. times at which segments begin, and at which rates jump
     jumps, bends = _events_of_time(diagram, times, inputs, least)
     starts = np.asarray(times, dtype=float)
@@ -309,11 +318,10 @@ def _events_of_time(
 
 def _intervals(sweep: Any, k: int, starts: ndarray) -> ndarray:
     """Return the interval of a block in each segment."""
-    block = sweep.nodes[k].system
     parameters = sweep.parameters[k]
     if parameters.interval >= 0:
         return np.full(len(starts), parameters.interval)
     later = starts + rounding(starts)
-    breakpoints = block.breakpoints(later[0], later[-1], parameters)
+    breakpoints = sweep.block_breakpoints(k, later[0], later[-1])
     passed = np.searchsorted(breakpoints, later, side="right")
-    return block.interval_at(later[0], parameters) + passed
+    return sweep.interval_of(k, later[0]) + passed

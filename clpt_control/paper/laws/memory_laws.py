@@ -381,13 +381,33 @@ def fix_level(t, x, u, p):
     return {"V": p.noise**2 / 2 * np.sum((eta @ u.information) * eta)}
 
 
-def events(p: Any, t0: float, t1: float) -> np.ndarray:
-    """Return the times in (t0, t1] at which a fix is sent or arrives."""
-    sent = multiples(p.between, t0, t1)
-    if not p.latency > 0:
-        return sent
-    arrived = multiples(p.between, t0 - p.latency - p.between, t1) + p.latency
-    return np.sort(np.concatenate([sent, arrived[(arrived > t0) & (arrived <= t1)]]))
+class FixTimes:
+    """Times at which a fix is sent or arrives: multiples of the interval, or rises of `taken`.
+
+    If `taken` is an input of the diagram, each rise of it is a fix, whatever the interval.
+    """
+
+    trigger = "taken"
+
+    def __call__(self, p: Any, t0: float, t1: float) -> np.ndarray:
+        """Return the times in (t0, t1]."""
+        sent = multiples(p.between, t0, t1)
+        if not p.latency > 0:
+            return sent
+        arrived = multiples(p.between, t0 - p.latency - p.between, t1) + p.latency
+        arrived = arrived[(arrived > t0) & (arrived <= t1)]
+        return np.sort(np.concatenate([sent, arrived]))
+
+    def after(self, p: Any, sent: np.ndarray) -> np.ndarray:
+        """Return the times of fixes that are sent at given times."""
+        if not p.latency > 0:
+            return sent
+        if np.any(np.diff(sent) <= p.latency):
+            raise ScenarioError(
+                f"taken: a fix is sent before the last one has arrived, after the latency "
+                f"{p.latency:g}. Give fixes that are further apart, or a smaller latency"
+            )
+        return np.sort(np.concatenate([sent, sent + p.latency]))
 
 
 def usual_noise(context: Any) -> float:
@@ -428,7 +448,7 @@ FIX_REGRESSION = Law(
     output=vehicle_gains,
     outputs={"K": 2, "Gamma": 2},
     jump=learn,
-    breakpoints=events,
+    breakpoints=FixTimes(),
     candidate=fix_level,
     V_inputs=("alpha", "information"),
     between_fixes=lambda P, time, p: P,
