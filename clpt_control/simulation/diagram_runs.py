@@ -30,6 +30,7 @@ from ..engine.solver.schedule import read_inputs
 from ..paper.scenario.file import EQUATIONS, OWN_PARTS, REFERENCE
 from .dataset import changed_parameters, diagram_template, scenario_template
 from .dataset_template import DatasetTemplate
+from .flows import unlike_controller
 from .initial_states import stacked_state, state_columns
 from .loops import ClosedLoop
 from .serialization.run_record import CONDITIONS, RunRecord
@@ -81,6 +82,9 @@ class DiagramRun(SystemRun):
         )
         signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
         run = self.dataset(solution, signals.T)
+        if self.loop is not None and {"x", "zc"} <= {*self.loop.external}:
+            sentence = unlike_controller(run, self.loop.scenario)
+            run.attrs["message"] += sentence and f"; {sentence}"
         conditions = {
             name: value for name, value in options.items() if name in CONDITIONS
         }

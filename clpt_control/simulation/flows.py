@@ -19,6 +19,7 @@ from ..base.units import percent
 from ..engine.model.block import evaluate
 from ..ocean.currents.plane import read_field
 from ..ocean.estimation.least_squares import explained_share
+from ..paper.blocks import vehicle
 from ..paper.blocks.field import gridded_flow
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
@@ -27,6 +28,9 @@ from .loop_blocks import paper_blocks
 
 if TYPE_CHECKING:
     import xarray
+
+LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
+LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them
 
 
 @public
@@ -224,3 +228,34 @@ def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) ->
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
     if sentence := faster_flow(figures, units):
         run.attrs["message"] = f"{run.attrs['message']}; {sentence}"
+
+
+def unlike_controller(run: "xarray.Dataset", scenario: Scenario) -> str:
+    """Return a sentence if measured positions do not move as Eq. (7) commands, or "".
+
+    x' = f v + theta phi(x), Eqs. (1) and (3), with v of Eq. (7) at the scenario's gains, is solved
+    by least squares: a vehicle that is steered by Eq. (7) has f = 1.
+    """
+    times, x = run.time.values, run.position.values
+    if len(times) < LEAST_SAMPLES:
+        return ""
+    car = scenario.vehicle
+    controller = vehicle.vehicle_controller(
+        scenario.model_parameters, car.feedback, car.feedforward
+    )
+    phi = evaluate(scenario.basis_block(), times, x)
+    commanded = evaluate(controller, times, np.hstack([x, run.reference.values, phi]))
+    moved = np.diff(x, axis=0) / np.diff(times)[:, None]
+    v, phi = ((a[1:] + a[:-1]) / 2 for a in (commanded, phi))
+    zero = np.zeros_like(phi)
+    columns = np.vstack(
+        [np.hstack([v[:, :1], phi, zero]), np.hstack([v[:, 1:], zero, phi])]
+    )
+    factor = float(np.linalg.lstsq(columns, moved.T.ravel())[0][0])
+    if LEAST_FACTOR <= factor <= 1 / LEAST_FACTOR:
+        return ""
+    return (
+        f"the positions move {factor:.2g} times as fast as Eq. (7) commands with vehicle.feedback "
+        "and vehicle.feedforward, so K and Gamma take up a part of the flow: clpt estimate learns "
+        "from the fixes of such a vehicle"
+    )
