@@ -15,9 +15,9 @@ from ...base.files import check_writable, write_together
 from ...base.html import Result
 from ...base.progress import tell
 from ...base.units import finite_or_none
+from ..pages.fixes_page import report_of, results_of
 from .printing import (
     Json,
-    Report,
     arg,
     cell_text,
     check_out,
@@ -29,14 +29,16 @@ from .printing import (
 )
 
 LIVE = "-"
+MISSION = "made_auv_mission.csv"
 OF_RUNS = ("method", "every", "prior", "noise", "until")
 OF_FIXES = ("scenario", "drifter", "figure", "results")
 
 
 def estimate(
-    source: str = arg(
+    source: str | None = arg(
         "FIXES",
         "Table of fixes or a vehicle's files; - for lines of JSON; or a run's NetCDF.",
+        default=None,
     ),
     scenario: Path | None = opt(
         "SCENARIO", "Scenario file: functions and law, for fixes."
@@ -49,6 +51,9 @@ def estimate(
     ),
     results: Path | None = opt(
         "FILE", "NetCDF file to write; clpt report makes a page of it."
+    ),
+    sample: bool = flag(
+        "Learn from a made AUV mission that ships with the package.", "--sample"
     ),
     drifter: bool = flag(
         "Take an unknown displacement through the water as 0.", "--drifter"
@@ -72,6 +77,7 @@ def estimate(
     """Learn the flow from fixes of any vehicle, recorded or live, or of a run.
 
     Example:
+        clpt estimate --sample --figure learned.png
         clpt estimate fixes.csv --scenario mine.toml --out known.toml
         clpt estimate - --scenario mine.toml --state state.json
         clpt estimate run.nc --method kalman --out known.toml
@@ -85,6 +91,12 @@ def estimate(
         for name, value in locals().items()
         if value not in (None, False) and name in (*OF_RUNS, *OF_FIXES, "state")
     }
+    if sample:
+        source, scenario = _sample(source, scenario)
+    if source is None:
+        raise DataError(
+            f"FIXES: are missing. Give a table, {LIVE} or a run, or --sample"
+        )
     if source.endswith(".nc") and scenario is None:
         _refuse(given, (*OF_FIXES, "state"), "a run")
         of_run(Path(source), method, every, prior, noise, until, out, as_json)
@@ -106,6 +118,14 @@ def estimate(
         return
     _refuse(given, ("state",), "recorded fixes. Give - to read live fixes")
     _recorded(source, learner, (out, figure, results), drifter, as_json)
+
+
+def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
+    """Return the made mission, and its scenario unless another is given."""
+    if source is not None:
+        raise DataError(f"{source}: not with --sample. Leave one out")
+    folder = Path(clpt.__file__).parent / "data"
+    return str(folder / MISSION), scenario or (folder / MISSION).with_suffix(".toml")
 
 
 def _refuse(given: dict[str, Any], names: tuple[str, ...], what: str) -> None:
@@ -138,8 +158,9 @@ def _recorded(
     draw_figure(figure, learned_flow_plot, data)
     if results is not None:
         write_together({results: data})
+    data.attrs["title"] = Path(source).name
     report = report_of(data, skipped)
-    finish(results_of(source, report), report, as_json, out, figure, results)
+    finish(results_of(report), report, as_json, out, figure, results)
 
 
 def known_scenario(
@@ -154,84 +175,6 @@ def known_scenario(
         }
     )
     return clpt.currents.known_flow_scenario(titled, theta)
-
-
-def report_of(data: xarray.Dataset, skipped: list[Any]) -> Report:
-    """Return the results of legs by name, ready for JSON."""
-    from ...ocean.estimation.live_fixes import towards
-
-    error = np.hypot(*data.position_error.values.T)
-    legs = [
-        {
-            "leg": int(number),
-            "start": str(start)[:19] + "Z",
-            "end": str(end)[:19] + "Z",
-            "error_m": float(size),
-            "radius_90_m": float(radius),
-            "inside": bool(inside),
-            "flow": towards(*map(float, flow)),
-        }
-        for number, start, end, size, radius, inside, flow in zip(
-            data.leg.values,
-            data.start_time.values.astype("datetime64[s]"),
-            data.end_time.values.astype("datetime64[s]"),
-            error,
-            data.forecast_radius.values,
-            data.inside.values,
-            data.flow.values,
-            strict=True,
-        )
-    ]
-    return {
-        "law": data.attrs["law"],
-        "origin": [float(x) for x in data.attrs["origin"]],
-        "time_origin": data.attrs["time_origin"],
-        "legs": legs,
-        "error_rms_m": float(np.sqrt(np.mean(error**2))),
-        "inside_90": int(data.inside.sum()),
-        "theta_m_s": data.flow_parameters_estimate.values[-1].tolist(),
-        "standard_error_m_s": data.standard_error.values[-1].tolist(),
-        "notes": [*data.attrs["notes"]],
-        "skipped": [{"leg": skip.dive, "why": skip.why} for skip in skipped],
-    }
-
-
-def results_of(source: str, report: Report) -> list[Result]:
-    """Return the tables of legs and of parameters."""
-    legs = [
-        [
-            str(leg["leg"]),
-            leg["end"][:16].replace("T", " "),
-            f"{leg['error_m']:.0f}",
-            f"{leg['radius_90_m']:.0f}",
-            "in" if leg["inside"] else "OUT",
-            f"{leg['flow']['speed']:.3f} towards {leg['flow']['towards']:.0f}",
-        ]
-        for leg in report["legs"]
-    ]
-    columns = [
-        *("leg", "fix, UTC", "error before learning (m)", "90 % radius (m)", ""),
-        "learned flow (m/s, degrees)",
-    ]
-    east, north = report["theta_m_s"]
-    parameters = [
-        [str(k + 1), f"{a:+.4f}", f"{b:+.4f}", f"{error:.4f}"]
-        for k, (a, b, error) in enumerate(
-            zip(east, north, report["standard_error_m_s"], strict=True)
-        )
-    ]
-    names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
-    sentences = [
-        f"{report['inside_90']} of {len(legs)} fixes inside the 90 % region of their forecast; rms "
-        f"of the errors {report['error_rms_m']:.0f} m",
-        *report["notes"],
-        *(f"skipped: {skip['why']}" for skip in report["skipped"]),
-    ]
-    title = f"{source}: law {report['law']}, t = 0 at {report['time_origin'][:19]} UTC"
-    return [
-        Result(title, columns, legs),
-        Result("Flow parameters theta", names, parameters, sentences),
-    ]
 
 
 # --- live -----------------------------------------------------------------------------------------

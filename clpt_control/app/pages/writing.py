@@ -54,7 +54,8 @@ def report(
     Parameters
     ----------
     run : xarray.Dataset, Replay, str or Path
-        A run, a team's run, a diagram's, an ensemble or a replay; or the file or folder of one.
+        A run, a team's run, a diagram's, an ensemble, a replay or a flow learned from fixes; or
+        the file or folder of one.
     path : str or Path
         The page, such as ``report.html``.
     title : str, optional
@@ -126,13 +127,16 @@ def report(
 
 
 def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
-    """Return the page of a run, of a team's run, of a diagram's or of an ensemble."""
+    """Return the page of a run, a team's or a diagram's, of an ensemble or of fixes."""
     from ...paper.scenario.team import system_of_run
     from .ensemble_page import ensemble_page
+    from .fixes_page import fixes_page
     from .run_page import diagram_page, run_page
 
     if kind_of(data) == "ensemble":
         return ensemble_page(data, title)
+    if kind_of(data) == "fixes":
+        return fixes_page(data, title)
     of_run = title or str(data.attrs.get("title") or "A run without a title")
     if is_response(data):
         check_response(data)
@@ -174,7 +178,7 @@ def read(path: Path) -> "xarray.Dataset":
     from ...simulation.run_file import load_run
 
     with open_netcdf(path) as data:
-        if kind_of(data) == "replay":
+        if kind_of(data) in ("replay", "fixes"):
             return data.load()
     return load_run(path)
 

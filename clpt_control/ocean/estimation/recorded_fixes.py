@@ -6,6 +6,7 @@ along the track is that of the parameters after the last leg, at each fix.
 """
 
 from collections.abc import Iterable, Iterator
+from importlib.metadata import version
 from itertools import pairwise
 from math import hypot
 
@@ -112,7 +113,8 @@ def flow_of_legs(
         },
         {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
         {
-            "law": scenario.learning.law,
+            "fix_law": scenario.learning.law,
+            "source": f"clpt-control {version('clpt-control')}",
             "origin": list(frame.place),
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
             "noise_scale": estimator.scale,

@@ -48,6 +48,7 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "ensemble": "ensemble",
     "run": "scenario",
     "replay": "estimator",
+    "fixes": "fix_law",
     "diagram": "engine",
 }
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario

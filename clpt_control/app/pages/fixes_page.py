@@ -1,0 +1,113 @@
+"""Results and page of a flow learned from fixes: errors of the forecasts, parameters, figure."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray
+
+from ...base.html import Result
+from ...ocean.estimation.flow_plot import learned_flow_plot
+from ...ocean.estimation.live_fixes import towards
+from .page import Page, Section, drawn, versions_section
+
+Report = dict[str, Any]  # ready for JSON
+
+
+def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
+    """Return the page of a flow learned from fixes."""
+    report = report_of(data)
+    legs, parameters = results_of(report)
+    caption = (
+        "Above, fixes, their forecasts and the learned flow; below, the error of each forecast "
+        "before its fix was learned."
+    )
+    figure = drawn("fixes", 4.8, caption, learned_flow_plot, data)
+    return Page(
+        "Flow learned from fixes",
+        title or report["title"],
+        [f"Law {report['law']}, {len(report['legs'])} legs between fixes."],
+        report["notes"],
+        [
+            Section("legs", "Legs", legs, [figure]),
+            Section("parameters", "Flow parameters", parameters),
+            versions_section(data.attrs),
+        ],
+    )
+
+
+def report_of(data: xarray.Dataset, skipped: Sequence[Any] = ()) -> Report:
+    """Return the results of legs by name, ready for JSON."""
+    error = np.hypot(*data.position_error.values.T)
+    legs = [
+        {
+            "leg": int(number),
+            "start": str(start)[:19] + "Z",
+            "end": str(end)[:19] + "Z",
+            "error_m": float(size),
+            "radius_90_m": float(radius),
+            "inside": bool(inside),
+            "flow": towards(*map(float, flow)),
+        }
+        for number, start, end, size, radius, inside, flow in zip(
+            data.leg.values,
+            data.start_time.values.astype("datetime64[s]"),
+            data.end_time.values.astype("datetime64[s]"),
+            error,
+            data.forecast_radius.values,
+            data.inside.values,
+            data.flow.values,
+            strict=True,
+        )
+    ]
+    return {
+        "title": str(data.attrs.get("title", "fixes")),
+        "law": data.attrs["fix_law"],
+        "origin": [float(x) for x in data.attrs["origin"]],
+        "time_origin": data.attrs["time_origin"],
+        "legs": legs,
+        "error_rms_m": float(np.sqrt(np.mean(error**2))),
+        "inside_90": int(data.inside.sum()),
+        "theta_m_s": data.flow_parameters_estimate.values[-1].tolist(),
+        "standard_error_m_s": data.standard_error.values[-1].tolist(),
+        "notes": [*np.atleast_1d(data.attrs["notes"]).tolist()],
+        "skipped": [{"leg": skip.dive, "why": skip.why} for skip in skipped],
+    }
+
+
+def results_of(report: Report) -> list[Result]:
+    """Return the tables of legs and of parameters."""
+    legs = [
+        [
+            str(leg["leg"]),
+            leg["end"][:16].replace("T", " "),
+            f"{leg['error_m']:.0f}",
+            f"{leg['radius_90_m']:.0f}",
+            "in" if leg["inside"] else "OUT",
+            f"{leg['flow']['speed']:.3f} towards {leg['flow']['towards']:.0f}",
+        ]
+        for leg in report["legs"]
+    ]
+    columns = [
+        *("leg", "fix, UTC", "error before learning (m)", "90 % radius (m)", ""),
+        "learned flow (m/s, degrees)",
+    ]
+    east, north = report["theta_m_s"]
+    parameters = [
+        [str(k + 1), f"{a:+.4f}", f"{b:+.4f}", f"{error:.4f}"]
+        for k, (a, b, error) in enumerate(
+            zip(east, north, report["standard_error_m_s"], strict=True)
+        )
+    ]
+    names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
+    sentences = [
+        f"{report['inside_90']} of {len(legs)} fixes inside the 90 % region of their forecast; rms "
+        f"of the errors {report['error_rms_m']:.0f} m",
+        *report["notes"],
+        *(f"skipped: {skip['why']}" for skip in report["skipped"]),
+    ]
+    title = f"{report['title']}: law {report['law']}, t = 0 at {report['time_origin'][:19]} UTC"
+    return [
+        Result(title, columns, legs),
+        Result("Flow parameters theta", names, parameters, sentences),
+    ]
