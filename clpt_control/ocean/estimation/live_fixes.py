@@ -81,10 +81,9 @@ class LiveFixes:
     def _take(self, row: dict[str, Any]) -> dict[str, Any] | None:
         """Move, learn and steer by a line."""
         time = row["time"]
-        if self.estimator.leg is not None:
-            stretch = self._stretch(row)
-            if stretch is not None:
-                self.estimator.move(time, *stretch)
+        stretch = self._stretch(row)
+        if stretch is not None:
+            self.estimator.move(time, *stretch)
         answer = None
         if PLACE[0] in row:
             learned = self.estimator.fix(time, *(row[key] for key in PLACE))
@@ -100,6 +99,8 @@ class LiveFixes:
         """Return the displacement since the line before, m, or None if it is not known."""
         if STRETCH[0] in row:
             return row[STRETCH[0]], row[STRETCH[1]]
+        if self.estimator.leg is None:
+            return None
         span = row["time"] - self.motion.time
         east, north = (speed * span for speed in self.motion.velocity)
         return (east, north) if isfinite(east) and span > 0 else None

@@ -123,8 +123,8 @@ def lap():
 
 
 def test_the_filter_is_causal(lap):
-    early = estimate(lap.isel(time=slice(0, 501)), "kalman")  # to t = 100
-    whole = estimate(lap, "kalman")
+    early = estimate(lap.isel(time=slice(0, 501)), method="kalman")  # to t = 100
+    whole = estimate(lap, method="kalman")
     np.testing.assert_allclose(whole.steps[: len(early.steps)], early.steps, atol=1e-9)
 
 
@@ -143,7 +143,7 @@ def test_a_limited_speed_and_a_modelled_flow_are_known():
 
 
 def test_an_estimate_feeds_the_known_flow_law(lap):
-    found = estimate(lap, "kalman")
+    found = estimate(lap, method="kalman")
     known = clpt.currents.known_flow_scenario
     for law in ("learned-flow", "composite-memory", "kalman-flow"):
         base = PAPER.with_values({"learning.law": law, "learning.parameters": None})
@@ -281,7 +281,7 @@ def test_95_percent_are_95_percent_where_the_position_is_read_with_noise(method)
     for number in range(200):
         run = read_with_noise(number)
         for every, found in shares.items():
-            one = estimate(run, method, every=every)
+            one = estimate(run, method=method, every=every)
             found.append(covered(one.theta, one.covariance))
     assert all(0.93 < np.mean(found) < 0.97 for found in shares.values())
 

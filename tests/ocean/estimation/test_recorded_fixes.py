@@ -1,0 +1,307 @@
+"""Flow learned from recorded fixes, against missions made with a known flow.
+
+The truth of each mission is its own arithmetic: Eq. (1) in small steps, in a flow of Eq. (3) whose
+theta is chosen here.  A drifter in a uniform flow has theta = displacement over time.
+"""
+
+import csv
+import json
+import sys
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pyproj import Geod, Proj
+
+import clpt_control as clpt
+
+ORIGIN = 36.7, -122.1
+PLANE = Proj(proj="aeqd", ellps="WGS84", lat_0=ORIGIN[0], lon_0=ORIGIN[1])
+CENTERS = np.array([[0.0, 0.0], [12e3, 0.0], [6e3, 10e3]])
+THETA = np.array([[0.15, -0.20, 0.10], [-0.10, 0.15, 0.25]])
+SCENARIO = {
+    "origin": ORIGIN,
+    "units": {"length": "km", "time": "h"},
+    "basis": {
+        "kernel": "gaussian",
+        "centers": (CENTERS / 1e3).tolist(),
+        "widths": [8.0] * 3,
+        "constituents": ["steady"] * 3,
+    },
+    "learning": {"law": "fix-regression"},
+}
+UNIFORM = {
+    "basis": {
+        "kernel": "gaussian",
+        "centers": [[0, 0]],
+        "widths": [1e6],
+        "constituents": ["steady"],
+    },
+    "learning": {"law": "fix-regression"},
+}
+LAWS = ("fix-regression", "kalman-flow", "least-squares")
+FIELDS = (
+    *("number", "t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse"),
+    *("dr_east", "dr_north"),
+)
+HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
+
+
+def flow(x):
+    """Theta phi(x), m/s."""
+    return THETA @ np.exp(-np.sum((x - CENTERS) ** 2, axis=1) / (2 * 8e3**2))
+
+
+def straight_mission(legs=24, seed=3, noise=10.0):
+    """Legs of 2 h, straight at 1 m/s, each fix with noise: rows of a table of legs."""
+    random = np.random.default_rng(seed)
+    x, t, rows = np.array([1e3, 2e3]), 1.7e9, []
+    measured = x + random.normal(0, noise, 2)
+    for k in range(legs):
+        aim = CENTERS[random.integers(3)] + random.normal(0, 4e3, 2)
+        velocity = (aim - x) / np.hypot(*(aim - x))
+        start = measured
+        for _ in range(720):
+            middle = x + 5 * (flow(x) + velocity)
+            x = x + 10 * (flow(middle) + velocity)
+        measured = x + random.normal(0, noise, 2)
+        east_north = in_degrees(start, 7200 * velocity)
+        rows.append([k + 1, t, *place(start), t + 7200, *place(measured), *east_north])
+        t += 7200
+    return rows
+
+
+def place(x):
+    """Latitude and longitude of a point."""
+    longitude, latitude = PLANE(*x, inverse=True)
+    return latitude, longitude
+
+
+def in_degrees(x, displacement):
+    """East and north of a displacement in the plane, by the direction of north there."""
+    latitude, longitude = place(x)
+    north = np.subtract(PLANE(longitude, latitude + 1e-4), x)
+    north /= np.hypot(*north)
+    east = np.array([north[1], -north[0]])
+    return float(east @ displacement), float(north @ displacement)
+
+
+def write(path, rows, head=HEAD):
+    """Write a table."""
+    path.write_text(
+        "\n".join([head, *(",".join(map(repr, row)) for row in rows)]) + "\n"
+    )
+    return path
+
+
+def learned(path, scenario=SCENARIO, **values):
+    """Return the results for a table."""
+    legs, _ = clpt.gliders.read_dives(path, least_duration=0.0)
+    scenario = clpt.Scenario(**scenario).with_values(values)
+    return clpt.currents.flow_estimate(legs, scenario)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("units", [("km", "h", 1.0), ("m", "s", 1e3)])
+def test_straight_legs_teach_the_flow(tmp_path, law, units):
+    """Theta to 0.01 m/s and within its standard errors, in any units."""
+    path = write(tmp_path / "legs.csv", straight_mission())
+    length, time, size = units
+    data = learned(
+        path,
+        **{
+            "learning.law": law,
+            "units": {"length": length, "time": time},
+            "basis.centers": (CENTERS / 1e3 * size).tolist(),
+            "basis.widths": [8.0 * size] * 3,
+        },
+    )
+    off = data.flow_parameters_estimate.values[-1] - THETA
+    assert np.abs(off).max() < 0.010
+    assert np.all(np.abs(off) < 4 * data.standard_error.values[-1])
+    error = np.hypot(*data.position_error.values.T)
+    assert error[0] > 800  # 2 h in the flow, nothing learned
+    assert np.median(error[12:]) < 60
+    assert data.inside.values[4:].mean() > 0.8
+
+
+def test_standard_errors_hold(tmp_path):
+    """Over 20 missions the errors of theta are about as large as their standard errors say."""
+    ratios = []
+    for seed in range(20):
+        rows = straight_mission(legs=12, seed=seed, noise=60.0)
+        data = learned(write(tmp_path / "legs.csv", rows))
+        off = data.flow_parameters_estimate.values[-1] - THETA
+        ratios.append(off / data.standard_error.values[-1])
+    assert 0.3 < np.sqrt(np.mean(np.square(ratios))) < 1.3
+
+
+def test_a_log_with_turns_is_as_good_as_its_way(tmp_path):
+    """A log of course and speed; as a table of legs alone the bends are told and counted."""
+    log = Path(clpt.__file__).parent / "data" / "made_auv_mission.csv"
+    by_log = learned(log)
+    assert np.abs(by_log.flow_parameters_estimate.values[-1] - THETA).max() < 0.010
+    legs, _ = clpt.gliders.read_dives(log)
+    rows = [[getattr(leg, name) for name in FIELDS] for leg in legs]
+    by_legs = learned(write(tmp_path / "legs.csv", rows))
+    off = np.abs(by_legs.flow_parameters_estimate.values[-1] - THETA)
+    assert np.all(off < 3 * by_legs.standard_error.values[-1])
+    assert "as if the vehicle had turned" in by_legs.attrs["notes"][0]
+    assert not by_log.attrs["notes"]
+
+
+def test_course_and_speed_of_a_leg(tmp_path):
+    """A table of legs may have course and speed in place of the displacement."""
+    rows = straight_mission(legs=6)
+    polar = [
+        [
+            *row[:7],
+            float(np.degrees(np.arctan2(x, y))) % 360,
+            float(np.hypot(x, y)) / 7200,
+        ]
+        for row in rows
+        for x, y in [row[7:]]
+    ]
+    head = HEAD.replace("dr_east_m,dr_north_m", "course,speed")
+    first = learned(write(tmp_path / "a.csv", rows))
+    second = learned(write(tmp_path / "b.csv", polar, head))
+    np.testing.assert_allclose(
+        first.flow_parameters_estimate, second.flow_parameters_estimate, atol=1e-9
+    )
+
+
+def test_rows_of_displacement_are_rows_of_course(tmp_path):
+    """A log of displacements is the log of course and speed that makes them."""
+    log = Path(clpt.__file__).parent / "data" / "made_auv_mission.csv"
+    rows = list(csv.DictReader(log.read_text().splitlines()[1:]))
+    stretches, before = [], None
+    for row in rows:
+        time = datetime.fromisoformat(row["time"]).timestamp()
+        way = 0.0 if before is None else (time - before[0]) * float(before[1]["speed"])
+        angle = 0.0 if before is None else np.radians(float(before[1]["course"]))
+        cells = [row["latitude"], row["longitude"]]
+        stretches.append([time, *cells, way * np.sin(angle), way * np.cos(angle)])
+        before = time, row
+    text = "time,latitude,longitude,dr_east_m,dr_north_m\n" + "\n".join(
+        ",".join(map(str, row)) for row in stretches
+    )
+    (tmp_path / "log.csv").write_text(text)
+    np.testing.assert_allclose(
+        learned(tmp_path / "log.csv").flow_parameters_estimate,
+        learned(log).flow_parameters_estimate,
+        atol=1e-9,
+    )
+
+
+def drifter_table(path, hours=24):
+    """A drifter in 0.2 m/s to the north-east, by geodesics: fixes each hour, no motion."""
+    geod = Geod(ellps="WGS84")
+    latitude, longitude, lines = 0.2, 8.0, ["time,latitude,longitude"]
+    begin = datetime(2026, 3, 1, tzinfo=UTC)
+    for k in range(hours):
+        lines.append(
+            f"{(begin + timedelta(hours=k)).isoformat()},{latitude},{longitude}"
+        )
+        longitude, latitude, _ = geod.fwd(longitude, latitude, 45.0, 720.0)
+    path.write_text("\n".join(lines))
+    return path
+
+
+def test_a_drifter_teaches_its_own_drift(tmp_path, clpt):
+    """0.2 m/s to the north-east; without --drifter the sentence names the remedies."""
+    table, scenario = drifter_table(tmp_path / "d.csv"), tmp_path / "s.toml"
+    scenario.write_text(
+        '[basis]\nkernel="gaussian"\ncenters=[[0,0]]\nwidths=[1e6]\nconstituents=["steady"]\n'
+        '[learning]\nlaw="fix-regression"\n'
+    )
+    words = ["estimate", table, "--scenario", scenario]
+    status, out, _ = clpt(*words, "--drifter", "--json")
+    report = json.loads(out)
+    assert status == 0
+    np.testing.assert_allclose(
+        report["theta_m_s"], [[0.2 * np.sqrt(0.5)]] * 2, atol=2e-3
+    )
+    assert report["legs"][-1]["flow"]["towards"] == pytest.approx(45.0, abs=0.5)
+    status, _, err = clpt(*words)
+    assert status == 2
+    assert "course (degrees)" in err
+    assert "--drifter" in err
+
+
+def test_a_wild_fix_teaches_little(tmp_path):
+    """One end fix 2 km off: it is told, and theta hardly moves."""
+    rows = straight_mission()
+    rows[15][5] += 0.018
+    data = learned(write(tmp_path / "legs.csv", rows))
+    off = np.abs(data.flow_parameters_estimate.values[-1] - THETA)
+    assert off.max() < 0.03
+    assert any(
+        "leg 16: its end fix lies outside" in note for note in data.attrs["notes"]
+    )
+
+
+def test_command_writes_scenario_figure_results_and_page(tmp_path, clpt, monkeypatch):
+    """Each file is written; the scenario runs; the page is made of the results."""
+    monkeypatch.chdir(tmp_path)
+    words = "estimate --sample --out known.toml --figure f.png --results l.nc --json"
+    status, out, err = clpt(*words.split())
+    assert status == 0, err
+    report = json.loads(out)
+    assert np.abs(np.array(report["theta_m_s"]) - THETA).max() < 0.010
+    assert (tmp_path / "f.png").read_bytes().startswith(b"\x89PNG")
+    known = sys.modules["clpt_control"].load_scenario("known.toml")
+    np.testing.assert_allclose(
+        np.array(known.learning.theta_estimate) / 3.6, report["theta_m_s"], rtol=1e-12
+    )
+    assert clpt("run", "known.toml", "--out", "run.nc")[0] == 0
+    assert clpt("report", "l.nc", "-o", "page.html")[0] == 0
+    assert "Flow learned from fixes" in (tmp_path / "page.html").read_text()
+
+
+@pytest.mark.parametrize(
+    ("head", "row", "sentence"),
+    [
+        ("time,latitude,longitude,course,speed", "0,1,2,720,1", "course is 720"),
+        ("time,latitude,longitude,course,speed", "0,1,2,72,-1", "speed is -1"),
+        ("time,latitude,longitude,course,speed", "0,1,,72,1", "one of latitude"),
+        ("time,latitude,longitude,course,speed", "x,1,2,72,1", "time is 'x'"),
+        (
+            "time,latitude,longitude,course,speed,dr_east_m,dr_north_m",
+            "0,1,2,3,4,5,6",
+            "has both",
+        ),
+        (
+            "time,latitude,longitude,course,speed,vehicle",
+            "0,1,2,3,1,a\n9,1,2,3,1,b",
+            "2 vehicles",
+        ),
+        (
+            "time,latitude,longitude,course,speed",
+            "9,1,2,3,1\n0,1,2,3,1",
+            "must be later",
+        ),
+    ],
+)
+def test_wrong_logs_are_refused(tmp_path, head, row, sentence):
+    """Each wrong cell is named."""
+    (tmp_path / "log.csv").write_text(f"{head}\n{row}\n")
+    with pytest.raises(clpt.DataError, match=sentence):
+        clpt.gliders.read_dives(tmp_path / "log.csv")
+
+
+def test_a_scenario_for_fixes_does_not_simulate():
+    """The message names the missing table and the command that does without."""
+    scenario = clpt.Scenario(**SCENARIO)
+    with pytest.raises(clpt.ScenarioError, match="leaves this table out"):
+        clpt.simulate(scenario)
+    with pytest.raises(clpt.ScenarioError, match="missing key flow"):
+        clpt.Scenario(**{**SCENARIO, "learning": {"law": "learned-flow", "gain": 1.0}})
+
+
+def test_laws_without_a_regression_of_fixes_are_refused():
+    """The sentence lists the laws that learn from recorded fixes."""
+    with pytest.raises(
+        clpt.ScenarioError, match="kalman-flow, least-squares, fix-regression"
+    ):
+        clpt.currents.FlowEstimator(clpt.paper_scenario())
