@@ -4,6 +4,7 @@ import json
 import random
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -101,6 +102,11 @@ def test_a_restarted_learner_has_the_same_numbers(tmp_path, scenario):
     assert answers(done.stdout)[-1] == expected
 
 
+def fresh(path):
+    """Return the number of answers that are no repetition."""
+    return path.read_text().count("error_m")
+
+
 @pytest.mark.processes
 def test_a_killed_learner_has_the_same_numbers(tmp_path, scenario):
     """1,000 fixes, killed ten times at random, fed again from the start: equal to the last bit."""
@@ -109,21 +115,25 @@ def test_a_killed_learner_has_the_same_numbers(tmp_path, scenario):
     expected = answers(whole.stdout)[-1]
     state = tmp_path / "state.json"
     words = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
-    chance = random.Random(5)
-    for kill_after in sorted(chance.sample(range(50, 2900), 10)):
-        process = subprocess.Popen(
-            [*map(str, words)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
-        try:
-            process.stdin.write("\n".join(lines[:kill_after]) + "\n")
-            process.stdin.flush()
-            for _ in range(chance.randint(1, kill_after // 4)):
-                process.stdout.readline()
-        finally:
+    chance, killed = random.Random(5), 0
+    (tmp_path / "lines").write_text("\n".join(lines))
+    for _ in range(10):
+        out = tmp_path / "out"
+        with (tmp_path / "lines").open() as fed, out.open("w") as answered:
+            process = subprocess.Popen(
+                [*map(str, words)],
+                stdin=fed,
+                stdout=answered,
+                stderr=subprocess.DEVNULL,
+            )
+            least = chance.randint(60, 110)  # answers that are new, about
+            while process.poll() is None and fresh(out) < least:
+                time.sleep(0.01)
+            time.sleep(chance.random() * 0.05)
+            killed += process.poll() is None
             process.kill()
             process.wait(GUARD)
-            process.stdin.close()
-            process.stdout.close()
+    assert killed == 10
     done = ran(*words, input="\n".join(lines))
     assert answers(done.stdout)[-1] == expected
 
