@@ -1,6 +1,7 @@
 """Command `clpt fit`: a scenario in a measured current, or tides of a record."""
 
 from pathlib import Path
+from typing import Any
 
 import clpt_control as clpt
 
@@ -34,6 +35,11 @@ def fit(
         "steady and named tides; default: steady,M2. With --tides such as M2,S2,K1, or auto: all "
         "that are distinguishable.",
     ),
+    depth: float | None = opt(
+        "METRES",
+        "Mean of the levels from the surface to this depth, the current of a glider that dives so "
+        "deep; default: the level nearest the surface. With --tides: the level nearest this depth.",
+    ),
     units: str | None = opt(
         "UNIT", "Units of u and v, such as m/s, if the file has none."
     ),
@@ -63,7 +69,8 @@ def fit(
             raise ScenarioError("--u, --v: not with --tides. Name the columns u and v")
         if constituents is None:
             raise ScenarioError("--tides: needs --constituents, such as M2,S2, or auto")
-        _fit_tides(currents, constituents, latitude, at, units, as_json)
+        record = clpt.currents.read_record(currents, latitude, at, units, depth)
+        _fit_tides(record, str(currents), constituents, as_json)
         return
     if out is None:
         raise ScenarioError("--out: is missing. Give the scenario file to write")
@@ -77,6 +84,7 @@ def fit(
         columns=columns,
         width_km=width_km,
         constituents=names,
+        depth=depth,
         units=units,
         names=None if u is None or v is None else {"u": u, "v": v},
     )
@@ -87,12 +95,16 @@ def fit(
     lines = [
         [key.replace("_", " "), cell_text(value) + unit_of.get(key, "")]
         for key, value in fitted.report.items()
-        if key not in ("theta", "width_units", "speed_units")
+        if key not in ("theta", "width_units", "speed_units", "notes")
     ]
     missing = not_learned(scenario)
     sentences = [
         sentence
-        for sentence in (_explained_too_little(fitted.report), missing)
+        for sentence in (
+            *fitted.report["notes"],
+            _explained_too_little(fitted.report),
+            missing,
+        )
         if sentence
     ]
     result = Result(
@@ -114,22 +126,15 @@ def _explained_too_little(fit: Report) -> str:
     return ""
 
 
-def _fit_tides(
-    record: Path,
-    constituents: str,
-    latitude: float | None,
-    at: tuple[float, float] | None,
-    units: str | None,
-    as_json: bool,
-) -> None:
+def _fit_tides(measured: Any, where: str, constituents: str, as_json: bool) -> None:
     """Print the tidal constants of a record."""
     from ...ocean.currents.tidal_constants import tides_report
 
-    measured = clpt.currents.read_record(record, latitude, at, units)
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude
-    fit = clpt.currents.fit_tides(*current, names, where=str(record))
+    fit = clpt.currents.fit_tides(*current, names, where=where)
     report = {"source": measured.source, **tides_report(fit)}
+    report["notes"] = list(measured.notes)
     finish([tides_result(report)], report, as_json)
 
 
@@ -149,6 +154,7 @@ def tides_result(report: Report) -> Result:
     )
     east, north = report["mean"]
     sentences = [
+        *report["notes"],
         f"{report['samples']} measurements over {report['hours']:.6g} h from "
         f"{report['start'][:16]} UTC, latitude {report['latitude']:g}",
         f"mean current: {east:+z.4f} east, {north:+z.4f} north (m/s)",

@@ -293,7 +293,7 @@ def watch(
                     summary = None
                     learned, line = job.learn(follower.dives(), len(arrived), out)
                     summary = learned  # from where the line is seen, an interrupt has its results
-                    tell(line)
+                    tell(line + follower.faults(arrived))
                     if arrived:
                         since = time.monotonic()
                 alerts.tell(summary)

@@ -21,23 +21,59 @@ import xarray
 from xarray.coders import CFDatetimeCoder
 
 from ...base.errors import DataError
-from ...base.units import speed_in_metres_per_second
+from ...base.units import length_in_metres, speed_in_metres_per_second
+from .flags import number as number
+from .flags import said as said
+from .flags import without_flagged
 
 VELOCITY = {
     "eastward": (
         ("eastward_sea_water_velocity", "surface_eastward_sea_water_velocity"),
-        ("u", "water_u", "uo", "u_velocity", "ucur", "u_current", "u_east", "usurf"),
+        (
+            "u_eastward",  # ROMS, beside u along the axes of its grid
+            *(
+                "u",
+                "water_u",
+                "uo",
+                "u_velocity",
+                "ucur",
+                "u_current",
+                "u_east",
+                "usurf",
+            ),
+            "ua",  # FVCOM
+        ),
     ),
     "northward": (
         ("northward_sea_water_velocity", "surface_northward_sea_water_velocity"),
-        ("v", "water_v", "vo", "v_velocity", "vcur", "v_current", "v_north", "vsurf"),
+        (
+            "v_northward",
+            *(
+                "v",
+                "water_v",
+                "vo",
+                "v_velocity",
+                "vcur",
+                "v_current",
+                "v_north",
+                "vsurf",
+            ),
+            "va",
+        ),
     ),
 }
 AXES = {
-    "latitude": (("latitude",), ("lat", "latitude", "nav_lat", "y_lat")),
-    "longitude": (("longitude",), ("lon", "longitude", "nav_lon", "x_lon")),
+    "latitude": (
+        ("latitude",),
+        ("lat", "latitude", "nav_lat", "y_lat", "lat_rho", "lat_u", "latc"),
+    ),
+    "longitude": (
+        ("longitude",),
+        ("lon", "longitude", "nav_lon", "x_lon", "lon_rho", "lon_u", "lonc"),
+    ),
     "time": (("time",), ("time", "t", "ocean_time", "mtime")),
 }
+AXIS_NAMES = {name for _, names in AXES.values() for name in names}
 HEIGHTS = ("altitude", "height")
 DEPTHS = (*HEIGHTS, "depth", "ocean_s_coordinate")
 DEPTH_NAMES = (
@@ -50,6 +86,8 @@ DEPTH_NAMES = (
     "deptht",
     "depthu",
     "sigma",
+    "siglay",
+    "height_above_sensor",  # IMOS
 )
 CURE = (
     "regrid it to latitudes and longitudes, by cdo remapbil or xESMF, and turn u and v to east and "
@@ -72,12 +110,12 @@ GREGORIAN = (
 )
 FAR = 0.3  # of the range of all other values: distance of a fill value from them
 DISTINCT = 8  # other values, by which a fill value is recognized
+UTC = {"utc", "gmt", "z", "t"}  # t is that of ISO 8601
+FIRST_YEAR = 1950  # earlier times of ocean data look like integers that overflowed
+OVERFLOW = np.timedelta64(
+    36525, "D"
+)  # a step of 100 years is that of an integer that overflowed
 SINCE_A_DATE = re.compile(r"\s*(\w+)\s+since\s+(\d+-\d+-\d+.*)", re.IGNORECASE)
-
-
-def said(variable: xarray.DataArray | xarray.Variable, attribute: str = "units") -> str:
-    """Return an attribute as text, '' where there is none."""
-    return str(variable.attrs.get(attribute, "")).strip()
 
 
 def find_variable(data: xarray.Dataset, table: dict[str, Any], quantity: str) -> str:
@@ -128,20 +166,24 @@ def find_axis(data: xarray.Dataset, velocity: str, quantity: str) -> xarray.Data
 
     Of several times, such as `time` and `time1`, the one on a dimension of the velocity counts.
     """
+    flow = data[velocity]
+    if "mesh" in flow.attrs or "nele" in flow.dims:  # UGRID, FVCOM
+        raise DataError(f"{velocity} {_dims(flow)} is on a triangular grid; {CURE}")
     name = find_variable(data, AXES, quantity)
-    if quantity == "time" and not set(data[name].dims) & set(data[velocity].dims):
-        dims = data[velocity].dims
-        times = [dim for dim in dims if dim in data and " since " in said(data[dim])]
+    if quantity == "time" and not set(data[name].dims) & set(flow.dims):
+        times = [
+            dim for dim in flow.dims if dim in data and " since " in said(data[dim])
+        ]
         name = str(times[0]) if times else name
     axis = data[name]
+    if quantity == "time" and axis.ndim == 0:
+        return axis.expand_dims(name)
     if quantity != "time" and axis.ndim == 2:
         raise DataError(
             f"{name} has the dimensions {_dims(axis)}: a curvilinear grid; {CURE}"
         )
-    if axis.ndim != 1 or axis.dims[0] not in data[velocity].dims:
-        raise DataError(
-            f"{name} is on {_dims(axis)}; must be on one of {_dims(data[velocity])}"
-        )
+    if axis.ndim != 1 or axis.dims[0] not in flow.dims:
+        raise DataError(f"{name} is on {_dims(axis)}; must be on one of {_dims(flow)}")
     if quantity == "time":
         return axis
     if not axis.size:
@@ -169,17 +211,53 @@ def is_depth(data: xarray.Dataset, dim: Any) -> bool:
     return str(dim).lower() in DEPTH_NAMES or by_standard
 
 
-def distances_of(axis: xarray.DataArray) -> np.ndarray:
-    """Return how far levels are from the surface, in their unit; heights from below are refused."""
-    levels = np.atleast_1d(numbers_of(axis))
+def depths_of(data: xarray.Dataset, dim: Any, in_metres: bool = True) -> np.ndarray:
+    """Return depths of levels below the surface, m or in their unit.
+
+    Heights above an instrument are subtracted from its depth; others from below are refused.
+    """
+    axis = data[dim]
+    levels, unit = np.atleast_1d(numbers_of(axis)), said(axis)
     up = said(axis, "positive") == "up" or said(axis, "standard_name").startswith(
         HEIGHTS
     )
-    if up and np.any(levels > 0):
+    if str(dim).lower() == "height_above_sensor":
+        levels = _depth_of_sensor(data) - levels
+    elif up and np.any(levels > 0):
         raise DataError(
             f"{axis.name} counts up from the sea floor; must be depths below water"
         )
-    return np.abs(levels)
+    else:
+        levels = np.abs(levels)
+    if in_metres and (unit or not str(dim).lower().startswith(("depth", "z"))):
+        return levels * length_in_metres(unit, str(dim))
+    return levels
+
+
+def _depth_of_sensor(data: xarray.Dataset) -> float:
+    """Return the median depth of an instrument, m."""
+    for name in map(str, data.variables):
+        if name.lower() in ("depth", "nominal_depth"):
+            return float(np.nanmedian(without_flagged(data, [name])[0]))
+    raise DataError(
+        "has heights above a sensor and no depth of the sensor. Write the variable DEPTH"
+    )
+
+
+def _level(data: xarray.Dataset, dim: Any, depth: float | None) -> tuple[int, str]:
+    """Return the index of the level nearest the surface, or a depth in m, and a note on it."""
+    depths = depths_of(data, dim, in_metres=depth is not None)
+    away = np.where(depths >= 0, np.abs(depths - (depth or 0.0)), np.inf)
+    level = int(
+        np.argmin(away)
+    )  # a level above water, or without a depth, is the last choice
+    nearest = "the surface" if depth is None else f"{depth:g} m"
+    unit = said(data[dim]).replace("1", "") if depth is None else "m"
+    return level, (
+        f"{dim} has {depths.size} levels: the level nearest {nearest} is read, "
+        f"{depths[level]:.4g} {unit}".rstrip()
+        + ". --depth (depth=) chooses by depth"
+    )
 
 
 def numbers_of(variable: xarray.DataArray) -> np.ndarray:
@@ -189,14 +267,6 @@ def numbers_of(variable: xarray.DataArray) -> np.ndarray:
     if values.dtype.kind not in "iuf":
         raise DataError(f"{variable.name} has the type {values.dtype}; must be numbers")
     return values.astype(float)
-
-
-def number(cell: Any) -> float:
-    """Return the number that a cell or an attribute is, NaN where it is none."""
-    try:
-        return float(cell)
-    except (TypeError, ValueError, OverflowError):
-        return np.nan
 
 
 def decoded(
@@ -213,9 +283,19 @@ def decoded(
     matched = SINCE_A_DATE.fullmatch(unit)
     if matched is None:  # xarray would take 01/02/2019 too
         return None
-    unit = " since ".join(
-        matched.groups()
-    )  # xarray knows the word in small letters only
+    unit, since = matched.groups()
+    # a bare date has no clock time that an offset could follow, and UTC+1 is read as UTC-1
+    since = re.sub(r"^([\d-]+)\s+(?=[+-]\d)", r"\1 00:00 ", since)
+    since = re.sub(r"\s*\b(?:UTC|GMT)\s*(?=[+-]\d)", " ", since, flags=re.IGNORECASE)
+    zones = [
+        zone for zone in re.findall(r"[A-Za-z_/]+", since) if zone.lower() not in UTC
+    ]
+    if zones:  # xarray leaves a zone's name out
+        raise DataError(
+            f"units '{matched[0]}' have the time zone {zones[0]}, whose offset is not known. Write "
+            "UTC, or an offset such as -5:00"
+        )
+    unit = f"{unit} since {since}"  # xarray reads the word in small letters only
     variable = xarray.Variable("time", numbers, {"units": unit, "calendar": calendar})
     try:
         with warnings.catch_warnings():
@@ -227,7 +307,11 @@ def decoded(
 
 
 def dates_of(
-    data: xarray.Dataset, when: xarray.DataArray, velocity: str, least: int = 2
+    data: xarray.Dataset,
+    when: xarray.DataArray,
+    velocity: str,
+    notes: list[str],
+    least: int = 2,
 ) -> np.ndarray:
     """Return the times of a velocity, to the nearest ms: of means the middles of intervals."""
     if len(when) < least:
@@ -244,6 +328,18 @@ def dates_of(
             "such as 'hours since 2019-01-01 00:00:00', with real dates of the years 1678 to 2261"
         )
     _check_missing(when, np.isnat(dates))  # xarray writes NaT as the least integer
+    steps = np.flatnonzero(np.abs(np.diff(dates)) > OVERFLOW)
+    if steps.size:
+        raise DataError(
+            f"{when.name} goes from {dates[steps[0]]:.10} to {dates[steps[0] + 1]:.10} in one "
+            "step: its integers overflowed. Write them as 64 bits"
+        )
+    years = dates.astype("M8[Y]").astype(int) + 1970
+    if years.min() < FIRST_YEAR:
+        notes.append(
+            f"{when.name} is of the years {years.min()} to {years.max()}; if they are wrong, its "
+            "integers overflowed: write them as 64 bits"
+        )
     return (dates + np.timedelta64(500, "us")).astype("datetime64[ms]")
 
 
@@ -294,7 +390,7 @@ def _intervals(
     if not name or name not in data or method == "point":
         return None
     units = said(data[name]) or said(when)
-    intervals = np.sort(numbers_of(data[name]), axis=-1)
+    intervals = np.sort(np.atleast_2d(numbers_of(data[name])), axis=-1)
     if intervals.shape != (len(when), 2) or units != said(when):
         raise DataError(
             f"{name}, the bounds of {when.name}, must have the shape ({len(when)}, 2) and its units"
@@ -382,38 +478,65 @@ def speed_unit(stated: str | None, units: str | None, name: str, cure: str) -> f
 
 
 def velocity_values(
-    data: xarray.Dataset, name: str, index: dict[Any, np.ndarray], units: str | None
+    data: xarray.Dataset,
+    name: str,
+    index: dict[Any, np.ndarray],
+    units: str | None,
+    notes: list[str],
+    depth: float | None = None,
 ) -> np.ndarray:
-    """Return a velocity in m/s, NaN where missing, at the `index` of each dimension.
+    """Return a velocity in m/s, NaN where missing or flagged bad, at the `index` of each dimension.
 
-    Of a depth that is not among them the level nearest the surface is taken.  `units` are those
-    of a variable that says none.
+    Of levels that are not among them the one nearest the surface, or nearest a depth (m), is taken.
+    `units` are those of a variable that says none.  The level and the flags add to the notes.
     """
-    values = data[name]
+    values, levels = data[name], dict[Any, int]()
     cure = "Give --units, such as m/s, or write the attribute"
     size = speed_unit(said(values), units, name, cure)
     for dim in set(values.dims) - set(index):
-        level = 0
+        levels[dim] = 0
         if values.sizes[dim] != 1:
             if not is_depth(data, dim):
                 raise DataError(
                     f"{name} has {values.sizes[dim]} {dim}. Choose one, --at LAT LON"
                 )
-            level = int(np.argmin(np.nan_to_num(distances_of(data[dim]), nan=np.inf)))
-        values = values.isel({dim: level})
-    if set(values.dims) != set(index):
+            levels[dim], note = _level(data, dim, depth)
+            notes.append(note)
+    added = [dim for dim in index if dim not in values.dims]
+    if any(dim not in data or data[dim].ndim for dim in added):
         raise DataError(
             f"{name} is on {_dims(values)}; must be on {', '.join(map(str, index))}"
         )
+
+    def select(variable: xarray.DataArray) -> xarray.DataArray:
+        variable = variable.isel(levels, missing_dims="ignore")
+        return _in_one_block(
+            variable, {d: index[d] for d in index if d in variable.dims}
+        )
+
     try:
-        chosen = _in_one_block(values, index).transpose(*index)
+        chosen, flagged = without_flagged(
+            data, [name, *_coordinates(data, name)], select
+        )
     except (ValueError, TypeError):  # of letters that are to be scaled
         raise DataError(
             f"{name} has an entry that is not a number. Give numbers only"
         ) from None
+    notes += flagged
+    chosen = chosen.expand_dims(added).transpose(*index)
     numbers = numbers_of(chosen)
-    _check_packing(chosen, numbers, name)
     return _in_valid_range(chosen, numbers, name) * size
+
+
+def _coordinates(data: xarray.Dataset, name: str) -> list[str]:
+    """Return the times, places and depths along dimensions of a velocity."""
+    return [
+        axis
+        for axis in map(str, data.variables)
+        if data[axis].ndim > 0
+        and set(data[axis].dims) <= set(data[name].dims)
+        and (axis.lower() in AXIS_NAMES or is_depth(data, axis))
+    ]
 
 
 def _in_valid_range(
@@ -468,30 +591,3 @@ def _in_one_block(
     return block.load().isel(
         {dim: positions - positions.min() for dim, positions in index.items()}
     )
-
-
-def _check_packing(packed: xarray.DataArray, numbers: np.ndarray, where: str) -> None:
-    """Refuse packed gaps that the fill value does not name.
-
-    A gap is packed as an end of the integers.  Where such a number is left as
-    data, twice or more and further from all others than these are apart, the
-    fill value of the file is another than the one that it declares.
-    """
-    kind = np.dtype(packed.encoding.get("dtype", float))
-    if kind.kind not in "iu":
-        return
-    scale = float(packed.encoding.get("scale_factor", 1.0))
-    offset = float(packed.encoding.get("add_offset", 0.0))
-    raw = (numbers[np.isfinite(numbers)] - offset) / scale
-    limits = np.iinfo(kind)
-    for end in (limits.min, limits.min + 1, limits.max):
-        at_end = np.abs(raw - end) <= 0.5
-        others = raw[~at_end]
-        if (
-            at_end.sum() > 1
-            and others.size
-            and np.abs(others - end).min() > np.ptp(others)
-        ):
-            raise DataError(
-                f"{where} holds {end} {at_end.sum()} times, a gap. Correct _FillValue"
-            )

@@ -2,7 +2,7 @@
 
 NetCDF: a time and two velocities, found by CF standard name or as u and v, of
 the one dimension time; dimensions of one value and a depth beside it are
-allowed (the level nearest the surface is taken).  From a grid of latitudes and
+allowed (the level nearest the surface, or a given depth, is taken).  From a grid of latitudes and
 longitudes the cell nearest to a given place is taken.  The latitude, which the
 nodal corrections need, is the file's variable, its attribute
 `geospatial_lat_min` (equal to `geospatial_lat_max`), `latitude` or `lat`, or
@@ -41,6 +41,7 @@ class CurrentRecord:
     v: np.ndarray  # to the north
     latitude: float  # degrees north
     source: str  # name of the file
+    notes: tuple[str, ...] = ()  # on the level, flags and times
 
     def __repr__(self) -> str:
         span = f"{self.time[0].astype('M8[m]')} to {self.time[-1].astype('M8[m]')} UTC"
@@ -53,6 +54,7 @@ def read_record(
     latitude: float | None = None,
     at: tuple[float, float] | None = None,
     units: str | None = None,
+    depth: float | None = None,
 ) -> CurrentRecord:
     r"""Read a current record at one place.
 
@@ -66,11 +68,14 @@ def read_record(
         Latitude and longitude, degrees: the nearest cell of a grid is read.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
+    depth : float, optional
+        m: the level nearest to it is read; by default the one nearest the surface.
 
     Returns
     -------
     CurrentRecord
-        `time` (datetime64, UTC), `u` and `v` (m/s, NaN in gaps), `latitude` and `source`.
+        `time` (datetime64, UTC), `u` and `v` (m/s, NaN in gaps), `latitude`, `source` and
+        `notes` on level, flags and times.
 
     Raises
     ------
@@ -87,13 +92,13 @@ def read_record(
     >>> record.latitude, record.u
     (41.2, array([0.12,  nan]))
     """
-    path = Path(path)
+    path, notes = Path(path), list[str]()
     if is_table(path):
         if at is not None:
             raise DataError(
                 f"{path}: is a table of one place; --at is for gridded NetCDF files"
             )
-        times, u, v, file_latitude = read_table(path, units)
+        times, u, v, file_latitude = read_table(path, units, notes)
         lines = int(np.argmax(times != times[0]))  # of one ping
         if lines > 1 and len(times) % lines == 0:
             pings = times.reshape(-1, lines)
@@ -102,20 +107,28 @@ def read_record(
                 u, v = (_over_ranges(w.reshape(pings.shape)) for w in (u, v))
     else:
         with open_netcdf(path) as data, naming(path):
-            times, u, v, file_latitude = _from_netcdf(of_profiler(data), at, units)
+            times, u, v, file_latitude = _from_netcdf(
+                of_profiler(data), at, units, depth, notes
+            )
     check_increasing(times, str(path))
     with naming(path):
         nothing = "no time has a finite value of both components of the current"
+        nothing = "; ".join(dict.fromkeys((nothing, *notes)))
         cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
         chosen = file_latitude if latitude is None else latitude
         if chosen is None:
             raise DataError("has no latitude. Give --latitude DEG")
         checked_latitude(chosen)
-    return CurrentRecord(times, u, v, float(chosen), shown_name(path))
+    notes = [*dict.fromkeys(notes)]
+    return CurrentRecord(times, u, v, float(chosen), shown_name(path), tuple(notes))
 
 
 def _from_netcdf(
-    data: xarray.Dataset, at: tuple[float, float] | None, units: str | None
+    data: xarray.Dataset,
+    at: tuple[float, float] | None,
+    units: str | None,
+    depth: float | None,
+    notes: list[str],
 ) -> tuple:
     """Return times, u, v and latitude."""
     east, north = (
@@ -123,7 +136,7 @@ def _from_netcdf(
         for quantity in ("eastward", "northward")
     )
     when = cf.find_axis(data, east, "time")
-    times = cf.dates_of(data, when, east)
+    times = cf.dates_of(data, when, east, notes)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     latitude = _own_latitude(data)
     of_cell = (
@@ -135,7 +148,8 @@ def _from_netcdf(
         index[axis.dims[0]] = np.array([k])
         latitude = float(axis.values[k])
     u, v = (
-        cf.velocity_values(data, name, index, units).ravel() for name in (east, north)
+        cf.velocity_values(data, name, index, units, notes, depth).ravel()
+        for name in (east, north)
     )
     return times, u, v, latitude
 

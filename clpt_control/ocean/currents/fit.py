@@ -107,6 +107,7 @@ def fit_current(
     width_km: float | None = None,
     constituents: Sequence[str] = ("steady", "M2"),
     radius_km: float | None = None,
+    depth: float | None = None,
     units: str | None = None,
     names: dict[str, str] | None = None,
 ) -> Fit:
@@ -127,6 +128,9 @@ def fit_current(
     radius_km : float, optional
         Radius of the circle of 12 waypoints around the origin, km; 0.32 of the
         distance to the nearest edge of the field.
+    depth : float, optional
+        m: fit the mean from the surface to this depth, the current of a glider that dives
+        so deep; by default the level nearest the surface.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
     names : dict, optional
@@ -174,7 +178,7 @@ def fit_current(
     for option, value in (("width (--width-km)", width_km), ("radius", radius_km)):
         if value is not None and not (np.isfinite(value) and value > 0):
             raise DataError(f"{option} = {value} km: must be positive and finite")
-    currents = read_currents(source, box, units=units, names=names)
+    currents = read_currents(source, box, depth=depth, units=units, names=names)
     path = source_name(source)
     with naming(path):
         currents = with_all_steps(currents)
@@ -244,6 +248,7 @@ def fit_current(
         "missing_fraction": float(1 - measured.mean()),
         "cells_never_measured": int(gap.all(axis=0).sum()),
         "cells_of_zeros_taken_as_land": currents.land,
+        "notes": list(currents.notes),
         "explained_variance": finite_or_none(fit.explained_variance),
         "residual_rms": fit.residual_rms,
         "residual_max": fit.residual_max,

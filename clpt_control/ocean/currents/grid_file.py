@@ -13,8 +13,9 @@ Steps are missing in an interval that is longer than 2.5 times the median of the
 the two after it, so that steps may become coarser further ahead, as forecasts have them.
 """
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
@@ -22,11 +23,11 @@ from typing import Any
 
 import numpy as np
 import xarray
+from scipy.integrate import trapezoid
 
 from ...base.arguments import public
 from ...base.errors import ClptError, DataError, naming
 from ...base.files.reading import open_netcdf, shown_name, zarr_store
-from ...base.units import length_in_metres
 from . import cf
 
 NAME = "maracoos_hfr_2019-01-01.nc"
@@ -34,6 +35,7 @@ DEEPEST = 1000.0  # m; no level of a column further down is read, except the nex
 # times the median step: no longer step is missing in a grid around the Earth
 AROUND = 1.5
 GAP = 2.5  # times the intervals around one: beyond, steps are missing
+COUNT = re.compile(r"(\d+) of (\d+)")  # at the beginning of a note
 SAME = 1e-6  # degrees: no cells are so near; 0.1 m
 MOST = 10**8  # values of one component: 0.8 GB
 SUFFIXES = (".nc", ".nc4", ".cdf", ".netcdf")
@@ -76,6 +78,7 @@ class Currents:
     box: Box  # lat0, lat1, lon0, lon1 asked for, degrees
     source: str  # name of the file or folder
     land: int = 0  # cells, of all levels, whose zeros were taken as land
+    notes: tuple[str, ...] = ()  # on levels, flags and times
 
     @property
     def measured(self) -> np.ndarray:
@@ -99,6 +102,7 @@ def read_currents(
     box: tuple[float, float, float, float] | None = None,
     *,
     column: bool = False,
+    depth: float | None = None,
     units: str | None = None,
     names: dict[str, str] | None = None,
 ) -> Currents:
@@ -109,13 +113,16 @@ def read_currents(
     source : str, Path, list of str or Path, or xarray.Dataset
         A NetCDF file, a Zarr folder, a folder or list of NetCDF files, or a Dataset, with
         dims time, latitude, longitude in any order, and perhaps a depth.
-        Files of one folder or list have the same grid and other steps.
+        Files of one folder or list have the same grid, and other steps or one of u and v.
     box : tuple of float, optional
         lat0, lat1, lon0, lon1 in degrees; cells whose centre is inside are
         read. Without it, the whole file.
     column : bool, optional
         Read all levels down to 1000 m and the next, in place of the level
         nearest the surface.
+    depth : float, optional
+        m: the mean over the levels from the surface to this depth, in place of the
+        level nearest the surface.
     units : str, optional
         Of u and v, such as ``m/s``, where the file has none.
     names : dict, optional
@@ -125,7 +132,7 @@ def read_currents(
     Returns
     -------
     Currents
-        In m/s, m, degrees and hours, gaps as NaN.
+        In m/s, m, degrees and hours, gaps as NaN, and `notes` on levels, flags and times.
 
     Raises
     ------
@@ -155,18 +162,42 @@ def read_currents(
             f"names: has {', '.join(names) or 'nothing'}; must have u and v"
         )
     span = None if box is None else _checked_box(box)
+    if depth is not None and not (np.isfinite(depth) and depth > 0):
+        raise DataError(f"depth (--depth) = {depth:g} m: must be positive and finite")
+    deepest = DEEPEST if column else depth
     files = _files_of(source)
     if files is None:
         one = source if isinstance(source, xarray.Dataset) else Path(str(source))
-        currents = _read(one, span, column, units, names, 2)
+        currents = _read(one, span, deepest, units, names, 2)
     else:
-        parts = [_read(file, span, column, units, names, 1) for file in files]
+        parts = [_read(file, span, deepest, units, names, 1) for file in files]
         currents = _concatenated(source_name(source), parts)
     still = ~((currents.u != 0.0) | (currents.v != 0.0)).any(axis=0)
-    if still.all() or not still.any():
-        return currents
-    currents.u[:, still] = currents.v[:, still] = np.nan
-    return replace(currents, land=int(still.sum()))
+    if still.any() and not still.all():
+        currents.u[:, still] = currents.v[:, still] = np.nan
+        currents = replace(currents, land=int(still.sum()))
+    return currents if column or depth is None else _mean_over_depth(currents, depth)
+
+
+def _mean_over_depth(currents: Currents, depth: float) -> Currents:
+    """Return the mean of a current from the surface to a depth, m.
+
+    The current is linear between levels, and constant above the first and below the last one.
+    Levels that are gaps, as below the sea floor, are left out of the mean.
+    """
+    z = currents.depth
+    if not z.size > 1:
+        raise DataError(f"{currents.source}: has one level. Leave depth (--depth) out")
+    limits = np.unique([0.0, *z[z < depth], min(depth, z[-1])])
+    hats = [np.interp(limits, z, row) for row in np.eye(z.size)]
+    weights = trapezoid(hats, limits)[:, None, None] * currents.measured
+    with np.errstate(invalid="ignore"):  # 0/0 where all levels are gaps
+        u, v = (
+            (weights * np.nan_to_num(w)).sum(axis=1) / weights.sum(axis=1)
+            for w in (currents.u, currents.v)
+        )
+    note = f"u and v are means from the surface to {limits[-1]:g} m, of {z.size} levels"
+    return replace(currents, depth=np.zeros(1), u=u, v=v, notes=(*currents.notes, note))
 
 
 def source_name(source: Source) -> str:
@@ -263,7 +294,7 @@ def _opened(path: Path | xarray.Dataset) -> Iterator[xarray.Dataset]:
 
 def _concatenated(path: str, files: list[Currents]) -> Currents:
     """Return one current of several on one grid, each with steps of its own."""
-    template = files[0]
+    template, nothing = files[0], f"{path}: u and v have no step in common"
     for file in files:
         for name in ("lat", "lon", "depth"):
             if not np.array_equal(
@@ -272,46 +303,88 @@ def _concatenated(path: str, files: list[Currents]) -> Currents:
                 raise DataError(
                     f"{path}: {file.source} has another {name} than {template.source}"
                 )
-    dates, u, v = map(
-        np.concatenate, zip(*((p.dates, p.u, p.v) for p in files), strict=True)
-    )
-    steps, last = np.unique(dates[::-1], return_index=True)
+    steps = np.unique(np.concatenate([file.dates for file in files]))
     if len(steps) < 2:
         raise DataError(f"{path}: has 1 of the 2 required steps")
-    rows = len(u) - 1 - last
-    file_index = np.repeat(np.arange(len(files)), [len(file.dates) for file in files])
-    for k in set(range(len(files))) - set(file_index[rows].tolist()):
+    u, v = (_component(path, files, key, steps) for key in "uv")
+    has_u, has_v = (np.isfinite(w).any(axis=tuple(range(1, w.ndim))) for w in (u, v))
+    lone_steps = int((has_u != has_v).sum())
+    cf.mark_gaps(u, v, ("u", "v"), nothing)
+    notes = [note for file in files for note in file.notes]
+    if lone_steps:
+        notes.append(f"{lone_steps} steps have values of u or v alone: left out")
+    return replace(
+        template,
+        dates=steps,
+        u=u,
+        v=v,
+        source=shown_name(Path(path)),
+        notes=_counted(notes),
+    )
+
+
+def _component(
+    path: str, files: list[Currents], key: str, steps: np.ndarray
+) -> np.ndarray:
+    """Return u or v of files at steps; of a step that two files have, the later file counts."""
+    values = np.full((len(steps), *files[0].u.shape[1:]), np.nan)
+    file_of_step = np.full(len(steps), -1)
+    having = [
+        k for k, file in enumerate(files) if np.isfinite(getattr(file, key)).any()
+    ]
+    if not having:
+        raise DataError(
+            f"{path}: no file has the velocity {key}. Give --u and --v, or names="
+        )
+    for k in having:
+        rows = np.searchsorted(steps, files[k].dates)
+        values[rows] = getattr(files[k], key)
+        file_of_step[rows] = k
+    for k in set(having) - set(file_of_step.tolist()):
         raise DataError(
             f"{path}: each step of {files[k].source} is in a later file too. Correct its times "
             f"(it begins at {files[k].start}), or remove the file"
         )
-    return replace(
-        template, dates=steps, u=u[rows], v=v[rows], source=shown_name(Path(path))
+    return values
+
+
+def _counted(notes: Iterable[str]) -> tuple[str, ...]:
+    """Return notes of files, each once, with the sums of counts such as `9 of 70`.
+
+    >>> _counted(["9 of 70 values", "a level", "1 of 30 values", "a level"])
+    ('10 of 100 values', 'a level')
+    """
+    counts: dict[str, np.ndarray] = {}
+    for note in notes:
+        match, kind = COUNT.match(note), COUNT.sub("", note)
+        count = np.array(match.groups() if match else (0, 0), int)
+        counts[kind] = counts.get(kind, 0) + count
+    return tuple(
+        f"{part} of {total}{kind}" if total else kind
+        for kind, (part, total) in counts.items()
     )
 
 
 def _read(
     path: Path | xarray.Dataset,
     span: Box | None,
-    column: bool,
+    deepest: float | None,
     units: str | None,
     given: dict[str, str] | None,
     least: int,
 ) -> Currents:
-    """Read one file, Zarr folder or Dataset of so many steps at least."""
-    source = source_name(path)
+    """Read one file, Zarr folder or Dataset of so many steps at least.
+
+    All levels to the `deepest` (m) and the next are read, or the one nearest the surface.
+    """
+    source, notes = source_name(path), list[str]()
     with _opened(path) as data, naming(source):
         if "fit_report" in data.attrs:
             raise DataError(
                 "is the field of a fit. Give the .toml file beside it as a flow model"
             )
-        if given is None:
-            names = [
-                cf.find_variable(data, cf.VELOCITY, quantity)
-                for quantity in ("eastward", "northward")
-            ]
-        else:
-            names = [cf.checked_name(data, given[key]) for key in ("u", "v")]
+        velocities = _velocity_names(data, given, is_part=least == 1)
+        names = list(velocities.values())
         lat, lon, when = (
             cf.find_axis(data, names[0], quantity)
             for quantity in ("latitude", "longitude", "time")
@@ -320,7 +393,7 @@ def _read(
             raise DataError(
                 f"{lat.name} and {lon.name} are along {lat.dims[0]}, not a grid; {cf.CURE}"
             )
-        dates = cf.dates_of(data, when, names[0], least)
+        dates = cf.dates_of(data, when, names[0], notes, least)
         latitudes, longitudes = lat.values.astype(float), lon.values.astype(float)
         if abs(np.ptp(longitudes[[0, -1]]) - 360.0) < SAME:  # its first meridian again
             longitudes = longitudes[:-1]
@@ -338,10 +411,10 @@ def _read(
             raise DataError(f"{when.name} has a time twice. Remove the repeated step")
         across = {lat.dims[0]: rows, lon.dims[0]: columns}
         index, depth = {when.dims[0]: steps}, np.zeros(1)
-        if column:
+        if deepest is not None:
             level, depth = _levels(data, names[0], {*index, *across})
             order = np.argsort(depth)
-            order = order[: int(np.searchsorted(depth[order], DEEPEST)) + 1]
+            order = order[: max(int(np.searchsorted(depth[order], deepest)) + 1, 2)]
             depth = depth[order]
             index |= {} if level is None else {level: order}
         index |= across
@@ -350,14 +423,40 @@ def _read(
             raise DataError(
                 f"{names[0]} has {size:.3g} values, at most {MOST:.0g}. Cut the file"
             )
-        u, v = (cf.velocity_values(data, name, index, units) for name in names)
-        nothing = f"{names[0]} and {names[1]} have no finite value in the box {_edges(limits)}"
-        cf.mark_gaps(u, v, names, nothing)
-        if column and u.ndim == 3:
-            u, v = u[:, None], v[:, None]
+        flow = [cf.velocity_values(data, name, index, units, notes) for name in names]
+        nothing = (
+            f"{' and '.join(names)} have no finite value in the box {_edges(limits)}"
+        )
+        nothing = "; ".join(dict.fromkeys((nothing, *notes)))
+        cf.mark_gaps(flow[0], flow[-1], (names[0], names[-1]), nothing)
+        if deepest is not None and flow[0].ndim == 3:
+            flow = [values[:, None] for values in flow]
+        components = dict(zip(velocities, flow, strict=True))
+        u, v = (components.get(key, np.full(flow[0].shape, np.nan)) for key in "uv")
         lat0, lat1, lon0, lon1 = map(float, limits)
         of_grid = latitudes[rows], longitudes[columns], depth, dates[steps], u, v
-        return Currents(*of_grid, (lat0, lat1, lon0, lon1), shown_name(Path(source)))
+        return Currents(
+            *of_grid,
+            (lat0, lat1, lon0, lon1),
+            shown_name(Path(source)),
+            notes=tuple(dict.fromkeys(notes)),
+        )
+
+
+def _velocity_names(
+    data: xarray.Dataset, given: dict[str, str] | None, is_part: bool
+) -> dict[str, str]:
+    """Return the names of u and v; a file that is a part of a current may lack one of them."""
+    names = dict[str, str]()
+    for key, quantity in (("u", "eastward"), ("v", "northward")):
+        may_lack = is_part and (key == "u" or names)
+        with suppress(DataError) if may_lack else nullcontext():
+            names[key] = (
+                cf.checked_name(data, given[key])
+                if given
+                else cf.find_variable(data, cf.VELOCITY, quantity)
+            )
+    return names
 
 
 def _checked_box(box: Any) -> Box:
@@ -413,11 +512,9 @@ def _levels(
     if not depth_names:  # what else there is, `velocity_values` refuses
         return None, np.zeros(1)
     where = str(max(depth_names, key=lambda n: data[n].size))
-    unit, is_single = cf.said(data[where]), data[where].size == 1
+    is_single = data[where].size == 1
     try:
-        depth = cf.distances_of(data[where])
-        if unit or not where.lower().startswith(("depth", "z")):  # else taken as m
-            depth *= length_in_metres(unit, where)
+        depth = cf.depths_of(data, where)
     except DataError:
         if not is_single:
             raise

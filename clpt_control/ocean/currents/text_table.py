@@ -30,11 +30,13 @@ from typing import Any
 
 import numpy as np
 import pandas
+import xarray
 
 from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
 from .cf import VELOCITY, check_fill_value, number, speed_unit
 from .constituents import checked_times
+from .flags import without_flagged
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
 MOST = 10**8  # cells
@@ -139,11 +141,12 @@ def is_table(path: Path) -> bool:
 
 
 def read_table(
-    path: Path, units: str | None
+    path: Path, units: str | None, notes: list[str]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float | None]:
     """Return times (datetime64[ms], UTC), u, v (m/s, NaN in gaps) and latitude of a table.
 
     Rows stay in the file's order; the latitude, degrees north, is that of the comment or None.
+    Values that a column such as u_qc flags as bad are gaps, which the notes count.
     """
     text = read_text(
         path, "is not text; must be a table of time, u and v, or NetCDF (.nc)"
@@ -162,11 +165,20 @@ def read_table(
             raise DataError(
                 "has a header and no rows; must be a table of time, u and v"
             )
-    times = _times(cells.iloc[:, columns.pop("time")[0]], path)
+    time_column = columns.pop("time")[0]
+    times = _times(cells.iloc[:, time_column], path)
     u, v = (
         size * _numbers(cells.iloc[:, k], name, path)
         for name, (k, size) in columns.items()
     )
+    names = [_name_and_unit(cell)[0] for cell in header]
+    rows = xarray.Dataset(
+        {name: ("row", cells.iloc[:, k].to_numpy(str)) for k, name in enumerate(names)}
+    )
+    for (k, _), values in zip(columns.values(), (u, v), strict=True):
+        numbers = rows.assign({names[k]: ("row", values)})
+        values[:], flagged = without_flagged(numbers, [names[k], names[time_column]])
+        notes += flagged
     with naming(path):
         if polar:
             _check_polar(u, v)

@@ -8,7 +8,7 @@ pilot where
     cannot be read  there is no replay, for a reason that the row says
 
 in this order, which is that of the rows; then come those that surface next.  A record that ended
-long ago (`surfacing.RECENT`) is not overdue, and comes last.
+more than 30 days ago (`surfacing.RECENT`) is not overdue, and comes last.
 
 A command of the user's own is run when something asks for a pilot.  It is run without a shell.
 `{}` in its words is the sentence; its standard input has the sentence on the first line, and on the

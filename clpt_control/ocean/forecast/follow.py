@@ -27,7 +27,12 @@ from ...base.errors import DataError, import_optional
 from ...base.files import check_name, make_folder, write_file
 from ...base.files.reading import at_once, read_bytes
 from ...base.progress.interrupt import check
-from ..gliders.dive_files import grouped_faults, may_hold_dives, read_dive_file
+from ..gliders.dive_files import (
+    grouped_faults,
+    may_hold_dives,
+    named_by_file,
+    read_dive_file,
+)
 from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
 
 LOCK = ".clpt-lock"
@@ -176,7 +181,7 @@ class Follower:
         present_fixes = {
             _fixes(dive) for name in self.present for dive in self.files[name].dives
         }
-        dives: list[Dive] = []
+        read: list[tuple[Path, list[Dive]]] = []
         skipped = [*self.unnamed]
         for name in sorted(self.files, key=lambda name: in_order(Path(name))):
             record = self.files[name]
@@ -188,9 +193,14 @@ class Follower:
                 present_fixes.update(map(_fixes, file_dives))
                 if not file_dives:
                     continue  # nothing is lost with it
-            dives += file_dives
+            read.append((Path(name), file_dives))
             skipped += [(self.folder / name, skip) for skip in record.skipped]
-        return dives, grouped_faults(skipped)
+        return named_by_file(read), grouped_faults(skipped)
+
+    def faults(self, names: list[str]) -> str:
+        """Return a sentence on each fault of some files, each with its file's name."""
+        skipped = (skip for name in names for skip in self.files[name].skipped)
+        return "".join(f"; skipped {skip.why}" for skip in skipped)
 
 
 def _is_as(stored: tuple[int, int, int], stamp: tuple[int, int, int]) -> bool:

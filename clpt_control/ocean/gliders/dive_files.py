@@ -15,6 +15,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
+from itertools import pairwise
 from pathlib import Path
 from stat import S_ISDIR
 from typing import Any
@@ -24,7 +25,7 @@ from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
 from ..estimation.dive import Dive
-from . import og1, seaexplorer, seaglider, slocum, usable_dives
+from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
 from .dive_table import table_dives
 from .dives import SEAEXPLORER, SLOCUM, Skipped, in_order, is_segment, name_of
 from .usable_dives import LEAST_DURATION
@@ -125,10 +126,17 @@ def _dives_and_skipped(
 def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | None]:
     """Return what a file holds, the vehicle's name and its kind."""
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
-        if seaglider.is_known(data):
-            return [seaglider.dive_of(data, path)], name_in(data), "Seaglider"
-        if og1.is_known(data):
-            return og1.dives_of(data), name_in(data), None
+        for dialect, kind in ((seaglider, "Seaglider"), (og1, None)):
+            if dialect.is_known(data):
+                unflagged, notes = samples.unflagged(data)
+                rows = dialect.dives_of(unflagged, path)
+                noted = [
+                    row
+                    if isinstance(row, Skipped)
+                    else replace(row, notes=(*row.notes, *notes))
+                    for row in rows
+                ]
+                return noted, name_in(data), kind
         names = ", ".join(map(str, list(data.variables)[:8])) or "no variables"
     raise DataError(
         f"{path}: neither a Seaglider file (with log_gps_time) nor OG1 (with LATITUDE_GPS): it has "
@@ -163,6 +171,27 @@ def name_of_file(file: str) -> str | None:
     return name_of(matched and matched["who"].partition(".")[0])
 
 
+def named_by_file(files: Iterable[tuple[Path, Sequence[Dive]]]) -> list[Dive]:
+    """Return the dives of files; dives without a vehicle get the name of their file.
+
+    They stay without one if no dive of a file takes place during another dive of another file, as
+    where the files are parts of one record, or copies.
+    """
+    dives = [(dive, path) for path, file_dives in files for dive in file_dives]
+    unnamed = [(dive, path) for dive, path in dives if not dive.vehicle]
+    unnamed.sort(key=lambda dive_and_path: dive_and_path[0].t_gps2)
+    is_fleet = any(
+        path != other_path and usable_dives.is_other_at_once(dive, other)
+        for (dive, path), (other, other_path) in pairwise(unnamed)
+    )
+    return [
+        replace(dive, vehicle=name_of(path.stem))
+        if is_fleet and not dive.vehicle
+        else dive
+        for dive, path in dives
+    ]
+
+
 def grouped_faults(faults: Iterable[tuple[Path, Skipped]]) -> list[Skipped]:
     """Return what was skipped of files; reasons that are the same but for the file once.
 
@@ -194,7 +223,8 @@ def read_dives(
 
     A dive is usable if it has both fixes in their order, finite dead reckoning and a duration
     above `least_duration`, needs no speed above 5 m/s, does not overlap an earlier dive, and
-    starts within reach of a fix of the dive before.  Later dives never change this.
+    starts within reach of a fix of the dive before.  A dive more than a day later, or beyond reach
+    of any current, begins a new record; the last record is used.
 
     Parameters
     ----------
@@ -240,7 +270,7 @@ def read_all_dives(
 ) -> tuple[list[Dive], list[Skipped]]:
     """Read all dives as the files have them, of any number of vehicles."""
     files = dive_paths([paths] if isinstance(paths, str | Path) else paths)
-    dives: list[Dive] = []
+    read: list[tuple[Path, list[Dive]]] = []
     skipped: list[Skipped] = []
     faults: list[tuple[Path, Skipped]] = []
     for file in files:
@@ -250,10 +280,10 @@ def read_all_dives(
         except DataError as error:
             faults.append((file, Skipped(seaglider.number_in_name(file), str(error))))
             continue
-        dives += file_dives
+        read.append((file, file_dives))
         skipped += file_skipped
     skipped += grouped_faults(faults)
-    if dives:
+    if dives := named_by_file(read):
         return dives, skipped
     if len(skipped) == len(files) == 1:
         raise DataError(skipped[0].why)

@@ -26,6 +26,7 @@ The dive's notes say which it was where it was not the first.
 """
 
 from math import isfinite, isnan, nan
+from pathlib import Path
 
 import numpy as np
 import pandas
@@ -136,7 +137,7 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
     return not (length - 0.5 * speed * (step_time + row_time))[after].median() < 0
 
 
-def dives_of(data: xarray.Dataset) -> list[Dive | Skipped]:
+def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
     of = columns_of(data)
     of["wet"] = _under_water(of)

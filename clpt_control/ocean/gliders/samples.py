@@ -29,6 +29,7 @@ from numpy.typing import ArrayLike
 from ...base.errors import DataError, import_optional
 from ...base.units import length_in_metres, speed_in_metres_per_second
 from ..currents.cf import decoded, number, said
+from ..currents.flags import IS_FLAG, without_flagged
 from ..estimation.dive import Dive, ThroughWater, Track
 from .usable_dives import FASTEST
 
@@ -40,6 +41,10 @@ REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbou
 DEEPEST = 12000.0  # m: no sea is deeper
 # degrees; a heading of a whole turn may have a variation added, without starting again from 0
 HEADINGS, VARIATIONS, PITCHES = (-180.0, 540.0), (-180.0, 180.0), (-90.0, 90.0)
+READ = re.compile(  # names of the variables that dives are made of
+    r"(^|_)(time|lat|lon|east_disp|north_disp|head|velo|speed|davg|[uvw]cur|dac_|depth$)",
+    re.IGNORECASE,
+)
 NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 
 
@@ -69,6 +74,24 @@ def within(
     low, high = limits
     outside = (angles < low) | (angles > high)
     return np.where(outside, nan, angles), outside
+
+
+def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
+    """Return a file with NaN where what dives are made of is flagged bad, and notes on it.
+
+    A depth-averaged current of a Seaglider stays, because its dives have its flag, `dac_qc`.
+    """
+    columns, notes = dict[str, xarray.DataArray](), list[str]()
+    names = [name for name in map(str, data.variables) if READ.search(name)]
+    flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
+    few = data[[*names, *flags]]  # of hundreds of variables
+    for name in names:
+        is_fix = "GPS" in name.upper()
+        values, flagged = without_flagged(few, [name], is_fix=is_fix)
+        if flagged:
+            columns[name] = values
+            notes += flagged
+    return data.assign(columns) if columns else data, notes
 
 
 def values(data: xarray.Dataset, name: str) -> np.ndarray:
@@ -105,8 +128,7 @@ def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
     units = said(data[name])
     if " since " not in units.lower():
         return numbers
-    bare = re.sub(r"\s*(UTC|GMT)\s*$", "", units)
-    dates = decoded(np.array([0.0, 1.0]), bare)  # of two numbers, so that digits stay
+    dates = decoded(np.array([0.0, 1.0]), units)  # of two numbers, so that digits stay
     if dates is None:
         raise DataError(
             f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"

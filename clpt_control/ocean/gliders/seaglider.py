@@ -31,9 +31,18 @@ import xarray
 
 from ...base.errors import DataError
 from ...base.units import finite_or_none
+from ..currents.flags import BAD_FIX_CODES
 from ..estimation.dive import Dive, Fix, ThroughWater
 from . import samples
-from .dives import NUMBERS, Three, dive_between, is_fix, planned_course, whole_number
+from .dives import (
+    NUMBERS,
+    Skipped,
+    Three,
+    dive_between,
+    is_fix,
+    planned_course,
+    whole_number,
+)
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
@@ -68,6 +77,9 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
         if hdop[k] >= FAILED:
             of[:, k] = nan
             notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
+        elif flag in BAD_FIX_CODES:
+            of[:, k] = nan
+            notes.append(f"the file flags {name} {flag:g}, bad: left out")
         elif k and isfinite(flag) and flag not in GOOD:
             notes.append(f"the file flags {name} {flag:g}")
     gps1, start, end = ((time, lat, lon) for time, lat, lon in of.T.tolist())
@@ -94,8 +106,8 @@ def is_known(data: xarray.Dataset) -> bool:
     return any(name in data.variables for name in FIXES) or "sg_data_point" in data.dims
 
 
-def dive_of(data: xarray.Dataset, path: Path) -> Dive:
-    """Return the dive of a file, NaN where a fix or the displacement is missing."""
+def dives_of(data: xarray.Dataset, path: Path) -> list[Dive | Skipped]:
+    """Return the one dive of a file, NaN where a fix or the displacement is missing."""
     pairs = [
         (f"east_displacement{model}", f"north_displacement{model}")
         for model in ("", "_gsm")
@@ -109,7 +121,7 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
         for name in DEPTHS
         if name in data.variables
     )
-    return dive_between(
+    dive = dive_between(
         _number(data, path),
         fixes,
         reckoned,
@@ -121,6 +133,7 @@ def dive_of(data: xarray.Dataset, path: Path) -> Dive:
         next_course=_next_course(data, fixes[2]),
         notes=(*reckoned.notes, *([why_not] if why_not else []), *doubts),
     )
+    return [dive]
 
 
 def number_in_name(path: Path) -> int | None:

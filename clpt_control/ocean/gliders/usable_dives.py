@@ -12,6 +12,13 @@ starts further than
 
 from both fixes of the one before is of another vehicle.  What is less far, and yet further than it
 can be, tells of a wrong fix, which costs no dive: a replay judges it (`replay.doubts`).
+
+A record ends at a break of more than a day, or where the next dive starts beyond
+
+    2 m/s * time between them + 5 km
+
+(`_reaches`), which no current carries a vehicle.  Only the last record is used, because currents
+and errors that were learned in one record are wrong in another.
 """
 
 import re
@@ -23,7 +30,7 @@ from math import hypot, isfinite
 import numpy as np
 
 from ...base.errors import DataError
-from ...base.geodesy import distance, is_place
+from ...base.geodesy import displacement, distance, is_place
 from ..currents.constituents import YEARS
 from .dives import NUMBERS, Dive, Skipped, is_fix, noted
 
@@ -42,6 +49,12 @@ MISSION = 1000  # dives: a larger step in the numbers is another mission
 SHARE = 0.5  # of the shorter neighbour's time: a missing dive takes more; some number surfacings
 OWN = "replay each on its own"
 ASTRAY = 50e3  # m that a fix may be off, however short the time
+COPY = 10.0  # m: ends of copies of a dive differ by rounding
+DRIFT, CURRENT = (
+    2.0,
+    1.0,
+)  # m/s: fastest drift at the surface, fastest current over a whole dive
+NEAR = 5e3  # m: within it a dive continues the record; the largest step of real records is 2.4 km
 ROLLOVER = 1024 * 7 * DAY  # s: a GPS receiver counts weeks to 1024, then begins again
 MISSION_LENGTH = 400 * DAY  # s: longest mission across a rollover that is looked for
 REGION = 1000e3  # m: places of one mission about a rollover
@@ -54,7 +67,7 @@ def usable(
     """Sort dives by time and leave out those that cannot be used.
 
     Returns used dives by time, and the others, each with its reason.  Whether a dive is used
-    depends on earlier ends only, so a later dive never changes it.
+    depends on earlier ends, and on later dives only if one of them begins a new record.
 
     >>> from clpt_control.ocean.gliders.dives import make_dive
     >>> fixes = (0.0, -43.0, 8.0), (9000.0, -43.0, 8.01)
@@ -82,12 +95,19 @@ def usable(
         fit.append(dive)
     ordered = sorted(fit, key=_by_time)
     check_weeks(ordered)
-    used = ordered[:1]
+    used, astray = ordered[:1], None
     for dive in ordered[1:]:
         before = used[-1]
-        why = _overlap(dive, before) or _too_far(dive, before)
-        if why:
-            skipped.append(Skipped(dive.number, why))
+        overlap, far = _overlap(dive, before), _too_far(dive, before)
+        if overlap or (far and not (astray and _reaches(dive, astray))):
+            skipped.append(Skipped(dive.number, overlap or far))
+            astray = None if overlap else dive
+            continue
+        astray = None
+        if break_before := _break_before(dive, before):
+            why = f"of an earlier record: dive {dive.number} begins a new one, {break_before}"
+            skipped += [Skipped(one.number, f"{why}; {OWN}") for one in used]
+            used = [noted(dive, f"begins a new record, {break_before}")]
             continue
         missing = dive.number - before.number - 1
         if 0 < missing < MISSION and not follows(dive, before):
@@ -274,13 +294,66 @@ def _overlap(dive: Dive, before: Dive) -> str:
     )
 
 
+def is_other_at_once(dive: Dive, other: Dive) -> bool:
+    """Return whether the next dive by start time starts during a dive, and is no copy of it."""
+    apart = distance(dive.lat_gpse, dive.lon_gpse, other.lat_gpse, other.lon_gpse)
+    is_copy = abs(dive.t_gpse - other.t_gpse) < OVERLAP and apart < COPY
+    return other.t_gps2 < dive.t_gpse - OVERLAP and not is_copy
+
+
+def _break_before(dive: Dive, before: Dive) -> str:
+    """Return how a dive begins a new record after the one before, empty where it does not."""
+    since = dive.t_gps2 - before.t_gpse
+    if since <= DAY and _reaches(dive, before):
+        return ""
+    separation = distance(
+        before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2
+    )
+    return (
+        f"{separation / 1000:.1f} km and {max(since, 0.0) / 3600:.1f} h from the end of "
+        f"dive {before.number}"
+    )
+
+
+def _reaches(dive: Dive, before: Dive) -> bool:
+    """Return whether a vehicle can come from one dive to the next, which does not overlap it.
+
+    By the fixes between the two dives, or by dead reckoning past one of them, which may be wrong.
+    """
+    before_start, end = (
+        (before.lat_gps2, before.lon_gps2),
+        (before.lat_gpse, before.lon_gpse),
+    )
+    start, after_end = (dive.lat_gps2, dive.lon_gps2), (dive.lat_gpse, dive.lon_gpse)
+    since = dive.t_gps2 - before.t_gpse
+
+    def carried(
+        flown: Dive, begin: tuple[float, float], stop: tuple[float, float]
+    ) -> bool:
+        east, north = displacement(*begin, *stop)
+        off = hypot(east - flown.dr_east, north - flown.dr_north)
+        return off <= CURRENT * (since + flown.duration) + NEAR
+
+    return since >= -OVERLAP and (
+        distance(*end, *start) <= DRIFT * max(since, 0.0) + NEAR
+        or carried(before, before_start, start)
+        or carried(dive, end, after_end)
+    )
+
+
 def _too_far(dive: Dive, before: Dive) -> str:
-    """Return how far from both fixes of the one before a dive starts, empty where it can."""
+    """Return how far from both fixes of the one before a dive starts, empty where it can.
+
+    Also empty after a day, when another record begins.
+    """
     since = dive.t_gps2 - before.t_gpse
     start = dive.lat_gps2, dive.lon_gps2
     separation = distance(before.lat_gpse, before.lon_gpse, *start)
     most = max(FASTEST * since, ASTRAY)
-    if min(separation, distance(before.lat_gps2, before.lon_gps2, *start)) <= most:
+    if (
+        since > DAY
+        or min(separation, distance(before.lat_gps2, before.lon_gps2, *start)) <= most
+    ):
         return ""
     return (
         f"starts {separation / 1000:.0f} km from where dive {before.number} ended "

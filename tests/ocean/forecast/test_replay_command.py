@@ -361,7 +361,10 @@ def test_a_folder_in_the_place_of_a_result_leaves_all_others_as_they_were(
 def test_following_without_dives_says_so(clpt, tmp_path):
     (tmp_path / "half.nc").write_bytes(b"CDF\x01")
     outcome = clpt("watch", tmp_path, "--patience", "0")
-    assert (outcome.status, outcome.err) == (0, "1 new file, 0 dives used\n")
+    assert outcome.status == 0
+    said = f"1 new file, 0 dives used; skipped {tmp_path / 'half.nc'}: damaged or cut short"
+    assert outcome.err.startswith(said)  # the reason beside the name, at once
+    assert outcome.err.count("\n") == 1
     assert outcome.out.startswith("no dives yet\nskipped a file: ")
     assert outcome.out.count("\n") == 2
 
