@@ -3,10 +3,7 @@
 import json
 import sys
 from pathlib import Path
-from typing import Any
-
-import numpy as np
-import xarray
+from typing import TYPE_CHECKING, Any
 
 import clpt_control as clpt
 
@@ -15,7 +12,6 @@ from ...base.files import check_writable, write_together
 from ...base.html import Result
 from ...base.progress import tell
 from ...base.units import finite_or_none
-from ..pages.fixes_page import report_of, results_of
 from .printing import (
     Json,
     arg,
@@ -27,6 +23,10 @@ from .printing import (
     opt,
     say,
 )
+
+if TYPE_CHECKING:
+    import numpy as np
+    import xarray
 
 LIVE = "-"
 MISSION = "made_auv_mission.csv"
@@ -61,20 +61,20 @@ def estimate(
     state: Path | None = opt(
         "FILE", "With -: file of the state, which is taken up again."
     ),
-    method: str | None = opt("NAME", "Of a run: least-squares (default) or kalman."),
+    method: str | None = opt("NAME", "For a run: least-squares (default) or kalman."),
     every: float | None = opt(
-        "TIME", "Of a run: time between fixes; default: a tenth of reference.dwell."
+        "TIME", "For a run: time between fixes; default: a tenth of reference.dwell."
     ),
     prior: float | None = opt(
-        "SPEED", "Of a run: standard deviation of each theta before any fix."
+        "SPEED", "For a run: standard deviation of each theta before any fix."
     ),
     noise: float | None = opt(
-        "LENGTH", "Of a run: standard deviation of a position error."
+        "LENGTH", "For a run: standard deviation of a position error."
     ),
-    until: float | None = opt("TIME", "Of a run: use it up to this time."),
+    until: float | None = opt("TIME", "For a run: last time to use."),
     as_json: Json = False,
 ) -> None:
-    """Learn the flow from fixes of any vehicle, recorded or live, or of a run.
+    """Learn the flow from fixes, recorded or live, or from a run.
 
     Example:
         clpt estimate --sample --figure learned.png
@@ -96,6 +96,10 @@ def estimate(
     if source is None:
         raise DataError(
             f"FIXES: are missing. Give a table, {LIVE} or a run, or --sample"
+        )
+    if source.endswith(".toml"):
+        raise DataError(
+            f"{source}: is not a run. Make a run with: clpt run {source} --out run.nc"
         )
     if source.endswith(".nc") and scenario is None:
         _refuse(given, (*OF_FIXES, "state"), "a run")
@@ -149,6 +153,7 @@ def _recorded(
     from ...ocean.estimation.flow_plot import learned_flow_plot
     from ...ocean.estimation.recorded_fixes import flow_of_legs
     from ...ocean.gliders.legs import read_legs
+    from ..pages.fixes_page import report_of, results_of
 
     out, figure, results = paths
     legs, skipped = read_legs(source, drifter)
@@ -164,7 +169,7 @@ def _recorded(
 
 
 def known_scenario(
-    scenario: clpt.Scenario, theta: np.ndarray, data: xarray.Dataset
+    scenario: clpt.Scenario, theta: "np.ndarray", data: "xarray.Dataset"
 ) -> clpt.Scenario:
     """Return the scenario that gives the estimate to the known-flow law."""
     begin = data.attrs["time_origin"][:19]
@@ -218,6 +223,9 @@ def of_run(
     as_json: bool,
 ) -> None:
     """Estimate theta from fixes of a run."""
+    import numpy as np
+    import xarray
+
     from ...ocean.estimation.run_segments import run_scenario
 
     data = clpt.load_run(run)

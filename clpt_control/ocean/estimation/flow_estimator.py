@@ -182,7 +182,18 @@ class FlowEstimator:
     def flow(
         self, time: OrNaN, latitude: OrNaN, longitude: OrNaN
     ) -> tuple[float, float]:
-        """Return the learned flow at a time and place, m/s to the east and to the north."""
+        """Return the learned flow at a time and place.
+
+        Parameters
+        ----------
+        time, latitude, longitude : float
+            s since 1970 UTC, degrees.
+
+        Returns
+        -------
+        tuple of float
+            m/s to the east and to the north.
+        """
         frame, _ = self.under_way
         point = frame.point(latitude, longitude)
         phi = self._track.phi(frame.own_time(time), point)

@@ -82,7 +82,7 @@ class Scenario(tables.Table):
 
     @property
     def left_out(self) -> list[str]:
-        """Tables of the simulated truth that a scenario for recorded fixes leaves out."""
+        """Tables that a scenario for recorded fixes leaves out."""
         return [name for name, table in self if isinstance(table, tables.LeftOut)]
 
     def _place_mistakes(self) -> Iterator[str]:
