@@ -144,7 +144,7 @@ def _refuse(given: dict[str, Any], names: tuple[str, ...], what: str) -> None:
 
 def _recorded(
     source: str,
-    scenario: clpt.Scenario,
+    scenario: "clpt.Scenario",
     paths: tuple[Path | None, Path | None, Path | None],
     drifter: bool,
     as_json: bool,
@@ -169,8 +169,8 @@ def _recorded(
 
 
 def known_scenario(
-    scenario: clpt.Scenario, theta: "np.ndarray", data: "xarray.Dataset"
-) -> clpt.Scenario:
+    scenario: "clpt.Scenario", theta: "np.ndarray", data: "xarray.Dataset"
+) -> "clpt.Scenario":
     """Return the scenario that gives the estimate to the known-flow law."""
     begin = data.attrs["time_origin"][:19]
     titled = scenario.with_values(
@@ -185,7 +185,7 @@ def known_scenario(
 # --- live -----------------------------------------------------------------------------------------
 
 
-def _live(scenario: clpt.Scenario, state: Path | None, out: Path | None) -> None:
+def _live(scenario: "clpt.Scenario", state: Path | None, out: Path | None) -> None:
     """Answer lines of standard input until it ends."""
     from ...ocean.estimation.live_fixes import LiveFixes
 

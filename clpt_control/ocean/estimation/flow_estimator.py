@@ -230,7 +230,7 @@ class FlowEstimator:
 
     @property
     def scale(self) -> float:
-        """Factor c on the noise, estimated from the position errors so far."""
+        """Factor c on the noise, by the position errors so far."""
         free = self.settings.prior > 0
         moved = (self.theta - self.settings.theta)[:, free] / self.settings.prior[free]
         left = max(self.squares - float(np.sum(moved**2)), 0.0)
@@ -239,7 +239,7 @@ class FlowEstimator:
 
     @property
     def covariance(self) -> np.ndarray:
-        """Covariance of each row of theta with the scaled noise, (N, N), scenario's units."""
+        """Covariance of each row of theta, (N, N), scenario's units."""
         free = self.settings.prior > 0
         sd = np.where(free, self.settings.prior, 1.0)
         # of the prior's variance, the share that is left along each axis
