@@ -12,7 +12,7 @@ ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver test test-slow proofs test-processes test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
+.PHONY: paper solver test test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -33,6 +33,9 @@ test-processes: $(READY)  ## processes that are interrupted, killed and given fu
 
 test-browser: $(READY)  ## pages to send, the page of a replay and the site in headless Chromium, where one is installed
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser
+
+test-board: $(READY)  ## the learner on a Cortex-M7 in QEMU, where it and a compiler for Arm are installed
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m board -rsP tests/simulation/test_on_board.py
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
 	CLPT_CONTROL_PROCESSOR=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \

@@ -9,6 +9,7 @@ ${begins} * dt must divide the periods at which blocks sample or jump.
  * A parameter that is fixed was asked for its value: it is in the code.
  * Where there are none of these, pass any array. Guards are not in this file.
  */
+//
 #include <math.h>
 
 ${enums}const double ${name}_p0[] = {${p0}};
@@ -31,19 +32,19 @@ void ${name}_rates(double t, const double *x, const double *u, const double *p, 
     rates_(t, x, u, p, kept, dx);
 }
 
-void ${name}_step(double t, double dt, double *x, const double *u, const double *p) {
+void ${name}_step(double t, double dt, double *x, const double *u, ${next}const double *p) {
     double kept[${kept}];
-    kept_(${within}, p, kept);
+${samples}    kept_(${within}, p, kept);
 ${ending}}
 //
     double k[4][${n}], z[${n}];
     rates_(t, x, u, p, kept, k[0]);
     for (int i = 0; i < ${states}; i++) z[i] = x[i] + 0.5 * dt * k[0][i];
-    rates_(t + 0.5 * dt, z, u, p, kept, k[1]);
+    rates_(t + 0.5 * dt, z, ${u_middle}, p, kept, k[1]);
     for (int i = 0; i < ${states}; i++) z[i] = x[i] + 0.5 * dt * k[1][i];
-    rates_(t + 0.5 * dt, z, u, p, kept, k[2]);
+    rates_(t + 0.5 * dt, z, ${u_middle}, p, kept, k[2]);
     for (int i = 0; i < ${states}; i++) z[i] = x[i] + dt * k[2][i];
-    rates_(t + dt, z, u, p, kept, k[3]);
+    rates_(t + dt, z, ${u_end}, p, kept, k[3]);
     for (int i = 0; i < ${states}; i++)
         x[i] += dt / 6.0 * (k[0][i] + 2.0 * k[1][i] + 2.0 * k[2][i] + k[3][i]);
 //

@@ -32,7 +32,7 @@ FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63
 ROUNDING = "1e-6"  # tolerance of sample times, relative to a period
 TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8")
-FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, TEMPLATES.split("//\n"))
+HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, TEMPLATES.split("//\n"))
 
 
 @public
@@ -56,7 +56,9 @@ def export_c(
     return text
 
 
-def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
+def c_file(
+    system: Any, initial_state: Any, params: Any, kind: type["CFile"] | None = None
+) -> "CFile":
     """Return the C file of a diagram, or raise `DiagramError`."""
     system, own_arguments = as_diagram(system)
     if initial_state is None:
@@ -65,7 +67,7 @@ def c_file(system: Any, initial_state: Any, params: Any) -> "CFile":
         run = compiled(system, params)
         start = stacked_state("initial_state", initial_state, run.runner.nstates)
         _check_finite(run, start, params or {})
-        return CFile(run, start)
+        return (kind or CFile)(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: cannot be written as C: {error}") from None
 
@@ -145,17 +147,27 @@ class CFile:
             "some": " + ".join(
                 f"after[{self._jump_index(k)}]" for k in self.layout.jumps
             ),
-            "begins": "",
         }
+        return self.filled(fields)
+
+    def filled(self, fields: dict[str, Any]) -> str:
+        """Return the file from the fields of its templates."""
         endings = [RUNGE_KUTTA]
-        if is_discrete:
+        fields |= {
+            "begins": "",
+            "samples": "",
+            "next": "",
+            "u_middle": "u",
+            "u_end": "u",
+        }
+        if self.wiring.dt:
             fields["step"] = "one step of the diagram's own time; dt is not used"
             endings = [DISCRETE]
         if self.layout.jumps:
             endings.append(JUMP)
             fields["begins"] = BEGINS.substitute(fields)
         fields["ending"] = "".join(ending.substitute(fields) for ending in endings)
-        return FILE.substitute(fields)
+        return HEAD.substitute(fields) + FILE.substitute(fields)
 
     def parameter_values(self) -> tuple[list[str], np.ndarray]:
         """Return the names of parameters in the order of the array, and their values."""

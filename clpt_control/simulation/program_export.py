@@ -3,6 +3,7 @@
 The ending of the file's name chooses the kind.
 """
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,14 +12,17 @@ import control
 
 from ..base.arguments import public
 from ..base.errors import ClptError
-from ..base.files import check_writable
+from ..base.files import check_writable, write_file
 from ..paper.scenario.experiment import Scenario
 from .c_export import export_c
 from .fmu_export import export_fmu
 from .map_export import SUFFIXES, export_track
+from .on_board import learner_text
 
 if TYPE_CHECKING:
     import xarray
+
+NUMBER = re.compile(r"(?<![\w.])(\d+\.\d+(e[-+]?\d+)?|\d+e[-+]?\d+)(?![\w.])")
 
 
 @public
@@ -27,6 +31,9 @@ def export(
     path: str | Path | None = None,
     initial_state: Any = None,
     params: Mapping[str, Any] | None = None,
+    part: str | None = None,
+    *,
+    single: bool = False,
 ) -> str | None:
     """Write a diagram as C99 or an FMU, or a run's track as a map.
 
@@ -41,6 +48,11 @@ def export(
         Start of the program; 0 by default, of a scenario its own.
     params : mapping, optional
         Parameters by name, as in `simulate`.
+    part : str, optional
+        ``"learner"``: the law, model and controller of a scenario or closed loop alone, for a
+        computer on board. The names of its functions begin with the name of the file.
+    single : bool, optional
+        Write C with ``float`` in place of ``double``.
 
     Returns
     -------
@@ -65,6 +77,8 @@ def export(
     >>> "void lag_step(" in text
     True
     """
+    if part not in (None, "learner"):
+        raise ClptError(f"part = '{part}': must be 'learner', or left out")
     if not isinstance(system, Scenario | control.InputOutputSystem):
         if path is None:
             raise ClptError("path: is required for a run. Give a .kml or .geojson file")
@@ -72,11 +86,27 @@ def export(
         check_writable(path, "a map", SUFFIXES)
         export_track(system, path)
         return None
-    if path is None:
-        return export_c(system, None, initial_state, params)
-    path = Path(path)
-    check_writable(path, "a program", (".c", ".h", ".fmu"))
-    if path.suffix == ".fmu":
-        export_fmu(system, path, initial_state, params)
-        return None
-    return export_c(system, path, initial_state, params)
+    if path is not None:
+        path = Path(path)
+        fmu = () if part or single else (".fmu",)
+        check_writable(path, "a program", (".c", ".h", *fmu))
+        if path.suffix == ".fmu":
+            export_fmu(system, path, initial_state, params)
+            return None
+    if part is None:
+        text = export_c(system, None, initial_state, params)
+    else:
+        name = "learner" if path is None else path.stem
+        text = learner_text(system, name, initial_state, params)
+    if single:
+        text = in_single_precision(text)
+    if path is not None:
+        write_file(path, text)
+    return text
+
+
+def in_single_precision(text: str) -> str:
+    """Return a C file with float for double; functions become those of float by tgmath.h."""
+    text = re.sub(r"\bdouble\b", "float", text).replace("math.h", "tgmath.h")
+    head, include, code = text.partition("#include")
+    return head + include + NUMBER.sub(r"\g<0>f", code)

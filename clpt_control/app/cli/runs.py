@@ -172,11 +172,16 @@ def export(
         "--out",
     ),
     drawing: bool = flag("Draw the block diagram.", "--drawing"),
+    part: str | None = opt(
+        "NAME", "learner: law, model and controller alone, for a computer on board."
+    ),
+    single: bool = flag("Write C with float in place of double.", "--single"),
 ) -> None:
     """Write a loop as C99, an FMU or a drawing; a run as a map.
 
     Example:
         clpt export mine.toml -o loop.c
+        clpt export mine.toml --part learner -o learner.c
         clpt export run.nc -o track.kml
         clpt export mine.toml --drawing -o loop.svg
     """
@@ -196,7 +201,7 @@ def export(
     check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES))
     again = repeats_by_equations(scenario)
     load: Any = clpt.load_diagram if again else load_vehicle_scenario
-    clpt.export(load(scenario), out)
+    clpt.export(load(scenario), out, part=part, single=single)
     say(f"Wrote {out}")
 
 

@@ -107,6 +107,18 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
         assert clpt("export", "p.toml", *words, "-o", name).out == f"Wrote {name}\n"
     assert "adaptation" in Path("p.svg").read_text()
     assert "void closed_loop_step(" in Path("p.c").read_text()
+    words = "export", "p.toml", "--part", "learner", "--single", "-o", "own.c"
+    assert clpt(*words).out == "Wrote own.c\n"
+    assert "void own_step(float t" in Path("own.c").read_text()
+    refused_for(
+        ["part = 'law': must be 'learner'"],
+        "export",
+        "p.toml",
+        "--part",
+        "law",
+        "-o",
+        "l.c",
+    )
     assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
 
 

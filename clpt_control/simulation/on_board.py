@@ -1,0 +1,164 @@
+"""C99 source of the learner alone, for the computer on board of a vehicle.
+
+The learner is the adaptive law with all blocks of the closed loop that it reads: model, controller,
+basis functions, waypoints.  Positions, fixes and velocities come from outside.  Samples and jumps
+happen at the beginning of a step, with the inputs of that time.  A law at fixes jumps when the
+caller says so: its interval is fixed, and its input `taken` is 1.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from importlib import resources
+from string import Template
+from typing import Any
+
+import numpy as np
+
+from ..base.errors import DiagramError
+from ..engine.diagram.interconnection import Diagram, connect
+from ..engine.diagram.wiring import Part, input_ports, output_ports
+from ..paper.blocks.ports import paper_block
+from ..paper.scenario.experiment import Scenario
+from .c_export import FILE, RUNGE_KUTTA, CFile, as_lines, c_file
+from .dataset import unit_of
+from .loop_blocks import changed_blocks
+from .loops import ClosedLoop
+
+TEMPLATES = (resources.files("clpt_control.data") / "learner.c").read_text("utf-8")
+HEAD, FIXES, MIDDLE, SAMPLES, FIX = map(Template, TEMPLATES.split("//\n"))
+THEOREMS = resources.files("clpt_control") / "theory" / "coq"
+INPUTS = {  # of learners: meaning, powers of length and of 1/time
+    "x": ("measured position", 1, 0),
+    "fix": ("position of the fix, read when it arrives", 1, 0),
+    "v_x": ("velocity through the water, as flown", 1, 1),
+    "v_c": ("velocity through the water, as commanded", 1, 1),
+    "flow_x": ("true flow at the vehicle", 1, 1),
+    "zc": ("desired position", 1, 0),  # if it is an external port of the loop
+}
+
+
+def learner_text(system: Any, name: str, initial_state: Any, params: Any) -> str:
+    """Return the C file of the learner of a scenario or of a closed loop."""
+    loop = getattr(system, "origin", None)
+    if isinstance(system, Scenario):
+        loop = ClosedLoop(system)
+    if loop is None:
+        raise DiagramError(
+            f"{system.name}: has no learner. Give a scenario, or a closed_loop of one"
+        )
+    scenario = loop.scenario
+    if scenario.learning.row.at_fixes:
+        if scenario.localization.latency > 0:
+            raise DiagramError(
+                "localization.latency: no learner on board jumps twice for a fix. Set it to 0, "
+                "and see docs/on_board.md for late fixes"
+            )
+        params = {**(params or {}), "adaptation.interval": 0.0}
+    return c_file(learner(loop, name), initial_state, params, LearnerFile).text
+
+
+def received(t, x, u, p):
+    """taken = 1: a fix of x of Eq. (1) arrives when the caller says so."""
+    return {"taken": 1.0}
+
+
+def learner(loop: ClosedLoop, name: str) -> Diagram:
+    """Wire the law and the blocks that it reads, up to the ports from outside."""
+    blocks = changed_blocks(loop.scenario, loop.changes, loop.external)
+    outside = {*INPUTS, *loop.external} - ({"zc"} - {*loop.external})
+    makers = {port: block for block in blocks for port in output_ports(block)}
+    makers["taken"] = paper_block("received", "-> taken", output=received)
+    found: list[Part] = [makers["alpha"]]
+    read: set[str] = set()
+    for block in found:
+        ports = input_ports(block).keys()
+        read |= ports
+        found += [makers[port] for port in ports - outside if makers[port] not in found]
+    inputs = dict.fromkeys([*INPUTS, *loop.external])
+    external = [port for port in inputs if port in read & outside]
+    in_order = [block for block in [*blocks, makers["taken"]] if block in found]
+    diagram = connect(in_order, external, name)
+    diagram.origin = loop
+    return diagram
+
+
+class LearnerFile(CFile):
+    """A C file of a learner, whose samples and jumps are at the beginning of a step."""
+
+    def filled(self, fields: dict[str, Any]) -> str:
+        """Return the file from the fields of its templates."""
+        loop = self.run.loop
+        assert loop is not None
+        scenario = loop.scenario
+        sampled = [k for k in self.layout.jumps if self._period_of(k)]
+        fields |= {
+            "length": scenario.units.length,
+            "time": scenario.units.time,
+            "inputs": comment_lines(self._inputs(scenario)),
+            "advice": f"{0.1 / np.max(scenario.vehicle.feedback):.2g}",
+            "proved": comment_lines(proved(loop)),
+            "fixes": "",
+            "inputs_count": self.wiring.ninputs,
+            "next": "const double *u_next, ",
+            "u_middle": "middle",
+            "u_end": "u_next",
+            "begin": as_lines(self._first_jumps(sampled)),
+        }
+        fields["ending"] = RUNGE_KUTTA.substitute(fields)
+        fields["samples"] = MIDDLE.substitute(fields)
+        if sampled:
+            fields["samples"] += SAMPLES.substitute(fields)
+        for k in self.layout.jumps.keys() - sampled:  # the law at fixes
+            fields["jump"] = self._jump_index(k)
+            fields["fixes"] = FIXES.substitute(fields)
+            fields["ending"] += FIX.substitute(fields)
+        return HEAD.substitute(fields) + FILE.substitute(fields)
+
+    def _inputs(self, scenario: Scenario) -> Iterator[str]:
+        """Yield a line for each input: its name, size, meaning and unit."""
+        sizes = Counter(label.partition("[")[0] for label in self.labels["u"])
+        for port, size in sizes.items():
+            meaning, *powers = INPUTS.get(port, ("as in the scenario", 0, 0))
+            unit = unit_of(scenario.units, *powers)
+            yield f"    {port}[{size}]: {meaning}, {unit}".rstrip(", ")
+
+    def _first_jumps(self, sampled: list[int]) -> Iterator[str]:
+        """Yield tests for the start of a run: a sampled block takes its inputs, none jumps."""
+        intervals = list(self.layout.intervals)
+        for k in sampled:
+            samples = self.wiring.nodes[k].system.first_held is not None
+            first = f"after[{self._jump_index(k)}] = {-1.0 * samples};"
+            yield f"if (kept[{intervals.index(k)}] < 0.0) {first}"
+
+
+def comment_lines(lines: Iterable[str]) -> str:
+    """Return lines of the comment at the head of a file."""
+    return "".join(f" * {line}\n" for line in lines)
+
+
+def proved(loop: ClosedLoop) -> list[str]:
+    """Return lines on the proofs of the equations of a learner."""
+    learning = loop.scenario.learning
+    name = learning.row.name
+    if loop.changes.components or learning.sample is not None:
+        return [f"Proofs of law {name} do not cover samples and parts of your own."]
+    lines = [
+        f"Proved by `clpt prove {name}`, with its conditions, in continuous time:",
+        "not of steps, inputs between measurements and rounding.",
+    ]
+    is_paper = loop.scenario.vehicle.max_speed is None and learning.used_gains.shared
+    if is_paper and (theorems := theorems_of(name)):
+        coq = "Checked by Coq for every N, docs/machine_checked.md: theorems"
+        lines += [coq, f"{theorems}."]
+    return lines
+
+
+def theorems_of(law: str) -> str:
+    """Return the names of the theorems in Coq on a law, and their file; "" if there are none."""
+    for file in THEOREMS.iterdir():
+        text = file.read_text("utf-8") if file.name.endswith(".v") else ""
+        if f"(* record of {law} *)" in text:
+            names = re.findall(r"^Theorem (\w+)", text, re.MULTILINE)
+            return f"{', '.join(names)} ({file.name})"
+    return ""
