@@ -85,6 +85,9 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     at_end = data.isel(mark=[-1])
     whole_run = data[["clpe_rms_whole"]].expand_dims("one", axis=1)
     summary["clpe_rms"] = _listed(percentiles(whole_run, "clpe_rms_whole")[:, 0])
+    if "flow_error" in data:
+        errors = data[["flow_error"]].expand_dims("one", axis=1)
+        summary["flow_error"] = _listed(percentiles(errors, "flow_error")[:, 0])
     for name in ("flow_parameter_error", "gain_error"):
         if name in data:
             summary[f"{name}_at_end"] = _listed(percentiles(at_end, name)[:, 0])

@@ -3,6 +3,7 @@
     clpe_rms                rms of |e| over each full cycle of the waypoints
     clpe_rms_whole          the same over the whole run
     flow_parameter_error    max |estimate - theta| at the marks
+    flow_error              in a measured current: rms |F - theta_hat phi|, last quarter
     gain_error              max |gain - true gain| at the marks, if gains adapt
     share_in_faster_flow    share of time, for a vehicle with a speed limit
     status, end             termination of the run, and the last time that it reached
@@ -202,7 +203,10 @@ def _add_summaries(arrays: Arrays, varied: Any) -> None:
         add("flow_parameter_error", "mark", "largest error of a flow parameter", speed)
     if varied.knows_gains:
         add("gain_error", "mark", "largest error of a gain", rate)
-    if varied.needs_signals:
+    if varied.has_flow_error:
+        error = "rms error of the learned flow along the track, last quarter"
+        add("flow_error", "", error, f"{length} {rate}")
+    if scenario.vehicle.max_speed is not None:
         add(
             "share_in_faster_flow",
             "",
@@ -261,6 +265,13 @@ def summarise(
         value = np.asarray(values.get(key, varied.values[key]))
         return value.reshape(-1, 1, varied.values[key].size)
 
+    def estimates(port_values: Any) -> np.ndarray:
+        """Return the estimate of theta, given the values of a port."""
+        law = scenario.learning.row
+        if law.given_estimate:
+            return value("learning.theta_estimate")
+        return port_values("theta_hat") if law.makes_estimate else -port_values("alpha")
+
     # 1. CLPE
     fine = slice(None) if len(times.fine) == len(times.union) else times.fine
     squares = np.zeros((m, len(times.fine)))
@@ -274,14 +285,7 @@ def summarise(
     }
     # 2. errors of the flow parameters and the gains
     if varied.knows_flow:
-        law = scenario.learning.row
-        if law.given_estimate:
-            estimate = value("learning.theta_estimate")
-        else:
-            estimate = (
-                at_marks("theta_hat") if law.makes_estimate else -at_marks("alpha")
-            )
-        error = np.abs(estimate - value("flow.parameters")).max(axis=2)
+        error = np.abs(estimates(at_marks) - value("flow.parameters")).max(axis=2)
         running = np.isfinite(y[:, times.marks, 0])
         summaries["flow_parameter_error"] = np.where(running, error, np.nan)
     if varied.knows_gains:
@@ -290,10 +294,11 @@ def summarise(
         summaries["gain_error"] = np.maximum(
             K_error.max(axis=2), Gamma_error.max(axis=2)
         )
-    # 3. flow faster than the vehicle, termination, trajectories
+    # 3. flow along the track, termination, trajectories
     if varied.needs_signals:
-        shares = _faster_flow(varied, ensemble, members, values, run)
-        summaries["share_in_faster_flow"] = shares
+        theta = estimates(states.__getitem__)
+        theta = np.broadcast_to(theta, (m, len(times.union), 2 * N))
+        summaries |= _flow_along_tracks(varied, ensemble, members, values, run, theta)
     summaries |= ends_of(run, times.union)
     for name in followed(varied):
         trajectory = states[VARIABLES[name][0]][:, times.output]
@@ -303,22 +308,41 @@ def summarise(
     return summaries
 
 
-def _faster_flow(
-    varied: Any, ensemble: Ensemble, members: Members, values: Values, run: States
-) -> np.ndarray:
-    """Return the share of time that each member spent in a flow faster than the vehicle."""
+def _flow_along_tracks(
+    varied: Any,
+    ensemble: Ensemble,
+    members: Members,
+    values: Values,
+    run: States,
+    theta: np.ndarray,
+) -> Values:
+    """Return figures of members along their tracks, given the estimates (m, times, 2N).
+
+    These are the error of the learned flow in a measured current, and the share of time in a flow
+    faster than the vehicle.
+    """
     count = len(run.states)
-    shares = np.full(count, np.nan)
+    shares, errors = np.full(count, np.nan), np.full(count, np.nan)
     limits = values.get("vehicle.max_speed")
     if limits is None:
         limits = np.full(count, varied.scenario.vehicle.max_speed)
+    is_limited = varied.scenario.vehicle.max_speed is not None
     nodes = varied.wiring.nodes
     ports = ports_of([label for node in nodes for label in node.system.output_labels])
     for m in np.flatnonzero(run.reached >= 2).tolist():
         signals = ensemble.signals(members, run, m)
-        velocities = (signals[:, ports[port]] for port in ("v_c", "flow_x"))
         times = varied.state_times[: run.reached[m]]
-        figures = speed_figures(float(limits[m]), times, *velocities)
-        faster = figures["faster_flow"]
-        shares[m] = faster["share"] if faster else 0.0
-    return shares
+        flow = signals[:, ports["flow_x"]]
+        if is_limited:
+            commanded = signals[:, ports["v_c"]]
+            figures = speed_figures(float(limits[m]), times, commanded, flow)
+            faster = figures["faster_flow"]
+            shares[m] = faster["share"] if faster else 0.0
+        if varied.has_flow_error:
+            late = times >= times[-1] - 0.25 * (times[-1] - times[0])
+            phi = signals[late][:, ports["phi_x"]]
+            estimate = theta[m, : run.reached[m]][late].reshape(len(phi), 2, -1)
+            off = flow[late] - np.einsum("taN,tN->ta", estimate, phi)
+            errors[m] = np.sqrt(np.mean(np.sum(off**2, axis=1)))
+    summaries = {"share_in_faster_flow": shares} if is_limited else {}
+    return summaries | ({"flow_error": errors} if varied.has_flow_error else {})

@@ -50,8 +50,10 @@ class VariedScenario:
         self.state_times = self.times.union
         self.options = scenario.run.solver
         self.title = scenario.title
-        self.needs_signals = scenario.vehicle.max_speed is not None
+        is_measured = scenario.flow.field is not None
         self.replaced = set(self.changes.replace)
+        self.has_flow_error = is_measured and "true_flow" not in self.replaced
+        self.needs_signals = scenario.vehicle.max_speed is not None or is_measured
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")

@@ -29,6 +29,7 @@ from .loop_blocks import paper_blocks
 if TYPE_CHECKING:
     import xarray
 
+BOX = 21  # points on each side of a track's box, and times
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
 LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them
 
@@ -139,37 +140,74 @@ def explained_variance(
             f"the run has {run.sizes.get('basis')} basis functions, the scenario {phi.noutputs}. "
             "Give the scenario that was run"
         )
-    field = read_field(scenario.field_path, scenario.units)
-    truth = gridded_flow(field, "clip")
-    theta = run.flow_parameters_estimate.values
+    window = window or last_quarter(run)
+    flows = flows_learned(scenario, run, window)
+    shares = {name: explained_share(*pair) for name, pair in flows.items()}
+    return {
+        **{name: None if np.isnan(share) else share for name, share in shares.items()},
+        "window": [float(time) for time in window],
+    }
+
+
+def last_quarter(run: "xarray.Dataset") -> tuple[float, float]:
+    """Return first and last time of the last quarter of a run."""
     t = run.time.values
-    if window is None:
-        window = float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1])
+    return float(t[-1] - 0.25 * (t[-1] - t[0])), float(t[-1])
+
+
+def flow_error(scenario: Scenario, run: "xarray.Dataset") -> dict[str, float]:
+    """Return the rms error of the learned flow along the track and over the box, length/time.
+
+    Where functions overlap, parameters may be far off while the flow is right.
+    """
+    flows = flows_learned(scenario, run, last_quarter(run))
+    return {
+        name: float(np.sqrt(np.mean(np.sum((true - learned) ** 2, axis=1))))
+        for name, (true, learned) in flows.items()
+    }
+
+
+def flows_learned(
+    scenario: Scenario, run: "xarray.Dataset", window: tuple[float, float]
+) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Return true and learned flow, (n, 2) each, along the track and over the box.
+
+    Along the track with the estimate of each time, theta_hat(t) phi(x(t), t), over the box with the
+    last one.  The box is that of the grid, or of the track; then at `BOX` points a side and `BOX`
+    times of the window.
+    """
+    phi = scenario.basis_block()
+    theta = run.flow_parameters_estimate.values
     begin, end = window
+    t = run.time.values
     inside = (t >= begin) & (t <= end)
     if not inside.any():
         raise DataError(
             f"the window {begin:g} to {end:g} has no sample of the run, which covers "
             f"{t[0]:g} to {t[-1]:g} {scenario.units.time}"
         )
-    # along the track, with the estimate of each time: theta_hat(t) phi(x(t), t)
-    times = t[inside]
-    points = run.position.values[inside]
-    functions = evaluate(phi, times, points)
-    learned = np.einsum("taN,tN->ta", theta[inside], functions)
-    track = explained_share(evaluate(truth, times, points), learned)
+    times, points = t[inside], run.position.values[inside]
+    learned = np.einsum("taN,tN->ta", theta[inside], evaluate(phi, times, points))
+    flows = {"track": (_true_flow(scenario, points, times), learned)}
+    if scenario.field_path is None:
+        low, high = points.min(axis=0), points.max(axis=0)
+        axes = [np.linspace(begin, end, BOX)]
+        axes += [np.linspace(low[i], high[i], BOX) for i in (1, 0)]
+    else:
+        field = read_field(scenario.field_path, scenario.units)
+        axes = [field.time, field.x2, field.x1]
+    times, x2, x1 = (axis.ravel() for axis in np.meshgrid(*axes, indexing="ij"))
+    points = np.column_stack([x1, x2])
+    learned = evaluate(phi, times, points) @ theta[-1].T
+    return flows | {"box": (_true_flow(scenario, points, times), learned)}
 
-    # at all points and times of the grid, with the last estimate
-    grid = np.meshgrid(field.time, field.x2, field.x1, indexing="ij")
-    times, x2, x1 = (axis.ravel() for axis in grid)
-    functions = evaluate(phi, times, np.column_stack([x1, x2]))
-    current = np.column_stack([field.u.ravel(), field.v.ravel()])
-    box = explained_share(current, functions @ theta[-1].T)
-    return {
-        "track": None if np.isnan(track) else track,
-        "box": None if np.isnan(box) else box,
-        "window": [float(begin), float(end)],
-    }
+
+def _true_flow(scenario: Scenario, points: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Return F of Eq. (3), or of the grid, clipped to it."""
+    if scenario.field_path is None:
+        return flow_velocity(scenario, points, times)
+    field = read_field(scenario.field_path, scenario.units)
+    return evaluate(gridded_flow(field, "clip"), times, points)
 
 
 def speed_figures(

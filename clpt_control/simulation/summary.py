@@ -20,7 +20,7 @@ from ..base.errors import DataError
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team
-from .flows import explained_variance, speeds_of
+from .flows import explained_variance, flow_error, speeds_of
 from .integrate import sample_times, simulate
 from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
 
@@ -47,9 +47,9 @@ def run_and_report(
 
     Returns the run with the summary in its attributes, the same run evenly sampled for pictures
     (2000 samples a cycle, at most 200,000) and the summary: ``clpe_rms_per_cycle``, ``status``,
-    ``message``, ``max_flow_parameter_error`` and ``max_gain_error`` by time; with a limited speed
-    ``speed``; for a gridded field the explained variance.  A team's are by vehicle, of at most
-    20,000 samples, with ``max_disagreement`` by time.
+    ``message``, ``flow_error``, ``max_flow_parameter_error`` and ``max_gain_error`` by time; with a
+    limited speed ``speed``; for a gridded field the explained variance.  A team's are by vehicle,
+    of at most 20,000 samples, with ``max_disagreement`` by time.
 
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
@@ -154,6 +154,8 @@ def _vehicle_figures(
     figures = clpe_of_samples(scenario, fine)
     vehicle = scenario.vehicle
     unknown = unknown_parts(run)
+    if not {"basis_x", "true_flow"} & unknown and "delta" not in unknown:
+        figures["flow_error"] = flow_error(scenario, run)
     if "flow_parameters" in run:
         theta = run.flow_parameters
         figures["max_flow_parameter_error"] = {

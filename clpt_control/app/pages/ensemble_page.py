@@ -75,6 +75,9 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
         if k < MOST_ROUNDS or k == len(cycles):
             rows.append([f"CLPE rms, cycle {k} ({length})", *_cells(column)])
     rows.append([f"CLPE rms, whole run ({length})", *_cells(summary["clpe_rms"])])
+    if "flow_error" in summary:
+        row = f"rms error of the learned flow along the track ({unit_of(data.flow_error)})"
+        rows.append([row, *_cells(summary["flow_error"])])
     end = f"t = {float(data['mark'][-1]):g} {time}"
     for key, quantity in (
         ("flow_parameter_error", "flow parameter"),

@@ -28,7 +28,7 @@ OF_A_RUN = (  # figures that a run carries, of which pages speak
         "clpe_rms_last_quarter",
         "max_flow_parameter_error",
     ),
-    *("max_gain_error", "explained_variance", "speed"),
+    *("flow_error", "max_gain_error", "explained_variance", "speed"),
 )
 Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
 
@@ -137,6 +137,9 @@ def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
         rows.append(["share of time at the speed limit", at_limit])
         if numbers["speed"]["faster_flow"] is None:
             rows.append(["flow faster than the vehicle", "never"])
+    for region, error in (numbers.get("flow_error") or {}).items():
+        name = f"rms error of the learned flow, {region} ({length}/{time})"
+        rows.append([name, f"{error:.3g}"])
     for quantity, unit in (
         ("flow parameter", f"{length}/{time}"),
         ("gain", f"1/{time}"),
