@@ -16,7 +16,7 @@ OVERLAP = {  # two functions that are one: their sum is the flow, each is any nu
     "model.parameters": None,
     "learning.parameters": None,
     "flow.parameters": [[0.3, 0.0], [0.4, 0.0]],
-    "run.duration": 400.0,
+    "run.duration": 1500.0,
 }
 
 
