@@ -236,3 +236,16 @@ def test_clpt_prove_writes_them(clpt, tmp_path):
     (line,), status = checked([path])
     assert status == 0
     assert "checked: goes to zero" in line
+
+
+def test_every_certificate_of_the_paper_and_the_laws_is_checked(clpt, tmp_path):
+    """`clpt prove --certificates` writes 17 files, and the checker accepts each."""
+    outcome = clpt("prove", "--certificates", tmp_path / "out")
+    assert outcome.status == 0, outcome.err
+    paths = sorted((tmp_path / "out").glob("*.json"))
+    assert len(paths) == 17
+    done = subprocess.run(
+        [sys.executable, CHECKER, *paths], capture_output=True, text=True, timeout=600
+    )
+    assert done.returncode == 0, done.stdout
+    assert done.stdout.count("checked") >= 1
