@@ -260,6 +260,13 @@ class FlowEstimator:
         return self.theta * self.settings.speed
 
     @property
+    def time(self) -> float:
+        """Time of the last fix or stretch, s since 1970 UTC; -inf before."""
+        if self.frame is None or self.leg is None:
+            return -np.inf
+        return self.frame.date(self.leg.time)
+
+    @property
     def under_way(self) -> tuple[LocalFrame, Leg]:
         """The frame, and the leg since the last fix."""
         if self.frame is None or self.leg is None:
@@ -351,9 +358,8 @@ class FlowEstimator:
     def _check_time(self, time: float) -> None:
         if not np.isfinite(time):
             raise DataError(f"time {time}: must be finite")
-        last = self.frame and self.leg and self.frame.date(self.leg.time)
-        if isinstance(last, float) and time < last - EARLIER:
+        if time < self.time - EARLIER:
             raise DataError(
-                f"time {time:.15g}: is before the last one, {last:.15g}. Give lines in the order "
-                "of time"
+                f"time {time:.15g}: is before the last one, {self.time:.15g}. Give lines in the "
+                "order of time"
             )

@@ -27,11 +27,14 @@ METRE = {"units": "m"}
 
 def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
     """Learn from one leg."""
-    estimator.fix(leg.t_gps2, leg.lat_gps2, leg.lon_gps2)
+    # dives may overlap by rounded times
+    start = max(leg.t_gps2, estimator.time)
+    estimator.fix(start, leg.lat_gps2, leg.lon_gps2)
     elapsed, east, north = reckoned(leg)
     keep = np.diff(elapsed, prepend=-1.0) > 0
     points = np.array([elapsed, east, north]).T[keep]
-    points = points[points[:, 0] < leg.duration]
+    is_later = leg.t_gps2 + points[:, 0] > start
+    points = points[(points[:, 0] == 0) | (is_later & (points[:, 0] < leg.duration))]
     points = np.vstack([points, [leg.duration, leg.dr_east, leg.dr_north]])
     for (_, *before), (time, *after) in pairwise(points):
         stretch = np.subtract(after, before)
