@@ -21,6 +21,7 @@ from .flow_estimator import FlowEstimator
 from .learned_fix import Learned
 
 BENT = 0.9  # share of its way at most from which on a leg is straight
+HARDLY = 0.7  # share of the prior's standard deviation that is left
 MPS = {"units": "m s-1"}
 METRE = {"units": "m"}
 
@@ -126,12 +127,30 @@ def flow_of_legs(
                 for leg, r in zip(legs, learned, strict=True)
                 if r.note
             ]
+            + not_learned(estimator)
             + bent_legs(legs),
         },
     )
     for name in ("start_time", "end_time"):
         del data[name].attrs["units"]
     return data, estimator
+
+
+def not_learned(estimator: FlowEstimator) -> list[str]:
+    """Return a note on functions that the track hardly teaches."""
+    settings = estimator.settings
+    share = (
+        estimator.standard_error / np.maximum(settings.prior, 1e-300) / settings.speed
+    )
+    numbers = np.flatnonzero((share > HARDLY) & (settings.prior > 0)) + 1
+    if not len(numbers):
+        return []
+    listed = ", ".join(map(str, numbers[:8])) + (", ..." if len(numbers) > 8 else "")
+    which = "all functions" if len(numbers) == len(share) else f"functions {listed}"
+    return [
+        f"{which} hardly learned: their standard errors are still above {HARDLY:.0%} of the prior. "
+        "Check origin, centers and widths against the fixes, or record more legs"
+    ]
 
 
 def bent_legs(legs: list[Dive]) -> list[str]:

@@ -305,3 +305,12 @@ def test_laws_without_a_regression_of_fixes_are_refused():
         clpt.ScenarioError, match="kalman-flow, least-squares, fix-regression"
     ):
         clpt.currents.FlowEstimator(clpt.paper_scenario())
+
+
+def test_functions_that_the_track_does_not_feel_are_told(tmp_path):
+    """An origin 300 km away: nothing is learned, and the run says so."""
+    path = write(tmp_path / "legs.csv", straight_mission(legs=6))
+    data = learned(path, origin=[39.4, -122.1])
+    assert any("all functions hardly learned" in note for note in data.attrs["notes"])
+    data = learned(path, **{"basis.centers": [[0, 0], [12, 0], [400, 0]]})
+    assert any("functions 3 hardly learned" in note for note in data.attrs["notes"])
