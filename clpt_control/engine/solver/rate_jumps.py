@@ -153,6 +153,8 @@ def pass_jump(solver):
         integers[BURST, 0] = integers[BURST, 0] + 1 if is_near else 0
         lane[LAST_EVENT, 0] = lane[JUMP_TIME, 0]
         lane[TIME, 0] = lane[JUMP_TIME, 0]
+        for i in range(solver.shape.states):  # the state passes the jump, too
+            solver.states[STATE, i, 0] += ahead * solver.states[RATE, i, 0]
         lane[FRESH, 0] = 1.0
         solver.queue[BEGINNING] = ANEW
     lane[JUMP_TIME, 0] = -math.inf
