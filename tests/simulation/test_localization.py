@@ -199,3 +199,63 @@ def test_what_is_of_fixes_alone_or_of_no_fixes_is_said():
         clpt.gramian(clpt.simulate(UNIFORM), 20.0, 0.0)
     with pytest.raises(clpt.ClptError, match="reads the position at all times"):
         clpt.simulate(clpt.closed_loop(PAPER, law=law_blocks.papers_law()))
+
+
+# --- fixes from outside --------------------------------------------------------------------------
+
+
+def fed_by_fixes(times, interval=3.0, latency=0.0):
+    """A learner in a uniform current of (0.4, -0.2), fed with fixes at given times."""
+    scenario = clpt.Scenario(
+        basis={
+            "kernel": "gaussian",
+            "centers": [[0, 0]],
+            "widths": [1e3],
+            "constituents": ["steady"],
+        },
+        flow={"parameters": [[0.0], [0.0]]},
+        vehicle={"feedback": [1.0, 1.0], "feedforward": [1.0, 1.0]},
+        reference={"kind": "waypoints", "points": [[1, 0], [0, 1]], "dwell": 3.0},
+        learning={"law": "fix-regression"},
+        localization={"interval": interval, "latency": latency},
+        run={"duration": 30.0, "output_step": 0.1},
+    )
+    samples = np.arange(0, 30.001, 0.05)
+    velocity, current = np.array([1.0, 0.5]), np.array([0.4, -0.2])
+    taken = np.zeros(len(samples))
+    taken[np.round(np.array(times) / 0.05).astype(int)] = 1
+    inputs = [*np.outer(velocity + current, samples), taken]
+    inputs += [np.full(len(samples), part) for part in velocity]
+    loop = clpt.closed_loop(scenario, external=("fix", "taken", "v_x"))
+    return clpt.simulate(loop, samples, np.array(inputs))
+
+
+OFF = [2.9, 6.1, 8.9, 12.1, 14.9, 18.1, 20.9, 24.1, 26.9]
+
+
+@pytest.mark.parametrize("latency", [0.0, 0.5])
+def test_each_rise_of_taken_is_a_fix(latency):
+    """The interval does not count, if fixes come from outside."""
+    run = fed_by_fixes(OFF, latency=latency)
+    learned = run.flow_parameters_estimate.values[-1, :, 0]
+    np.testing.assert_allclose(learned, [0.4, -0.2], atol=2e-3)
+    early = run.flow_parameters_estimate.sel(
+        time=2.8 + latency, method="nearest"
+    ).values
+    assert not early.any()  # -0.0 is 0
+    jumped = run.flow_parameters_estimate.sel(time=2.9 + latency, method="nearest")
+    assert jumped.values.any()
+
+
+def test_a_run_fed_with_fixes_is_repeated_from_its_file(tmp_path):
+    """The file has the times of the fixes: the same states, to the last bit."""
+    run = fed_by_fixes(OFF[:4])
+    clpt.save_run(run, tmp_path / "run.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    np.testing.assert_array_equal(again.states.values, run.states.values)
+
+
+def test_fixes_closer_than_their_latency_are_refused():
+    """The second one would be sent before the first one has arrived."""
+    with pytest.raises(clpt.ScenarioError, match="before the last one has arrived"):
+        fed_by_fixes([2.9, 3.2], latency=0.5)

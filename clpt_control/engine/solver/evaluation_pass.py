@@ -59,7 +59,7 @@ class Sweep:
         self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
         # block -> its breakpoints, of blocks that an input of the diagram triggers
-        self._triggered: dict[int, ndarray] = {}
+        self.triggered: dict[int, ndarray] = {}
         self.enter(0.0)
 
     def _views(self, node: Node) -> tuple[ndarray, list[tuple]]:
@@ -95,21 +95,21 @@ class Sweep:
 
     def block_breakpoints(self, k: int, t0: float, t1: float) -> ndarray:
         """Return the times in (t0, t1] at which a block jumps."""
-        times = self._triggered.get(k)
+        times = self.triggered.get(k)
         if times is None:
             return self.nodes[k].system.breakpoints(t0, t1, self.parameters[k])
         return times[(times > t0) & (times <= t1)]
 
     def interval_of(self, k: int, t: float) -> float:
         """Return the number of a block's interval that holds t."""
-        times = self._triggered.get(k)
+        times = self.triggered.get(k)
         if times is None:
             return self.nodes[k].system.interval_at(t, self.parameters[k])
         return float(np.searchsorted(times, t, side="right"))
 
     def trigger(self, inputs: Any) -> None:
         """Set the breakpoints of blocks that jump where an input of the diagram rises."""
-        self._triggered = {}
+        self.triggered = {}
         for k in self._breaking:
             node = self.nodes[k]
             trigger = getattr(node.system.breakpoints_function, "trigger", None)
@@ -119,7 +119,7 @@ class Sweep:
             rises = inputs.rises(signal)
             if rises is not None:
                 after = node.system.breakpoints_function.after
-                self._triggered[k] = after(self.parameters[k], rises)
+                self.triggered[k] = after(self.parameters[k], rises)
 
     def enter(self, t: float) -> None:
         """Set every block's `interval` to the one that holds t."""

@@ -25,9 +25,17 @@ KINDS = ("input", "output", "state")
 
 
 def plain_block(
-    block: Block, name: str, p: Any, begin: float, end: float
+    block: Block,
+    name: str,
+    p: Any,
+    begin: float,
+    end: float,
+    triggered: np.ndarray | None = None,
 ) -> dict[str, Any]:
-    """Return a block with parameters p as plain data, for runs between two times."""
+    """Return a block with parameters p as plain data, for runs between two times.
+
+    `triggered` are its breakpoints, if an input of its diagram makes them.
+    """
     labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
     if isinstance(block, Sampled):
         inner_p = inner_parameters(block, p)
@@ -39,7 +47,7 @@ def plain_block(
         }
     records = {role: plain_record(block.array_record(role)) for role in block._roles}
     fixed = {field for fields, _ in block.read_with.values() for field in fields}
-    jumps = _plain_jumps(block, p, begin, end)
+    jumps = _plain_jumps(block, p, begin, end, triggered)
     if jumps is not None and "times" in jumps:
         fixed = set(p._fields)
     parameters = {
@@ -66,7 +74,7 @@ def plain_block(
 
 
 def _plain_jumps(
-    block: Block, p: Any, begin: float, end: float
+    block: Block, p: Any, begin: float, end: float, triggered: np.ndarray | None
 ) -> dict[str, Any] | None:
     """Return the breakpoints of a block: its period, or the list of its times."""
     jumps = block.breakpoints_function
@@ -75,6 +83,8 @@ def _plain_jumps(
     if isinstance(jumps, Each):
         return {"period": jumps.period, "part": jumps.part}
     until = 3 * abs(end) + 1.0  # the engine looks ahead of the end
+    if triggered is not None:
+        return {"times": triggered.tolist(), "until": until}
     times = [*block.breakpoints(min(begin, 0.0), 0.0, p)]
     times += [*block.breakpoints(0.0, until, p)]
     return {"times": np.unique(times).tolist(), "until": until}

@@ -27,10 +27,12 @@ def plain_diagram(
     names: Mapping[str, Any],
     begin: float,
     end: float,
+    triggered: Mapping[int, np.ndarray],
 ) -> dict[str, Any]:
     """Return a diagram with parameters of its blocks as plain data, for runs between two times.
 
-    `names` has the diagram's name, and the labels of its inputs, outputs and states.
+    `names` has the diagram's name, and the labels of its inputs, outputs and states; `triggered`
+    has the breakpoints of blocks that jump where an input of the diagram rises.
     """
     outputs = [
         (row, source, gain)
@@ -40,9 +42,9 @@ def plain_diagram(
     if any(source < 0 for _, source, _ in outputs):
         raise Unread("an input of the diagram is an output of it")
     blocks = [
-        plain_block(node.system, name, p, begin, end)
-        for name, node, p in zip(
-            _flat_names(wiring), wiring.nodes, parameters, strict=True
+        plain_block(node.system, name, p, begin, end, triggered.get(k))
+        for k, (name, node, p) in enumerate(
+            zip(_flat_names(wiring), wiring.nodes, parameters, strict=True)
         )
     ]
     return {

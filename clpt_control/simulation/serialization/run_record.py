@@ -57,11 +57,14 @@ class RunRecord:
         if self.engine != "native" or not isinstance(runner, NativeDiagram):
             raise Unread("it ran in Python, by functions that no file holds")
         begin, end = map(float, self.conditions["timepts"][[0, -1]])
-        parameters = runner.sweep.parameters
+        sweep = runner.sweep
+        times, values = self.inputs
+        sweep.trigger(Inputs((times, values)))
         plain = {
             "run": {**self.conditions, "inputs": self.inputs},
             "diagram": plain_diagram(
-                self.run.wiring, parameters, self.run.names, begin, end
+                *(self.run.wiring, sweep.parameters, self.run.names),
+                *(begin, end, sweep.triggered),
             ),
         }
         text = json.dumps(plain, default=lambda array: array.tolist())
