@@ -1,10 +1,10 @@
-from .ocean.currents.current_record import read_record
-from .ocean.currents.fit import fit_current
-from .ocean.currents.grid_file import read_currents, sample_currents
-from .ocean.currents.tidal_constants import tidal_basis
-from .ocean.currents.tidal_fit import fit_tides, predict
 from .ocean.estimation.flow_estimator import FlowEstimator
 from .ocean.estimation.theta_from_fixes import flow_estimate, known_flow_scenario
+from .paper.currents.current_record import read_record
+from .paper.currents.fit import fit_current
+from .paper.currents.grid_file import read_currents, sample_currents
+from .paper.currents.tidal_constants import tidal_basis
+from .paper.currents.tidal_fit import fit_tides, predict
 from .simulation.flows import explained_variance, flow_velocity
 
 __all__ = [

@@ -17,7 +17,7 @@ from clpt_control.app.cli import application
 from clpt_control.base import figures
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.symbolic_equations import Equations
-from clpt_control.ocean.currents import fit as current_fit
+from clpt_control.paper.currents import fit as current_fit
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.tidal_periods import SPEEDS
 from clpt_control.simulation import fit_problem as parameter_fit

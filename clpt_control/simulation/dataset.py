@@ -267,7 +267,7 @@ def _truths(
 def _attributes(scenario: Scenario) -> dict[str, Any]:
     time_attributes = {}
     if scenario.field_path is not None:
-        from ..ocean.currents.plane import time_origin
+        from ..paper.currents.plane import time_origin
 
         time_attributes = time_origin(scenario.field_path)
     return {

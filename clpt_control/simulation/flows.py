@@ -17,10 +17,10 @@ from ..base.arguments import numbers, public
 from ..base.errors import DataError
 from ..base.units import percent
 from ..engine.model.block import evaluate
-from ..ocean.currents.plane import read_field
-from ..ocean.estimation.least_squares import explained_share
 from ..paper.blocks import vehicle
 from ..paper.blocks.field import gridded_flow
+from ..paper.currents.least_squares import explained_share
+from ..paper.currents.plane import read_field
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.tables import Units

@@ -148,7 +148,7 @@ def _true_flow(scenario: Scenario, disturbed: bool, position: str) -> Block:
     if scenario.field_path is None:
         assert scenario.flow.parameters is not None
         return flow.true_flow(scenario.flow.parameters, disturbed, position)
-    from ..ocean.currents.plane import read_field
+    from ..paper.currents.plane import read_field
 
     gridded = read_field(scenario.field_path, scenario.units, scenario.origin)
     outside = scenario.flow.outside

@@ -130,7 +130,7 @@ def square_chart(
 
         degree_axes(ax, scenario.plane, unit)
     if scenario.field_path is not None:
-        from ..ocean.currents.plane import read_field
+        from ..paper.currents.plane import read_field
 
         field = read_field(scenario.field_path, scenario.units)
         field_low = [field.x1[0], field.x2[0]]

@@ -13,8 +13,8 @@ from still_water import PAPER
 import clpt_control as clpt
 from clpt_control import Block, SimulationError
 from clpt_control.engine.model.declaration import Each
-from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import field, vehicle
+from clpt_control.paper.currents.plane import GriddedField
 
 ENGINES = pytest.mark.parametrize("engine", [None, "python"])
 TIMES = np.linspace(0.0, 4.0, 5)

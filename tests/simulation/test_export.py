@@ -15,9 +15,9 @@ from random_diagrams import random_system
 
 import clpt_control as clpt
 from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.paper.blocks.vehicle import vehicle
+from clpt_control.paper.currents.plane import GriddedField
 
 COMPILER = shutil.which("cc")
 needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from clpt_control import parts
-from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import (
     clpe,
     disturbance,
@@ -17,6 +16,7 @@ from clpt_control.paper.blocks import (
     reference,
     vehicle,
 )
+from clpt_control.paper.currents.plane import GriddedField
 from clpt_control.paper.laws import consensus
 from clpt_control.paper.laws.law import Gains, Truth
 from clpt_control.paper.laws.table import LAWS

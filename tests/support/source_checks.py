@@ -12,8 +12,8 @@ import sympy
 
 from clpt_control.base import random_numbers
 from clpt_control.engine.model.declaration import Parameters
-from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import disturbance, field, flow, localization, reference
+from clpt_control.paper.currents.plane import GriddedField
 
 POINTS = np.array([[3.0, 1.0], [-2.0, 5.0], [7.0, -4.0]])
 KERNELS = list(flow.KERNELS)

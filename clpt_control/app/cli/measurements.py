@@ -128,7 +128,7 @@ def _explained_too_little(fit: Report) -> str:
 
 def _fit_tides(measured: Any, where: str, constituents: str, as_json: bool) -> None:
     """Print the tidal constants of a record."""
-    from ...ocean.currents.tidal_constants import tides_report
+    from ...paper.currents.tidal_constants import tides_report
 
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude

@@ -36,8 +36,14 @@ from ...base.errors import DataError
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.geodesy import LocalPlane
 from ...base.units import METRES, SECONDS, seconds_since_1970
+from ...paper.currents.grid_file import (
+    AROUND,
+    DEEPEST,
+    SUFFIXES,
+    missing_steps,
+    read_currents,
+)
 from ...paper.scenario.file import load_vehicle_scenario
-from ..currents.grid_file import AROUND, DEEPEST, SUFFIXES, missing_steps, read_currents
 from ..gliders.dives import Dive
 from .advected_dives import Flow, FlowModel, Uncovered
 

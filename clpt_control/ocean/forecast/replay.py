@@ -31,7 +31,7 @@ from ...base.geodesy import place_from
 from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
-from ..currents.identifiability import check_separable
+from ...paper.currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix, miss
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import FLOW, OTHERS, FixModel

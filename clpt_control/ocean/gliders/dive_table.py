@@ -28,7 +28,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from ..currents.text_table import other_marks, table_of
+from ...paper.currents.text_table import other_marks, table_of
 from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
 from ..estimation.log_columns import STEERING, velocity_of
 from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note

@@ -32,7 +32,7 @@ import pandas
 import xarray
 
 from ...base.errors import DataError
-from ..currents.cf import said
+from ...paper.currents.cf import said
 from .dives import Fix, fixes_in, is_fix
 from .samples import (
     HEADINGS,

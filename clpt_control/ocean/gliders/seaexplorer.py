@@ -24,7 +24,7 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.files.reading import LARGEST, read_bytes, text_of
-from ..currents.text_table import table_of
+from ...paper.currents.text_table import table_of
 from ..estimation.dive import Dive, Fix, ThroughWater
 from .dives import (
     LEAST_DEPTH,

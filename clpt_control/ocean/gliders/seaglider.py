@@ -31,7 +31,7 @@ import xarray
 
 from ...base.errors import DataError
 from ...base.units import finite_or_none
-from ..currents.flags import BAD_FIX_CODES
+from ...paper.currents.flags import BAD_FIX_CODES
 from ..estimation.dive import Dive, Fix, ThroughWater
 from . import samples
 from .dives import (

@@ -31,7 +31,7 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
-from ..currents.constituents import YEARS
+from ...paper.currents.constituents import YEARS
 from .dives import NUMBERS, Dive, Skipped, is_fix, noted
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes

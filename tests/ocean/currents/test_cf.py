@@ -8,8 +8,8 @@ from gridded_currents import as_it_is, gridded_current, saying
 from paths import DATA
 from refusals import refuses
 
-from clpt_control.ocean.currents.current_record import read_record
-from clpt_control.ocean.currents.grid_file import read_currents, sample_currents
+from clpt_control.paper.currents.current_record import read_record
+from clpt_control.paper.currents.grid_file import read_currents, sample_currents
 
 GRIDS = DATA / "grids"
 BOX = (40.9, 41.55, -69.9, -69.0)

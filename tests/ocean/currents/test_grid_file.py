@@ -13,9 +13,9 @@ from clpt_control.base.files import write_file
 from clpt_control.base.geodesy import LocalPlane
 from clpt_control.currents import fit_current, read_currents, read_record
 from clpt_control.engine.model.block import evaluate
-from clpt_control.ocean.currents import plane
-from clpt_control.ocean.currents.plane import fill_gaps
 from clpt_control.paper.blocks.field import gridded_flow
+from clpt_control.paper.currents import plane
+from clpt_control.paper.currents.plane import fill_gaps
 from clpt_control.paper.scenario.tables import Units
 from clpt_control.replay import read_flow_model
 

@@ -28,8 +28,8 @@ from clpt_control.currents import (
     read_record,
     tidal_basis,
 )
-from clpt_control.ocean.currents.constituents import OTHER_NAMES, nodal_corrections
-from clpt_control.ocean.currents.identifiability import check_separable, nyquist
+from clpt_control.paper.currents.constituents import OTHER_NAMES, nodal_corrections
+from clpt_control.paper.currents.identifiability import check_separable, nyquist
 from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed
 
 

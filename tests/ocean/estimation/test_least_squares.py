@@ -5,8 +5,8 @@ import pytest
 from refusals import refuses
 
 from clpt_control.engine.model.block import evaluate
-from clpt_control.ocean.estimation.least_squares import explained_share, least_squares
 from clpt_control.paper.blocks.flow import flow_basis
+from clpt_control.paper.currents.least_squares import explained_share, least_squares
 
 M2 = 2 * np.pi / 12.4206
 NAMES = [f"f{k}" for k in range(9)]

@@ -16,7 +16,6 @@ import clpt_control as clpt
 from clpt_control.base import random_numbers
 from clpt_control.engine.model.block import evaluate
 from clpt_control.engine.model.declaration import Each, multiples
-from clpt_control.ocean.currents.plane import GriddedField
 from clpt_control.paper.blocks import (
     disturbance,
     field,
@@ -25,6 +24,7 @@ from clpt_control.paper.blocks import (
     reference,
     vehicle,
 )
+from clpt_control.paper.currents.plane import GriddedField
 
 
 @pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)

@@ -17,7 +17,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.units import finite_or_none, speed_in_metres_per_second
-from ...paper.scenario.tidal_periods import SPEEDS
+from ..scenario.tidal_periods import SPEEDS
 from .constituents import checked_times, nodal_corrections
 from .tidal_fit import NUMBERS, TidalFit
 
@@ -94,7 +94,7 @@ def tidal_basis(fit: TidalFit, epoch: Any, unit: str = "m s-1") -> TidalBasis:
 
     Examples
     --------
-    >>> from clpt_control.ocean.currents.tidal_fit import fit_tides
+    >>> from clpt_control.paper.currents.tidal_fit import fit_tides
     >>> time = np.datetime64("2019-01-01") + np.arange(72) * np.timedelta64(1, "h")
     >>> wave = np.cos(np.radians(28.9841042) * np.arange(72))
     >>> basis = tidal_basis(fit_tides(time, wave, 0.5 * wave, 41.0, ["M2"]), time[0])

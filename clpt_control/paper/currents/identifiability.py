@@ -26,7 +26,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.units import at_most
-from ...paper.scenario import tidal_periods
+from ..scenario import tidal_periods
 
 TURN = 360.0 * (1 - 1e-9)  # degrees; times in files are rounded
 UNEVEN = 0.1  # of a step, by which a clock may be off

@@ -35,12 +35,12 @@ from ...base.files import check_writable, write_together
 from ...base.geodesy import LocalPlane
 from ...base.units import finite_or_none
 from ...engine.model.block import evaluate
-from ...paper.scenario import tidal_periods
-from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.file import load_vehicle_scenario, scenario_to_text
-from ..estimation.least_squares import least_squares
+from ..scenario import tidal_periods
+from ..scenario.experiment import Scenario
+from ..scenario.file import load_vehicle_scenario, scenario_to_text
 from .grid_file import Box, Currents, read_currents, source_name, with_all_steps
 from .identifiability import check_nyquist, check_separable
+from .least_squares import least_squares
 from .plane import ORIGIN, GriddedField, field_dataset, fill_gaps, regular_grid
 
 SINE = -np.pi / 2

@@ -23,9 +23,9 @@ from numpy.typing import ArrayLike
 from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError, import_optional
 from ...base.units import percent
-from ..estimation.least_squares import explained_share
 from . import constituents as tidal
 from . import identifiability
+from .least_squares import explained_share
 
 LEAST_CHANGE = 1e-9  # m/s in a record; less is no measured tide, and its squares vanish
 CI = 1.96  # UTide's half widths, in standard errors
