@@ -8,6 +8,7 @@ import xarray
 
 from ...base.html import Result
 from ...ocean.estimation.flow_plot import learned_flow_plot
+from ...ocean.estimation.learned_fix import LEVEL, PERCENT
 from ...ocean.estimation.live_fixes import towards
 from .page import Page, Section, drawn, versions_section
 
@@ -45,7 +46,7 @@ def report_of(data: xarray.Dataset, skipped: Sequence[Any] = ()) -> Report:
             "start": str(start)[:19] + "Z",
             "end": str(end)[:19] + "Z",
             "error_m": float(size),
-            "radius_90_m": float(radius),
+            "radius_m": float(radius),
             "inside": bool(inside),
             "flow": towards(*map(float, flow)),
         }
@@ -67,7 +68,8 @@ def report_of(data: xarray.Dataset, skipped: Sequence[Any] = ()) -> Report:
         "time_origin": data.attrs["time_origin"],
         "legs": legs,
         "error_rms_m": float(np.sqrt(np.mean(error**2))),
-        "inside_90": int(data.inside.sum()),
+        "level": LEVEL,
+        "inside": int(data.inside.sum()),
         "theta_m_s": data.flow_parameters_estimate.values[-1].tolist(),
         "standard_error_m_s": data.standard_error.values[-1].tolist(),
         "notes": [*np.atleast_1d(data.attrs["notes"]).tolist()],
@@ -82,14 +84,14 @@ def results_of(report: Report) -> list[Result]:
             str(leg["leg"]),
             leg["end"][:16].replace("T", " "),
             f"{leg['error_m']:.0f}",
-            f"{leg['radius_90_m']:.0f}",
+            f"{leg['radius_m']:.0f}",
             "in" if leg["inside"] else "OUT",
             f"{leg['flow']['speed']:.3f} towards {leg['flow']['towards']:.0f}",
         ]
         for leg in report["legs"]
     ]
     columns = [
-        *("leg", "fix, UTC", "error before learning (m)", "90 % radius (m)", ""),
+        *("leg", "fix, UTC", "error before learning (m)", f"{PERCENT} radius (m)", ""),
         "learned flow (m/s, degrees)",
     ]
     east, north = report["theta_m_s"]
@@ -101,7 +103,7 @@ def results_of(report: Report) -> list[Result]:
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
     sentences = [
-        f"{report['inside_90']} of {len(legs)} fixes inside the 90 % region of their forecast; rms "
+        f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; rms "
         f"of the errors {report['error_rms_m']:.0f} m",
         *report["notes"],
         *(f"skipped: {skip['why']}" for skip in report["skipped"]),

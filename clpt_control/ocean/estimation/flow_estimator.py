@@ -212,7 +212,7 @@ class FlowEstimator:
         Returns
         -------
         Ahead
-            Time and place, and the radius of its 90 % region.
+            Time and place, and the radius of its region.
         """
         frame, now = self.under_way
         self.leg = copy.deepcopy(now)

@@ -8,6 +8,7 @@ import xarray
 from ...base.figures import BLUE, GREY, ORANGE, TITLE, axes_for, legend_below
 from ...base.figures.degree_axes import degree_axes
 from ...base.geodesy import LocalPlane
+from .learned_fix import PERCENT
 
 MANY = 40  # legs; beyond, marks are small
 
@@ -50,7 +51,7 @@ def learned_flow_plot(data: xarray.Dataset, *, ax: Any = None) -> np.ndarray:
         color=GREY,
         alpha=0.3,
         lw=0,
-        label="90 % region of the forecast",
+        label=f"{PERCENT} region of the forecast",
     )
     errors.plot(
         numbers, error, "o-", color=BLUE, ms=size, label="error before learning"

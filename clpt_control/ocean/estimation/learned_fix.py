@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 LEVEL = 0.9  # probability of the region of a forecast
+PERCENT = f"{100 * LEVEL:g} %"
 
 
 class Ahead(NamedTuple):

@@ -25,7 +25,7 @@ from ...base.units import finite_or_none, seconds_since_1970
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
 from .flow_estimator import FlowEstimator
-from .learned_fix import Ahead, Learned
+from .learned_fix import LEVEL, Ahead, Learned
 from .log_columns import PLACE, STEERING, STRETCH, velocity_of
 
 PARTS = (PLACE, STEERING, STRETCH)
@@ -221,12 +221,13 @@ def towards(east: float, north: float) -> dict[str, float]:
 
 
 def forecast_of(ahead: Ahead) -> dict[str, float]:
-    """Return a forecast as numbers by name: its 90 % ellipse is a circle."""
+    """Return a forecast as numbers by name: its ellipse is a circle."""
     return {
         "time": ahead.time,
         "latitude": ahead.latitude,
         "longitude": ahead.longitude,
-        "radius_90_m": ahead.radius,
+        "radius_m": ahead.radius,
+        "level": LEVEL,
     }
 
 

@@ -18,7 +18,7 @@ from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
 from .dive import Dive, reckoned
 from .flow_estimator import FlowEstimator
-from .learned_fix import Learned
+from .learned_fix import PERCENT, Learned
 
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
@@ -95,7 +95,7 @@ def flow_of_legs(
             ),
             "forecast_radius": column(
                 [f.radius for f in forecasts],
-                "radius of the forecast's 90 % region",
+                f"radius of the forecast's {PERCENT} region",
                 "m",
             ),
             "inside": ("leg", np.array([r.inside for r in learned])),

@@ -150,7 +150,7 @@ def test_a_plan_is_forecast(scenario):
     assert ahead["time"] == end
     way = (ahead["longitude"] - last["longitude"]) * 89.3e3
     assert 3600 < way < 3600 * 1.5  # 1 m/s to the east and a current to the east
-    assert 0 < ahead["radius_90_m"] < 3000
+    assert 0 < ahead["radius_m"] < 3000
 
 
 @pytest.mark.parametrize(
