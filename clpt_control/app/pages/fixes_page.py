@@ -103,8 +103,8 @@ def results_of(report: Report) -> list[Result]:
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
     sentences = [
-        f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; rms "
-        f"of the errors {report['error_rms_m']:.0f} m",
+        f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
+        f"rms of the errors {report['error_rms_m']:.0f} m",
         *report["notes"],
         *(f"skipped: {skip['why']}" for skip in report["skipped"]),
     ]
