@@ -55,8 +55,8 @@ def headline(replay: Replay, dive: Dive) -> Headline:
     east, north = displacement(
         said["latitude"], said["longitude"], dive.lat_gpse, dive.lon_gpse
     )
-    turn = np.radians(said["ellipse_90_bearing"])
-    long, short = said["ellipse_90_long"], said["ellipse_90_short"]
+    turn = np.radians(said["ellipse_bearing"])
+    long, short = said["ellipse_long"], said["ellipse_short"]
     along = east * np.sin(turn) + north * np.cos(turn)
     across = east * np.cos(turn) - north * np.sin(turn)
     time = next_dive(replay).plan.t_gpse
@@ -65,7 +65,7 @@ def headline(replay: Replay, dive: Dive) -> Headline:
         float(np.sqrt(long * short)),
         hypot(east, north),
         (dive.t_gpse - time) / 60,
-        said.get("time_90", nan) / 60,
+        said.get("time_half_width", nan) / 60,
     )
 
 

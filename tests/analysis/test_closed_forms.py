@@ -225,18 +225,16 @@ DIVES = clpt.gliders.sample_dives()
 def test_a_fix_on_the_ellipse_is_one_half_axis_away():
     replay = clpt.replay.replay_dives(DIVES[:6])
     said = clpt.replay.next_dive(replay).as_dict()
-    turn = np.radians(said["ellipse_90_bearing"])
+    turn = np.radians(said["ellipse_bearing"])
     along, across = np.array(
         [[np.sin(turn), np.cos(turn)], [-np.cos(turn), np.sin(turn)]]
     )
-    for way in (said["ellipse_90_long"] * along, said["ellipse_90_short"] * across):
+    for way in (said["ellipse_long"] * along, said["ellipse_short"] * across):
         lat, lon = place_from(said["latitude"], said["longitude"], *way)
         found = headline(replay, replace(DIVES[6], lat_gpse=lat, lon_gpse=lon))
         assert found.away == pytest.approx(1.0, rel=1e-3)
         assert found.miss == pytest.approx(np.hypot(*way), rel=1e-6)
-    assert found.size**2 == pytest.approx(
-        said["ellipse_90_long"] * said["ellipse_90_short"]
-    )
+    assert found.size**2 == pytest.approx(said["ellipse_long"] * said["ellipse_short"])
 
 
 def test_a_pair_with_dives_missing_between_is_left_out():

@@ -194,7 +194,7 @@ def replay_facts(replay: Any, name: str) -> dict[str, Any]:
         facts = {**summary(replay), "next_dive": ahead}
     else:
         facts = summary_in(replay, name)
-    if not (isinstance(facts, dict) and "headlines" in facts):
+    if not (isinstance(facts, dict) and "hindsight" in facts):
         raise DataError(
             f"{name}: is a replay of an earlier version. Run `clpt replay` again"
         )

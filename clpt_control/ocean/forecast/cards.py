@@ -12,6 +12,7 @@ from typing import Any
 from ...base.geodesy import displacement, distance
 from ...base.html import safe
 from ...base.units import seconds_since_1970
+from ..estimation.learned_fix import PERCENT
 from . import geographic, text_report
 from .dive_statistics import Way
 from .map_layers import place_in
@@ -246,7 +247,7 @@ def _week_ago(rows: list[Report]) -> Report | None:
 def _position_error(report: Report) -> str:
     last = report["each_dive"][-1]
     before = f"with the previous dive's current: {last['clpe']['previous_dive']:.0f} m"
-    if not last["inside_90"]:
-        before += "; outside the 90 % ellipse"
+    if not (last["forecast"] or {"inside": True})["inside"]:
+        before += f"; outside the {PERCENT} ellipse of its forecast"
     value = f"{last['clpe']['adaptive']:.0f} m"
     return card(f"Position error, dive {last['dive']}", value, before)

@@ -41,6 +41,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.geodesy import displacement
+from ..estimation.learned_fix import LEVEL
 from ..gliders.dives import Dive
 from .geographic import direction
 
@@ -54,7 +55,7 @@ OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
 RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
-CHI_SQUARED = 4.605170185988092  # of two components, 90 %: 2 ln 10
+CHI_SQUARED = -2.0 * log(1.0 - LEVEL)  # of two components
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
 LONGEST_STAY = 86400.0  # s; a longer stay is more than waiting for a fix
 
@@ -111,7 +112,9 @@ class Guess(NamedTuple):
     @property
     def tails(self) -> float:
         """Return how many times 90 % of what comes is wider than of a normal pair, squared."""
-        return self.freedom * (0.1 ** (-2.0 / self.freedom) - 1.0) / CHI_SQUARED
+        return (
+            self.freedom * ((1.0 - LEVEL) ** (-2.0 / self.freedom) - 1.0) / CHI_SQUARED
+        )
 
 
 class Evidence(NamedTuple):
@@ -232,7 +235,7 @@ class DiveStatistics:
             self.stays = [*self.stays, surface_drift.seconds]
         if was_inside:
             wider = (
-                w * exp(RATE * (0.9 - inside))
+                w * exp(RATE * (LEVEL - inside))
                 for w, inside in zip(self.width, was_inside, strict=True)
             )
             self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)

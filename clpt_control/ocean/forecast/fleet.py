@@ -40,6 +40,7 @@ from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from .cards import attributes, overdue_marks, unbroken
 from .geographic import clock, date, in_minutes
+from .map_layers import is_outside
 from .replay_page import cell_table
 from .surfacing import RECENT, overdue_times
 from .table_rows import Columns, cells, half_axes
@@ -103,7 +104,7 @@ def standing(report: dict[str, Any], page: str, now: float) -> dict[str, Any]:
         "longitude": last["end_longitude"],
         "age_hours": (now - seconds_since_1970(last["end"])) / 3600,
         "next_dive": report["next_dive"],
-        "headlines": report["headlines"],
+        "headlines": report["forecast"],
         "out_running": _running(report["each_dive"]),
     }
 
@@ -136,7 +137,7 @@ def _out(running: int) -> str:
 
 def _record(headlines: dict[str, Any]) -> str:
     count = headlines["judged"]
-    return f"{headlines['place_held']} of {count}" if count else "-"
+    return f"{headlines['inside']} of {count}" if count else "-"
 
 
 FLEET: Columns = {
@@ -216,7 +217,7 @@ def fleet_sentence(rows: list[dict[str, Any]]) -> str:
 
 def _running(rows: list[dict[str, Any]]) -> int:
     """Return how many dives in a row, up to the last one, came up outside their ellipses."""
-    return len(list(takewhile(lambda row: not row["inside_90"], reversed(rows))))
+    return len(list(takewhile(is_outside, reversed(rows))))
 
 
 LONGEST = 60.0  # s that a command may take

@@ -26,6 +26,7 @@ from typing import Any
 
 from ...base.geodesy import east_of, place_from
 from ...base.map_files import Feature, geojson, kml
+from ..estimation.learned_fix import PERCENT
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
 from .geographic import compass, minutes
@@ -39,16 +40,16 @@ NAMES = {  # kind of a layer: its name and its colour
     "last": ("last fix", BLUE),
     "way": ("way to the next surfacing", PURPLE),
     "next": ("next surfacing", PURPLE),
-    "ring next": ("90 % ellipse", PURPLE),
+    "ring next": (f"{PERCENT} ellipse", PURPLE),
     "target": ("waypoint", ORANGE),
     "made": ("distance made good", ORANGE),
-    "ring aimed": ("90 % ellipse, aimed", ORANGE),
+    "ring aimed": (f"{PERCENT} ellipse, aimed", ORANGE),
 }
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 
 def next_geojson(report: dict[str, Any]) -> str:
-    """Return the next surfacing as GeoJSON: last fix, way, forecast, 90 % ellipse, waypoints."""
+    """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
     layers, last_row = layers_of(report), report["each_dive"][-1]
     properties = {"dive": last_row["dive"], "time": last_row["end"]}
     last = Layer("last", "Point", layers["way"][0].places[:1], properties)

@@ -15,12 +15,12 @@ from math import cos, pi, radians, sin
 from typing import Any, NamedTuple
 
 from ...base.geodesy import displacement, place_from
+from ..estimation.learned_fix import PERCENT
 from .geographic import Place, compass, velocity
+from .surfacing import ELLIPSE
 from .table_rows import ellipse_words
 from .text_report import within
 
-# start, centre
-DIVE, NEXT, AIMED = (("start_", "forecast_"), ("from_", ""), ("from_", "end_"))
 CORNERS = 48
 LAST = 12  # dives whose ellipses are drawn
 
@@ -41,12 +41,14 @@ def place_in(row: dict[str, Any], prefix: str) -> Place:
     return row[f"{prefix}latitude"], row[f"{prefix}longitude"]
 
 
-def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
-    """Return the closed ring of the 90 % ellipse of a dive, of the next one or of an aimed one."""
-    long, short, bearing = (
-        row[f"ellipse_90_{name}"] for name in ("long", "short", "bearing")
-    )
-    begin, end = (place_in(row, prefix) for prefix in kind)
+def is_outside(row: dict[str, Any]) -> bool:
+    """Return whether a dive ended outside the ellipse of its forecast; False without one."""
+    return row["forecast"] is not None and not row["forecast"]["inside"]
+
+
+def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:
+    """Return the closed ring of an ellipse about the end of a way."""
+    long, short, bearing = (row[name] for name in ELLIPSE)
     east, north = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
     points = []
@@ -62,7 +64,7 @@ def ring_of(row: dict[str, Any], kind: tuple[str, str] = DIVE) -> list[Place]:
 
 def words_of_next(ahead: dict[str, Any]) -> str:
     """Return the popup's words on the next surfacing."""
-    bearing = compass(ahead["ellipse_90_bearing"])
+    bearing = compass(ahead["ellipse_bearing"])
     when = f"{ahead['time']} {within(ahead)}"
     size = ellipse_words(ahead)
     return f"{when}, {ahead['place']}; {size}, the long axis to {bearing}"
@@ -70,25 +72,25 @@ def words_of_next(ahead: dict[str, Any]) -> str:
 
 def words_of_dive(row: dict[str, Any]) -> str:
     """Return the popup's words on a dive."""
-    miss = row["clpe"]["adaptive"]
-    return (
-        f"surfaced {row['end']}, {miss:.0f} m from the forecast, "
-        f"{'in' if row['inside_90'] else 'outside'} its 90 % ellipse; current "
-        f"{velocity(row['current_east'], row['current_north'])}"
-    )
+    error = f"position error {row['clpe']['adaptive']:.0f} m"
+    if row["forecast"] is not None:
+        where = "outside" if is_outside(row) else "in"
+        error += f", {where} the {PERCENT} ellipse of its forecast"
+    current = velocity(row["current_east"], row["current_north"])
+    return f"surfaced {row['end']}, {error}; current {current}"
 
 
 def layers_of(report: dict[str, Any]) -> dict[str, list[Layer]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
-    The first dive has no forecast; the ellipses are those of the last ones.
+    The ellipses are those of the last dives with a forecast.
     """
     layers: list[Layer] = []
+    rings: list[Layer] = []
     before = None
     for row in report["each_dive"]:
-        start, end, reckoned, forecast = (
-            place_in(row, prefix)
-            for prefix in ("start_", "end_", "reckoned_", "forecast_")
+        start, end, reckoned = (
+            place_in(row, prefix) for prefix in ("start_", "end_", "reckoned_")
         )
         layers += [
             Layer("miss", "LineString", [reckoned, end], row),
@@ -97,35 +99,40 @@ def layers_of(report: dict[str, Any]) -> dict[str, list[Layer]]:
             Layer("fix", "Point", [end], row, words_of_dive(row), row["end"]),
         ]
         if before is not None:
-            layers += [
-                Layer("drift", "LineString", [before, start], row),
-                Layer("forecast", "Point", [forecast], row),
-            ]
+            layers.append(Layer("drift", "LineString", [before, start], row))
+        if row["forecast"] is not None:
+            goal = place_in(row["forecast"], "")
+            ring = ring_of(row["forecast"], start, goal)
+            layers.append(Layer("forecast", "Point", [goal], row))
+            rings.append(Layer("ring", "Polygon", ring, row))
         before = end
-    layers += [
-        Layer("ring", "Polygon", ring_of(row), row)
-        for row in report["each_dive"][1:][-LAST:]
-    ]
+    layers += rings[-LAST:]
     ahead = report.get("next_dive")
     if ahead is not None:
-        last, goal = (place_in(ahead, prefix) for prefix in NEXT)
+        last, goal = (place_in(ahead, prefix) for prefix in ("from_", ""))
         layers += [
             Layer("way", "LineString", [last, goal], ahead),
             Layer("next", "Point", [goal], ahead, words_of_next(ahead), ahead["time"]),
             Layer(
-                "ring next", "Polygon", ring_of(ahead, NEXT), ahead, when=ahead["time"]
+                "ring next",
+                "Polygon",
+                ring_of(ahead, last, goal),
+                ahead,
+                when=ahead["time"],
             ),
         ]
     for leg in report.get("aim") or ():
         target, (begin, end) = (
             place_in(leg, ""),
-            (place_in(leg, prefix) for prefix in AIMED),
+            (place_in(leg, prefix) for prefix in ("from_", "end_")),
         )
         layers += [
             Layer("target", "Point", [target], leg, leg["place"]),
             Layer("aim", "LineString", [begin, target], leg),
             Layer("made", "LineString", [begin, end], leg),
-            Layer("ring aimed", "Polygon", ring_of(leg, AIMED), leg, when=leg["end"]),
+            Layer(
+                "ring aimed", "Polygon", ring_of(leg, begin, end), leg, when=leg["end"]
+            ),
         ]
     by_kind = defaultdict(list)
     for layer in layers:

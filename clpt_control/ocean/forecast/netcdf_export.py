@@ -32,7 +32,7 @@ UNITS = {  # pattern of a name: units; the first that matches counts
     r".*latitude": "degrees_north",
     r".*longitude": "degrees_east",
     r".*(direction|bearing)|compass.*": "degree",
-    r".*(duration|time_90)": "s",
+    r".*(duration|time_half_width)": "s",
     r"start_time": EPOCH,
     r"(probability|speed_factor).*": "1",
     r".*(variance|covariance).*": "m2",
@@ -129,6 +129,7 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
             "estimator": report["estimator"],
             "flow": ",".join(report["flow"]),
             "learn_speed": int(report["learn_speed"]),
+            "level": report["level"],
         },
     )
     if "flow_model" in report:
@@ -136,12 +137,14 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     data["trajectory"] = ((), report["vehicle"], {"cf_role": "trajectory_id"})
     for name, column in table.drop(columns=[*COORDINATES]).items():
         attributes = {"long_name": name.replace("_", " "), **ALONG}
-        if column.dtype == bool:
+        known = column.dropna()
+        if len(known) and all(isinstance(value, bool | np.bool_) for value in known):
             flags = {
-                "flag_values": np.array([0, 1], np.int8),
-                "flag_meanings": "no yes",
+                "flag_values": np.array([-1, 0, 1], np.int8),
+                "flag_meanings": "unknown no yes",
             }
-            data[name] = ("dive", column.to_numpy(np.int8), {**attributes, **flags})
+            values = np.array(column.fillna(-1), np.int8)
+            data[name] = ("dive", values, {**attributes, **flags})
         elif column.dtype == float and column.notna().any():
             attributes["units"] = units_of(name)
             if name in STANDARD:

@@ -1,23 +1,26 @@
-"""Quality flags: a fix that contradicts the next one is marked as doubtful.
+"""Quality flags: a fix that contradicts other fixes is marked as doubtful.
 
 At the surface a vehicle drifts, so the next dive starts at most
 
-    5 m/s * (time between the fixes) + 300 m
+    (|y| / T + 0.5 m/s) * (time between the fixes) + 5 FIX
 
-from where the last one ended; more says that one of the two fixes is wrong.  It is the
-one that lies further, by the covariance P of its forecast m,
+from where the last one ended, with y the miss of that dive and T its duration. More says that one
+of the two fixes is wrong. If other dives may lie between them, the limit is 5 m/s * time + 5 FIX.
+The wrong fix is the one that lies further, by the covariance P of its forecast m,
 
     (y - m)^T P^-1 (y - m),
 
-from where the last dive was forecast to end.  If that is the end, the start of the next
-dive, within an hour the place of the same surfacing, stands for it, and what a
-current of the prior moves the vehicle in that time is its doubt; later than that it
-counts by how far off it is.  If it is the start, as when a boat has moved the vehicle,
-the next dive counts by how far off it is.  The variance of a miss is then
+from where the last dive was forecast to end. If that is the end, the start of the next dive, within
+an hour the place of the same surfacing, stands for it, and its doubt is the way that a current of
+the prior moves the vehicle in that time. Later than that, and for a wrong start, the doubt is the
+distance between the fixes.
+
+A dive that ends outside the 99 % ellipse of its forecast is an outlier: its fix is wrong, or the
+current has changed. Its doubt is its distance from the forecast. It counts in full if the next dive
+starts nearer to that end than to the forecast, or is then more probable (`replay`). The variance of
+a miss is
 
     FIX^2 + doubt^2 + (s T)^2.
-
-The start of a dive is known before it is forecast, so nothing later is read.
 """
 
 from dataclasses import replace
@@ -27,51 +30,90 @@ import numpy as np
 
 from ...base.geodesy import displacement, distance
 from ..estimation.dive import Dive, miss
-from ..estimation.fix_model import FixModel
-from ..gliders.usable_dives import FASTEST
+from ..estimation.priors import Priors
+from ..gliders.usable_dives import FASTEST, follows
 
-MARGIN = 300.0  # m: two fixes, a poor one among them, and how long a stay is rounded
+WIND = 0.5  # m/s at the surface, in addition to the current
+FIXES = 5.0  # standard deviations of two fixes, a poor one among them
 SAME_STAY = 3600.0  # s: longer, other dives may lie between
+OUTLYING = 9.21  # chi-squared of two components, 99 %
+
+Forecast = tuple[
+    np.ndarray, np.ndarray
+]  # mean (2,), m, and covariance (2, 2), m^2, of a miss
 
 
 def doubt_one_fix(
-    before: Dive, dive: Dive, forecast: tuple[np.ndarray, np.ndarray], model: FixModel
+    before: Dive, dive: Dive, forecast: Forecast, priors: Priors
 ) -> tuple[Dive, Dive]:
     """Return both dives, of two fixes that disagree the wrong one doubted; else the same ones.
 
-    The forecast is that of the end of the one before: mean (2,), m, and covariance (2, 2), m^2.
+    The forecast is that of the end of the one before.
     """
     separation = distance(
         before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2
     )
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
-    if not separation > FASTEST * since + MARGIN:  # as far as a vehicle may drift
+    current = float(np.hypot(*miss(before))) / before.duration
+    fastest = min(current + WIND, FASTEST) if follows(dive, before) else FASTEST
+    if not separation > fastest * since + FIXES * priors.fix:
         return before, dive
     start_displacement = displacement(
         before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2
     )
     start = np.array(start_displacement) - (before.dr_east, before.dr_north)
-    mean, covariance = forecast
-    end_off, start_off = (
-        float(off @ np.linalg.solve(covariance, off))
-        for off in (miss(before) - mean, start - mean)
-    )
+    end_off = squared_distance(miss(before), *forecast)
     jump = f"{separation / 1000:.1f} km in {since / 60:.0f} min"
-    if start_off >= end_off:
+    if squared_distance(start, *forecast) >= end_off:
         note = f"starts {jump} from where dive {before.number} ended: counts little"
         return before, _doubted(dive, separation, note)
     note = f"the fix at its end is {jump} from where dive {dive.number} starts"
     if since > SAME_STAY:
         return _doubted(before, separation, f"{note}: counts little"), dive
-    drift = model.priors.current * since
-    settled = _doubted(
-        before, drift, f"{note}, and off its forecast: that start is taken instead"
-    )
-    lat, lon = dive.lat_gps2, dive.lon_gps2
     east, north = start_displacement
-    return replace(
-        settled, lat_gpse=lat, lon_gpse=lon, gps_east=east, gps_north=north
-    ), dive
+    settled = replace(
+        before,
+        lat_gpse=dive.lat_gps2,
+        lon_gpse=dive.lon_gps2,
+        gps_east=east,
+        gps_north=north,
+    )
+    note = f"{note}, and off its forecast: that start is taken instead"
+    return _doubted(settled, priors.current * since, note), dive
+
+
+def is_confirmed(
+    before: Dive, dive: Dive, mean: np.ndarray, current: np.ndarray
+) -> bool:
+    """Return whether the next dive starts nearer to an end than to the forecast of that end.
+
+    The end has drifted with the learned current (2,), m/s, until the next start.
+    """
+    gap = displacement(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    from_end = np.array(gap) - current * (dive.t_gps2 - before.t_gpse)
+    from_forecast = from_end + miss(before) - mean
+    return float(np.hypot(*from_end)) < float(np.hypot(*from_forecast))
+
+
+def doubt_outlier(dive: Dive, mean: np.ndarray, covariance: np.ndarray) -> Dive:
+    """Return a dive that ends outside the 99 % ellipse of its forecast doubted, else the same."""
+    if squared_distance(miss(dive), mean, covariance) <= OUTLYING:
+        return dive
+    off = float(np.hypot(*(miss(dive) - mean)))
+    note = f"ends {off / 1000:.1f} km from its forecast, outside the 99 % ellipse"
+    return _doubted(dive, off, f"{note}: counts little unless the next dive agrees")
+
+
+def squared_distance(y: np.ndarray, mean: np.ndarray, covariance: np.ndarray) -> float:
+    """Return (y - m)^T P^-1 (y - m), of chi-squared with two degrees of freedom."""
+    off = y - mean
+    return float(off @ np.linalg.solve(covariance, off))
+
+
+def log_density(y: np.ndarray, mean: np.ndarray, covariance: np.ndarray) -> float:
+    """Return the logarithm of a normal density, less a constant."""
+    determinant = float(np.linalg.det(covariance))
+    return -0.5 * (squared_distance(y, mean, covariance) + np.log(determinant))
 
 
 def _doubted(dive: Dive, doubt: float, note: str) -> Dive:

@@ -10,9 +10,11 @@ the dead reckoning carried by a modelled flow:
 
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
-The first used dive is forecast with no flow.  Where a dive starts too far from the end of
+The first used dive is forecast with no flow.  If a dive starts too far from the end of
 the last one, one of the two fixes is wrong (`quality_flags`): before the dive is forecast
-the last one is learned again, its forecast as it was.  A flow model is no part of
+the last one is learned again, its forecast as it was.  An outlier, a dive outside the 99 % ellipse
+of its forecast, is learned with doubt and without.  The start of the next dive chooses between the
+two for the forecast of that dive, its end for good.  A flow model is no part of
 the state: each dive brings its q, or None where the model does not cover it.
 The state moves by `Replay.step` alone, so that feeding dives one by one is feeding
 them at once, bit for bit.
@@ -33,10 +35,12 @@ from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
 from ...paper.currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix, miss
+from ..estimation.estimator import Estimator
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import FLOW, OTHERS, FixModel
 from ..gliders.usable_dives import follows
 from .advected_dives import FlowModel, carried
+from .dead_reckoning_check import MOST, check_dead_reckoning
 from .dive_statistics import (
     CHI_SQUARED,
     GIVEN,
@@ -45,11 +49,20 @@ from .dive_statistics import (
     drift,
     has_course,
 )
-from .quality_flags import doubt_one_fix
+from .quality_flags import (
+    OUTLYING,
+    Forecast,
+    doubt_one_fix,
+    doubt_outlier,
+    is_confirmed,
+    log_density,
+    squared_distance,
+)
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import NORMAL, NextDive, check_flown, unflown
 from .table_rows import cells
 
+SURE = OUTLYING / 2  # log odds beyond which a confirmed fix is doubted after all
 LISTED = 10  # dives of a notebook's table
 
 
@@ -98,7 +111,8 @@ class Replay:
         self._learner = make_estimator(self.estimator, self.model)
         self.dive_statistics = DiveStatistics()
         self._fed: list[Dive] = []
-        self._before = self._learner, self.dive_statistics  # the last dive
+        self._outlier: tuple[Dive, Estimator] | None = None
+        self._before = self._state()
 
     def __repr__(self) -> str:
         return f"<Replay of {_in_words(self)}>"
@@ -120,18 +134,20 @@ class Replay:
         return MODELS if self.flow_model is None else (*MODELS, FLOW_MODEL)
 
     @public
-    def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
+    def forecast(self, dive: Dive) -> Forecast:
         """Forecast a dive's miss from the dives so far.
 
         Mean (2,), m, zero for the first dive, and covariance (2, 2), m^2; the dive's end fix and
         displacement are not read.
         """
-        again, dive = self._doubt_one_fix(dive)
-        if again is None:
-            return self._ahead(dive)
-        relearned = copy.deepcopy(self)
-        relearned._learn_again(again)
-        return relearned._ahead(dive)
+        sketch = copy.copy(self)
+        sketch.steps = [*self.steps]
+        return sketch.ahead(sketch._settle_last(dive))
+
+    def ahead(self, dive: Dive) -> Forecast:
+        """Forecast a dive's miss, its start taken as true."""
+        mean, covariance = self._learner.predict(dive)
+        return (mean if self.steps else np.zeros(2)), covariance
 
     def known(self) -> dict[str, float]:
         """Return the parameters as known now: m/s, 1 and rad."""
@@ -142,14 +158,14 @@ class Replay:
     def step(self, dive: Dive) -> Step:
         """Forecast a dive, see its end, and learn from it.
 
-        A dive that is not finite, or ends before the last one, is a `DataError`.
+        A dive that is not finite, or ends before the last one, is a `DataError`; so are dives whose
+        dead reckoning looks swapped, reversed or in km.
         """
         check_next(dive, self.steps[-1].dive if self.steps else None)
+        check_dead_reckoning([*(step.dive for step in self.steps[-MOST:]), dive])
         headline = self.surfacing() if self.steps else None
-        again, dive = self._doubt_one_fix(dive)
-        if again is not None:
-            self._learn_again(again)
-        self._take(dive, *self._ahead(dive), headline)
+        dive = self._settle_last(dive)
+        self._take(dive, self.ahead(dive), headline)
         return self.steps[-1]
 
     def feed(
@@ -189,6 +205,7 @@ class Replay:
         """Return one that knows the same, for dives that are drawn."""
         sketch = copy.copy(self)
         sketch.steps, sketch._learner = self.steps[-1:], copy.copy(self._learner)
+        sketch._outlier = None
         return sketch
 
     def imagine(self, dive: Dive) -> None:
@@ -213,7 +230,7 @@ class Replay:
         plan = unflown(last.dive, begin, guess)
         if self.flow_model is not None:
             plan = carried(plan, self.flow_model)
-        mean, covariance = self.forecast(plan)
+        mean, covariance = self.ahead(plan)
         position = place_from(*begin[1:], *(guess.way + mean))
         scatter = last.response @ guess.scatter[:2, :2] @ last.response.T
         covariance = covariance + scatter + habits.drift()[1]
@@ -230,68 +247,96 @@ class Replay:
             has_course(last.dive),
         )
 
-    def _ahead(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
-        """Forecast a dive's miss by what is known: mean (2,), covariance (2, 2)."""
-        mean, covariance = self._learner.predict(dive)
-        return (mean if self.steps else np.zeros(2)), covariance
+    def _state(self) -> tuple[Any, ...]:
+        """Return all that a dive changes, and the last step."""
+        habits = copy.deepcopy(self.dive_statistics)
+        return copy.copy(self._learner), habits, self._outlier, self.steps[-1:]
 
-    def _doubt_one_fix(self, dive: Dive) -> tuple[Dive | None, Dive]:
-        """Return the last dive where this one's start says that its end is wrong, and this one."""
+    def _settle_last(self, dive: Dive) -> Dive:
+        """Judge the last dive by the start of this one; return this one, doubted if it is wrong."""
         if not self.steps:
-            return None, dive
+            return dive
         last = self.steps[-1]
-        doubted, dive = doubt_one_fix(
-            last.dive, dive, (last.forecast, last.covariance), self.model
-        )
-        return (None if doubted is last.dive else doubted), dive
+        before = last.dive if self._outlier is None else self._outlier[0]
+        forecast = last.forecast, last.covariance
+        doubted, judged = doubt_one_fix(before, dive, forecast, self.model.priors)
+        if doubted is not before:
+            self._learn_again(doubted)
+        elif (
+            self._outlier is not None
+            and judged is dive
+            and is_confirmed(before, dive, last.forecast, last.current)
+        ):
+            self._swap_outlier()
+        return judged
 
     def _learn_again(self, dive: Dive) -> None:
         """Learn the last dive again, as it is now known, its forecast as it was."""
         was = self.steps.pop()
-        self._learner, self.dive_statistics = self._before
-        self._take(dive, was.forecast, was.covariance, was.headline)
+        learner, habits, self._outlier, last = self._before
+        self._learner = copy.copy(learner)
+        self.dive_statistics = copy.deepcopy(habits)
+        self.steps[-1:] = last
+        self._take(dive, (was.forecast, was.covariance), was.headline)
 
-    def _take(
-        self,
-        dive: Dive,
-        mean: np.ndarray,
-        covariance: np.ndarray,
-        headline: NextDive | None,
-    ) -> None:
+    def _swap_outlier(self) -> None:
+        """Trust the last dive if it is doubted, doubt it if it is trusted."""
+        assert self._outlier is not None
+        last, step, learner = self._learner, self.steps[-1], self._outlier[1]
+        self._learner = copy.copy(learner)
+        self.steps[-1] = replace(step, dive=self._outlier[0]).learned(learner)
+        self._outlier = step.dive, last
+
+    def _take(self, dive: Dive, forecast: Forecast, headline: NextDive | None) -> None:
         """Compare a dive's forecast and headline with its end, and learn from it."""
-        self._before = copy.copy(self._learner), copy.deepcopy(self.dive_statistics)
-        y = miss(dive)
+        self._before = self._state()
         last = self.steps[-1].dive if self.steps else None
         surface_drift = drift(dive, last)
-        inside_forecast = None
+        held = None
         if headline is not None and last is not None and follows(dive, last):
-            inside_forecast = headline.holds(dive)
-        self.dive_statistics.learn(dive, surface_drift, inside_forecast or ())
-        previous = (
-            np.zeros(2)
-            if last is None
-            else miss(last) * (dive.duration / last.duration)
-        )
-        away = y - mean
-        clpe: dict[str, float | None] = dict(
-            zip(MODELS, map(_size, (y, y - previous, away)), strict=True)
-        )
-        if self.flow_model is not None:
-            modelled = np.array([dive.model_east, dive.model_north], float)
-            clpe[FLOW_MODEL] = finite_or_none(_size(y - modelled))
-        self._learner.update(dive)
-        inside = bool(away @ np.linalg.solve(covariance, away) <= CHI_SQUARED)
-        step = Step(
-            dive,
-            clpe,
-            mean,
-            covariance,
-            inside,
-            surface_drift,
-            headline,
-            inside_forecast,
-        )
+            held = headline.holds(dive)
+        self.dive_statistics.learn(dive, surface_drift, held or ())
+        dive = self._learn(dive, forecast)
+        mean, covariance = forecast
+        inside = squared_distance(miss(dive), mean, covariance) <= CHI_SQUARED
+        clpe = self._clpe(dive, last, mean)
+        step = Step(dive, clpe, mean, covariance, inside, surface_drift, headline, held)
         self.steps.append(step.learned(self._learner))
+
+    def _learn(self, dive: Dive, forecast: Forecast) -> Dive:
+        """Learn from a dive, and return it; an outlier is doubted until the next dive agrees."""
+        forecast = self._decide_outlier(dive, forecast)
+        doubted = doubt_outlier(dive, *forecast) if self.steps else dive
+        if doubted is not dive:
+            trusting = copy.copy(self._learner)
+            trusting.update(dive)
+            self._outlier = dive, trusting
+        self._learner.update(doubted)
+        return doubted
+
+    def _decide_outlier(self, dive: Dive, forecast: Forecast) -> Forecast:
+        """Trust or doubt the last dive by the end of this one; return the forecast after that."""
+        if self._outlier is None:
+            return forecast
+        other = self._outlier[1].predict(dive)
+        y = miss(dive)
+        log_odds = log_density(y, *other) - log_density(y, *forecast)
+        is_trusted = self.steps[-1].dive.doubt < self._outlier[0].doubt
+        if log_odds > (SURE if is_trusted else 0.0):
+            self._swap_outlier()
+            forecast = other
+        self._outlier = None
+        return forecast
+
+    def _clpe(self, dive: Dive, last: Dive | None, mean: np.ndarray) -> dict[str, Any]:
+        """Return the position error of a dive by each flow model, m."""
+        y = miss(dive)
+        scale = dive.duration / last.duration if last else 0.0
+        carried_by = [np.zeros(2), scale * miss(last or dive), mean]
+        if self.flow_model is not None:
+            carried_by.append(np.array([dive.model_east, dive.model_north], float))
+        sizes = [finite_or_none(float(np.hypot(*(y - way)))) for way in carried_by]
+        return dict(zip(self.models, sizes, strict=True))
 
 
 @public
@@ -346,10 +391,6 @@ def _identity(dive: Dive) -> tuple:
     return dive, dive.vehicle, dive.notes, track
 
 
-def _size(vector: np.ndarray) -> float:
-    return float(np.hypot(vector[0], vector[1]))
-
-
 def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
     """Refuse two tides of a flow that dives, by time, are too few to tell apart.
 
@@ -395,7 +436,8 @@ def replay_dives(
     Raises
     ------
     DataError
-        If dives are out of order, or too few to tell the model's tides apart.
+        If dives are out of order, or too few to tell the model's tides apart, or their dead
+        reckoning looks swapped, reversed or in km.
     ScenarioError
         If the estimator or a part of the flow is unknown.
 

@@ -11,9 +11,10 @@ from typing import Any
 
 from ...base.figures import figure_of, inline_svg, legend_below
 from ...base.html import document, listing, safe
+from ..estimation.learned_fix import PERCENT
 from . import table_rows, text_report
 from .cards import cards, time_of_computing, unbroken
-from .map_layers import layers_of, words_of_dive
+from .map_layers import is_outside, layers_of, words_of_dive
 from .plots import current_plot, dive_clpe_plot
 from .track_map import map_svg
 
@@ -22,10 +23,10 @@ KEYS = {  # kind of a layer: its text in the legend of the map
     "track": "fix to fix",
     "drift": "drift at the surface",
     "miss": "position error, from x, the dead-reckoned end",
-    "ring": "+ forecast, 90 % ellipse",
-    "next": "next surfacing, 90 % ellipse",
+    "ring": f"+ forecast, {PERCENT} ellipse",
+    "next": f"next surfacing, {PERCENT} ellipse",
     "target": "waypoint",
-    "made": "aimed: distance made good, 90 % ellipse",
+    "made": f"aimed: distance made good, {PERCENT} ellipse",
 }
 # beginnings of cells that are alarms
 LOUD = ("OUT", "overdue", "cannot be read")
@@ -75,8 +76,8 @@ def _legend(report: dict[str, Any]) -> str:
     """Return the legend of what the map shows."""
     drawn = layers_of(report)
     entries = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
-    if not all(row["inside_90"] for row in report["each_dive"]):
-        entries.append(("outside", "fix outside its 90 % ellipse"))
+    if any(map(is_outside, report["each_dive"])):
+        entries.append(("outside", f"fix outside its {PERCENT} ellipse"))
     if "route" in report and report["route"]["areas"]:
         entries.append(("area", "area to stay out of"))
     return "".join(f'<span class="key {kind}">{name}</span>' for kind, name in entries)

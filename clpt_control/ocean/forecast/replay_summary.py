@@ -25,6 +25,7 @@ import numpy as np
 from ...base.arguments import public
 from ..estimation.dive import dac_difference
 from ..estimation.fix_model import OTHERS
+from ..estimation.learned_fix import LEVEL
 from ..gliders.dives import Skipped
 from .advected_dives import FlowModel
 from .geographic import velocity
@@ -134,6 +135,9 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     dict
         Lengths in m; what does not exist is None. ``flow_model`` is there if
         one was given; ``parts`` has probabilities; ``each_dive`` a row for each.
+        ``forecast`` counts surfacings inside the ellipse and time that were
+        forecast before the dive, of probability ``level``; ``hindsight`` those
+        inside the ellipse that has the dead reckoning of the dive.
 
     Examples
     --------
@@ -147,7 +151,7 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     differences = [
         difference for difference in differences_of_dives if isfinite(difference)
     ]
-    headlines = [step.headline_held for step in steps if step.headline_held]
+    held = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
     factor = last if replay.model.learn_speed else None
     model = replay.flow_model
@@ -165,12 +169,16 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         "clpe_rms_after_3": clpe_rms(replay, 3),
         **modelled,
         "dac_identity_median": float(np.median(differences)) if differences else None,
-        "headlines": {
-            "judged": len(headlines),
-            "place_held": sum(inside for inside, _ in headlines),
-            "time_held": sum(time for _, time in headlines),
+        "level": LEVEL,
+        "forecast": {
+            "judged": len(held),
+            "inside": sum(inside for inside, _ in held),
+            "on_time": sum(on_time for _, on_time in held),
         },
-        "inside_90": float(np.mean([step.inside for step in steps])) if steps else None,
+        "hindsight": {
+            "judged": len(steps),
+            "inside": sum(step.inside_hindsight for step in steps),
+        },
         "speed_factor": {
             "value": factor and factor.speed,
             "standard_error": factor and factor.speed_error,

@@ -178,7 +178,7 @@ def _draw(
             dr_east=plan.dr_east + east,
             dr_north=plan.dr_north + north,
         )
-        miss = rng.multivariate_normal(*learned.forecast(flown), check_valid="ignore")
+        miss = rng.multivariate_normal(*learned.ahead(flown), check_valid="ignore")
         through = flown.dr_east, flown.dr_north
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
         legs.append((start[1:], end[1:]))

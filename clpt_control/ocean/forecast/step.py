@@ -1,6 +1,7 @@
 """The record of one dive: its forecast, its misses, and what is known after it.
 
-The 90 % ellipse of its forecast,
+The forecast of a dive is made before the dive. The hindsight has the dead reckoning and the
+duration of the dive too. The 90 % ellipse of either,
 
     (x - m)^T P^-1 (x - m) = 2 ln 10
 
@@ -36,11 +37,11 @@ class Step:
     """A dive, its forecast, and what is known after it.
 
     `clpe` has |x - z| (m) of each flow model, None where it does not cover the dive. `forecast`
-    (2,) and `covariance` (2, 2) are of the fix less dead reckoning, m; `inside` says whether the
-    vehicle surfaced in their 90 % ellipse. `current` (2,) is the learned flow over the dive, m/s,
-    `speed` the factor, `compass` the error in degrees clockwise, each with its standard error.
-    `parts` has the probability that each part of the flow is present; the parameters `not_learned`
-    are hardly better known than before any dive. `headline` is the surfacing as
+    (2,) and `covariance` (2, 2) are the hindsight, of the fix less dead reckoning, m;
+    `inside_hindsight` is true if the vehicle surfaced in its ellipse. `current` (2,) is the learned
+    flow over the dive, m/s, `speed` the factor, `compass` the error in degrees clockwise, each with
+    its standard error. `parts` has the probability that each part of the flow is present; the
+    parameters `not_learned` are hardly better known than before any dive. `headline` is the
     forecast before the dive, `headline_held` whether its place and its time held: None for the
     first dive, and where dives between may be missing. `drift` is that before the dive.
     """
@@ -49,7 +50,7 @@ class Step:
     clpe: dict[str, float | None]
     forecast: np.ndarray
     covariance: np.ndarray
-    inside: bool
+    inside_hindsight: bool
     drift: Way | None
     headline: NextDive | None
     headline_held: tuple[bool, bool] | None
@@ -105,9 +106,6 @@ class Step:
         dive = self.dive
         start = dive.lat_gps2, dive.lon_gps2
         reckoned = place_from(*start, dive.dr_east, dive.dr_north)
-        forecast = place_from(
-            *start, dive.dr_east + self.forecast[0], dive.dr_north + self.forecast[1]
-        )
         east, north = map(float, self.current)
         speed: Any = self.speed, self.speed_error, self.compass, self.compass_error
         if not self.speed_error:  # none is learned
@@ -122,18 +120,14 @@ class Step:
             **placed("start_", *start),
             **placed("end_", dive.lat_gpse, dive.lon_gpse),
             **placed("reckoned_", *reckoned),
-            **placed("forecast_", *forecast),
             **vector("dr_", dive.dr_east, dive.dr_north),
-            **vector("forecast_", *self.forecast),
-            **vector("forecast_variance_", *np.diag(self.covariance)),
-            "forecast_covariance": float(self.covariance[0, 1]),
+            "forecast": self._forecast_row(),
+            "hindsight": self._hindsight_row(),
             "flow_model_east": dive.model_east,
             "flow_model_north": dive.model_north,
             "file_current_east": dive.dac_east,
             "file_current_north": dive.dac_north,
             "clpe": self.clpe,
-            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
-            "inside_90": self.inside,
             **vector("current_", east, north),
             "current_east_error": float(self.current_error[0]),
             "current_north_error": float(self.current_error[1]),
@@ -142,28 +136,37 @@ class Step:
             **dict(zip(SPEED, speed, strict=True)),
             "drift": None if self.drift is None else self.drift.as_dict(),
             "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
-            "headline": None
-            if self.headline is None
-            else _headline(self.headline, self.headline_held),
             "probability": self.parts,
             "depth_max": dive.depth_max,
             "notes": list(dive.notes),
         }
         return {key: finite_or_none(value) for key, value in row.items()}
 
+    def _forecast_row(self) -> dict[str, Any] | None:
+        """Return the forecast before the dive; None where it cannot be compared with the dive."""
+        if self.headline is None or self.headline_held is None:
+            return None
+        fields = self.headline.as_dict()
+        keys = ("time", "time_half_width", "latitude", "longitude", *ELLIPSE, "basis")
+        inside, on_time = self.headline_held
+        return {key: fields[key] for key in keys} | {
+            "inside": inside,
+            "on_time": on_time,
+        }
 
-def _headline(
-    headline: NextDive, inside_forecast: tuple[bool, bool] | None
-) -> dict[str, Any]:
-    """Return the headline before a surfacing, and whether its place and time held."""
-    fields = headline.as_dict()
-    keys = ("time", "time_90", "latitude", "longitude", *ELLIPSE, "basis")
-    inside_ellipse, inside_time = inside_forecast or (None, None)
-    return {
-        **{key: fields[key] for key in keys},
-        "place_held": inside_ellipse,
-        "time_held": inside_time,
-    }
+    def _hindsight_row(self) -> dict[str, Any]:
+        """Return the forecast with the dead reckoning and the duration of the dive."""
+        dive, (east, north) = self.dive, self.forecast
+        start = dive.lat_gps2, dive.lon_gps2
+        end = place_from(*start, dive.dr_east + east, dive.dr_north + north)
+        return {
+            **placed("", *end),
+            **vector("", east, north),
+            **vector("variance_", *np.diag(self.covariance)),
+            "covariance": float(self.covariance[0, 1]),
+            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            "inside": self.inside_hindsight,
+        }
 
 
 def check_next(dive: Dive, last: Dive | None) -> None:

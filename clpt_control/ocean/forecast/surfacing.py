@@ -15,6 +15,7 @@ last dive, else from that end, as for a record of years ago.
 import time
 from dataclasses import dataclass
 from math import nan
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -22,17 +23,19 @@ import numpy as np
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
 from ...base.units import seconds_since_1970
+from ..estimation.learned_fix import LEVEL
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .dive_statistics import CHI_SQUARED, REPEATED, Guess
 from .geographic import clock, in_minutes, placed, utc, vector
+from .quality_flags import squared_distance
 
-NORMAL = 1.6448536269514722  # 90 % of a normal number lies within so many standard deviations
+NORMAL = NormalDist().inv_cdf((1.0 + LEVEL) / 2.0)  # standard deviations
 SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
 # as `ellipse` has them
-ELLIPSE = ("ellipse_90_long", "ellipse_90_short", "ellipse_90_bearing")
+ELLIPSE = ("ellipse_long", "ellipse_short", "ellipse_bearing")
 
 
 def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
@@ -52,9 +55,9 @@ class NextDive:
 
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
     less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
-    the record asks; the time holds 90 % within `time_90`, s; `fix` is where and when the vehicle
-    surfaced last; `basis` is what the dive is guessed by; `plan_in_files` says that the last file
-    has a course for the dive.
+    the record asks; the time holds 90 % within `time_half_width`, s; `fix` is where and when the
+    vehicle surfaced last; `basis` is what the dive is guessed by; `plan_in_files` says that the
+    last file has a course for the dive.
     """
 
     plan: Dive
@@ -63,12 +66,12 @@ class NextDive:
     latitude: float
     longitude: float
     fix: Fix = (nan, nan, nan)
-    time_90: float = nan
+    time_half_width: float = nan
     basis: str = REPEATED
     plan_in_files: bool = False
 
     def __repr__(self) -> str:
-        when = f"{clock(utc(self.plan.t_gpse))} +- {self.time_90 / 60:.0f} min"
+        when = f"{clock(utc(self.plan.t_gpse))} +- {self.time_half_width / 60:.0f} min"
         return f"<NextDive: up {when} at {in_minutes(self.latitude, self.longitude)}>"
 
     def now(self) -> tuple[float, str]:
@@ -81,15 +84,15 @@ class NextDive:
         away = np.array(
             displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse)
         )
-        inside = away @ np.linalg.solve(self.covariance, away) <= CHI_SQUARED
-        return bool(inside), abs(dive.t_gpse - self.plan.t_gpse) <= self.time_90
+        inside = squared_distance(away, np.zeros(2), self.covariance) <= CHI_SQUARED
+        return inside, abs(dive.t_gpse - self.plan.t_gpse) <= self.time_half_width
 
     def as_dict(self) -> dict[str, Any]:
         """Return the forecast by name, for JSON: degrees, m and s."""
         now, clock_name = self.now()
         return {
             "time": utc(self.plan.t_gpse),
-            "time_90": self.time_90,
+            "time_half_width": self.time_half_width,
             "now": utc(now),
             "now_is": clock_name,
             "hours_from_now": (self.plan.t_gpse - now) / 3600,
@@ -121,7 +124,7 @@ def overdue_times(ahead: dict[str, Any], end: str) -> tuple[float, float]:
 
     `ahead` is `NextDive.as_dict`, `end` the end of the last dive.
     """
-    late = seconds_since_1970(ahead["time"]) + ahead["time_90"]
+    late = seconds_since_1970(ahead["time"]) + ahead["time_half_width"]
     return late, seconds_since_1970(end) + RECENT
 
 

@@ -7,6 +7,7 @@ where there is no room for all; those of rank 0 always stand.
 from collections.abc import Callable
 from typing import Any
 
+from ..estimation.learned_fix import PERCENT
 from .geographic import compass, date
 
 Row = dict[str, Any]
@@ -55,26 +56,30 @@ def _drift(drift: Row | None) -> str:
 
 
 def half_axes(row: Row) -> str:
-    """Return the half axes of a 90 % ellipse, m."""
-    return f"{row['ellipse_90_long']:.0f} x {row['ellipse_90_short']:.0f}"
+    """Return the half axes of an ellipse, m."""
+    return f"{row['ellipse_long']:.0f} x {row['ellipse_short']:.0f}"
 
 
 def ellipse_words(row: Row) -> str:
-    """Return the size of a 90 % ellipse.
+    """Return the size of an ellipse.
 
-    >>> ellipse_words({"ellipse_90_long": 3163.2, "ellipse_90_short": 2955.0})
+    >>> ellipse_words({"ellipse_long": 3163.2, "ellipse_short": 2955.0})
     '90 % ellipse with half axes 3163 x 2955 m'
     """
-    return f"90 % ellipse with half axes {half_axes(row)} m"
+    return f"{PERCENT} ellipse with half axes {half_axes(row)} m"
 
 
-def _ellipse(row: Row) -> str:
-    return f"{half_axes(row)}, {row['ellipse_90_bearing']:.0f}"
+def _ellipse(row: Row | None) -> str:
+    return "-" if row is None else f"{half_axes(row)}, {row['ellipse_bearing']:.0f}"
+
+
+def _inside(forecast: Row | None) -> str:
+    return "-" if forecast is None else "in" if forecast["inside"] else "OUT"
 
 
 TITLE = "Position error (CLPE, m) one dive ahead; currents in m/s"
 MODELS = ("no flow", "previous", "adaptive", "model")  # columns of the flow models
-ELLIPSE = "90 % half axes (m), deg"
+ELLIPSE = f"{PERCENT} half axes (m), deg"
 COLUMNS: Columns = {
     "dive": (0, lambda row: str(row["dive"])),
     "ended (UTC)": (1, lambda row: date(row["end"])),
@@ -89,10 +94,12 @@ COLUMNS: Columns = {
     "drift (m) to": (8, lambda row: _drift(row["drift"])),
     "E N of DR (m)": (
         9,
-        lambda row: f"{row['forecast_east']:+z.0f} {row['forecast_north']:+z.0f}",
+        lambda row: (
+            f"{row['hindsight']['east']:+z.0f} {row['hindsight']['north']:+z.0f}"
+        ),
     ),
-    ELLIPSE: (5, _ellipse),
-    "90 %": (0, lambda row: "in" if row["inside_90"] else "OUT"),
+    ELLIPSE: (5, lambda row: _ellipse(row["forecast"])),
+    PERCENT: (0, lambda row: _inside(row["forecast"])),
 }
 
 

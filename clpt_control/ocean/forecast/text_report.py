@@ -3,6 +3,7 @@
 from math import hypot
 from typing import Any
 
+from ..estimation.learned_fix import PERCENT
 from .dive_statistics import GIVEN
 from .geographic import clock, compass, place, velocity
 from .table_rows import ellipse_words
@@ -30,15 +31,15 @@ def from_now(hours: float) -> str:
 
 
 def is_overdue(ahead: dict[str, Any]) -> bool:
-    """Return whether a vehicle is later than its 90 % time, of `NextDive.as_dict`."""
+    """Return whether a vehicle is later than the half width of its time, of `NextDive.as_dict`."""
     late = -3600 * ahead["hours_from_now"]
-    return ahead["now_is"] == "clock" and late > ahead["time_90"]
+    return ahead["now_is"] == "clock" and late > ahead["time_half_width"]
 
 
 def due(ahead: dict[str, Any]) -> str:
     """Return when the next surfacing is, from now, and that it is overdue.
 
-    >>> due({"time_90": 1800.0, "hours_from_now": -0.6, "now_is": "clock"})
+    >>> due({"time_half_width": 1800.0, "hours_from_now": -0.6, "now_is": "clock"})
     'overdue, expected 0.6 h ago'
     """
     words = from_now(ahead["hours_from_now"])
@@ -48,11 +49,11 @@ def due(ahead: dict[str, Any]) -> str:
 def wide(ahead: dict[str, Any]) -> str:
     """Return a warning if an ellipse is longer than its dive, and what helps.
 
-    >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_90_long": 900.0,
+    >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_long": 900.0,
     ...       "basis": "repeated"})
     'wide: no plan in the files. Give --next or --aim'
     """
-    if ahead["ellipse_90_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
+    if ahead["ellipse_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
         return ""
     if ahead["basis"] == GIVEN:
         return "wide: longer than the way through the water; more dives narrow it"
@@ -89,29 +90,28 @@ def uncovered(ahead: dict[str, Any]) -> str:
 
 
 def within(ahead: dict[str, Any]) -> str:
-    """Return how far off the time may be, 90 %."""
-    return f"+- {ahead['time_90'] / 60:.0f} min"
+    """Return the half width of a time."""
+    return f"+- {ahead['time_half_width'] / 60:.0f} min"
 
 
-def record_sentence(headlines: dict[str, Any]) -> str:
+def record_sentence(forecast: dict[str, Any]) -> str:
     """Return how many surfacings were as forecast.
 
-    >>> record_sentence({"judged": 13, "place_held": 12, "time_held": 13})
-    'surfacings so far: 12 of 13 inside their 90 % ellipse, 13 within their 90 % time'
+    >>> record_sentence({"judged": 13, "inside": 12, "on_time": 13})
+    'forecast, made before the dive: 12 of 13 inside their 90 % ellipse, 13 within their 90 % time'
     """
-    count = headlines["judged"]
+    count = forecast["judged"]
     if not count:
         return "no forecast has been checked yet: ellipse and time are those of any vehicle"
-    inside = f"{headlines['place_held']} of {count} inside their 90 % ellipse"
-    return (
-        f"surfacings so far: {inside}, {headlines['time_held']} within their 90 % time"
-    )
+    inside = f"{forecast['inside']} of {count} inside their {PERCENT} ellipse"
+    on_time = f"{forecast['on_time']} within their {PERCENT} time"
+    return f"forecast, made before the dive: {inside}, {on_time}"
 
 
 def when(ahead: dict[str, Any]) -> str:
     """Return when the next surfacing is, of `NextDive.as_dict`.
 
-    >>> when({"time": "2016-02-03T14:19:59Z", "time_90": 1800.0, "hours_from_now": 4.5,
+    >>> when({"time": "2016-02-03T14:19:59Z", "time_half_width": 1800.0, "hours_from_now": 4.5,
     ...       "now_is": "clock"})
     '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
     """
@@ -164,16 +164,20 @@ def aim_sentence(leg: dict[str, Any]) -> str:
 
 def coming(report: dict[str, Any]) -> list[str]:
     """Return what comes of what `--json` prints: the next surfacing, aims, the route."""
-    lines = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
-    lines += map(aim_sentence, report["aim"])
-    return lines + (route_sentences(report["route"]) if "route" in report else [])
+    first = [next_surfacing(report["next_dive"])] if report["next_dive"] else []
+    return first + _legs_and_route(report, 0)
 
 
 def beyond_cards(report: dict[str, Any]) -> list[str]:
     """Return sentences on what no card has: later legs and the route."""
-    lines = [uncovered(report["next_dive"])] if uncovered(report["next_dive"]) else []
-    lines += map(aim_sentence, report["aim"][1:])
-    return lines + (route_sentences(report["route"]) if "route" in report else [])
+    why = uncovered(report["next_dive"])
+    return ([why] if why else []) + _legs_and_route(report, 1)
+
+
+def _legs_and_route(report: dict[str, Any], first: int) -> list[str]:
+    """Return the sentences on aims from the first one on, and on the route."""
+    legs = [*map(aim_sentence, report["aim"][first:])]
+    return legs + (route_sentences(report["route"]) if "route" in report else [])
 
 
 def route_sentences(route: dict[str, Any]) -> list[str]:
@@ -209,10 +213,10 @@ def remarks(summary: dict[str, Any]) -> list[str]:
             f"{1000 * summary['dac_identity_median']:.2g} mm/s (median)"
         )
     if summary["each_dive"]:
-        lines.append(record_sentence(summary["headlines"]))
+        lines.append(record_sentence(summary["forecast"]))
         lines.append(
-            "with the dive's own dead reckoning: "
-            f"{100 * summary['inside_90']:.0f} % inside the 90 % ellipse"
+            "hindsight, with the dead reckoning and duration of each dive: "
+            "{inside} of {judged} inside".format(**summary["hindsight"])
         )
         if summary["parts"]:
             chances = ", ".join(

@@ -30,8 +30,9 @@ from ...base.figures import (
 )
 from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
+from ..estimation.learned_fix import PERCENT
 from .geographic import Place, clock, degrees_minutes
-from .map_layers import layers_of
+from .map_layers import is_outside, layers_of
 from .netcdf_export import Source, report_of
 
 FEW = 20  # dives, whose marks are large
@@ -60,7 +61,7 @@ DRAWN: tuple[tuple[str, str, float, float, dict[str, Any]], ...] = (
         "-",
         0.6,
         0,
-        {"color": GREEN, "alpha": 0.6, "label": "90 % ellipse, last dives"},
+        {"color": GREEN, "alpha": 0.6, "label": f"{PERCENT} ellipse, last dives"},
     ),
     ("miss", "--", 0.6, 0, {"color": RED, "label": "position error"}),
     ("reckoned", "x", 6, 2.5, {"color": RED, "label": "dead-reckoned end"}),
@@ -164,10 +165,10 @@ def _drawn(
             ax.plot(*lines_of(of[kind]), **look, **style)
     fixes = lines_of(of["fix"])[:, ::2]
     urls = np.array([f"#dive{k}" for k in range(len(rows))])
-    inside = np.array([row["inside_90"] for row in rows])
+    inside = ~np.array([*map(is_outside, rows)])
     for mask, colour, label in (
         (inside, "black", "fix"),
-        (~inside, RED, "fix outside 90 %"),
+        (~inside, RED, f"fix outside {PERCENT}"),
     ):
         if mask.any():
             x, y = fixes[:, mask]

@@ -288,11 +288,11 @@ NO_SUMMARY = {  # of a replay's NetCDF
     "list.nc": ("[1]", "earlier version"),
     "old.nc": ('{"each_dive": [{"dive": 1}], "next_dive": {}}', "earlier version"),
     "none.nc": (
-        '{"each_dive": [], "headlines": {}, "next_dive": null}',
+        '{"each_dive": [], "hindsight": {}, "next_dive": null}',
         "without a dive",
     ),
     "bad.nc": (
-        '{"each_dive": [{}], "headlines": {}, "next_dive": {}}',
+        '{"each_dive": [{}], "hindsight": {}, "next_dive": {}}',
         "is damaged or of another",
     ),
 }

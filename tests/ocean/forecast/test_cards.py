@@ -73,7 +73,7 @@ def test_the_script_knows_when_a_vehicle_becomes_overdue():
     overdue, until = (
         seconds_since_1970(section[f"data-{one}"]) for one in ("overdue", "until")
     )
-    assert overdue == pytest.approx(due + ahead["time_90"], abs=1)
+    assert overdue == pytest.approx(due + ahead["time_half_width"], abs=1)
     assert until == pytest.approx(last["end_time"] + 30 * DAY, abs=1)
 
 
@@ -166,13 +166,13 @@ def test_a_waypoint_against_the_current_is_said_on_its_card():
 def test_a_wide_forecast_says_so_and_what_helps(basis, plan, says):
     found = told(sample_dives())
     ahead = found["next_dive"] | {"basis": basis, "plan_in_files": plan}
-    assert ahead["ellipse_90_long"] > 3000
+    assert ahead["ellipse_long"] > 3000
     assert wide(ahead).startswith(says)
     assert says in next_surfacing(ahead)
     assert (
         says in card_of(found | {"next_dive": ahead}, "Place of the next surfacing")[0]
     )
-    assert wide(ahead | {"ellipse_90_long": 1000.0}) == ""
+    assert wide(ahead | {"ellipse_long": 1000.0}) == ""
 
 
 def test_a_forecast_knows_of_a_plan_in_the_files():
@@ -237,12 +237,14 @@ def keys_of(found):
 def test_the_legend_has_what_is_drawn_alone():
     one, many = told(fixes_of(1)), told(fixes_of(8))
     for row in many["each_dive"]:
-        row["inside_90"] = True
+        row["forecast"] = row["forecast"] and row["forecast"] | {"inside": True}
     assert keys_of(one) == {"track", "miss", "next"}
     assert keys_of(many) == {"track", "drift", "miss", "ring", "next"}
     aimed = many | {"aim": told(fixes_of(8), (40.5, 9.0))["aim"]}
     assert keys_of(aimed) - keys_of(many) == {"target", "made"}
-    rows = [row | {"inside_90": False} for row in many["each_dive"]]
+    first, *rows = many["each_dive"]
+    away = {"forecast": rows[0]["forecast"] | {"inside": False}}
+    rows = [first, *(row | away for row in rows)]
     ring = [(40.0, 8.0), (40.1, 8.0), (40.1, 8.1), (40.0, 8.0)]
     route = {"areas": [{"name": "a", "entered": 0.0, "ring": ring}], "waypoints": []}
     more = keys_of(many | {"each_dive": rows, "route": route}) - keys_of(many)

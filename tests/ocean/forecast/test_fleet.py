@@ -57,14 +57,19 @@ def test_what_asks_for_a_pilot():
     dives = recent(12, 1.0)
     calm, end = told(dives), dives[-1].t_gpse
     assert events(calm, end) == []
-    due = seconds_since_1970(calm["next_dive"]["time"]) + calm["next_dive"]["time_90"]
+    due = (
+        seconds_since_1970(calm["next_dive"]["time"])
+        + calm["next_dive"]["time_half_width"]
+    )
     assert events(calm, due - 60) == []
     (event,) = events(calm, due + 60)
     assert (event.name, event.dive) == ("overdue", 12)
     assert events(calm, end + 40 * 24 * HOUR) == []  # an old record
     for last, asks in ((1, []), (2, ["OUT"])):
         wild = told(strayed(dives, last))
-        assert [row["inside_90"] for row in wild["each_dive"][-last:]] == [False] * last
+        assert [row["forecast"]["inside"] for row in wild["each_dive"][-last:]] == [
+            False
+        ] * last
         row = standing(wild, "page", end)
         assert (row["asks"], row["out_running"]) == (asks, last)
     assert events(wild, end)[0].dive == 11  # the first of those that run: one event

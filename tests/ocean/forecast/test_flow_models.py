@@ -121,11 +121,12 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     """A tide on a grid, a glider in it: CLPE is the error of interpolation, in the middle dives."""
     model = model_of(tmp_path / "tide.nc", *turning(HOURS, (len(LAT), len(LON))))
     assert "one level only" in model.about
-    ways = [(7.0 * k + 0.6, 6.0, (3000.0 * (-1) ** k, 2000.0)) for k in range(6)]
-    dives = [replace(dive_at(*way), number=k) for k, way in enumerate(ways)]
-    replay = replay_dives(
-        [ended(dive, *turned(dive)) for dive in dives], flow_model=model
-    )
+    dives, at = [], (41.0, -69.3)
+    for k in range(6):
+        dive = dive_at(7.0 * k + 0.6, 6.0, (3000.0 * (-1) ** k, 2000.0), *at)
+        dives.append(replace(ended(dive, *turned(dive)), number=k))
+        at = dives[-1].lat_gpse, dives[-1].lon_gpse
+    replay = replay_dives(dives, flow_model=model)
     for step in replay.steps:  # u'' h^2 / 8 = 0.3 (W 900 s)^2 / 8 for six hours: 13 m
         assert step.clpe["no_flow"] > 1000
         assert step.clpe["flow_model"] < 13

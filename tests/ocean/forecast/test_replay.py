@@ -41,7 +41,7 @@ def test_sg542_without_learning_and_with_it(sg542):
         assert found[key]["previous_dive"] == pytest.approx(previous, abs=1)
     assert after["previous_dive"] == pytest.approx(1167, rel=0.01)
     assert after["adaptive"] <= 0.88 * after["previous_dive"]
-    assert 0.75 <= found["inside_90"] <= 1
+    assert 0.75 <= found["hindsight"]["inside"] / 14 <= 1
     assert found["dac_identity_median"] < 1e-3
     one = summary(replay_dives([sg542.steps[0].dive]))
     assert set(one["clpe_rms"].values()) == {None}
@@ -159,7 +159,7 @@ def test_each_dive_has_its_row(sg542):
         speed = math.hypot(dive.gps_east, dive.gps_north) / dive.duration
         assert row["over_ground"]["speed"] == pytest.approx(speed)
         assert row["current_speed"] == pytest.approx(np.linalg.norm(step.current))
-        forecast = row["forecast_latitude"], row["forecast_longitude"]
+        forecast = row["hindsight"]["latitude"], row["hindsight"]["longitude"]
         miss = math.hypot(*displacement(*forecast, dive.lat_gpse, dive.lon_gpse))
         assert miss == pytest.approx(row["clpe"]["adaptive"], rel=1e-3, abs=1)
     assert rows[0]["start"] == "2016-01-31T22:04:50Z"
@@ -192,6 +192,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         )
         assert str(data.time.values[0])[:10] == "2016-02-01"
         names = (
+            ("hindsight", "inside"),
             ("drift", "distance"),
             ("over_ground", "speed"),
             ("over_ground", "direction"),
@@ -203,6 +204,9 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         assert data.current_direction.values.tolist() == [
             row["current_direction"] for row in rows
         ]
+        inside = [row["forecast"]["inside"] for row in rows[1:]]
+        assert data.forecast_inside.values.tolist() == [-1, *inside]
+        assert data.attrs["level"] == 0.9
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
     bare = replay_with(FixModel(("steady",), learn_speed=False), vehicle(1, 3))

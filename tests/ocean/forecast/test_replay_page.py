@@ -154,15 +154,17 @@ KML = {"k": "http://www.opengis.net/kml/2.2"}
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 def test_a_ring_is_the_ellipse_on_the_earth(lat):
     row = told(fixes_of(5, lat))["each_dive"][-1]
-    ring = ring_of(row)
+    forecast = row["forecast"]
+    centre = forecast["longitude"], forecast["latitude"]
+    start = row["start_latitude"], row["start_longitude"]
+    ring = ring_of(forecast, start, centre[::-1])
     assert ring[0] == ring[-1]
-    centre = row["forecast_longitude"], row["forecast_latitude"]
     far = [GEOD.inv(*centre, lon, lat)[2] for lat, lon in ring]
-    assert max(far) == pytest.approx(row["ellipse_90_long"], rel=2e-3)
-    assert min(far) == pytest.approx(row["ellipse_90_short"], rel=5e-3)
+    assert max(far) == pytest.approx(forecast["ellipse_long"], rel=2e-3)
+    assert min(far) == pytest.approx(forecast["ellipse_short"], rel=5e-3)
     bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
     # meridians turn
-    assert abs((bearing - row["ellipse_90_bearing"] + 90) % 180 - 90) < 1.0
+    assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
 
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])

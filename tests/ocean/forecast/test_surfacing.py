@@ -52,7 +52,7 @@ def test_who_dives_alike_is_foretold_well_and_the_drift_is_in_it():
     start = displacement(dives[-1].lat_gpse, dives[-1].lon_gpse, *replay.start()[1:])
     assert start == pytest.approx((150.0, 0.0), abs=25)
     assert half(replay) < 0.5 * half(early)
-    assert said.time_90 < 0.5 * early.surfacing().time_90
+    assert said.time_half_width < 0.5 * early.surfacing().time_half_width
 
 
 def test_a_plan_tells_the_course():
@@ -98,10 +98,10 @@ def test_the_record_is_of_what_was_said_before_each_dive(sg542):
         assert np.array_equal(own.covariance, said.covariance)
         assert sg542.steps[k].headline_held == said.holds(DIVES[k])
     found = summary(sg542)
-    assert found["headlines"]["judged"] == 13
-    rows = [row["headline"] for row in found["each_dive"][1:]]
-    for name in ("place_held", "time_held"):
-        assert found["headlines"][name] == sum(row[name] for row in rows)
+    assert found["forecast"]["judged"] == 13
+    rows = [row["forecast"] for row in found["each_dive"][1:]]
+    for name in ("inside", "on_time"):
+        assert found["forecast"][name] == sum(row[name] for row in rows)
     holed = usable([*DIVES[:5], *DIVES[6:]])[0]
     unjudged = [step.headline_held is None for step in replay_dives(holed).steps[4:7]]
     assert unjudged == [False, True, False]
@@ -118,8 +118,8 @@ def test_a_wrong_fix_is_judged_again_when_it_is_known():
 
 def test_terminal_page_and_files_say_the_same(sample):
     ahead = sample.found["next_dive"]
-    within = f"+- {ahead['time_90'] / 60:.0f} min"
-    half = f"{ahead['ellipse_90_long']:.0f} x {ahead['ellipse_90_short']:.0f} m"
+    within = f"+- {ahead['time_half_width'] / 60:.0f} min"
+    half = f"{ahead['ellipse_long']:.0f} x {ahead['ellipse_short']:.0f} m"
     record = "11 of 13 inside their 90 % ellipse, 13 within their 90 % time"
     page, kml = (
         (sample.folder / name).read_text() for name in ("replay.html", "track.kml")
@@ -132,7 +132,7 @@ def test_terminal_page_and_files_say_the_same(sample):
         one["properties"] for one in json.loads(next_geojson(sample.found))["features"]
     ]
     spot = next(one for one in said if one["name"] == "next surfacing")
-    for key in ("time_90", "ellipse_90_long"):
+    for key in ("time_half_width", "ellipse_long"):
         assert spot[key] == ahead[key]
 
 
@@ -141,7 +141,7 @@ def test_a_way_of_nothing():
     still = [make_dive(k, *fixes, (0.0, 0.0)) for k, fixes in enumerate(ends)]
     said = replay_dives(still).surfacing()
     assert np.linalg.eigvalsh(said.covariance).min() > 0
-    assert math.isfinite(said.time_90)
+    assert math.isfinite(said.time_half_width)
 
 
 def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
