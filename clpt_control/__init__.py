@@ -20,7 +20,10 @@ public_modules.register()
 def __getattr__(name: str) -> Any:
     if name in public_modules.EARLIER:
         raise public_modules.missing(__name__, name)
-    return _lazy_getattr(name)
+    try:
+        return _lazy_getattr(name)
+    except AttributeError:
+        raise public_modules.missing(__name__, name) from None
 
 
 def _diagram_html(diagram: Any) -> str:

@@ -10,7 +10,7 @@ import difflib
 import os
 import re
 import reprlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache, update_wrapper
 from inspect import CO_VARKEYWORDS
@@ -60,6 +60,13 @@ EXAMPLES = {  # argument -> example for its message
     "replace": "{'vehicle': block}",
     "insert": "{('v_x', 'vehicle'): lag}",
 }
+OTHER_NAMES = {  # argument of python-control or SciPy -> ours, and the remedy
+    "T": ("timepts", "Give the times as timepts"),
+    "t_eval": ("timepts", "Give the times as timepts"),
+    "U": ("inputs", "Give the inputs as inputs"),
+    "X0": ("initial_state", "Give the initial state as initial_state"),
+    "squeeze": ("timepts", "Leave it out: a run is an xarray.Dataset"),
+}
 MAKERS = {  # word of the allowed kinds -> remedy
     "Scenario": "clpt.load_scenario('mine.toml') reads a scenario's file",
     "Team": "clpt.load_scenario('team.toml') reads a team's file",
@@ -95,6 +102,7 @@ def _checking(function: Any, name: str) -> Any:
     positional = code.co_varnames[: code.co_argcount]
     names = set(code.co_varnames[: code.co_argcount + code.co_kwonlyargcount])
     any_name = bool(code.co_flags & CO_VARKEYWORDS)
+    refuse_other_names = _refuse_other_names  # `call` has the globals of the target
     kinds_by: dict[str, Kinds] = {}
 
     def checked(argument: str, value: Any) -> Any:
@@ -118,6 +126,7 @@ def _checking(function: Any, name: str) -> Any:
 
     def call(*values: Any, **named: Any) -> Any:
         if len(values) > len(positional) or not (any_name or names.issuperset(named)):
+            refuse_other_names(name, names, named)
             return function(*values, **named)  # Python itself says what is too much
         return function(
             *map(checked, positional, values),
@@ -125,6 +134,15 @@ def _checking(function: Any, name: str) -> Any:
         )
 
     return update_wrapper(call, function)
+
+
+def _refuse_other_names(
+    name: str, names: Collection[str], named: Mapping[str, Any]
+) -> None:
+    """Refuse names of arguments that python-control or SciPy has for those of a function."""
+    for other, (own, advice) in OTHER_NAMES.items():
+        if other in named and own in names:
+            raise ArgumentError(f"{name}: {other}= is not an argument. {advice}")
 
 
 def without_mask(value: Any) -> Any:

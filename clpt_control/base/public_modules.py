@@ -40,6 +40,16 @@ def missing(module: str, name: str) -> AttributeError:
     """Return the error of a name that a module does not have, with its replacement."""
     if name in EARLIER:
         return AttributeError(f"{module}.{name}: is now {EARLIER[name]}")
+    if module == PACKAGE and not name.startswith("_"):
+        import control
+        import control.matlab
+
+        for owner in (control, control.matlab):
+            if callable(getattr(owner, name, None)):
+                return AttributeError(
+                    f"clpt.{name}: is {owner.__name__}.{name}, which takes diagrams and their "
+                    "linearizations"
+                )
     return AttributeError(f"No {module} attribute {name}")
 
 

@@ -29,6 +29,26 @@ from clpt_control.paper.scenario.team import team_to_text
 from clpt_control.simulation.integrate import sample_times
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
+OF_FIXES = clpt.Scenario(
+    basis={
+        "kernel": "gaussian",
+        "centers": [[0, 0]],
+        "widths": [1e5],
+        "constituents": ["steady"],
+    },
+    learning={"law": "fix-regression"},
+)
+PLACE = {"latitude": 40.0, "longitude": -70.0}
+WAY = {"east": 10.0, "north": 0.0}
+
+
+def estimator():
+    """Return an estimator at its first fix."""
+    found = clpt.currents.FlowEstimator(OF_FIXES)
+    found.fix(0.0, *PLACE.values())
+    return found
+
+
 OF_TEAM = {
     "coupling": 0.5,
     "edges": [("a", "b")],
@@ -172,7 +192,15 @@ def right(tmp_path_factory):
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
         **{"lookup": {"table": [1.0, 2.0], "index": 1.0}, "fit_tides": tides},
         **{"predict": {"time": HOURS[:3]}, "tidal_basis": {"epoch": HOURS[0]}},
-        "flow_estimate": {"run": run, "every": 5.0},
+        "flow_estimate": {"source": run, "scenario": None, "every": 5.0},
+        "FlowEstimator": {"scenario": OF_FIXES},
+        "FlowEstimator.fix": {"self": estimator(), "time": 60.0, **PLACE},
+        "FlowEstimator.move": {"self": estimator(), "time": 60.0, **WAY},
+        "FlowEstimator.flow": {"self": estimator(), "time": 60.0, **PLACE},
+        "FlowEstimator.forecast": {
+            "self": estimator(),
+            "stretches": [(60.0, 1.0, 0.0)],
+        },
         "known_flow_scenario": {"theta": np.zeros((2, 3))},
         "make_dive": {"number": 1, "start": (0.0, 40.0, -70.0), **TO},
         **{
@@ -218,6 +246,7 @@ def right(tmp_path_factory):
         "Guard": {"distance": line, "policy": "stop", "sentence": line},
         **{
             "Replay.forecast": {"self": replay},
+            "Replay.ahead": {"self": replay},
             "observer": LINEAR,
             "kalman_filter": LINEAR,
         },
@@ -447,3 +476,35 @@ def test_help_shows_signatures_that_can_be_read():
         str(inspect.signature(getattr(clpt.parts, name))) for name in clpt.parts.__all__
     ]
     assert [one for one in shown if "_typing" in one] == []
+
+
+# --- names of python-control -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("given", "own"),
+    [
+        ({"T": [0, 1]}, "timepts"),
+        ({"t_eval": [0, 1]}, "timepts"),
+        ({"timepts": [0, 1], "U": 1.0}, "inputs"),
+        ({"timepts": [0, 1], "X0": [1.0]}, "initial_state"),
+        ({"timepts": [0, 1], "squeeze": True}, "xarray.Dataset"),
+    ],
+)
+def test_names_of_other_arguments_name_ours(given, own):
+    """Arguments of forced_response and solve_ivp, given to simulate."""
+    system = control.ss([[-1.0]], [[1.0]], [[1.0]], 0)
+    with pytest.raises(clpt.ArgumentError, match=f"is not an argument.*{own}"):
+        clpt.simulate(system, **given)
+
+
+@pytest.mark.parametrize(
+    ("name", "owner"),
+    [("step_info", "control"), ("margin", "control"), ("lsim", "control.matlab")],
+)
+def test_functions_of_python_control_are_named(name, owner):
+    """The package does not repeat python-control, and says where the function is."""
+    with pytest.raises(AttributeError, match=f"is {owner}.{name}"):
+        getattr(clpt, name)
+    with pytest.raises(AttributeError, match="No clpt_control attribute"):
+        clpt.nonsense  # noqa: B018 - reading it is the test

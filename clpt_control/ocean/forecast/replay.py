@@ -144,6 +144,7 @@ class Replay:
         sketch.steps = [*self.steps]
         return sketch.ahead(sketch._settle_last(dive))
 
+    @public
     def ahead(self, dive: Dive) -> Forecast:
         """Forecast a dive's miss, its start taken as true."""
         mean, covariance = self._learner.predict(dive)
