@@ -22,7 +22,7 @@ from .table_rows import ellipse_words
 from .text_report import within
 
 CORNERS = 48
-LAST = 12  # dives whose ellipses are drawn
+LAST = 5  # dives whose ellipses are drawn
 
 
 class Layer(NamedTuple):
