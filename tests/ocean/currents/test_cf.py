@@ -8,8 +8,7 @@ from gridded_currents import as_it_is, gridded_current, saying
 from paths import DATA
 from refusals import refuses
 
-from clpt_control.paper.currents.current_record import read_record
-from clpt_control.paper.currents.grid_file import read_currents, sample_currents
+from clpt_control.currents import read_currents, read_record, sample_currents
 
 GRIDS = DATA / "grids"
 BOX = (40.9, 41.55, -69.9, -69.0)

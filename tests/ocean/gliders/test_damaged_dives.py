@@ -10,8 +10,7 @@ import pytest
 from pyproj import Geod
 
 from clpt_control import ClptError
-from clpt_control.ocean.gliders.dive_files import read_all_dives
-from clpt_control.ocean.gliders.usable_dives import usable
+from clpt_control.gliders import read_dives
 
 EARTH = Geod(ellps="WGS84")
 CURRENT = np.array([0.12, -0.05])
@@ -67,8 +66,7 @@ def written(folder, rows, header=None):
 def is_silent(path, right=COUNT):
     """Return whether a damaged table gives wrong currents, or fewer dives, without a word."""
     try:
-        read, skipped = read_all_dives(path)
-        dives, unused = usable(read)
+        dives, skipped = read_dives(path)
     except ClptError:
         return False
     current = [np.array([d.miss_east, d.miss_north]) / d.duration for d in dives]
@@ -77,13 +75,13 @@ def is_silent(path, right=COUNT):
         for dive, found in zip(dives, current, strict=True)
         if np.hypot(*(found - CURRENT)) > 2e-3
     ]
-    said = [*skipped, *unused, *(note for dive in dives for note in dive.notes)]
+    said = [*skipped, *(note for dive in dives for note in dive.notes)]
     return any(not dive.notes for dive in wrong) or (len(dives) < right and not said)
 
 
 def test_the_undamaged_table_has_the_current_of_its_sea(tmp_path):
     path = written(tmp_path, made_rows())
-    dives, skipped = usable(read_all_dives(path)[0])
+    dives, skipped = read_dives(path)
     assert len(dives) == COUNT
     assert not skipped
     assert not any(dive.notes for dive in dives)

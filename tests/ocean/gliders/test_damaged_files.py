@@ -24,8 +24,7 @@ from refusals import refuses
 from slocum_writer import CRC, cac, segment
 
 from clpt_control import DataError
-from clpt_control.ocean.gliders.dive_files import read_all_dives
-from clpt_control.ocean.gliders.usable_dives import usable
+from clpt_control.gliders import read_dives
 
 nan = np.nan
 EAST, NORTH = "east_displacement", "north_displacement"
@@ -106,8 +105,9 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(damage, why, tmp_pa
         path.write_bytes(
             raw[: int(damage * len(raw))] if isinstance(damage, float) else damage
         )
-    found, unread = read_all_dives(tmp_path)
-    used, unused = usable(found)
+    _, unread = read_dives(tmp_path, usable=False)
+    used, skipped = read_dives(tmp_path)
+    unused = skipped[len(unread) :]
     assert [dive.number for dive in used] == [6, 8]
     (skipped,) = unread + unused
     assert skipped.dive == 7
@@ -115,7 +115,7 @@ def test_a_damaged_file_is_named_and_the_good_dives_are_used(damage, why, tmp_pa
     assert "\n" not in skipped.why
     if unread:
         assert str(path) in skipped.why
-        refuses("p1230007", read_all_dives, path)
+        refuses("p1230007", read_dives, path)
 
 
 GLIDE_SLOPE = {
@@ -142,10 +142,9 @@ REPAIRED = [  # what is changed, what is missing, what is said, and whether GPS1
 
 @pytest.mark.parametrize(("changed", "drop", "said", "first"), REPAIRED)
 def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_path):
-    dive = read_all_dives(basestation3(tmp_path / "p1230007.nc", drop=drop, **changed))[
-        0
-    ][0]
-    assert [one.number for one in usable([dive])[0]] == [7]
+    path = basestation3(tmp_path / "p1230007.nc", drop=drop, **changed)
+    ((dive,), _) = read_dives(path)
+    assert dive.number == 7
     assert said in "; ".join(dive.notes)
     assert (dive.dr_east, dive.dr_north) == pytest.approx(tuple(SWUM), rel=1e-6)
     assert (dive.track is None) == (said == NO_TIMES)
@@ -155,13 +154,13 @@ def test_what_can_be_repaired_is_and_says_so(changed, drop, said, first, tmp_pat
 
 
 def test_what_was_named_must_exist(tmp_path):
-    refuses("no dive files in this folder", read_all_dives, tmp_path)
+    refuses("no dive files in this folder", read_dives, tmp_path)
     for name in ("a.nc", "b.nc"):
         (tmp_path / name).write_bytes(b"")
-    refuses("2 files: no dive", read_all_dives, tmp_path)
+    refuses("2 files: no dive", read_dives, tmp_path)
     with netCDF4.Dataset(tmp_path / "grid.nc", "w") as data:
         data.createVariable("u", float)
-    refuses("neither a Seaglider file", read_all_dives, tmp_path / "grid.nc")
+    refuses("neither a Seaglider file", read_dives, tmp_path / "grid.nc")
 
 
 def flipped(raw):
@@ -227,8 +226,9 @@ def rosie(facts, tmp_path):
 def test_a_damaged_segment_among_good_ones(rosie, damage, said):
     path = rosie / "sbd" / "rosie_713-2019-170-0-2.sbd"
     path.write_bytes(damage(path.read_bytes()))
-    dives, skipped = read_all_dives(rosie / "sbd")
-    used, left_out = usable(dives)
+    _, skipped = read_dives(rosie / "sbd", usable=False)
+    used, all_skipped = read_dives(rosie / "sbd")
+    left_out = all_skipped[len(skipped) :]
     assert {dive.number for dive in used} >= {980000, 980003}
     told = [one.why for one in skipped + left_out] + [n for d in used for n in d.notes]
     assert not said or any(said in line for line in told), told
@@ -250,9 +250,7 @@ def test_a_damaged_list_is_named(rosie, content):
     else:
         path.write_bytes(content)
     refuses(
-        r"6b016a2e\.cac|state bytes|5 files: no dive|damaged",
-        read_all_dives,
-        rosie / "sbd",
+        r"6b016a2e\.cac|state bytes|5 files: no dive|damaged", read_dives, rosie / "sbd"
     )
 
 
@@ -307,7 +305,7 @@ def test_odd_values_in_a_sound_file(tmp_path, changed, good):
         (tmp_path / f"0007000{k}.sbd").write_bytes(segment(cycles(changed), NAMES))
     used = []
     with suppress(DataError):
-        used, _ = usable(read_all_dives(tmp_path)[0])
+        used, _ = read_dives(tmp_path)
     assert len(used) == good
 
 
@@ -346,7 +344,7 @@ def test_a_damaged_navigation_file(facts, tmp_path, damage, good, said):
     damaged = damage(path.read_text())
     path.write_bytes(damaged.encode() if isinstance(damaged, str) else damaged)
     shutil.copy(facts / "glider/sea035m10_dives.csv", tmp_path)
-    dives, skipped = read_all_dives(tmp_path)
+    dives, skipped = read_dives(tmp_path, usable=False)
     assert sum(dive.number == 3 and dive.dac_east is None for dive in dives) == 1 + good
     assert said in " ".join(one.why for one in skipped)
 
@@ -354,5 +352,5 @@ def test_a_damaged_navigation_file(facts, tmp_path, damage, good, said):
 def test_a_file_before_that_is_empty_is_left_out(facts, tmp_path):
     shutil.copytree(facts / "glider/sea035", tmp_path, dirs_exist_ok=True)
     (tmp_path / "SEA035.10.gli.sub.002").write_bytes(b"")
-    refuses(r"002: is empty", read_all_dives, tmp_path)
-    refuses("no dives", read_all_dives, tmp_path / "SEA035.10.gli.sub.003")
+    refuses(r"002: is empty", read_dives, tmp_path)
+    refuses("no dives", read_dives, tmp_path / "SEA035.10.gli.sub.003")
