@@ -234,9 +234,10 @@ def write(
     put in place last: where it is new, the others are.  The page loads itself `again` where it
     will be written anew.
     """
+    from ...base.figures import figure_of
     from ...ocean.forecast.kml_geojson import next_geojson, track_kml
     from ...ocean.forecast.netcdf_export import replay_dataset
-    from ...ocean.forecast.plots import replay_figures
+    from ...ocean.forecast.plots import replay_plot
     from ...ocean.forecast.replay_page import replay_page
 
     results: dict[str, Any] = {
@@ -247,9 +248,9 @@ def write(
     }
     if summary["paste"]:
         results[summary["paste"]["file"]] = summary["paste"]["text"]
-    figures = replay_figures(summary) if kinds else {}
-    for name, figure in figures.items():
-        results |= {f"{name}.{kind}": figure for kind in kinds}
+    if kinds:
+        figure = figure_of(replay_plot, summary)
+        results |= {f"replay.{kind}": figure for kind in kinds}
     placed = {folder / name: content for name, content in results.items()}
     write_together(placed)
     return list(placed)

@@ -1,7 +1,7 @@
 """Map layers of a replay, made of what `clpt replay --json` prints.
 
 A layer is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.
-Four writers take them: the map of the page, map.png, GeoJSON and KML.
+Four writers take them: the map of the page, replay.png, GeoJSON and KML.
 
 The ring of a forecast, with half axes a and b and the bearing B of the long one, is
 

@@ -5,19 +5,9 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
-from matplotlib.figure import Figure
 
 from ...base.arguments import public
-from ...base.figures import (
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    TITLE,
-    axes_for,
-    figure_of,
-    legend_below,
-)
+from ...base.figures import BLUE, GREEN, GREY, ORANGE, TITLE, axes_for, legend_below
 from .netcdf_export import Source, report_of
 from .replay_summary import rms_of
 from .track_map import map_plot
@@ -119,20 +109,12 @@ def replay_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
         *speed,
     ]
     axes = axes_for(ax, 12.0, 9.5, mosaic=mosaic)
+    for panel in axes[2:-1]:  # one axis of time below
+        panel.tick_params(labelbottom=False)
     map_plot(replay, ax=axes[0])
     dive_clpe_plot(replay, ax=axes[1])
     current_plot(replay, ax=axes[2:])
     return axes
-
-
-def replay_figures(report: dict[str, Any]) -> "dict[str, Figure]":
-    """Draw all figures of what `clpt replay --json` prints, by name."""
-    plots: dict[str, Any] = {
-        "map": map_plot,
-        "clpe": dive_clpe_plot,
-        "current": current_plot,
-    }
-    return {name: figure_of(plot, report) for name, plot in plots.items()}
 
 
 def _surfaced(rows: list[dict[str, Any]]) -> np.ndarray:
