@@ -60,9 +60,9 @@ def never_positive(
     return (
         vanishes(expression)
         or any(groups_never_positive(expression, variables, g) for g in groupings)
-        or _by_squares(expression, variables, parameters)
+        or _by_squares(expression, parameters)
         or _by_common_factors(expression, variables)
-        or _by_interval(expression)
+        or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
         or without_choices(expression, variables) is not None
     )
@@ -95,22 +95,15 @@ def positive_somewhere(expression: Expr) -> bool:
 # --- tests of a whole expression ------------------------------------------------------------
 
 
-def _by_squares(expression: Expr, variables: set, parameters: set) -> bool:
-    """Complete squares, also without terms that are known, with inputs as coefficients."""
-    terms = sympy.Add.make_args(expression)
-    undecided = [
-        term
-        for term in terms
-        if term.is_polynomial(*variables) or not term.is_nonpositive
-    ]
+def _by_squares(expression: Expr, parameters: set) -> bool:
+    """Complete squares, also with inputs as coefficients."""
     calls = filter(is_input, expression.atoms(AppliedUndef))
     inputs = {call: Dummy(real=True) for call in calls}
-    for total in dict.fromkeys((expression, sympy.Add(*undecided))):
-        for symbols in ({}, inputs) if inputs else ({},):
-            coefficients = {*parameters, *symbols.values()}
-            completed = squares(-total.xreplace(symbols), coefficients)
-            if completed and completed.constant.is_nonnegative:
-                return True
+    for symbols in ({}, inputs) if inputs else ({},):
+        coefficients = {*parameters, *symbols.values()}
+        completed = squares(-expression.xreplace(symbols), coefficients)
+        if completed and completed.constant.is_nonnegative:
+            return True
     return False
 
 
@@ -138,12 +131,6 @@ def _is_nonnegative(factor: Expr) -> bool:
     base, _ = factor.as_base_exp()
     completed = squares(base, set()) if base.is_Add else None
     return completed is not None and bool(completed.constant.is_positive)
-
-
-def _by_interval(expression: Expr) -> bool:
-    """Compute the interval of an expression from those of its factors."""
-    products = factored(expression), sympy.factor_terms(expression)
-    return any(interval(product)[1].is_nonpositive for product in products)
 
 
 @lru_cache(maxsize=10_000)
@@ -237,41 +224,18 @@ def _without_nonnegative_factors(group: Expr) -> Expr:
     return expand(Mul(*signed))
 
 
-def _by_forms(group: Expr, variables: set) -> bool:
-    """Test the form of each degree; one of degree 2 is -s^T M s with M >= 0."""
+def _by_form(group: Expr, variables: set) -> bool:
+    """Test a quadratic form -s^T M s, M >= 0 a matrix of numbers."""
     symbols = sorted(group.free_symbols & variables, key=str)
     if functions_in(group) or not symbols or not group.is_polynomial(*symbols):
         return False
-    polynomial = sympy.Poly(group, *symbols)
-    forms: dict[int, Expr] = {}
-    for powers, coefficient in polynomial.terms():
-        pairs = zip(symbols, powers, strict=True)
-        term = coefficient * sympy.prod(s**n for s, n in pairs)
-        forms.setdefault(sum(powers), S.Zero)
-        forms[sum(powers)] += term
-    if len(forms) > 1:
-        return all(_group_never_positive(form, variables) for form in forms.values())
-    if 2 not in forms:
+    if {sum(powers) for powers in sympy.Poly(group, *symbols).monoms()} != {2}:
         return False
-    rows = [[polynomial.diff(a, b).as_expr() for a in symbols] for b in symbols]
-    hessian = sympy.Matrix(rows)
-    if hessian.free_symbols or hessian.atoms(sympy.Function):
-        return False
-    return bool((-hessian).is_positive_semidefinite)
-
-
-def _by_roots(group: Expr, variables: set) -> bool:
-    """Test a polynomial in one symbol: it falls far away, and its roots are even."""
-    if functions_in(group) or len(group.free_symbols) != 1:
-        return False
-    if not group.is_polynomial():
-        return False
-    polynomial = sympy.Poly(group, *group.free_symbols)
-    is_rational = polynomial.domain.is_ZZ or polynomial.domain.is_QQ
-    if not is_rational or not polynomial.LC() < 0:
-        return False
-    factors = polynomial.sqf_list()[1]
-    return not any(factor.count_roots() for factor, power in factors if power % 2)
+    hessian = sympy.hessian(group, symbols)
+    return bool(
+        all(entry.is_number for entry in hessian)
+        and (-hessian).is_positive_semidefinite
+    )
 
 
 # --- functions at the ends of their sectors -------------------------------------------------
@@ -361,12 +325,7 @@ def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) ->
         return True
     if any(map(pieces_of, functions_in(expression))):
         return _by_pieces(expression, variables, conditions)
-    for c in conditions:  # a piece where two others meet
-        if expand(-c) in conditions and (line := _on_line(c, variables)):
-            expression = expand(expression.xreplace(line))
-    return groups_never_positive(expression, variables) or by_gram(
-        expression, conditions
-    )
+    return by_gram(expression, conditions)
 
 
 def without_choices(expression: Expr, variables: set) -> Expr | None:
@@ -441,17 +400,13 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
 
 
 def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
-    """Return an expression without factors that are conditions or sums of squares."""
+    """Return an expression without factors that are conditions or even powers."""
     kept = []
     for factor in Mul.make_args(factored(e)):
         base, power = factor.as_base_exp()
-        total = squares(base, set()) if base.is_Add else None
         ratios = [sympy.cancel(base / c) for c in conditions if c != 0]
         same = next((r for r in ratios if r.is_number), S.Zero)
-        if same and power.is_odd:
-            kept.append(sympy.sign(same))
-        elif not (same or (total and total.constant.is_nonnegative)):
-            kept.append(factor)
+        kept.append(sympy.sign(same) if same and power.is_odd else factor)
     return Mul(*kept)
 
 
@@ -475,19 +430,10 @@ def _is_empty(conditions: tuple[Expr, ...]) -> bool:
     return any(map(_is_negative, (*conditions, *sums)))
 
 
-def _on_line(c: Expr, variables: set) -> dict[Expr, Expr]:
-    """Return a variable as what it is where a condition is zero, linear in it with a number."""
-    for s in sorted(c.free_symbols & variables, key=str):
-        slope = sympy.diff(c, s)
-        if slope.is_number and slope != 0:
-            return {s: expand(s - c / slope)}
-    return {}
-
-
 def _is_negative(condition: Expr) -> bool:
     """Return whether an expression is known to be negative everywhere."""
     expanded = expand(condition)
     return bool(expanded.is_negative or interval(expanded)[1].is_negative)
 
 
-GROUP_TESTS = (_by_factors, _by_forms, _by_roots, _by_sectors, _by_pieces)
+GROUP_TESTS = (_by_factors, _by_form, _by_sectors, _by_pieces)
