@@ -203,10 +203,8 @@ def of_law(law: Any) -> Ways:
     def pulls() -> Case:
         own = dict(zip(law.e, loop.e, strict=True))
         rest = {own.get(s, s): true for s, true in (law.least or {}).items()}
-        motion, deltas = (
-            dict(case.motion),
-            sympy.symbols("Delta_1:3", cls=sympy.Function),
-        )
+        motion = dict(case.motion)
+        deltas = sympy.symbols("Delta_1:3", cls=sympy.Function)
         if law.takes_delta():
             for s, e, delta in zip(loop.x, loop.e, deltas, strict=True):
                 motion[s], motion[e] = motion[s] + delta(TIME), motion[e] + delta(TIME)
@@ -270,10 +268,9 @@ class WithRelations(LawLoop):
         super().__init__(
             inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed
         )
-        held = {s for M in law.symmetric.values() for s in M.flat} | inv.exist
-        bounded = {*inv.forms}
-        for s in held - self.V.free_symbols:
-            self.case.functions[s] = "inputs" if s in bounded else "signals"
+        weights = {s for M in law.symmetric.values() for s in M.flat}
+        for s in (weights | inv.exist) - self.V.free_symbols:
+            self.case.functions[s] = "inputs" if s in inv.forms else "signals"
         self.case.semidefinite = law.symmetric
         for s in law.relations:
             self.case.motion.pop(s)
@@ -281,25 +278,20 @@ class WithRelations(LawLoop):
             port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()
         ]
         self.case.conditions.append(f"the relations of {', '.join(put_in)} hold")
-        truth, states, read = (
-            self.truth,
-            law.states,
-            np.vectorize(self.read, otypes=[object]),
-        )
+        truth, states = self.truth, law.states
+        read = np.vectorize(self.read, otypes=[object])
         gains = read(np.stack([states["K"] - truth.KD, states["Gamma"] - truth.GammaD]))
         self.errors = [[row] for row in gains.T]  # rows that matrices weigh
-        weighted = law.weighted_error
-        self.errors += [] if weighted is None else [[*read(weighted)]]
-        self.errors += (
-            [[*read(truth.theta + states["alpha"])]] if "alpha" in states else []
-        )
+        if law.weighted_error is not None:
+            self.errors.append([*read(law.weighted_error)])
+        if "alpha" in states:
+            self.errors.append([*read(truth.theta + states["alpha"])])
 
     def case_of(self) -> Case:
         """Return V' of the law with its losses."""
         case, law = self.case, self.law
-        least = self.V.xreplace(
-            {s: S.Zero for M in law.symmetric.values() for s in M.flat}
-        )
+        weights = [s for M in law.symmetric.values() for s in M.flat]
+        least = self.V.xreplace(dict.fromkeys(weights, S.Zero))
         case.V = terms_of(least, self.fixed) + self.weighed(
             sympy.expand(self.V - least)
         )
@@ -322,25 +314,13 @@ class WithRelations(LawLoop):
         """Return a product of factors that are not negative as terms."""
         terms = [Term(S.One, [S.One])]
         for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
-            if found := self.weighed(factor):
-                terms = [
-                    f._replace(weight=t.weight * f.weight, factor=t.factor)
-                    for t in terms
-                    for f in found
-                ]
-                continue
-            try:
-                found = terms_of(factor, self.fixed)
-            except NoCertificate:
-                found = [Term(S.One, [S.One], factor=factor)]
-            terms = [
-                Term(
-                    t.weight * f.weight,
-                    [b * f.basis[0] for b in t.basis],
-                    t.matrix,
-                    t.factor * f.factor,
-                )
-                for t in terms
-                for f in found
-            ]
+            found = self.weighed(factor) or self.squared(factor)
+            terms = [term.times(other) for term in terms for other in found]
         return terms
+
+    def squared(self, factor: Expr) -> list[Term]:
+        """Return a factor as a sum of squares, or as one that is assumed not to be negative."""
+        try:
+            return terms_of(factor, self.fixed)
+        except NoCertificate:
+            return [Term(S.One, [S.One], factor=factor)]

@@ -43,6 +43,14 @@ class Term(NamedTuple):
     matrix: Any = ((1,),)  # M >= 0: numbers, or a name of `Case.semidefinite`
     factor: Expr = S.One  # not negative, by assumption
 
+    def times(self, other: "Term") -> "Term":
+        """Return the product of two terms, one of them with a basis of one element."""
+        longer = max(self, other, key=lambda term: len(term.basis))
+        basis = [a * b for a in self.basis for b in other.basis]
+        return Term(
+            self.weight * other.weight, basis, longer.matrix, self.factor * other.factor
+        )
+
 
 @dataclass
 class Case:
