@@ -241,3 +241,17 @@ def test_a_linear_system_says_nothing_of_params():
     )
     found = lyapunov(plant, V, within=dict.fromkeys("ab", (-0.5, 0.5)))
     assert found.conclusion == "asymptotically stable in a region"
+
+
+def test_a_difference_of_an_increasing_function_is_read():
+    """(x - y)(exp(x) - exp(y)) >= 0: exp increases."""
+
+    def pulled(t, x, u, p):
+        pull = np.exp(x[0]) - np.exp(x[1])
+        return [-pull - x[0], pull - x[1]]
+
+    plant = control.nlsys(
+        pulled, None, states=["x", "y"], inputs=0, outputs=["x", "y"], name="plant"
+    )
+    found = clpt.lyapunov(plant, lambda s: (s.x**2 + s.y**2) / 2, points=20)
+    assert found.status == "proved"
