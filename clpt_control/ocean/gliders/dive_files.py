@@ -119,7 +119,10 @@ def _dives_and_skipped(
 ) -> tuple[list[Dive], list[Skipped]]:
     """Return dives with the name of their vehicle, unless they have one, and its kind; the rest."""
     dives = [row for row in rows if isinstance(row, Dive)]
-    named = [replace(dive, vehicle=dive.vehicle or name, kind=kind) for dive in dives]
+    named = [
+        replace(dive, vehicle=dive.vehicle or name, kind=dive.kind or kind)
+        for dive in dives
+    ]
     return named, [row for row in rows if isinstance(row, Skipped)]
 
 

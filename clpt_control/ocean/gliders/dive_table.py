@@ -13,7 +13,7 @@ file.
 
 Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
 `magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
-`vehicle` (its name).  Lines that begin with `#` are
+`vehicle` (its name), `kind` (Seaglider, Slocum, ...).  Lines that begin with `#` are
 comments, other columns are left alone, and the displacement between the fixes is computed,
 never read.
 """
@@ -48,6 +48,7 @@ GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
 ANGLES = {"magvar": VARIATIONS, "next_course": HEADINGS}
 CONTRADICTS = 0.03  # m/s, as `slocum.CLEAR`
 TIMES = (GPS1[0], START[0], END[0])
+TEXTS = ("vehicle", "kind")
 OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
 
 
@@ -182,10 +183,15 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         end,
         through_water,
         **{column: cells[column] for column in OPTIONAL},
-        vehicle=name_of(row.get("vehicle")),
+        **{column: name_of(row.get(column)) for column in TEXTS},
         notes=tuple(notes),
     )
     return with_dac_note(dive)
+
+
+def quoted(text: str | None) -> str:
+    """Return a text as a cell, with its quotation marks doubled; no text is empty."""
+    return "" if text is None else '"' + text.replace('"', '""') + '"'
 
 
 @public
@@ -218,10 +224,12 @@ def write_dive_table(
     True
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
-    lines.append(",".join((*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL)))
+    names = (*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL, *TEXTS)
+    lines.append(",".join(names))
     columns = (*START, *END, "dr_east", "dr_north", "gps_east", "gps_north", *OPTIONAL)
     for dive in dives:
         numbers = (getattr(dive, column) for column in columns)
         cells = ("" if value is None else repr(float(value)) for value in numbers)
-        lines.append(",".join((str(dive.number), *cells)))
+        texts = (quoted(getattr(dive, column)) for column in TEXTS)
+        lines.append(",".join((str(dive.number), *cells, *texts)))
     write_file(path, "\n".join(lines) + "\n")

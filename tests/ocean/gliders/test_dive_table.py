@@ -14,7 +14,7 @@ from glider_files import basestation, dives_in, og1, og1_rows
 from refusals import refuses
 
 from clpt_control.base.files import reading
-from clpt_control.gliders import make_dive, sample_dives, write_dive_table
+from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
 from clpt_control.ocean.estimation.dive import miss
 from clpt_control.ocean.gliders.dive_files import (
     dive_paths,
@@ -106,7 +106,7 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
     assert not unused
     assert "line 3: dive is 'x305'" in skipped[0].why
     assert "lat_gps2 is '\ufffd" in skipped[1].why
-    assert "line 5: has 3 cells, the header 20" in skipped[2].why
+    assert "line 5: has 3 cells, the header 22" in skipped[2].why
 
 
 def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
@@ -448,3 +448,14 @@ def test_the_order_of_files_does_not_choose_between_copies():
         assert len(skipped) == 24
         whys |= {one.why for one in skipped if "of dive 12" in one.why}
     assert whys == {"duplicate of dive 12, which is used"}
+
+
+def test_a_written_table_keeps_the_vehicle_and_its_kind(tmp_path):
+    """Also a name with a comma and quotation marks."""
+    named = [
+        replace(dive, vehicle='SG 5,4"2"', kind="Seaglider") for dive in sample_dives()
+    ]
+    write_dive_table(named, tmp_path / "dives.csv")
+    dives, _ = read_dives(tmp_path / "dives.csv")
+    assert {dive.kind for dive in dives} == {"Seaglider"}
+    assert {dive.vehicle for dive in dives} == {named[0].vehicle}
