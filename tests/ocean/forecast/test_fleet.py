@@ -258,11 +258,8 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     for file in ("an empty file.csv", "replay.nc"):
         (tmp_path / file).write_text("")
     for name, lost in (("a", {"lat_gpse": 91.0}), ("z", {})):
-        write_dive_table(
-            [replace(recent(1, 1.0)[0], **lost)], path := tmp_path / f"{name}.csv"
-        )
-        header, line = path.read_text().splitlines()
-        path.write_text(f"{header},vehicle\n{line},{name}\n")
+        dive = replace(recent(1, 1.0)[0], vehicle=name, **lost)
+        write_dive_table([dive], tmp_path / f"{name}.csv")
     lost, well = json.loads(command("watch", tmp_path, "--fleet", "--json").stdout)[
         "vehicles"
     ]
