@@ -19,7 +19,7 @@ static double floordiv_(double a, double b) {
     return ratio - whole > 0.5 ? whole + 1.0 : whole;
 }
 
-static double lookup_(const double *row, int stride, int count, double place) {
+static double pick_(const double *row, int stride, int count, double place) {
     double whole = trunc(place);
     if (whole < 0.0) whole += count;
     return whole >= 0.0 && whole < count ? row[stride * (int)whole] : NAN;

@@ -9,11 +9,7 @@ Source: Modelica Association (2022), Functional Mock-up Interface 3.0.
 
 import hashlib
 import io
-import os
 import platform
-import shutil
-import subprocess
-import tempfile
 import zipfile
 from collections.abc import Iterator, Mapping
 from importlib import resources
@@ -29,6 +25,7 @@ from ..base.errors import DiagramError
 from ..base.files import write_file
 from ..base.html import plain
 from ..base.progress import note
+from ..engine.codegen.c_library import ENDINGS, compiled
 from ..paper.scenario.experiment import Scenario
 from .c_export import FIXED, CFile, as_lines, c_file
 
@@ -37,9 +34,8 @@ FUNCTIONS, DOCUMENTS = (
     for kind in ("c", "xml")
 )
 DESCRIPTION, BUILD = DOCUMENTS.split("<!-- sources/buildDescription.xml -->\n")
-FLAGS = ("-std=c99", "-O2", "-shared", "-fPIC", "-fvisibility=hidden")
+FLAGS = ("-O2", "-fvisibility=hidden")
 PROCESSORS = {"AMD64": "x86_64", "arm64": "aarch64"}
-ENDINGS = {"Linux": ".so", "Darwin": ".dylib", "Windows": ".dll"}
 CONTINUOUS = {"variability": "continuous"}
 KINDS = {  # attributes of each kind of variable
     "time": {"causality": "independent", **CONTINUOUS},
@@ -133,29 +129,14 @@ def _fmi_functions(file: CFile, token: str) -> str:
 
 def _binary(name: str, text: str) -> dict[str, bytes]:
     """Return the compiled library by its path; nothing if there is no C compiler."""
-    compiler = shutil.which(os.environ.get("CC", "cc"))
     system = platform.system()
-    if compiler is None or system not in ENDINGS:
-        note(
-            "the FMU holds its source alone: there is no C compiler (cc, or the variable CC)"
-        )
-        return {}
     machine = PROCESSORS.get(platform.machine(), platform.machine())
-    path = f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}"
     try:
-        with tempfile.TemporaryDirectory() as folder:
-            source = Path(folder) / "model.c"
-            library = Path(folder) / "library"
-            source.write_text(text, "utf-8")
-            command = [compiler, *FLAGS, "-o", str(library), str(source), "-lm"]
-            result = subprocess.run(command, capture_output=True, text=True)
-            if not result.returncode:
-                return {path: library.read_bytes()}
-            reason = f"{compiler} failed: {result.stderr:.200}"
-    except OSError as error:  # such as a full disk
-        reason = f"{compiler} has no folder to work in: {error.strerror or error}"
-    note(f"the FMU holds its source alone: {reason}")
-    return {}
+        library = compiled(text, *FLAGS)
+    except DiagramError as reason:
+        note(f"the FMU holds its source alone: {reason}")
+        return {}
+    return {f"binaries/{machine}-{system.lower()}/{name}{ENDINGS[system]}": library}
 
 
 def _variables(file: CFile) -> dict[str, str]:

@@ -37,7 +37,7 @@ ARRAYS = {
 FUNCTIONS = (
     (resources.files("clpt_control.data") / "numpy.c").read_text("utf-8").split("\n\n")
 )
-HELPERS = {one.split()[2].partition("_(")[0]: one.strip() for one in FUNCTIONS}
+HELPERS = {one.split()[2].partition("(")[0]: one.strip() for one in FUNCTIONS}
 
 
 class CRecord(DiagramRecord):
@@ -204,8 +204,8 @@ class CPrinter(LoopPrinter):
     def operation(self, name: str, loops: tuple[int, ...], values: list[str]) -> str:
         """Return an operation on its arguments."""
         symbol = TABLE[name].c
-        if not symbol:
-            return self.call(name, values)
+        if symbol.isidentifier():
+            return self.call(symbol, values)
         if symbol == "?:":
             return "{} ? {} : {}".format(*values)
         if len(values) == 1:
@@ -216,14 +216,14 @@ class CPrinter(LoopPrinter):
         """Return an operation on a row."""
         array, offset, stride, count = row
         address = f"{ARRAYS[array]} + {offset}"
-        return self.call(name, [address, str(stride), str(count), *values])
+        arguments = [address, str(stride), str(count), *values]
+        return self.call(TABLE[name].c, arguments)
 
-    def call(self, name: str, arguments: list[str]) -> str:
+    def call(self, function: str, arguments: list[str]) -> str:
         """Return a call of a function, of the C library or of `numpy.c`."""
-        if name in HELPERS:
-            self.program.helpers[name] = None
-            name += "_"
-        return f"{name}({', '.join(arguments)})"
+        if function.endswith("_"):
+            self.program.helpers[function] = None
+        return f"{function}({', '.join(arguments)})"
 
 
 def indented(depth: int, text: str) -> str:

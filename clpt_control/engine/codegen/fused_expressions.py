@@ -29,7 +29,7 @@ BOUND = -1
 # a function each, printed once a module
 OUT_OF_LINE = named(lambda row: row.numpy and row.llvm == "function")
 LIBRARY = named(lambda row: row.llvm == "libm")
-LONG = OUT_OF_LINE | LIBRARY | {"div", "sqrt", "lookup", "search", "argmin"}  # costly
+LONG = OUT_OF_LINE | LIBRARY | {"div", "sqrt", "pick", "search", "argmin"}  # costly
 Symbol = tuple[int, int]
 Index = Any  # a whole number, or (symbol, start, step)
 Value = Any  # a constant, or (component, symbols)
@@ -150,7 +150,7 @@ class Components(Elements):
             return self._summed(arguments[0], index, *at)
         if kind == "pick":
             value = self.at(arguments[1], index)
-            return self.add("lookup", value, self._row(arguments[0]))
+            return self.add("pick", value, self._row(arguments[0]))
         if kind == "search":
             value = self.at(arguments[1], index)
             is_right = float(at[0] == "right")

@@ -339,7 +339,7 @@ class LLVMPrinter(LoopPrinter):
 
     def row_operation(self, name: str, row: tuple, values: list) -> Any:
         """Return the result of an operation on a row, for each number of a value or each lane."""
-        if name == "lookup":
+        if name == "pick":
             return self._lookup(values[0], row)
         builder = self.builder
         array, _, stride, count = row

@@ -12,7 +12,7 @@ from .fused_expressions import Component, Write, row_strides
 from .plan import Nest
 
 # operation -> argument that is a row
-ROW_ARGUMENT = {"lookup": 1, "search": 1, "argmin": 0}
+ROW_ARGUMENT = {"pick": 1, "search": 1, "argmin": 0}
 NO_LOOP = -1
 # prints an iteration: index, sums before it -> sums after it
 Body = Callable[[Any, list], list]

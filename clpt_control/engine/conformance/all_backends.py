@@ -6,6 +6,7 @@
     scalar      machine code with all axes unrolled
     looped      machine code with all axes in loops
     lanes       machine code of eight runs at once, of which one is compared
+    c           C99 as `clpt.export` writes it, where this machine has a C compiler
     symbolic    SymPy expressions of each block; opaque blocks run in Python
 
 All backends are made from the same functions.  They agree, or a backend refuses with one sentence.
@@ -24,6 +25,9 @@ import sympy
 
 from ...base.arguments import public
 from ...base.errors import BlockError, DiagramError
+from ..codegen.c_library import compiled, compiler, loaded
+from ..codegen.c_text import CProgram, CRecord
+from ..codegen.diagram_record import lay_out
 from ..codegen.machine import LANES
 from ..model.block import Block
 from ..model.on_arrays import leaf_values
@@ -60,14 +64,7 @@ def readings(
     >>> import clpt_control as clpt
     >>> from clpt_control.paper.blocks.clpe import clpe
     >>> for name, backend in readings(clpe()).items():
-    ...     print(name, backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1])
-    python [2. 1.]
-    control [2. 1.]
-    native [2. 1.]
-    scalar [2. 1.]
-    looped [2. 1.]
-    lanes [2. 1.]
-    symbolic [2. 1.]
+    ...     assert backend(0.0, [], [3.0, 2.0, 1.0, 1.0])[1].tolist() == [2.0, 1.0]
     """
     sweep = PythonDiagram(diagram, params).sweep
 
@@ -83,7 +80,7 @@ def readings(
             "python-control has no jumps of states. Run the diagram with clpt.simulate"
         )
 
-    return {
+    backends = {
         "python": _sweep_backend(sweep),
         "control": Backend(by_control, no_jump),
         "native": _native_backend(diagram, params),
@@ -92,6 +89,9 @@ def readings(
         "lanes": _native_backend(diagram, params, lanes=LANES),
         "symbolic": _sweep_backend(_SymbolicSweep(sweep.wiring, sweep.parameters)),
     }
+    if compiler():
+        backends["c"] = _backend_in_c(sweep)
+    return backends
 
 
 def _sweep_backend(sweep: Sweep) -> Backend:
@@ -122,6 +122,67 @@ def _native_backend(
         return compiled().call(t, x, u, "jump")[0]
 
     return Backend(evaluate, jump)
+
+
+def _backend_in_c(sweep: Sweep) -> Backend:
+    @cache
+    def library() -> _CFunctions:
+        try:
+            return _CFunctions(sweep)
+        except Unread as error:
+            raise BlockError(str(error)) from None
+
+    def evaluate(t: float, x: Any, u: Any) -> Values:
+        functions = library()
+        outputs = sweep.wiring.output_map @ np.concatenate(
+            [functions.call("signals", t, x, u), u]
+        )
+        return functions.call("rates", t, x, u), outputs
+
+    def jump(t: float, x: Any, u: Any) -> np.ndarray:
+        if not library().jumping:
+            return np.array(x, dtype=float)
+        return library().call("jump", t, x, u)
+
+    return Backend(evaluate, jump)
+
+
+class _CFunctions:
+    """The C functions of a diagram, compiled, and the arrays that they read."""
+
+    def __init__(self, sweep: Sweep):
+        self.sweep = sweep
+        layout = lay_out(sweep.wiring, sweep.parameters)
+        record = CRecord(sweep.wiring, layout)
+        self.program = CProgram(record, len(sweep.signals))
+        functions = map(self.program.function, self.program.functions)
+        text = "".join([*self.program.shared(layout.T), *functions])
+        # without optimization, to be quick; every function can be called
+        flags = ("-O0", "-Dstatic=")
+        self.library = loaded(compiled(f"#include <math.h>\n{text}", *flags))
+        self.p = np.append(np.delete(layout.P, record.set_by_integrator), 0.0)
+        self.intervals = [*layout.intervals]
+        self.jumping = [*layout.jumps]
+        self.sizes = {
+            "signals": self.program.components.room,
+            "rates": sweep.nstates,
+            "jump": sweep.nstates,
+        }
+
+    def call(self, name: str, t: float, x: Any, u: Any) -> np.ndarray:
+        """Return what a function writes: signals, rates or states after all jumps."""
+        nodes = self.sweep.wiring.nodes
+        intervals = [
+            nodes[k].system.parameters_at(t, self.sweep.parameters[k]).interval
+            for k in self.intervals
+        ]
+        kept = [*intervals, *(JUMPS for _ in self.jumping)]
+        out = np.zeros(self.sizes[name] + 1)
+        arrays = [np.append(one, 0.0).astype(float) for one in (x, u, self.p, kept)]
+        pointers = [ctypes.c_void_p(one.ctypes.data) for one in (*arrays, out)]
+        self.library[f"{name}_"](ctypes.c_double(t), *pointers)
+        size = len(self.sweep.signals) if name == "signals" else self.sizes[name]
+        return out[:size]
 
 
 class _MachineCode:

@@ -20,7 +20,7 @@ from ..trace.elementwise import elementwise, spread
 from .graph import Ref, reached
 from .operations import STEPS, TABLE, Row
 
-NO_ROW = Row()  # of an operation on whole arrays
+NO_ROW = Row(c="")  # of an operation on whole arrays
 
 
 def _times(factor, slope):

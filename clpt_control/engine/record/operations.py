@@ -5,9 +5,10 @@ numbers, have no NumPy function: their values are computed by `graph.picked` and
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from enum import IntEnum
 from math import erf, erfc, pi, sqrt
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,8 @@ class Smoothness(IntEnum):
 SMOOTH, FOLDS, KINK, JUMP, STEP = Smoothness
 
 
-class Row(NamedTuple):
+@dataclass(frozen=True)
+class Row:
     """Facts about one operation.
 
     numpy : function on numbers.
@@ -40,7 +42,7 @@ class Row(NamedTuple):
     exact : whether the SymPy expression has all digits and the whole range.
     llvm : instruction, comparison or intrinsic; "libm", a function of the C library; "inline" or
         "function", a function of `codegen.elementary`, printed in place or once.
-    c : operator; a function call without.
+    c : operator, or function: of math.h, or with "_" at its end of `data/numpy.c`.
     smoothness : where the operation has kinks and jumps.
     decisions : comparisons and whole numbers that locate the kinks and jumps.
     signed_zero : whether -0.0 and 0.0 give different results.
@@ -57,7 +59,7 @@ class Row(NamedTuple):
     sympy: Any = None
     exact: bool = True
     llvm: str = "function"
-    c: str = ""
+    c: str = field(kw_only=True)
     smoothness: Smoothness = SMOOTH
     decisions: tuple[str, ...] = ()
     signed_zero: bool = False
@@ -74,7 +76,7 @@ def _circular(ufunc: np.ufunc, slope: Slope) -> Row:
     def function(a):
         return ufunc(np.where(np.abs(a) < MOST_ANGLE, a, np.nan))
 
-    return Row(function, (slope,), traced=(ufunc,))
+    return Row(function, (slope,), c=ufunc.__name__, traced=(ufunc,))
 
 
 def _comparison(ufunc: np.ufunc, symbol: str, *decisions: str) -> Row:
@@ -92,7 +94,7 @@ def _logical(ufunc: np.ufunc, llvm: str, symbol: str) -> Row:
 
 def _rounding(ufunc: np.ufunc, name: str) -> Row:
     """Return the row of a function whose values are whole numbers."""
-    return Row(ufunc, llvm="inline", smoothness=STEP, decisions=(name,))
+    return Row(ufunc, c=name, llvm="inline", smoothness=STEP, decisions=(name,))
 
 
 TABLE: dict[str, Row] = {
@@ -143,6 +145,7 @@ TABLE: dict[str, Row] = {
         whole=True,
         operator=True,
         raises=True,
+        c="floordiv_",
     ),
     "mod": Row(
         np.remainder,
@@ -153,6 +156,7 @@ TABLE: dict[str, Row] = {
         whole=True,
         operator=True,
         raises=True,
+        c="mod_",
     ),
     "pow": Row(
         np.pow,
@@ -163,6 +167,7 @@ TABLE: dict[str, Row] = {
         operator=True,
         raises=True,
         traced=(np.pow, np.float_power),
+        c="pow",
     ),
     "neg": Row(
         np.negative,
@@ -182,6 +187,7 @@ TABLE: dict[str, Row] = {
         decisions=("ge",),
         whole=True,
         operator=True,
+        c="fabs",
     ),
     # comparisons and choices
     "lt": _comparison(np.less, "<", "lt"),
@@ -202,6 +208,7 @@ TABLE: dict[str, Row] = {
         decisions=("lt",),
         whole=True,
         on_truths="and",
+        c="minimum_",
     ),
     "maximum": Row(
         np.maximum,
@@ -211,52 +218,74 @@ TABLE: dict[str, Row] = {
         decisions=("gt",),
         whole=True,
         on_truths="or",
+        c="maximum_",
     ),
     "sign": Row(
-        np.sign, llvm="inline", smoothness=STEP, decisions=("gt", "lt"), whole=True
+        np.sign,
+        llvm="inline",
+        smoothness=STEP,
+        decisions=("gt", "lt"),
+        whole=True,
+        c="sign_",
     ),
     "floor": _rounding(np.floor, "floor"),
     "ceil": _rounding(np.ceil, "ceil"),
     "trunc": _rounding(np.trunc, "trunc"),
     # powers and logarithms
-    "sqrt": Row(np.sqrt, (lambda a, f: 1.0 / (2.0 * f),), llvm="intrinsic sqrt"),
+    "sqrt": Row(
+        np.sqrt, (lambda a, f: 1.0 / (2.0 * f),), llvm="intrinsic sqrt", c="sqrt"
+    ),
     "hypot": Row(
         np.hypot,
         (lambda a, b, f: a / f, lambda a, b, f: b / f),
         sympy=lambda s, a, b: s.sqrt(a**2 + b**2),
         exact=False,
+        c="hypot",
     ),
-    "exp": Row(np.exp, (lambda a, f: f,)),
+    "exp": Row(np.exp, (lambda a, f: f,), c="exp"),
     "expm1": Row(
-        np.expm1, (lambda a, f: f + 1.0,), sympy=lambda s, a: s.exp(a) - 1, exact=False
+        np.expm1,
+        (lambda a, f: f + 1.0,),
+        sympy=lambda s, a: s.exp(a) - 1,
+        exact=False,
+        c="expm1",
     ),
-    "log": Row(np.log, (lambda a, f: 1.0 / a,)),
+    "log": Row(np.log, (lambda a, f: 1.0 / a,), c="log"),
     "log1p": Row(
         np.log1p,
         (lambda a, f: 1.0 / (1.0 + a),),
         sympy=lambda s, a: s.log(1 + a),
         exact=False,
         llvm="libm",
+        c="log1p",
     ),
     "log2": Row(
         np.log2,
         (lambda a, f: 1.0 / (a * np.log(2.0)),),
         sympy=lambda s, a: s.log(a) / s.log(2),
         llvm="libm",
+        c="log2",
     ),
     "log10": Row(
         np.log10,
         (lambda a, f: 1.0 / (a * np.log(10.0)),),
         sympy=lambda s, a: s.log(a) / s.log(10),
         llvm="libm",
+        c="log10",
     ),
     # circular functions
     "sin": _circular(np.sin, lambda a, f: np.cos(a)),
     "cos": _circular(np.cos, lambda a, f: -np.sin(a)),
     "tan": _circular(np.tan, lambda a, f: 1.0 + f * f),
-    "asin": Row(np.asin, (lambda a, f: 1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS),
-    "acos": Row(np.acos, (lambda a, f: -1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS),
-    "atan": Row(np.atan, (lambda a, f: 1.0 / (1.0 + a * a),), smoothness=FOLDS),
+    "asin": Row(
+        np.asin, (lambda a, f: 1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS, c="asin"
+    ),
+    "acos": Row(
+        np.acos, (lambda a, f: -1.0 / np.sqrt(1.0 - a * a),), smoothness=FOLDS, c="acos"
+    ),
+    "atan": Row(
+        np.atan, (lambda a, f: 1.0 / (1.0 + a * a),), smoothness=FOLDS, c="atan"
+    ),
     "atan2": Row(
         np.atan2,
         (lambda a, b, f: b / (a * a + b * b), lambda a, b, f: -a / (a * a + b * b)),
@@ -264,28 +293,35 @@ TABLE: dict[str, Row] = {
         smoothness=JUMP,
         decisions=("lt",),
         signed_zero=True,
+        c="atan2",
     ),
     # hyperbolic functions and the error function
-    "sinh": Row(np.sinh, (lambda a, f: np.cosh(a),), llvm="libm"),
-    "cosh": Row(np.cosh, (lambda a, f: np.sinh(a),), llvm="libm"),
-    "tanh": Row(np.tanh, (lambda a, f: 1.0 - f * f,)),
-    "asinh": Row(np.asinh, (lambda a, f: 1.0 / np.sqrt(1.0 + a * a),), llvm="libm"),
-    "acosh": Row(np.acosh, (lambda a, f: 1.0 / np.sqrt(a * a - 1.0),), llvm="libm"),
-    "atanh": Row(np.atanh, (lambda a, f: 1.0 / (1.0 - a * a),), llvm="libm"),
+    "sinh": Row(np.sinh, (lambda a, f: np.cosh(a),), llvm="libm", c="sinh"),
+    "cosh": Row(np.cosh, (lambda a, f: np.sinh(a),), llvm="libm", c="cosh"),
+    "tanh": Row(np.tanh, (lambda a, f: 1.0 - f * f,), c="tanh"),
+    "asinh": Row(
+        np.asinh, (lambda a, f: 1.0 / np.sqrt(1.0 + a * a),), llvm="libm", c="asinh"
+    ),
+    "acosh": Row(
+        np.acosh, (lambda a, f: 1.0 / np.sqrt(a * a - 1.0),), llvm="libm", c="acosh"
+    ),
+    "atanh": Row(np.atanh, (lambda a, f: 1.0 / (1.0 - a * a),), llvm="libm", c="atanh"),
     "erf": Row(
         np.vectorize(erf, otypes=[float]),
         (lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),),
         llvm="libm",
+        c="erf",
     ),
     "erfc": Row(
         np.vectorize(erfc, otypes=[float]),
         (lambda a, f: -2.0 / sqrt(pi) * np.exp(-a * a),),
         llvm="libm",
+        c="erfc",
     ),
     # a number in a row, the position of a number in a sorted row, the position of the least number
-    "pick": Row(smoothness=JUMP, decisions=("trunc",)),
-    "search": Row(smoothness=STEP, decisions=("search",)),
-    "argmin": Row(smoothness=STEP, decisions=("argmin",)),
+    "pick": Row(smoothness=JUMP, decisions=("trunc",), c="pick_"),
+    "search": Row(smoothness=STEP, decisions=("search",), c="search_"),
+    "argmin": Row(smoothness=STEP, decisions=("argmin",), c="argmin_"),
 }
 
 # name -> function on numbers

@@ -115,7 +115,11 @@ def test_an_angle_that_means_nothing_is_nan():
         return [math.sin(u[0]), math.cos(2.0 * u[0]), math.tan(u[0] ** 2)]
 
     asks = readings(static(of_angles, 1, 3))
-    for name in asks.keys() - {"python", "control"}:  # which ask the function itself
+    for name in asks.keys() - {
+        "python",
+        "control",
+        "c",
+    }:  # which ask the function itself
         np.testing.assert_array_equal(
             asks[name](0.0, [], [1e16])[1], [math.nan] * 3, err_msg=name
         )
