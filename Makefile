@@ -12,7 +12,7 @@ ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver test test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
+.PHONY: paper solver solver-check test test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
@@ -47,6 +47,10 @@ test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pypr
 solver: $(READY)  ## print engine/solver/time_stepper.py and its imports as LLVM text, after a change of one
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
 	$(BIN)/python tools/print_solver.py
+
+solver-check: $(READY)  ## print the solver anew, and compare it with the text that is there
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
+	$(BIN)/python tools/print_solver.py --check
 
 lint: $(READY)  ## ruff and mypy
 	$(BIN)/ruff check .

@@ -1,7 +1,9 @@
 """Print the solver as LLVM's text, which the package carries: `make solver`.
 
 Numba reads the solver and prints it for no processor in particular, not optimised: each machine
-makes its own code of it once, without Numba.  The hash of the sources stands in the first line.
+makes its own code of it once, without Numba.  The hashes of the sources and of the text stand in
+the first line.  `make solver-check` prints it anew and compares: values are named in their order,
+so that the text is the same on every machine.
 """
 
 import hashlib
@@ -54,6 +56,8 @@ NOT_INLINED = (
 # words that an older LLVM does not know
 NEWER = r" (?:#\d+|nuw|nneg|samesign|disjoint|immarg|writeonly|nocreateundeforpoison)\b"
 NEWER += r"| captures\(none\)"
+VALUE = r'%(?:[-\w$.]+|"[^"]+")'
+LABEL = r'^([-\w$.]+|"[^"]+"):'
 
 
 def digest() -> str:
@@ -185,8 +189,23 @@ def of_one_array(name: str, text: str) -> str:
     )
 
 
-def main() -> None:
-    """Write the text of all functions."""
+def renamed(text: str) -> str:
+    """Return text whose values are named by their order in each function."""
+    return re.sub(r"^define.*?^}", _renamed_function, text, flags=re.M | re.S)
+
+
+def _renamed_function(function: re.Match) -> str:
+    names: dict[str, str] = {}
+    text = re.sub(r" *; preds = .*", "", function[0])
+    text = re.sub(LABEL, r"%\1:", text, flags=re.M)
+    text = re.sub(
+        VALUE, lambda found: names.setdefault(found[0], f"%v{len(names)}"), text
+    )
+    return re.sub(r"^%(\w+):", r"\1:", text, flags=re.M)
+
+
+def solver_text() -> str:
+    """Return the text of all functions, with its hashes."""
     module = for_numba()
     first, *others = (
         printed(getattr(module, name), own, name) for name, own in arguments().items()
@@ -196,9 +215,20 @@ def main() -> None:
     own = r"^(target|source_filename|; ModuleID|attributes).*\n"
     text = re.sub(NEWER, "", re.sub(own, "", str(first), flags=re.M))
     text += "\n" + "\n".join(of_one_array(name, text) for name in arguments())
-    TEXT.write_text(f"; sha256 {digest()}\n{text}", encoding="utf-8")
-    print(f"{TEXT.relative_to(ROOT)}: {len(text):,} bytes")
+    text = renamed(text)
+    return f"; sha256 {digest()} {hashlib.sha256(text.encode()).hexdigest()}\n{text}"
+
+
+def main(arguments: list[str]) -> None:
+    """Write the text, or with `--check` compare it with the one that is there."""
+    text = solver_text()
+    name = TEXT.relative_to(ROOT)
+    if "--check" not in arguments:
+        TEXT.write_text(text, encoding="utf-8")
+    elif text.encode() != TEXT.read_bytes():
+        sys.exit(f"{name}: is not what `make solver` prints. Run `make solver`")
+    print(f"{name}: {len(text):,} bytes")
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
