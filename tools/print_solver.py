@@ -120,7 +120,7 @@ def arguments() -> dict[str, tuple]:
     layout = sys.modules["pages.solver_layout"]
     solver = layout.Solver(
         code=whole(1),
-        shape=layout.Shape(*(1,) * 8),
+        shape=layout.Shape(*(1,) * len(layout.Shape._fields)),
         tolerances=real(1),
         runs=layout.Runs(real(2), real(2), whole(1)),
         segments=layout.Segments(whole(1), whole(1), real(1), real(2), whole(1)),

@@ -230,8 +230,8 @@ class Ensemble:
     ) -> Batch:
         """Integrate runs, the arguments of a `Batch`, up to their end."""
         options = self.varied.options
-        method = self.native.method_number(options["method"])
-        if method == layout.RODAS5P:
+        method = self.native.method_of(options["method"])
+        if method.implicit:
             lanes = 1
         batch = Batch(runner.callee(lanes, inputs, method), *runs)
         may_switch = options["method"] == "auto"

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from clpt_control.engine.solver import solver_layout
+from clpt_control.engine.methods.table import EXPLICIT, RK4
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.engine.solver.runner import PythonDiagram
@@ -21,9 +21,7 @@ def side_by_side(
 ):
     """Return a batch of runs that has ended; of one start all have the runner's own parameters."""
     P = np.tile(runner.parameters(), (len(starts), 1)) if P is None else P
-    callee = runner.callee(
-        lanes, None, solver_layout.DOP853 if step is None else solver_layout.RK4
-    )
+    callee = runner.callee(lanes, None, EXPLICIT if step is None else RK4)
     group = np.arange(len(starts)) if schedules else None
     pieces = schedules or [runner.schedule((times[0], times[-1]))]
     batch = Batch(

@@ -4,8 +4,8 @@ The solver takes steps for about `PAUSE` seconds a call.  Between calls Python w
 reached, and whether the end can be reached at all.
 
 Stiff runs go on with an implicit method.  An explicit one stops if its own steps look stiff
-(`integrators`, Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then
-the eigenvalues of df/dx are small.
+(Hairer's test) and many are ahead.  Steps look stiff as well if rates jump, but then the
+eigenvalues of df/dx are small.
 """
 
 import time
@@ -18,17 +18,16 @@ import numpy as np
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
 from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
-from .rodas5p import NO_LINEAR, Jacobian
+from ..methods.method import Method
+from .jacobian_pattern import NO_LINEAR, Jacobian
 from .schedule import Schedule
 from .solver_layout import (
     DECIDE,
     FIRST_STEP,
-    MAP,
     MAX_STEP,
     OUTSIDE,
     POINTS,
     REALS,
-    RK4,
     ROUNDING,
     ROWS,
     RUN_INDEX,
@@ -67,7 +66,7 @@ class Callee(NamedTuple):
     functions: Any  # in the solver's order: their addresses, an array
     lanes: int  # runs that are taken at once
     nstates: int
-    method: int  # as the solver numbers it
+    method: Method
     guarded: int  # 1 if the last event is a guard
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
@@ -89,7 +88,11 @@ class Callee(NamedTuple):
         return Shape(
             self.lanes,
             self.nstates,
-            self.method,
+            self.method.stages,
+            self.method.dense_stages,
+            int(self.method.adaptive),
+            int(self.method.implicit),
+            int(self.method.discrete),
             self.guarded,
             self.jumping,
             self.decided_at,
@@ -162,7 +165,8 @@ class Batch:
     ``schedules[group[k]]`` or the first.  In the end `out` (m, nt, n) holds states, NaN behind the
     end of a run, `status` how runs ended, `reached` how many samples are done, and
     `counts` (m, 4) steps, evaluations, restarts and rejected steps.  No step is longer than
-    `longest`, which is the step of RK4; the first step tried is `opening`, unless that is 0.
+    `longest`, the step of a method that does not choose it; the first step tried is `opening`,
+    unless that is 0.
     """
 
     def __init__(
@@ -185,7 +189,7 @@ class Batch:
         self.runs = Runs(*map(np.ascontiguousarray, (starts, parameters, group)))
         self.schedules = schedules
         self.segments = _stacked(schedules)
-        if callee.method == RK4:
+        if not (callee.method.adaptive or callee.method.discrete):
             self.segments.smooth[:] = 0  # every segment begins anew
         # 2. results
         self.out = np.full((m, len(times), n), np.nan)
@@ -261,13 +265,13 @@ class Batch:
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
-        Tries of RK4 and in discrete time are not limited.  `watch` is called between the solver's
+        Tries of steps without tolerances are not limited.  `watch` is called between the solver's
         calls, each of about `PAUSE`.  `implicit` returns the functions that an implicit method
         calls, if stiff runs are to be continued with it, one after the other; `continuations` are
         the batches of these runs.
         """
         self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
-        if self.callee.method in (RK4, MAP):
+        if not self.callee.method.adaptive:
             most = ANY
         if self.callee.decided:
             self.runs.parameters[:, self.callee.decided_at - 1] = GRAIN * atol
@@ -316,7 +320,10 @@ class Batch:
         # many steps must be ahead
         t, h, longest = self.lane[[TIME, STEP_SIZE, MAX_STEP], k].tolist()
         callee = implicit()
-        if self.times[-1] - t < h * callee.linear.steps_worth:
+        worth = callee.linear.steps_worth(
+            callee.method.stages, self.callee.method.stages
+        )
+        if self.times[-1] - t < h * worth:
             return
         # the first implicit step computes the Jacobian
         state = self.states[STATE, :, k].copy()

@@ -20,7 +20,6 @@ from .solver_layout import (
     FRESH,
     HIGH,
     LOW,
-    RK4,
     ROUNDING,
     RUN_INDEX,
     SAMPLE_POINTS,
@@ -105,7 +104,7 @@ def find_crossing(solver):
     A step of a fixed length is checked at its end only, and not halved.
     """
     lane, integers, points = solver.lane, solver.integers, solver.points
-    fixed = solver.shape.method <= RK4
+    fixed = solver.shape.adaptive == 0
     integers[EVENT_INDEX, 0] = -1
     lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]
     if integers[RUN_INDEX, 0] < 0 or lane[ACCEPTED, 0] < 0.5:

@@ -16,15 +16,16 @@ from ..codegen.llvm_text import print_program
 from ..codegen.machine import LANES, Machine, fuses, once, one_at_a_time
 from ..codegen.plan import NO_TABLES, Program, program_of
 from ..diagram.wiring import Wiring
+from ..methods.method import Method
+from ..methods.table import EXPLICIT
 from ..record.operations import ELEMENTWISE
 from ..trace.arrays import Unread
 from .batch import Callee
 from .filippov import HeldSwitch, slide
-from .integrators import with_formulas
-from .rodas5p import Jacobian, jacobian, reach_of
+from .jacobian_pattern import Jacobian, jacobian, reach_of
+from .kernels import with_formulas
 from .runner import PythonDiagram
 from .schedule import Inputs
-from .solver_layout import DOP853, MAP, RK4, RODAS5P
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -223,7 +224,7 @@ class NativeDiagram(PythonDiagram):
         self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
         # and of the decisions
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1
-        self._callees: dict[tuple[int, int], Callee] = {}
+        self._callees: dict[tuple[int, Method], Callee] = {}
 
     def parameters(self) -> np.ndarray:
         """Return P, with room for inputs and prepared numbers."""
@@ -254,14 +255,15 @@ class NativeDiagram(PythonDiagram):
             self.form._replace(form=form) if isinstance(self.form, Directions) else form
         )
 
-    def _code(self, method: int) -> Code:
+    def _code(self, method: Method) -> Code:
         """Return the code for a method; in steps of one length decisions are not locked."""
-        if method == RK4 and self.code.program.decided:
+        fixed_steps = not (method.adaptive or method.discrete)
+        if fixed_steps and self.code.program.decided:
             return code_of(self.wiring, self.layout, self._with_derivatives("free"))
         return self.code
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853
+        self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT
     ) -> Callee:
         """Return what the solver calls, for one of its methods.
 
@@ -273,11 +275,11 @@ class NativeDiagram(PythonDiagram):
             self._callees[lanes, method] = self._callee(lanes, method)
         return self._callees[lanes, method]
 
-    def _callee(self, lanes: int, method: int) -> Callee:
+    def _callee(self, lanes: int, method: Method) -> Callee:
         code = self._code(method)
         program = code.program
         # in discrete time no state jumps
-        jumping = int(method != MAP and bool(self.jumps))
+        jumping = int(not method.discrete and bool(self.jumps))
         # 1. addresses of the functions, 0 of those that are not called
         called = {"jump": jumping, "decide": program.decided + program.guarded}
         names = [name for name in FUNCTIONS if called.get(name, True)]
@@ -297,7 +299,7 @@ class NativeDiagram(PythonDiagram):
             size=program.parameters,
             room=program.room,
             tables=np.concatenate([self.layout.T, program.tables]),
-            linear=code.sparsity() if method == RODAS5P else Jacobian(),
+            linear=code.sparsity() if method.implicit else Jacobian(),
             timed=program.timed,
             code=(code,),
         )

@@ -21,11 +21,13 @@ from ...base.errors import SimulationError
 from ..codegen.machine import callback
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
+from ..methods.method import Method
+from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, RK4
 from .batch import ANY, Batch, Callee, pace
 from .evaluation_pass import Sweep, rounding
 from .filippov import continue_on_switch
-from .integrators import with_formulas
-from .rodas5p import Jacobian, jacobian
+from .jacobian_pattern import Jacobian, jacobian
+from .kernels import with_formulas
 from .schedule import (
     BEGINS,
     JUMPS,
@@ -38,9 +40,8 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .solver_layout import DOP853, MAP, RK4, RODAS5P, SIGNALS, Status
+from .solver_layout import SIGNALS, Status
 from .termination import (
-    NAMES,
     STUCK,
     Solution,
     ended,
@@ -100,7 +101,7 @@ class PythonDiagram:
     schedule = make_schedule
 
     def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: int = DOP853
+        self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT
     ) -> Callee:
         """Return the functions that the solver calls, for one of its methods."""
         n = self.nstates
@@ -136,14 +137,14 @@ class PythonDiagram:
             nstates=n,
             method=method,
             guarded=int(self.sweep.guarded),
-            jumping=int(method != MAP and bool(self.jumps)),
+            jumping=int(not method.discrete and bool(self.jumps)),
             decided_at=0,
             decided=0,
             unannounced=1 if straight else 2,
             size=size,
             room=self.nsignals,
             tables=np.zeros(1),
-            linear=jacobian(full) if method == RODAS5P else Jacobian(),
+            linear=jacobian(full) if method.implicit else Jacobian(),
             code=(callbacks,),
             raised=raised,
         )
@@ -151,7 +152,7 @@ class PythonDiagram:
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return the functions that the solver calls for its implicit method."""
-        return self.callee(1, inputs, RODAS5P)
+        return self.callee(1, inputs, IMPLICIT)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -259,9 +260,7 @@ class PythonDiagram:
     ) -> Batch:
         """Return the batch of a run at the first time, after blocks have sampled."""
         segments = self.schedule(times, inputs, BEND * options.rtol)
-        callee = self.callee(
-            1, inputs, self.method_number(options.method, options.step)
-        )
+        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
         P = self.parameters()
         start = sampled_start(callee, start, float(times[0]), segments, P)
         return self._batch(inputs, options, P, start, times, segments)
@@ -276,9 +275,7 @@ class PythonDiagram:
         segments: Schedule,
     ) -> Batch:
         """Return a batch of one run at its first time."""
-        callee = self.callee(
-            1, inputs, self.method_number(options.method, options.step)
-        )
+        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
         return Batch(
             callee,
             start[None],
@@ -293,7 +290,7 @@ class PythonDiagram:
         self, batch: Batch, inputs: Inputs | None, options: "RunOptions", end: float
     ) -> None:
         """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
-        most = self.most if batch.callee.method > RK4 else ANY
+        most = self.most if batch.callee.method.adaptive else ANY
         implicit = None
         if options.method == "auto" and options.step is None:
             implicit = partial(self.implicit, inputs)
@@ -319,10 +316,10 @@ class PythonDiagram:
         if batch.status[0] == Status.CHATTERING:
             continue_on_switch(self, batch, begin)
 
-    def method_number(self, method: str = "auto", step: float | None = None) -> int:
-        """Return the solver's number of a method."""
+    def method_of(self, method: str = "auto", step: float | None = None) -> Method:
+        """Return the method of a run."""
         if self.wiring.dt:
-            return MAP
+            return DISCRETE
         return METHODS[method] if step is None else RK4
 
     def unlocked(self) -> Self:
@@ -364,9 +361,7 @@ class PythonDiagram:
         for k, start in enumerate(states):
             states[k] = sampled_start(callee, start, float(times[0]), segments, P)
         # all runs as one batch
-        callee = self.callee(
-            self.lanes(len(states)), None, self.method_number(step=step)
-        )
+        callee = self.callee(self.lanes(len(states)), None, self.method_of(step=step))
         parameters = np.tile(P, (len(states), 1))
         batch = Batch(
             callee, states, parameters, times, [segments], longest=options.max_step
@@ -429,8 +424,6 @@ class PythonDiagram:
 
 # --- options of a run -------------------------------------------------------------------------
 
-ADAPTIVE = {name.lower(): k for k, name in NAMES.items() if k > RK4}
-METHODS = {"auto": DOP853, **ADAPTIVE}
 # the least that an option may be
 LEAST = {
     "rtol": 0.0,

@@ -21,7 +21,6 @@ from .solver_layout import (
     HIGH,
     JUMP_TIME,
     LAST_EVENT,
-    MAP,
     MAX_STEP,
     NEXT_RUN,
     NEXT_STOP,
@@ -30,7 +29,6 @@ from .solver_layout import (
     REALS,
     REJECTED,
     RESTARTS,
-    RK4,
     RUN_INDEX,
     RUNS_END,
     SAMPLES_DONE,
@@ -110,15 +108,15 @@ def set_segment(solver, segment, k):
 def begin_segment(solver):
     """Begin a segment in the lanes that are fresh; end a run that cannot begin it."""
     lane, integers = solver.lane, solver.integers
-    counts, method = solver.results.counts, solver.shape.method
-    for k in range(solver.shape.lanes):
+    counts, shape = solver.results.counts, solver.shape
+    for k in range(shape.lanes):
         if lane[FRESH, k] < 0.5:
             continue
         lane[FRESH, k] = 0.0
         lane[REJECTED, k] = 0.0
         lane[FIRST_STEP, k] = 0.0
-        counts[integers[RUN_INDEX, k], EVALUATIONS] += 0 if method <= RK4 else 2
-        counts[integers[RUN_INDEX, k], RESTARTS] += 0 if method == MAP else 1
+        counts[integers[RUN_INDEX, k], EVALUATIONS] += 2 if shape.adaptive > 0 else 0
+        counts[integers[RUN_INDEX, k], RESTARTS] += 0 if shape.discrete > 0 else 1
         if lane[NOT_FINITE, k] != 0.0:
             fail(solver, k, Status.NOT_FINITE)
         stop_outside(solver, k, STATE)

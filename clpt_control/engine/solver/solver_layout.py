@@ -56,12 +56,7 @@ class Status(IntEnum):
     STIFF = 7, "stiff", "left to an implicit method"
 
 
-# Methods, each known by its number of stages, the new state among them.  DOP853 has three more
-# stages for its interpolant.  MAP is discrete time: the rate is the state at the next sample.
-DOP853, RODAS5P, RK4, MAP = 12, 9, 4, 1
-
-
-# Real numbers of a lane, by index in `lane`.  The formulas of the methods (`integrators`) read and
+# Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and
 # write them, too.
 TIME = 0  # reached by the run
 STEP_SIZE = 1  # of the next step to try
@@ -115,7 +110,11 @@ class Shape(NamedTuple):
 
     lanes: int
     states: int
-    method: int
+    stages: int  # of the method
+    dense_stages: int  # further ones, for its interpolant
+    adaptive: int  # 1 if its steps are chosen by their error
+    implicit: int  # 1 if its stages are solved with a matrix
+    discrete: int  # 1 if a step leads to the next sample of discrete time
     guarded: int  # 1 if the last event is a guard, which stops the run
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
@@ -206,6 +205,7 @@ ON, ANEW = 1, 2
 
 # Rows of Z: the state; rates of stages 0 to 15; the argument of a stage; terms of the interpolant
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
+END_RATE = RATE + 12  # the rate at the end of the step, of each method
 # in place of the last rates: a state within the step, and rates there, with the decisions of the
 # step's beginning and with those made there
 WITHIN, HELD_RATE, NEW_RATE = 16, 14, 15

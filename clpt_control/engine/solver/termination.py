@@ -15,14 +15,10 @@ from .batch import Batch, Callee
 from .evaluation_pass import Sweep, rounding
 from .schedule import Inputs, Schedule, inputs_at
 from .solver_layout import (
-    DOP853,
     EVENT_INDEX,
     HIGH,
     JUMP,
-    MAP,
     RATE,
-    RK4,
-    RODAS5P,
     SEGMENT_END,
     STATE,
     TRIAL_SIZE,
@@ -32,8 +28,6 @@ from .solver_layout import (
 
 # ends that a locked decision may cause
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
-# of the methods
-NAMES = {DOP853: "DOP853", RODAS5P: "Rodas5P", RK4: "RK4", MAP: "none"}
 ADVICE = "check the parameters of that block"  # where a signal is not finite
 
 
@@ -65,12 +59,12 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     """
     status = int(batch.status[0])
     last = batch.continuations.get(0, batch)
-    method = NAMES[batch.callee.method]
+    method = batch.callee.method.name
     solution = Solution(batch.times, batch.out[0], method=method)
     if batch.slides:
         solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
     elif last is not batch:
-        solution.method += f", from t = {last.times[0]:.9g} {NAMES[last.callee.method]}"
+        solution.method += f", from t = {last.times[0]:.9g} {last.callee.method.name}"
     steps, evaluations, restarts, _ = batch.counts[0].tolist()
     solution.statistics = {
         "steps": steps,
@@ -89,7 +83,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     if status == Status.CHATTERING:
         reason = f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
-    work = "run" if batch.callee.method == MAP else "integration"
+    work = "run" if batch.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
     error.points = _points_ahead(last)  # type: ignore[attr-defined]
     raise error
@@ -102,7 +96,7 @@ def _points_ahead(batch: Batch) -> list[tuple[float, ndarray]]:
     rate = batch.states[RATE, :, 0].copy()
     points = [(t, x)]
     remaining = batch.lane[SEGMENT_END, 0] - t
-    if batch.callee.method != MAP and remaining:
+    if not batch.callee.method.discrete and remaining:
         steps = remaining * np.geomspace(1e-12, 1.0, 13)
         points += [(t + h, x + h * rate) for h in steps]
     return points
@@ -190,7 +184,7 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     """Return a sentence on the value that is not finite at the state reached, or ahead of it."""
     t = batch.now
     advice = ADVICE
-    if batch.callee.method != MAP:
+    if not batch.callee.method.discrete:
         advice = f"{ADVICE}, or loosen rtol and atol"
     points = _points_ahead(batch)
     # 1. repeat a jump that gave a state that is not finite

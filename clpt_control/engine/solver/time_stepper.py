@@ -13,7 +13,7 @@ any others.  One pass of `advance`:
 5. `write_samples`, then the state of accepted steps; the restart behind an event.
 6. `end_segments`: jumps of states, the next segment, the next run.
 
-All numbers are computed by the diagram's functions and the formulas of the method (`integrators`).
+All numbers are computed by the diagram's functions and the formulas of the method (`methods`).
 """
 
 import math
@@ -43,8 +43,8 @@ from .solver_layout import (
     DECIDE,
     DENSE,
     DERIVATIVE,
-    DOP853,
     DUE,
+    END_RATE,
     EVALUATIONS,
     FAILURE,
     FIRST,
@@ -54,8 +54,6 @@ from .solver_layout import (
     REJECTED,
     REJECTED_COUNT,
     REJECTIONS,
-    RK4,
-    RODAS5P,
     RUN_INDEX,
     SAMPLES_DONE,
     SEGMENT_END,
@@ -87,7 +85,6 @@ from .solver_layout import (
 
 CHECK_EVERY = 128  # steps between checks for stiffness
 STEPS_AHEAD = 250  # for which stiffness may matter
-END_RATE = RATE + DOP853  # row of the rate at the end of the step
 
 
 def advance(solver, budget, most):
@@ -109,7 +106,7 @@ def advance(solver, budget, most):
         retried = lane[REJECTED, 0] > 0.5
         attempt_step(solver)
         accepted = False
-        due = started or watched or shape.method == RODAS5P
+        due = started or watched or shape.implicit > 0
         for k in range(shape.lanes):
             accepted = accepted or lane[ACCEPTED, k] > 0.5
             due = due or lane[DUE, k] > 0.5
@@ -151,7 +148,7 @@ def start_segments(solver):
     if shape.decisions > 0:
         hold_decisions(solver)
     # 2. the first step, from the change of the rates over a trial step
-    if shape.method > RK4:
+    if shape.adaptive > 0:
         derivative(solver, lane[TIME], STATE, RATE + 1)
         formula(solver, SIZES)
         formula(solver, TRIAL)
@@ -164,16 +161,16 @@ def start_segments(solver):
 def attempt_step(solver):
     """Compute the stages of a step, the new state and whether its error is small enough."""
     lane = solver.lane
-    method = solver.shape.method
+    shape = solver.shape
     formula(solver, ATTEMPT)
-    if method <= RK4:
+    if shape.adaptive == 0:
         derivative(solver, lane[TIME], STATE, RATE)
-    if method == RODAS5P:
+    if shape.implicit > 0:
         factor_matrix(solver)
-    for stage in range(1, method):
+    for stage in range(1, shape.stages):
         formula(solver, STAGE + stage)
         derivative(solver, lane[STAGE_TIME], ARGUMENT, RATE + stage)
-        if method == RODAS5P:
+        if shape.implicit > 0:
             solve_stage(solver, stage)
     formula(solver, CONTROL)
 
@@ -209,12 +206,12 @@ def handle_events(solver, accepted, retried, between, stiffness):
     """
     lane = solver.lane
     shape = solver.shape
-    dense = shape.method == DOP853
+    explicit = shape.adaptive > 0 and shape.implicit == 0
     # 1. the rate at the new state; where rates may jump it is needed for a step rejected twice, too
-    unannounced = shape.unannounced > 0 and dense and (accepted or retried)
-    if (accepted and shape.method > RK4) or unannounced:
+    unannounced = shape.unannounced > 0 and explicit and (accepted or retried)
+    if (accepted and shape.adaptive > 0) or unannounced:
         derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
-    if stiffness and dense:
+    if stiffness and explicit:
         formula(solver, STIFFNESS)
     # 2. is there an event, by the cubic through both ends?  Guards need the interpolant
     crossed = accepted and shape.guarded > 0
@@ -224,26 +221,26 @@ def handle_events(solver, accepted, retried, between, stiffness):
     if not (between or crossed or unannounced):
         return False
     # 3. the interpolant of the method
-    if dense:
+    if shape.dense_stages > 0:
         interpolant_stages(solver)
     formula(solver, DENSE)
-    if dense and accepted:
+    if explicit and accepted:
         check_interpolant(solver)
     # 4. the events by this interpolant
     if crossed and check_events(solver):
         locate_events(solver)
     if unannounced:
         locate_jump(solver)
-    return between and dense
+    return between and explicit
 
 
 def interpolant_stages(solver):
-    """Compute three more stages of DOP853, then the new state again, in whose place they were."""
-    lane = solver.lane
-    for stage in range(DOP853 + 1, DOP853 + 4):
-        formula(solver, STAGE + stage)
-        derivative(solver, lane[STAGE_TIME], ARGUMENT, RATE + stage)
-    formula(solver, STAGE + DOP853)
+    """Compute further stages, then the new state again, in whose place their arguments were."""
+    lane, shape = solver.lane, solver.shape
+    for stage in range(1, shape.dense_stages + 1):
+        formula(solver, STAGE + shape.stages + stage)
+        derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE + stage)
+    formula(solver, STAGE + shape.stages)
 
 
 def end_segments(solver, most):
@@ -285,7 +282,7 @@ def end_segments(solver, most):
 def count_steps(solver):
     """Add the steps of lanes since the last check to the counts of their runs."""
     lane, integers = solver.lane, solver.integers
-    counts, method = solver.results.counts, solver.shape.method
+    counts, stages = solver.results.counts, solver.shape.stages
     for k in range(solver.shape.lanes):
         m = integers[RUN_INDEX, k]
         if m >= 0:
@@ -293,21 +290,23 @@ def count_steps(solver):
             rejected = int(lane[REJECTED_COUNT, k])
             counts[m, STEPS] += accepted
             counts[m, REJECTIONS] += rejected
-            counts[m, EVALUATIONS] += (method - 1) * (accepted + rejected) + accepted
+            counts[m, EVALUATIONS] += (stages - 1) * (accepted + rejected) + accepted
             lane[ACCEPTED_COUNT, k] = 0.0
             lane[REJECTED_COUNT, k] = 0.0
             lane[TRIES_LEFT, k] -= accepted + rejected
 
 
 def write_samples(solver, interpolated):
-    """Write the states at times within the step, for which three evaluations may have been made."""
+    """Write the states at times within the step, for which further evaluations were made."""
     lane, integers = solver.lane, solver.integers
     results, times, states = solver.results, solver.times, solver.states
     for k in range(solver.shape.lanes):
         m, done = integers[RUN_INDEX, k], integers[SAMPLES_DONE, k]
         if m < 0 or lane[ACCEPTED, k] < 0.5 or results.status[m] != Status.RUNNING:
             continue
-        results.counts[m, EVALUATIONS] += 3 if interpolated else 0
+        results.counts[m, EVALUATIONS] += (
+            solver.shape.dense_stages if interpolated else 0
+        )
         end = lane[TRIAL_END, k]
         while done < len(times) and times[done] <= end:
             share = (times[done] - lane[TIME, k]) / lane[TRIAL_SIZE, k]
@@ -332,7 +331,7 @@ def check_interpolant(solver):
         if times[done] < lane[TRIAL_END, k] and lane[INTERPOLANT_ERROR, k] > 1.0:
             retry(solver, k, lane[TRIAL_SIZE, k])
             lane[STOP_AT, k] = times[done]
-            solver.results.counts[m, EVALUATIONS] += 3
+            solver.results.counts[m, EVALUATIONS] += solver.shape.dense_stages
 
 
 def evaluate(

@@ -1,0 +1,1 @@
+"""Integration methods: a row of facts for each, its tableau and its formulas."""
