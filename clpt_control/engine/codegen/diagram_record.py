@@ -10,7 +10,7 @@ input of the diagram is a straight line in time: behind the fields, P has the ti
 begin, their values there and their slopes.  Prepared values are the last numbers of P.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from math import pi, prod
@@ -201,10 +201,16 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `record.graph`, with loads in place of leaves.  `at` of a load is (array,
     offset), of a sum (axis, length, is it a loop?), of a part the offset among all elements of its
     argument, row by row.  An axis without a name is a loop from the length `long` on, an axis with
-    a name from the length `named` on.
+    a name from the length `named` on.  Decisions of `passed` operations are not locked.
     """
 
-    def __init__(self, wiring: Wiring, layout: Layout, form: str | None = None):
+    def __init__(
+        self,
+        wiring: Wiring,
+        layout: Layout,
+        form: str | None = None,
+        passed: Collection[int] = (),
+    ):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout = layout
         self.long, self.named, self.locking = FORMS[form]
@@ -226,7 +232,7 @@ class DiagramRecord(RecordMerger):
                 self.margins += self.run(k, "guard", self.fed(k))
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
         if self.locking and not wiring.dt:
-            self.rates = self.decisions.lock(self.rates)
+            self.rates = self.decisions.lock(self.rates, passed=passed)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
         self.leaps: list[Port] = []

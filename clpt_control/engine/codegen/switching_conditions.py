@@ -12,7 +12,7 @@ condition and begins a new step there, with new decisions.
 Source: Cellier and Kofman, Continuous System Simulation, 2006, chapter 9 (discontinuity locking).
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from math import prod
 from typing import Any, NamedTuple
 
@@ -98,18 +98,23 @@ class Decisions:
         self.distances: list[Port] = []
         self.least: list[Port] = []
         self.of: list[tuple] = []  # first place of each, and where it is made
+        self.operations: list[int] = []  # the first decision of each operation
         self.count = 0  # how many numbers are decided
         self.timed = False  # whether time alone decides
         self._true: list[Port] = []  # distances, also of numbers that are held
 
-    def lock(self, rates: list[Port], fixed: Sequence[int] = ()) -> list[Port]:
+    def lock(
+        self, rates: list[Port], fixed: Sequence[int] = (), passed: Collection[int] = ()
+    ) -> list[Port]:
         """Write the rates again with locked decisions; return them.
 
         Decisions that are `fixed` stay for good; they are counted from the first of these rates on.
+        Operations that are `passed`, counted alike, are not locked.
         """
         record = self.record
         locked = dict[int, Ref]()
         first_decision = self.count
+        operation = -1  # of those that decide
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
@@ -128,7 +133,10 @@ class Decisions:
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))
-            if k in record.decided_by and moves:
+            decides = k in record.decided_by and moves
+            operation += decides
+            if decides and operation not in passed:
+                self.operations.append(self.count)
                 self.timed |= k not in fed
                 fixed_decisions = [first_decision + number for number in fixed]
                 locked[k] = self._lock(k, arguments, fixed_decisions)

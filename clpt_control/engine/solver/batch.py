@@ -201,6 +201,10 @@ class Batch:
             int, Batch
         ] = {}  # of stiff runs, and of a run that slides
         self.slides: list[float] = []  # times at which it began to slide
+        self.label = callee.method.name
+        self.tolerance_share = (
+            1.0  # of the tolerances of a run that this batch continues
+        )
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
@@ -262,13 +266,14 @@ class Batch:
         watch: Callable[["Batch"], None] = lambda batch: None,
         most: int = MEMBER_STEPS,
         implicit: Callable[[], Callee] | None = None,
+        over_kinks: Any = None,
     ) -> None:
         """Run to the end with steps chosen by tolerance, each run for at most `most` tries.
 
         Tries of steps without tolerances are not limited.  `watch` is called between the solver's
         calls, each of about `PAUSE`.  `implicit` returns the functions that an implicit method
         calls, if stiff runs are to be continued with it, one after the other; `continuations` are
-        the batches of these runs.
+        the batches of these runs.  `over_kinks` is a `kinks.ManyKinks` of the only run.
         """
         self.lane[STIFF_STEPS] = -np.inf if implicit is None else 0.0
         if not self.callee.method.adaptive:
@@ -282,6 +287,8 @@ class Batch:
         while active:
             check()
             begin = time.perf_counter()
+            if over_kinks is not None:
+                budget = min(budget, over_kinks.tries_left(self))
             active = self.advance(rtol, atol, budget, most)
             # end stiff runs
             doubtful = np.flatnonzero(self.lane[STIFF_STEPS] >= STIFF_AFTER)
@@ -294,8 +301,15 @@ class Batch:
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
             watch(self)
+            if over_kinks is not None and active:
+                following = over_kinks.following(self)
+                if following is not None:
+                    self._leave_to(following, 0)
+                    active = 0
         for m, batch in self.continuations.items():
-            batch.adaptive(rtol, atol, watch, most)
+            share = batch.tolerance_share
+            next_method = None if batch.callee.method.implicit else implicit
+            batch.adaptive(share * rtol, share * atol, watch, most, next_method)
             before = len(self.times) - len(batch.times)
             self.out[m, before + 1 :] = batch.out[0, 1:]
             self.status[m] = batch.status[0]
@@ -333,10 +347,15 @@ class Batch:
         batch = Batch(callee, state[None], P[None], times, [segments], None, longest)
         batch.advance(rtol, atol, 1)
         if h * radius(batch.linear.jacobian.reshape(n, n)) > LARGE:
-            self.continuations[m] = batch
-            self.status[m] = Status.STIFF
-            self.reached[m] = reached
-            self.integers[RUN_INDEX, k] = -1
+            self._leave_to(batch, k)
+
+    def _leave_to(self, batch: "Batch", k: int) -> None:
+        """Leave the run of a lane to another batch."""
+        m, _, reached, *_ = self.integers[:, k].tolist()
+        self.continuations[m] = batch
+        self.status[m] = Status.STIFF
+        self.reached[m] = reached
+        self.integers[RUN_INDEX, k] = -1
 
 
 def radius(matrix: np.ndarray) -> float:

@@ -24,6 +24,7 @@ from .batch import Callee
 from .filippov import HeldSwitch, slide
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas
+from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
 from .runner import PythonDiagram
 from .schedule import Inputs
 
@@ -33,7 +34,7 @@ MANY, SHORTER = (1500, 3)
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
-Form = str | HeldSwitch | Directions | None
+Form = str | HeldSwitch | PassedKinks | Directions | None
 FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
@@ -54,11 +55,18 @@ class Structure:
 class Code:
     """The program of a structure, and its machine code once it was requested.
 
-    `sparsity` is the pattern of df/dx, for an implicit method.
+    `sparsity` is the pattern of df/dx, for an implicit method; `decided_operations` the first
+    decision of each operation that decides.
     """
 
-    def __init__(self, program: Program, sparsity: Callable[[], Jacobian]):
+    def __init__(
+        self,
+        program: Program,
+        sparsity: Callable[[], Jacobian],
+        decided_operations: tuple[int, ...],
+    ):
         self.program, self.sparsity = program, cache(sparsity)
+        self.decided_operations = decided_operations
         self._machines: dict[tuple[str, int], Machine] = {}
 
     @one_at_a_time
@@ -85,10 +93,13 @@ class Code:
 def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
-    `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``, or
-    held on a switch.  An `Uncompiled` error says what cannot be compiled.
+    `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``,
+    held on a switch, or free where kinks are passed.  An `Uncompiled` error says what cannot be
+    compiled.
     """
-    if form not in FORMS and not isinstance(form, HeldSwitch | Directions):
+    if form not in FORMS and not isinstance(
+        form, HeldSwitch | PassedKinks | Directions
+    ):
         raise DiagramError(
             f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out"
         )
@@ -154,6 +165,8 @@ def _planned(structure: Structure, form: Form) -> Code:
     if isinstance(plain_form, HeldSwitch):
         record = DiagramRecord(wiring, layout, "free")
         slide(record, plain_form)
+    elif isinstance(plain_form, PassedKinks):
+        record = DiagramRecord(wiring, layout, None, plain_form.operations)
     else:
         record = DiagramRecord(wiring, layout, plain_form)
     if isinstance(form, Directions):
@@ -163,7 +176,8 @@ def _planned(structure: Structure, form: Form) -> Code:
     signals = copies * last.outputs.stop
     states = copies * last.states.stop
     program = program_of(record, signals, layout.inputs(wiring.ninputs))
-    return Code(program, lambda: jacobian(reach_of(record, states)))
+    operations = tuple(record.decisions.operations)
+    return Code(program, lambda: jacobian(reach_of(record, states)), operations)
 
 
 def form_without_derivatives(form: Form) -> Any:
@@ -237,6 +251,12 @@ class NativeDiagram(PythonDiagram):
         diagram = super().with_parameters(parameters)
         diagram.layout = replace(self.layout, P=self.layout.packed(parameters))
         return diagram
+
+    def over_kinks(self, rtol: float, atol: float) -> ManyKinks | None:
+        """Return what continues a run over many kinks, or None."""
+        if self.code.program.decided < MANY_DECISIONS:
+            return None
+        return ManyKinks(self, rtol, atol)
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step."""

@@ -232,7 +232,12 @@ class PythonDiagram:
         batch = self._prepare(start, times, inputs, options)
         error = None
         try:
-            self._integrate(batch, inputs, options, times[-1])
+            kinks = self.over_kinks(options.rtol, options.atol)
+            self._integrate(batch, inputs, options, times[-1], kinks)
+            if batch.status[0] == Status.CHATTERING and batch.continuations:
+                # it slides among kinks that were passed: once more, with all located
+                batch = self._prepare(start, times, inputs, options)
+                self._integrate(batch, inputs, options, times[-1])
             self._continue_on_switch(batch, inputs, options)
         except SimulationError as too_slow:
             error = too_slow
@@ -287,7 +292,12 @@ class PythonDiagram:
         )
 
     def _integrate(
-        self, batch: Batch, inputs: Inputs | None, options: "RunOptions", end: float
+        self,
+        batch: Batch,
+        inputs: Inputs | None,
+        options: "RunOptions",
+        end: float,
+        over_kinks: Any = None,
     ) -> None:
         """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
         most = self.most if batch.callee.method.adaptive else ANY
@@ -295,7 +305,8 @@ class PythonDiagram:
         if options.method == "auto" and options.step is None:
             implicit = partial(self.implicit, inputs)
         watch = pace(most, batch.times[0], end, options.progress)
-        batch.adaptive(options.rtol, options.atol, watch, most, implicit)
+        tolerances = options.rtol, options.atol
+        batch.adaptive(*tolerances, watch, most, implicit, over_kinks)
 
     def _continue_on_switch(
         self, batch: Batch, inputs: Inputs | None, options: "RunOptions"
@@ -321,6 +332,10 @@ class PythonDiagram:
         if self.wiring.dt:
             return DISCRETE
         return METHODS[method] if step is None else RK4
+
+    def over_kinks(self, rtol: float, atol: float) -> Any:
+        """Return what continues a run over many kinks, or None."""
+        return None
 
     def unlocked(self) -> Self:
         """Return the diagram with decisions that change within a step.

@@ -58,13 +58,14 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     `sweep` evaluates the diagram in Python, with the parameters of the run.
     """
     status = int(batch.status[0])
-    last = batch.continuations.get(0, batch)
-    method = batch.callee.method.name
-    solution = Solution(batch.times, batch.out[0], method=method)
+    solution = Solution(batch.times, batch.out[0], method=batch.label)
     if batch.slides:
         solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
-    elif last is not batch:
-        solution.method += f", from t = {last.times[0]:.9g} {last.callee.method.name}"
+    last = batch
+    while 0 in last.continuations:
+        last = last.continuations[0]
+        if not batch.slides:
+            solution.method += f", from t = {last.times[0]:.9g} {last.label}"
     steps, evaluations, restarts, _ = batch.counts[0].tolist()
     solution.statistics = {
         "steps": steps,

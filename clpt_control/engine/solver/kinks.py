@@ -1,0 +1,135 @@
+"""Runs over many kinks: where they restart the integration too often, they are no longer located.
+
+A kink (max, abs, a slope limiter) changes no rate where it is passed, so the estimate of the error
+sees it.  It is located as long as kinks are few.  In a large model they are many: then the run goes
+on with smaller tolerances and with kinks evaluated at every stage.  Jumps are located as before.
+
+An operation counts as a kink if it was passed in some of the last events, and the rates were the
+same on both sides each time.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .batch import Batch
+from .event_location import NEGLIGIBLE
+from .solver_layout import (
+    BEGINNING,
+    DECISION,
+    DERIVATIVE,
+    MAX_STEP,
+    RATE,
+    REJECTIONS,
+    RESTARTS,
+    RUN_INDEX,
+    SAMPLES_DONE,
+    STATE,
+    STEPS,
+    TIME,
+)
+
+MANY_DECISIONS = 32  # of a large model
+SHARE = 1.0 / 3.0  # of restarts in the steps: more are too many
+FEWEST = 64  # tries after which they are counted
+LOOKS = 400  # tries in which the kinks are found
+TOLERANCE_SHARE = 0.01  # of the tolerances, over kinks
+
+
+class PassedKinks(NamedTuple):
+    """Operations whose decisions change within a step, counted as they are locked."""
+
+    operations: frozenset[int]
+
+
+class ManyKinks:
+    """What continues a run where kinks restart it too often.
+
+    `diagram` is a `NativeDiagram`.  The run is looked at after `FEWEST` tries, and whenever they
+    have doubled: the pace of the machine has no part in it.
+    """
+
+    def __init__(self, diagram: Any, rtol: float, atol: float):
+        self.diagram = diagram
+        self.tolerances = rtol, atol
+        self.next_look = FEWEST  # tries
+
+    def tries_left(self, batch: Batch) -> int:
+        """Return the tries until the next look."""
+        tries = batch.counts[0, STEPS] + batch.counts[0, REJECTIONS]
+        return max(int(self.next_look - tries), 1)
+
+    def following(self, batch: Batch) -> Batch | None:
+        """Return the batch that continues a run, or None."""
+        counts = batch.counts[0]
+        tries = counts[STEPS] + counts[REJECTIONS]
+        if tries < self.next_look:
+            return None
+        self.next_look = 2 * int(tries)
+        if counts[RESTARTS] <= SHARE * counts[STEPS]:
+            return None
+        return _continued(self.diagram, batch, *self.tolerances)
+
+
+def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | None:
+    """Return a batch that continues a run without locating its kinks; None if it has none."""
+    kinks = _kinks(diagram, batch, rtol, atol)
+    if not kinks or batch.integers[RUN_INDEX, 0] < 0:
+        return None
+    runner = diagram.in_form(PassedKinks(frozenset(kinks)))
+    # 1. parameters, without the decisions
+    parameters = runner.parameters()
+    count = len(diagram.layout.P)
+    parameters[:count] = batch.runs.parameters[0][:count]
+    # 2. from the time reached
+    t = batch.now
+    times = np.append(t, batch.times[batch.integers[SAMPLES_DONE, 0] :])
+    following = Batch(
+        runner.callee(1, None, batch.callee.method),
+        batch.states[STATE, :, 0][None].copy(),
+        parameters[None],
+        times,
+        [batch.schedules[0].after(t)],
+        longest=batch.lane[MAX_STEP, 0],
+    )
+    following.tolerance_share = TOLERANCE_SHARE
+    following.label = f"{following.label} without locating kinks"
+    return following
+
+
+def _kinks(diagram: Any, batch: Batch, rtol: float, atol: float) -> set[int]:
+    """Return the operations that are kinks in the next events of a run."""
+    firsts = np.array(diagram.code.decided_operations)
+    kinks: set[int] = set()
+    jumps: set[int] = set()
+    for _ in range(LOOKS):
+        active = batch.advance(rtol, atol, 1)
+        if not active:
+            break
+        if not batch.solver.queue[BEGINNING]:
+            continue
+        changed, effect = _effect_of_event(diagram, batch, rtol, atol)
+        operations = np.searchsorted(firsts, changed, "right") - 1
+        (kinks if effect <= NEGLIGIBLE else jumps).update(operations.tolist())
+    return kinks - jumps
+
+
+def _effect_of_event(
+    diagram: Any, batch: Batch, rtol: float, atol: float
+) -> tuple[np.ndarray, float]:
+    """Return the decisions that change where a step has ended, and the effect on a mean step.
+
+    The effect is that of `event_location`: step times difference of the rates, in tolerances.
+    """
+    callee = batch.callee
+    times = batch.lane[TIME, :1]
+    state = batch.states[STATE, :, 0][None]
+    at = times, state, batch.schedules[0], batch.memory.P
+    now = callee.events_at(*at)[0, DECISION, : callee.decided]
+    held = batch.memory.P[callee.decided_at :][: callee.decided]
+    changed = np.flatnonzero(now != held)
+    rates = callee.evaluate(DERIVATIVE, *at, callee.nstates)[0]
+    difference = np.abs(rates - batch.states[RATE, :, 0])
+    mean_step = (batch.now - batch.times[0]) / batch.counts[0, STEPS]
+    tolerances = atol + rtol * np.abs(state[0])
+    return changed, float(np.max(mean_step * difference / tolerances))

@@ -1,0 +1,84 @@
+"""Many kinks in a large model are passed with small tolerances; jumps and few kinks are located."""
+
+import control
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import clpt_control as clpt
+
+CELLS = 100
+TIMES = np.linspace(0.0, 0.4, 21)
+PLACES = (np.arange(CELLS) + 0.5) / CELLS
+WAVE = 1.2 + np.sin(2 * np.pi * PLACES)
+
+
+def limited(x):
+    """Return the rates of Burgers' equation with a slope limiter (minmod)."""
+    ahead = np.roll(x, -1) - x
+    behind = np.roll(ahead, 1)
+    smaller = np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
+    slope = np.where(ahead * behind > 0, smaller, 0.0)
+    left, right = x + 0.5 * slope, np.roll(x - 0.5 * slope, -1)
+    speed = np.maximum(np.abs(left), np.abs(right))
+    flux = 0.25 * (left**2 + right**2) - 0.5 * speed * (right - left)
+    return -(flux - np.roll(flux, 1)) * len(x)
+
+
+def cells(t, x, u, p):
+    return limited(x)
+
+
+def cells_and_climber(t, x, u, p):
+    """Beside the cells, what rises by 3 a second up to 0.5, then by 1."""
+    return np.concatenate([limited(x[:CELLS]), [np.where(x[CELLS] < 0.5, 3.0, 1.0)]])
+
+
+def cells_and_slider(t, x, u, p):
+    """Beside 20 cells, what rises to 0.5 and stays there, held by a relay."""
+    return np.concatenate([limited(x[:20]), [1.0 - 2.0 * np.sign(x[20] - 0.5)]])
+
+
+def system(function, n):
+    return control.nlsys(function, None, states=n, inputs=0, outputs=n, name="cells")
+
+
+def test_a_limiter_is_as_exact_as_a_tight_run_of_scipy():
+    run = clpt.simulate(system(cells, CELLS), TIMES, None, WAVE)
+    assert "without locating kinks" in run.attrs["method"]
+    exact = solve_ivp(
+        lambda t, x: limited(x), (0, 0.4), WAVE, "DOP853", TIMES, rtol=1e-12, atol=1e-13
+    )
+    assert np.abs(run.states.values - exact.y.T).max() < 1e-6
+    assert run.attrs["solver_restarts"] < run.attrs["solver_steps"] / 3
+
+
+def test_it_runs_again_to_the_last_bit():
+    runs = [clpt.simulate(system(cells, CELLS), TIMES, None, WAVE) for _ in range(3)]
+    assert len({run.states.values.tobytes() for run in runs}) == 1
+
+
+def test_jumps_among_many_kinks_are_located():
+    run = clpt.simulate(system(cells_and_climber, CELLS + 1), TIMES, None, [*WAVE, 0.0])
+    assert "without locating kinks" in run.attrs["method"]
+    closed_form = np.minimum(3.0 * TIMES, 0.5 + (TIMES - 0.5 / 3.0))
+    assert np.abs(run.states.values[:, CELLS] - closed_form).max() < 1e-10
+
+
+def test_a_run_that_slides_among_many_kinks_is_right():
+    run = clpt.simulate(system(cells_and_slider, 21), TIMES, None, [*WAVE[::5], 0.0])
+    assert "sliding on a switch" in run.attrs["method"]
+    closed_form = np.minimum(3.0 * TIMES, 0.5)
+    assert np.abs(run.states.values[:, 20] - closed_form).max() < 1e-8
+
+
+def test_few_kinks_of_a_large_model_are_located():
+    def springs(t, x, u, p):
+        """Masses that turn at their own pace, each with a spring that is harder on one side."""
+        place, speed = x[:40], x[40:]
+        return np.concatenate([speed, -place - 0.5 * np.maximum(place, 0.0)])
+
+    start = np.concatenate([np.ones(40), np.zeros(40)])
+    run = clpt.simulate(system(springs, 80), np.linspace(0, 1.0, 5), None, start)
+    assert run.attrs["method"] == "DOP853"
+    assert run.states.values[-1, 0] == pytest.approx(np.cos(np.sqrt(1.5)), abs=1e-8)
