@@ -43,7 +43,7 @@ class PassedKinks(NamedTuple):
 
 
 class ManyKinks:
-    """What continues a run where kinks restart it too often.
+    """Continuation of a run that kinks restart too often.
 
     `diagram` is a `NativeDiagram`.  The run is looked at after `FEWEST` tries, and whenever they
     have doubled: the pace of the machine has no part in it.
