@@ -101,19 +101,32 @@ class Decisions:
         self.operations: list[int] = []  # the first decision of each operation
         self.count = 0  # how many numbers are decided
         self.timed = False  # whether time alone decides
+        self.first_count = 0  # of the first rates
+        self._first = dict[
+            int, Ref
+        ]()  # entries with locked decisions of the first rates
+        self._numbers = dict[tuple, int]()  # of each operation's decisions in these
+        self._block = 0  # how many numbers were decided before
         self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(
-        self, rates: list[Port], fixed: Sequence[int] = (), passed: Collection[int] = ()
+        self,
+        rates: list[Port],
+        fixed: Sequence[int] = (),
+        flipped: Sequence[int] = (),
+        passed: Collection[int] = (),
     ) -> list[Port]:
         """Write the rates again with locked decisions; return them.
 
-        Decisions that are `fixed` stay for good; they are counted from the first of these rates on.
-        Operations that are `passed`, counted alike, are not locked.
+        Decisions that are `fixed` stay for good.  The second and later times, those that are
+        `flipped` are on their other side, which P holds in the next `first_count` numbers; what
+        does not depend on them is shared with the first rates.  Operations that are `passed`,
+        counted in the order in which they are locked, are not.
         """
         record = self.record
         locked = dict[int, Ref]()
-        first_decision = self.count
+        again = self.count > 0
+        self._block = self.count
         operation = -1  # of those that decide
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
@@ -133,19 +146,29 @@ class Decisions:
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))
+            is_shared = again and all(
+                locked.get(ref) == self._first.get(ref) for ref in refs
+            )
             decides = k in record.decided_by and moves
             operation += decides
             if decides and operation not in passed:
                 self.operations.append(self.count)
                 self.timed |= k not in fed
-                fixed_decisions = [first_decision + number for number in fixed]
-                locked[k] = self._lock(k, arguments, fixed_decisions)
+                locked[k] = self._lock(k, arguments, fixed, flipped, is_shared)
                 moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
             elif not locked.keys().isdisjoint(refs):
                 owner = record.owners[k]
-                locked[k] = record.add(kind, arguments, shape, at, owner)
+                if is_shared:
+                    locked[k] = self._first[k]
+                else:
+                    locked[k] = record.add(kind, arguments, shape, at, owner)
             if moves:
                 moving.add(k)
+        if again:
+            self.count += self.first_count
+        else:
+            self._first = locked
+            self.first_count = self.count
         return [p._replace(ref=current(p.ref)) for p in rates]
 
     def distance_of(self, number: int) -> Ref:
@@ -156,46 +179,73 @@ class Decisions:
                 return self.record.part(port.ref, offset, ())
         raise IndexError(number)
 
-    def _lock(self, k: int, arguments: tuple[Ref, ...], fixed: Sequence[int]) -> Ref:
-        """Note what an operation decides; return its locked value, of locked arguments."""
+    def _lock(
+        self,
+        k: int,
+        arguments: tuple[Ref, ...],
+        fixed: Sequence[int],
+        flipped: Sequence[int],
+        is_shared: bool,
+    ) -> Ref:
+        """Note what an operation decides; return its locked value, of locked arguments.
+
+        `is_shared` says that the arguments are those of the first rates.
+        """
         record = self.record
         kind, exact, shape, at = record.entries[k]
         owner = record.owners[k]
         long, made_in = record.decided_by[k]
         outcomes = list[Ref]()
+        size = prod(shape)
+        flips = False
 
         def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
             side = at if kind == "search" else None
             return record.add(kind, refs, shape, side, owner)
 
-        for name in TABLE[kind].decisions:
-            number = self.count
-            size = prod(shape)
-            # the decision now, and its distance from the decision in force
-            now = add(name, *operands(kind, name, exact))
-            if name in COMPARED:
-                now = add("where", now, 1.0, -1.0)
+        for position, name in enumerate(TABLE[kind].decisions):
+            first = self.count if self._block == 0 else self._numbers[k, position]
+            self._numbers[k, position] = first
+            number = first + self._block
+            numbers = np.arange(first, first + size).reshape(shape)
             H = record.load("P", self.grain + 1 + number, shape)
-            compared = operands(kind, name, arguments)
-            distance, least = self._distance(name, compared, H, add)
-            self._true.append(Port(number, shape, long, distance))
-            # fixed decisions stay as they are
-            numbers = np.arange(number, number + size)
-            stays = np.isin(numbers, fixed).astype(float)
-            if stays.any():
-                mask = (
-                    record.add("constant", (), shape, stays.tobytes()) if shape else 1.0
-                )
-                now = add("where", mask, H, now)
-                distance = add("where", mask, 1.0, distance)
+            # the decision now, and its distance from the decision in force
+            now, distance, least = H, 1.0, 0.0
+            if not is_shared:
+                now = add(name, *operands(kind, name, exact))
+                if name in COMPARED:
+                    now = add("where", now, 1.0, -1.0)
+                compared = operands(kind, name, arguments)
+                distance, least = self._distance(name, compared, H, add)
+                self._true.append(Port(number, shape, long, distance))
+                # fixed decisions stay as they are
+                stays = np.isin(numbers, fixed)
+                now = self._chosen(stays, H, now, add)
+                distance = self._chosen(stays, 1.0, distance, add)
             self.now.append(Port(number, shape, long, now))
             self.distances.append(Port(number, shape, long, distance))
             self.least.append(Port(number, shape, long, least))
             self.of.append((number, made_in))
-            self.count += size
+            if is_shared:
+                other_side = np.isin(numbers, flipped)
+                flips |= bool(other_side.any())
+                shared = record.load("P", self.grain + 1 + first, shape)
+                H = self._chosen(other_side, H, shared, add)
+            if self._block == 0:
+                self.count += size
             outcome = add("gt", H, 0.0) if name in COMPARED else H
             outcomes.append(outcome)
+        if is_shared and not flips:
+            return self._first[k]
         return _locked_value(kind, arguments, outcomes, add)
+
+    def _chosen(self, mask: np.ndarray, value: Ref, other: Ref, add: Add) -> Ref:
+        """Return a value where a constant mask is true, and another elsewhere."""
+        if mask.all():
+            return value
+        if not mask.any():
+            return other
+        return add("where", self._row(mask.astype(float)), value, other)
 
     def _distance(self, name: str, of: tuple, H: Ref, add: Add) -> tuple[Ref, Ref]:
         """Return the distance of a decision from its turn, smooth in a step, and its rounding.

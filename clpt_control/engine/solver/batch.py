@@ -205,6 +205,7 @@ class Batch:
         self.tolerance_share = (
             1.0  # of the tolerances of a run that this batch continues
         )
+        self.refusal = ""  # why it does not slide
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)

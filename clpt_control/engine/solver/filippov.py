@@ -1,4 +1,4 @@
-"""Sliding on a switch: the run of a system whose rates lead back to a switch from both sides.
+"""Sliding: the run of a system whose rates lead back to switches from all sides.
 
 On both sides of a switch g = 0 the rates lead back to it, as with dry friction or a relay.  In the
 limit a run stays there, with the mean of the rates of both sides that does so (Filippov):
@@ -7,62 +7,49 @@ limit a run stays there, with the mean of the rates of both sides that does so (
 
 f_0 and f_1 are the rates on either side, g'_0 and g'_1 the derivative of g along them.  A run
 slides until w leaves 0 ... 1, or to the next time at which rates jump.  Several decisions belong to
-one switch if the slopes of their distances are parallel.  On two switches at once the motion is
-not known: the run ends with a sentence.
+one switch if the slopes of their distances are parallel.  `active_switches` finds on which of
+several switches a run slides, `sliding_rates` has their rates.
 
-Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
-section 4; Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
+Source: Piiroinen, P. T., Kuznetsov, Y. A. (2008), An event-driven method to simulate Filippov
 systems with accurate computing of sliding motions, ACM Trans. Math. Softw. 34(3).
 """
 
-from collections.abc import Callable, Iterable
-from math import prod
+from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy import ndarray
 
 from ...base.errors import Uncompiled
-from ..codegen.switching_conditions import Port
-from ..record.derivative import Direction
-from ..record.graph import reached
-from ..trace.arrays import Unread, operand
-from ..trace.elementwise import spread
+from ..trace.arrays import Unread
+from .active_switches import (
+    SLIDES,
+    Crossing,
+    Refused,
+    Sides,
+    active_set,
+    crossing_at,
+    shares_of,
+    sides_of,
+)
 from .batch import Batch
 from .schedule import Schedule
-from .solver_layout import (
-    DECISION,
-    DERIVATIVE,
-    DISTANCE,
-    ROUNDING,
-    SAMPLE_POINTS,
-    STATE,
-    TRIAL_SIZE,
-    Status,
-)
-from .termination import state_within, stopped_at
+from .sliding_rates import NEGLIGIBLE, HeldSwitches
+from .solver_layout import DECISION, DISTANCE, SAMPLE_POINTS, STATE, TRIAL_SIZE, Status
+from .termination import decision_name, state_within, stopped_at
 
-NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
-TINY = 1e-30
-PARALLEL = 1e-4  # share of a slope that may stand out of the others
-NEAR = 1e3  # rounding errors of a distance within which a decision is about to change
 MOST_IN_VAIN = 50  # batches of a run in a row, each shorter than SHORT of the run
 SHORT = 1e-7
-STATE_CHANGE = 1e-6  # relative, for the slopes of distances
-
-
-class HeldSwitch(NamedTuple):
-    """Decisions that change on one switch, and the one whose distance is its g."""
-
-    decisions: tuple[int, ...]
-    switch: int
+AT_BOUND = 1e-3  # distance of a share from 0 or 1 at which its switch leaves
 
 
 class Sliding(NamedTuple):
-    """A run on a switch: a `NativeDiagram` with the mean of the rates, and its parameters."""
+    """A run on switches: a `NativeDiagram` with the mean of the rates, and its parameters."""
 
     runner: Any
     parameters: ndarray
+    held: HeldSwitches
 
 
 Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
@@ -86,14 +73,16 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
         t = last.now
         x = last.states[STATE, :, 0].copy()
         # 1. enter or leave the switch, or end
-        if status == Status.CHATTERING and sliding is None and in_vain < MOST_IN_VAIN:
-            sliding = enter(diagram, last)
+        if status == Status.CHATTERING and in_vain < MOST_IN_VAIN:
+            sliding, batch.refusal = enter(diagram, last, sliding)
             if sliding is None:
                 break
             batch.slides.append(t)
         elif sliding is not None and status == Status.GUARD_LEFT:
-            sliding = None
             t, x = stopped_at(last)
+            with suppress(Refused):
+                left, sliding = sliding, None
+                sliding = leave(diagram, last, left)
         elif sliding is not None and status == Status.FINISHED and last.now < times[-1]:
             sliding = None
             x = last.out[0, -1].copy()
@@ -104,7 +93,7 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
         # 2. samples within the step that was not taken
         for k in np.flatnonzero((times > last.now) & (times <= t)):
             share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
-            batch.out[0, k] = state_within(last, share) if sliding is None else x
+            batch.out[0, k] = state_within(last, share)
         span = times[-1] - times[0]
         short = t - current.times[0] <= SHORT * span
         in_vain = in_vain + 1 if short else 0
@@ -161,182 +150,107 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     )
 
 
-# --- entering a switch ----------------------------------------------------------------------------
+# --- entering and leaving switches ----------------------------------------------------------------
 
 
-class Crossing(NamedTuple):
-    """The point at which a run crosses a switch to and fro."""
+def enter(
+    diagram: Any, batch: Batch, sliding: Sliding | None
+) -> tuple[Sliding | None, str]:
+    """Return a run on the switches that a batch of one run crosses to and fro.
 
-    time: float
-    state: ndarray
-    undecided: ndarray  # decisions that are about to change
-    slopes: ndarray  # of the distances of all decisions, (states, decisions)
-    rates: ndarray
-
-    def parallel_to(self, decision: int, candidates: Iterable[int]) -> list[int]:
-        """Return the candidates that change where a decision does: their slopes are parallel."""
-        candidates = [*candidates]
-        slope = self.slopes[:, [decision]]
-        slopes = self.slopes[:, candidates]
-        shares, *_ = np.linalg.lstsq(slope, slopes, rcond=None)
-        perpendicular = np.linalg.norm(slopes - slope @ shares, axis=0)
-        steepness = np.linalg.norm(slopes, axis=0)
-        parallel = perpendicular <= PARALLEL * steepness
-        return [*np.compress(parallel, candidates)]
-
-    def both_sides(self, decision: int) -> ndarray:
-        """Return states on both sides of where a decision changes."""
-        slope = self.slopes[:, decision]
-        normal = slope / np.sum(slope**2)
-        return self.state + 1e-8 * np.outer([1.0, -1.0], normal)
-
-
-def enter(diagram: Any, batch: Batch) -> Sliding | None:
-    """Return a run on the switch that a batch of one run crosses to and fro, or None."""
-    crossing = _crossing(diagram, batch)
-    # 1. decisions before and behind the crossing
+    Return None where its motion is not known, and a sentence on that if there is one.
+    """
+    state = batch.states[STATE, :, 0].copy()
+    crossing = _crossing(diagram, batch, batch.now, state)
     count = diagram.code.program.decided
     before = batch.memory.P[diagram.decided_at :][:count]
     behind = batch.points[SAMPLE_POINTS, DECISION, :count]
     changed = before != behind
-    undecided = np.isin(np.arange(count), crossing.undecided)
-    changing = undecided & (np.abs(before) == 1.0)
-    candidates = np.flatnonzero(changed | changing).tolist()
-    # 2. a switch of those that changed, the steepest first
-    steepness = np.linalg.norm(crossing.slopes, axis=0)
-    remaining = sorted(candidates, key=lambda k: (not changed[k], -steepness[k]))
-    while remaining and changed[remaining[0]]:
-        switch = remaining[0]
-        parallel = crossing.parallel_to(switch, candidates)
-        decisions = [switch]
-        decisions += [k for k in parallel if k != switch]
-        # 3. decisions on both of its sides
-        on_sides = np.vstack([before, before])
-        opposite = np.where(changed[decisions], behind[decisions], -before[decisions])
-        on_sides[1, decisions] = opposite
-        fixed = HeldSwitch(tuple(sorted(decisions)), switch)
-        sliding = _sliding_on(diagram, batch, crossing, fixed, on_sides)
-        if sliding is not None:
-            return sliding
-        remaining = [k for k in remaining if k not in decisions]
-    return None
+    chosen = changed | crossing.undecided & (np.abs(before) == 1.0)
+    if sliding is not None:
+        chosen[[*sliding.held.decisions]] = True
+    try:
+        sides = sides_of(crossing, crossing.switches(chosen, changed))
+        state_of = active_set(sides)
+    except Refused as refused:
+        return None, _sentence(diagram, crossing, refused)
+    return _sliding_on(diagram, batch, crossing, sides, state_of), ""
 
 
-def _crossing(diagram: Any, batch: Batch) -> Crossing:
-    """Return the point at which a batch of one run ended."""
-    state = batch.states[STATE, :, 0].copy()
-    changes = STATE_CHANGE * (1.0 + np.abs(state))
-    states = np.vstack([state, state + np.diag(changes)])
-    times = np.full(len(states), batch.now)
-    callee = diagram.callee()
-    segments = batch.schedules[0]
-    P = batch.memory.P
-    # distances of the decisions, and their slopes by differences
-    count = diagram.code.program.decided
-    events = callee.events_at(times, states, segments, P)[:, :, :count]
-    distance = events[:, DISTANCE]
-    rounding_error = events[0, ROUNDING]
-    slopes = (distance[1:] - distance[0]) / changes[:, None]
-    undecided = np.flatnonzero(np.abs(distance[0]) < NEAR * rounding_error)
-    n = len(state)
-    rates = callee.evaluate(DERIVATIVE, times[:1], states[:1], segments, P, n)
-    return Crossing(batch.now, state, undecided, slopes, rates)
+def leave(diagram: Any, batch: Batch, sliding: Sliding) -> Sliding | None:
+    """Return the run on the switches that a batch, which left one of several, stays on."""
+    if len(sliding.held.switches) < 2:
+        return None
+    t, state = stopped_at(batch)
+    crossing = _crossing(diagram, batch, t, state)
+    sides = sides_of(crossing, [*sliding.held.switches])
+    w = shares_of(sides, np.full(len(sides.switches), SLIDES))
+    at_bound = np.minimum(w, 1.0 - w)
+    k = int(np.argmin(at_bound))
+    if at_bound[k] > AT_BOUND:
+        return None
+    state_of = active_set(sides, {k: int(w[k] > 0.5)})
+    return _sliding_on(diagram, batch, crossing, sides, state_of)
+
+
+def _crossing(diagram: Any, batch: Batch, t: float, state: ndarray) -> Crossing:
+    """Return a point of a batch of one run, with the decisions that it holds."""
+    P = batch.memory.P[: diagram.decided_at + diagram.code.program.decided]
+    return crossing_at(diagram.callee(), batch.schedules[0], P, t, state)
 
 
 def _sliding_on(
-    diagram: Any, batch: Batch, crossing: Crossing, fixed: HeldSwitch, on_sides: ndarray
+    diagram: Any, batch: Batch, crossing: Crossing, sides: Sides, state_of: ndarray
 ) -> Sliding | None:
-    """Return a run on a switch, whose decisions on either side are a row of `on_sides`.
-
-    None where rates lead away from it, or depend on another decision that stays undecided there.
-    """
+    """Return a run on those of the switches that slide; None if no run slides."""
+    # 1. one side of all switches is where the others are
+    sliding = np.flatnonzero(state_of == SLIDES)
+    if not len(sliding):
+        return None
+    held = HeldSwitches(tuple(sides.switches[k] for k in sliding))
+    one_side = sides.decisions[0].copy()
+    for k in np.flatnonzero(state_of == 1):
+        decisions = [*sides.switches[k].decisions]
+        one_side[decisions] = sides.decisions[1 + k, decisions]
+    on_sides = np.tile(one_side, (1 + len(sliding) + (len(sliding) > 1), 1))
+    for row, k in enumerate(sliding, 1):
+        for flipped in {row, len(on_sides) - 1}:
+            decisions = [*sides.switches[k].decisions]
+            on_sides[flipped, decisions] = sides.decisions[1 + k, decisions]
+    # 2. parameters with the decisions on the sides
     try:
-        runner = diagram.in_form(fixed)
+        runner = diagram.in_form(held)
     except (Unread, Uncompiled):
         return None
-    # 1. parameters with the decisions on both sides
     parameters = runner.parameters()
     count = len(diagram.layout.P)
     parameters[:count] = batch.runs.parameters[0][:count]
     offset = diagram.decided_at
     parameters[offset - 1] = batch.memory.P[offset - 1]
     parameters[offset : offset + on_sides.size] = on_sides.ravel()
-    # 2. rates lead back to the switch from both sides
-    callee = runner.callee()
-    segments = batch.schedules[0]
-    state = crossing.state[None]
-    events = callee.events_at([crossing.time], state, segments, parameters)
-    if not events[0, DISTANCE, -1] > 0.0:
+    # 3. the shares are within bounds
+    events = runner.callee().events_at(
+        [crossing.time], crossing.state[None], crossing.segments, parameters
+    )
+    if not events[0, DISTANCE, -1] > -NEGLIGIBLE:
         return None
-    # 3. and do not depend on another decision that changes on the same switch
-    moving = np.flatnonzero(crossing.slopes.any(axis=0))
-    candidates = set(crossing.undecided) & set(moving) - set(fixed.decisions)
-    parallel = crossing.parallel_to(fixed.switch, sorted(candidates))
-    pairs = [crossing.both_sides(k) for k in parallel]
-    states = np.reshape(pairs, (-1, state.size))
-    times = np.full(len(states), crossing.time)
-    rates = callee.evaluate(DERIVATIVE, times, states, segments, parameters, state.size)
-    differences = np.abs(rates[::2] - rates[1::2])
-    largest = np.abs(crossing.rates).max()
-    if np.any(differences > NEGLIGIBLE * largest):
-        return None
-    return Sliding(runner, parameters)
+    return Sliding(runner, parameters, held)
 
 
-# --- rates on a switch ----------------------------------------------------------------------------
-
-
-def slide(record: Any, fixed: HeldSwitch) -> None:
-    """Replace the rates of a `DiagramRecord` by those on a switch.
-
-    w and 1 - w become margins, and so does that the other fixed decisions stay where they are.
-    """
-    conditions = record.decisions
-    tape = record.tape
-    # 1. rates on both sides, and w
-    rates_0 = conditions.lock(record.rates, fixed.decisions)
-    rates_1 = conditions.lock(record.rates, fixed.decisions)
-    distance = conditions.distance_of(fixed.switch)
-    slope = _slope(record, distance, rates_0)
-    slope_1 = _slope(record, distance, rates_1)
-    difference = slope_1 - slope
-    if type(difference) is float and difference == 0.0:
-        raise Unread("a switch that its rates do not move")
-    weight = -slope / difference
-    record.margins += [operand(weight), operand(1.0 - weight)]
-    # 2. the mean of the rates
-    record.rates = []
-    for port_0, port_1 in zip(rates_0, rates_1, strict=True):
-        mean = spread(tape, tape.value(port_0.ref), port_0.shape)
-        rate_1 = spread(tape, tape.value(port_1.ref), port_0.shape)
-        if port_1.ref != port_0.ref:
-            mean = mean + weight * (rate_1 - mean)
-        record.rates.append(port_0._replace(ref=operand(mean)))
-    # 3. the distances of the other decisions do not change
-    for decision in set(fixed.decisions) - {fixed.switch}:
-        distance = conditions.distance_of(decision)
-        moved = np.fabs(_slope(record, distance, record.rates))
-        scale = np.fabs(_slope(record, distance, rates_0))
-        allowed = NEGLIGIBLE * scale + TINY
-        record.margins.append(operand(1.0 - moved / allowed))
-
-
-def _slope(record: Any, distance: int, rates: list[Port]) -> Any:
-    """Return g' along rates."""
-    direction: dict[int, Any] = {}
-    for k in reached(record.entries, [distance]):
-        kind, _, shape, location = record.entries[k]
-        if kind != "load":
-            continue
-        if location[0] == "t":
-            direction[k] = 1.0
-        if location[0] != "X":
-            continue
-        begin = location[1]
-        end = begin + prod(shape)
-        for port in rates:
-            if port.first <= begin and end <= port.first + prod(port.shape):
-                rate = record.part(port.ref, begin - port.first, shape)
-                direction[k] = record.tape.value(rate)
-    derivative = Direction(record.tape, direction)
-    return derivative.of(record.tape.value(distance))
+def _sentence(diagram: Any, crossing: Crossing, refused: Refused) -> str:
+    """Return why the motion is not known, with each switch and the states that turn it."""
+    nodes = diagram.sweep.nodes
+    labels = [label for node in nodes for label in node.system.state_labels]
+    names = []
+    for held in refused.switches:
+        turning = np.flatnonzero(crossing.slopes[: len(labels), held.switch])
+        states = ", ".join(labels[k] for k in turning)
+        program = diagram.code.program
+        names.append(f"{decision_name(diagram.sweep, program, held.switch)} ({states})")
+    remedies = Status.CHATTERING.sentence.partition(". ")[2]
+    if len(names) == 1:
+        return f"{names[0]} {Status.CHATTERING.sentence}"
+    return (
+        f"the run meets {len(names)} switches at once, which {refused}: "
+        f"{', '.join(names)}. {remedies}"
+    )

@@ -21,12 +21,12 @@ from ..methods.table import EXPLICIT
 from ..record.operations import ELEMENTWISE
 from ..trace.arrays import Unread
 from .batch import Callee
-from .filippov import HeldSwitch, slide
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
 from .runner import PythonDiagram
 from .schedule import Inputs
+from .sliding_rates import HeldSwitches, slide
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -34,7 +34,7 @@ MANY, SHORTER = (1500, 3)
 # components of a program that LLVM does not optimise: its time grows as their square, and the
 # machine code is a third slower at most
 UNOPTIMISED = 2000
-Form = str | HeldSwitch | PassedKinks | Directions | None
+Form = str | HeldSwitches | PassedKinks | Directions | None
 FUNCTIONS = ("derivative", "prepare", "signals", "jump", "decide")
 
 
@@ -94,11 +94,11 @@ def code_of(wiring: Wiring, layout: Layout, form: Form = None) -> Code:
     """Return the code of a diagram, the same for diagrams of one structure.
 
     `form` says whether all axes are ``"unrolled"`` or ``"looped"``, or decisions ``"free"``,
-    held on a switch, or free where kinks are passed.  An `Uncompiled` error says what cannot be
+    held on switches, or free where kinks are passed.  An `Uncompiled` error says what cannot be
     compiled.
     """
     if form not in FORMS and not isinstance(
-        form, HeldSwitch | PassedKinks | Directions
+        form, HeldSwitches | PassedKinks | Directions
     ):
         raise DiagramError(
             f"form = {form!r}: must be 'unrolled', 'looped' or 'free', or left out"
@@ -162,7 +162,7 @@ def _planned(structure: Structure, form: Form) -> Code:
     wiring = structure.wiring
     layout = structure.layout
     plain_form = form_without_derivatives(form)
-    if isinstance(plain_form, HeldSwitch):
+    if isinstance(plain_form, HeldSwitches):
         record = DiagramRecord(wiring, layout, "free")
         slide(record, plain_form)
     elif isinstance(plain_form, PassedKinks):
@@ -198,7 +198,7 @@ class NativeDiagram(PythonDiagram):
 
     `params` are call-time parameters by qualified name.  `form` is "unrolled" or "looped" (all
     axes; by default short ones are unrolled), "free" (decisions are not locked for a step) or a
-    `HeldSwitch`.  `apart` has blocks' fields that differ from run to run.
+    `HeldSwitches`.  `apart` has blocks' fields that differ from run to run.
 
     Attributes
     ----------

@@ -82,7 +82,7 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         return _stopped(solution, policy, sentence, times, states)
     reason = Status(status).sentence
     if status == Status.CHATTERING:
-        reason = f"{_switch(sweep, last)} {reason}"
+        reason = batch.refusal or f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
     work = "run" if batch.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
@@ -170,15 +170,19 @@ def _stopped(
     return replace(solution, t=t, x=x, status="stopped", message=f"stopped: {sentence}")
 
 
-def _switch(sweep: Sweep, batch: Batch) -> str:
-    """Return the decision of a run that chatters: block, function and operation."""
-    event = batch.integers[EVENT_INDEX, 0]
-    if event < 0:
-        return "a decision"
-    deciding = batch.callee.code[0].program.deciding
-    k, role, kind = [source for index, source in deciding if index <= event][-1]
+def decision_name(sweep: Sweep, program: Any, number: int) -> str:
+    """Return where a decision is made: operation, block and function."""
+    k, role, kind = [at for first, at in program.deciding if first <= number][-1]
     symbols = {"lt": "<", "le": "<=", "gt": ">", "ge": ">="}
     return f"`{symbols.get(kind, kind)}` in {sweep.nodes[k].name}.{role}"
+
+
+def _switch(sweep: Sweep, batch: Batch) -> str:
+    """Return the decision of a run that chatters."""
+    event = int(batch.integers[EVENT_INDEX, 0])
+    if event < 0:
+        return "a decision"
+    return decision_name(sweep, batch.callee.code[0].program, event)
 
 
 def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:

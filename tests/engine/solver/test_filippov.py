@@ -94,20 +94,6 @@ def test_a_switch_that_is_bent_is_slid_along():
     )
 
 
-SEVERAL = {  # rates lead back to more than one switch at once
-    "each axis": "x' = -1.5*sign(x) + sin(t); y' = -2.5*sign(y) + cos(2*t) + 0.4*sign(x)",
-    "a corner": "x' = 2*sign(y) - sign(x); y' = -2*sign(x) - sign(y)",
-}
-
-
-@pytest.mark.parametrize("several", SEVERAL)
-def test_several_switches_at_once_are_refused(several):
-    """The sentence names the switch and the remedies."""
-    sentence = r"in plant.update switches without end \(chattering\). Give the switch a hysteresis,"
-    with pytest.raises(clpt.SimulationError, match=sentence):
-        clpt.simulate(system(SEVERAL[several], 2), T, None, [0.3, 0.2])
-
-
 def test_a_question_about_other_questions_follows_them():
     """What is asked of two switches slides on one of them, until the other has turned, t = 2."""
     x = rest_of("x' = -1.0 if sign(x) + 2*(y < 0) > 0 else 1.0; y' = -0.5", [0.5, 1.0])[

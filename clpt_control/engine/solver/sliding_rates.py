@@ -1,0 +1,191 @@
+"""Rates of a diagram that slides on one switch or several at once.
+
+On k switches g_i = 0 the rates are the mean of those on their sides that stays on all of them:
+
+    x' = f_0 + sum_i w_i (f_i - f_0),    g_i' = 0,    0 < w_i < 1
+
+f_0 are the rates on one side of all switches, f_i those with switch i on its other side.  The k
+linear equations for the shares w come apart into groups of switches that do not move each other.
+The formula holds if the rates are affine in the sides; one guard ends the run where they are not.
+
+Source: Filippov, A. F. (1988), Differential Equations with Discontinuous Righthand Sides, Kluwer,
+section 4; Dieci, L., Lopez, L. (2011), Sliding motion on discontinuity surfaces of high
+co-dimension, Numerische Mathematik 117.
+"""
+
+from math import prod
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.sparse.csgraph import connected_components
+
+from ..codegen.switching_conditions import Port
+from ..record.derivative import Direction
+from ..record.graph import reached
+from ..trace.arrays import Unread, operand
+from ..trace.elementwise import spread
+from ..trace.numpy_functions import solve
+
+NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
+TINY = 1e-30
+Slopes = dict[Port, Any]  # of states, by the port of their rates
+
+
+class HeldSwitch(NamedTuple):
+    """Decisions that change on one switch, and the one whose distance is its g."""
+
+    decisions: tuple[int, ...]
+    switch: int
+
+
+class HeldSwitches(NamedTuple):
+    """Switches on which a run slides at once."""
+
+    switches: tuple[HeldSwitch, ...]
+
+    @property
+    def decisions(self) -> tuple[int, ...]:
+        """Decisions that stay for as long as the run slides."""
+        return tuple(k for held in self.switches for k in held.decisions)
+
+
+def slide(record: Any, held: HeldSwitches) -> None:
+    """Replace the rates of a `DiagramRecord` by those on switches.
+
+    Each w and 1 - w become margins, and so does that the other fixed decisions stay.
+    """
+    conditions = record.decisions
+    # 1. rates on one side of all switches, and their changes on the other side of each
+    rates = conditions.lock(record.rates, held.decisions)
+    changes = [
+        _changes(record, rates, held.decisions, switch.decisions)
+        for switch in held.switches
+    ]
+    # 2. shares of the other sides, with which no distance changes
+    distances = [conditions.distance_of(switch.switch) for switch in held.switches]
+    base = {port: record.tape.value(port.ref) for port in rates}
+    slopes = [_slope(record, distance, base, 1.0) for distance in distances]
+    matrix = [
+        [_slope(record, distance, change) for change in changes]
+        for distance in distances
+    ]
+    shares = _shares(matrix, slopes)
+    for share in shares:
+        record.margins += [operand(share), operand(1.0 - share)]
+    every: Slopes = {}
+    if len(changes) > 1:
+        every = _changes(record, rates, held.decisions, held.decisions)
+    # 3. the mean of the rates
+    record.rates = []
+    for port in rates:
+        mean = spread(record.tape, base[port], port.shape)
+        for share, change in zip(shares, changes, strict=True):
+            if port in change:
+                mean = mean + share * change[port]
+        record.rates.append(port._replace(ref=operand(mean)))
+    # 4. conditions of this motion
+    _stay_parallel(record, held, base)
+    _stay_affine(record, every, changes)
+
+
+def _changes(
+    record: Any, rates: list[Port], fixed: tuple[int, ...], flipped: tuple[int, ...]
+) -> Slopes:
+    """Return the change of the rates if decisions flip, of the ports that change."""
+    tape = record.tape
+    changes: Slopes = {}
+    flipped_rates = record.decisions.lock(record.rates, fixed, flipped)
+    for port, other in zip(rates, flipped_rates, strict=True):
+        if port.ref != other.ref:
+            before = spread(tape, tape.value(port.ref), port.shape)
+            behind = spread(tape, tape.value(other.ref), port.shape)
+            changes[port] = behind - before
+    return changes
+
+
+def _shares(matrix: list[list[Any]], slopes: list[Any]) -> list[Any]:
+    """Return the w of matrix w = -slopes, solved in groups that depend on each other."""
+    count = len(slopes)
+    shares: list[Any] = [0.0] * count
+    coupled = [[not _is_zero(number) for number in row] for row in matrix]
+    groups, group_of = connected_components(np.array(coupled))
+    for group in range(groups):
+        members = np.flatnonzero(group_of == group).tolist()
+        if not any(coupled[i][j] for i in members for j in members):
+            raise Unread("a switch that its rates do not move")
+        if len(members) == 1:
+            k = members[0]
+            shares[k] = -slopes[k] / matrix[k][k]
+            continue
+        rows = [np.stack([matrix[i][j] for j in members]) for i in members]
+        right = np.stack([-slopes[i] for i in members])
+        solved = solve(np.stack(rows), right)
+        for row, k in enumerate(members):
+            shares[k] = solved[row]
+    return shares
+
+
+def _is_zero(number: Any) -> bool:
+    return isinstance(number, float) and number == 0.0
+
+
+def _stay_parallel(record: Any, held: HeldSwitches, base: Slopes) -> None:
+    """Require that the other distances of each switch do not change."""
+    mean = {port: record.tape.value(port.ref) for port in record.rates}
+    for switch in held.switches:
+        for decision in set(switch.decisions) - {switch.switch}:
+            distance = record.decisions.distance_of(decision)
+            moved = np.fabs(_slope(record, distance, mean, 1.0))
+            scale = np.fabs(_slope(record, distance, base, 1.0))
+            allowed = NEGLIGIBLE * scale + TINY
+            record.margins.append(operand(1.0 - moved / allowed))
+
+
+def _stay_affine(record: Any, every: Slopes, changes: list[Slopes]) -> None:
+    """Require that all sides together change the rates as they do one by one."""
+    for port, change in every.items():
+        single = [changes[port] for changes in changes if port in changes]
+        if len(single) < 2:
+            continue
+        difference = change
+        scale = np.fabs(change)
+        for one in single:
+            difference = difference - one
+            scale = scale + np.fabs(one)
+        moved = _total(record, port, np.fabs(difference))
+        allowed = NEGLIGIBLE * _total(record, port, scale) + TINY
+        record.margins.append(operand(1.0 - moved / allowed))
+
+
+def _total(record: Any, port: Port, array: Any) -> Any:
+    """Return the sum of all elements of an array like a port."""
+    ref = operand(array)
+    for axis in reversed(range(len(port.shape))):
+        at = axis, port.shape[axis], port.long[axis]
+        ref = record.add("sum", (ref,), port.shape[:axis], at)
+    return record.tape.value(ref)
+
+
+def _slope(record: Any, distance: int, rates: Slopes, time: float = 0.0) -> Any:
+    """Return the derivative of a distance along rates, and along time."""
+    direction: dict[int, Any] = {}
+    for k in reached(record.entries, [distance]):
+        kind, _, shape, location = record.entries[k]
+        if kind != "load":
+            continue
+        if location[0] == "t" and time:
+            direction[k] = time
+        if location[0] != "X":
+            continue
+        begin = location[1]
+        end = begin + prod(shape)
+        for port, rate in rates.items():
+            if port.first <= begin and end <= port.first + prod(port.shape):
+                ref = operand(rate)
+                if type(ref) is int:
+                    rate = record.tape.value(
+                        record.part(ref, begin - port.first, shape)
+                    )
+                direction[k] = rate
+    derivative = Direction(record.tape, direction)
+    return derivative.of(record.tape.value(distance))
