@@ -30,10 +30,15 @@ from ..engine.model.declaration import Each
 from ..engine.model.system import SHAPES
 from .common import check_positive, checked_sizes, make_block
 
+SQUARE = ("n", "n")
+MATRIX_SHAPES = {**SHAPES, "L": ("n", "q"), "Q": SQUARE, "R": ("q", "q"), "P0": SQUARE}
+
 
 def innovation(X, u, p):
-    """Return y - C X - D u."""
-    return u.y - p.C @ X - p.D @ u.u
+    """Return y - C X - D u; a block without feedthrough has no parameter D."""
+    if "D" in p._fields:
+        return u.y - p.C @ X - p.D @ u.u
+    return u.y - p.C @ X
 
 
 def observed(t, x, u, p):
@@ -80,7 +85,7 @@ def observer(
         update=observed,
         inputs={"u": "m", "y": "q"},
         states={"x_hat": "n"},
-        shapes={**SHAPES, "L": ("n", "q")},
+        shapes={key: MATRIX_SHAPES[key] for key in matrices},
         dt=system.dt or 0,
     )
 
@@ -181,9 +186,9 @@ def kalman_filter(
         update=kalman_step if sampled else bucy,
         output=kalman_estimate if sampled else bucy_estimate,
         inputs={"u": "m", "y": "q"},
-        outputs={"x_hat": "n", "P": ("n", "n")},
-        states={"predicted" if sampled else "x_hat": "n", "moved": ("n", "n")},
-        shapes={**SHAPES, "Q": ("n", "n"), "R": ("q", "q"), "P0": ("n", "n")},
+        outputs={"x_hat": "n", "P": SQUARE},
+        states={"predicted" if sampled else "x_hat": "n", "moved": SQUARE},
+        shapes={key: MATRIX_SHAPES[key] for key in matrices},
         dt=system.dt or 0,
     )
 
@@ -191,7 +196,8 @@ def kalman_filter(
 def _matrices(name: str, system: control.StateSpace) -> dict[str, Any]:
     if not system.ninputs or not system.noutputs or not system.nstates:
         raise BlockError(f"{name}: the system must have inputs, outputs and states")
-    return {"A": system.A, "B": system.B, "C": system.C, "D": system.D}
+    matrices = {"A": system.A, "B": system.B, "C": system.C}
+    return {**matrices, "D": system.D} if np.any(system.D) else matrices
 
 
 def held_noise(t, x, u, p):

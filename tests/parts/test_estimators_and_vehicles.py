@@ -1,7 +1,9 @@
 """Estimators and vehicles against SciPy and Fossen; parts as blocks: mistakes, names, pickles."""
 
+import inspect
 import pickle
 import re
+from pathlib import Path
 
 import control
 import numpy as np
@@ -69,6 +71,47 @@ def test_a_sampled_kalman_filter_settles_at_dare():
     np.testing.assert_allclose(F @ K, L, atol=1e-10)
 
 
+@pytest.mark.parametrize("limited", [False, True])
+def test_a_sampled_kalman_filter_closes_an_lqg_loop(limited):
+    """A plant with D = 0 against the recursion of the sampled loop, written out."""
+    plant = control.ss([[0, 1], [1, 0]], [[0], [1]], C, 0, name="plant")
+    plant.set_inputs("u")
+    plant.set_outputs("y")
+    d = control.c2d(plant, 0.1)
+    gain, _, _ = control.dlqr(d, np.eye(2), [[1]])
+    filter = parts.kalman_filter(d, Q, R)
+    wanted = "wanted" if limited else "u"
+    lqr = control.ss([], [], [], -gain, 0.1, inputs=2, outputs=wanted, name="lqr")
+    lqr.set_inputs(["x_hat[0]", "x_hat[1]"])
+    limit = [parts.saturation(-0.3, 0.3, u="wanted", y="u")] if limited else []
+    loop = clpt.connect([plant, filter, lqr, *limit])
+    times = 0.1 * np.arange(51)
+    found = run(loop, times, None, [0.1, *np.zeros(loop.nstates - 1)]).y.values
+
+    x, X, P, seen = np.array([0.1, 0.0]), np.zeros(2), np.zeros((2, 2)), []
+    for _ in times:
+        seen.append(x[0])
+        K = P @ C.T / (C @ P @ C.T + R)
+        x_hat = X + K[:, 0] * (x[0] - X[0])
+        u = np.clip(-gain @ x_hat, -0.3, 0.3) if limited else -gain @ x_hat
+        x, X = d.A @ x + d.B @ u, d.A @ x_hat + d.B @ u
+        P = d.A @ (P - K @ C @ P) @ d.A.T + Q
+    np.testing.assert_allclose(found.ravel(), seen, atol=1e-8)
+
+
+def test_feedthrough_of_a_kalman_filter_stays_where_the_plant_has_it():
+    plant = control.ss([[0.5]], [[1]], [[1]], [[1]], 1.0, name="plant")
+    plant.set_inputs("u")
+    plant.set_outputs("y")
+    filter = parts.kalman_filter(plant, [[1]], [[1]], P0=[[1]])
+    # K = 1/2 of y - D u = 3 - 2
+    found = clpt.simulate(filter, [0.0, 1.0], [[2, 2], [3, 3]])
+    assert found.x_hat.values[0] == 0.5
+    lqr = control.ss([], [], [], -0.1, 1.0, inputs="x_hat", outputs="u", name="lqr")
+    loop = clpt.connect([plant, filter, lqr])
+    says(clpt.DiagramError, "algebraic loop", clpt.simulate, loop, [0.0, 1.0])
+
+
 def test_a_filter_is_as_uncertain_as_it_says():
     """Of a random walk seen with noise the mean square error is P."""
     q, r, times = 0.04, 1.0, np.arange(20_000.0)
@@ -125,6 +168,26 @@ def test_coriolis_is_fossens_matrix():
             0, [0, 0, rng.normal(), *nu], [*tau, 0, 0]
         )
         np.testing.assert_allclose(found[3:], rate, atol=1e-12)
+
+
+# --- the page of parts ---------------------------------------------------------------------------
+
+PAGE = (Path(__file__).parents[2] / "docs" / "parts.md").read_text()
+CALLS = re.findall(r"^\| `(\w+)\((.*?)\)` \|", PAGE, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize(("name", "arguments"), CALLS)
+def test_a_row_of_the_page_is_a_call(name, arguments):
+    """Places before the first keyword are those of the signature; keywords are its names."""
+    names = [*inspect.signature(getattr(parts, name)).parameters]
+    places = [word for word in arguments.split(", ") if "=" not in word]
+    keywords = re.findall(r"(\w+)=", arguments)
+    assert places == names[: len(places)]
+    assert {*keywords} <= {*names}
+
+
+def test_every_part_has_a_row_on_the_page():
+    assert {name for name, _ in CALLS} == {*parts.__all__}
 
 
 # --- as blocks: mistakes, names ------------------------------------------------------------------
