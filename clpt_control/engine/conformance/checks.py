@@ -1,10 +1,10 @@
 """Conformance checks of a block: `clpt.check(my_block)`.
 
-A block that passes can be wired, compiled, proved, pickled, linearized and integrated like the
-blocks of this package.  Each check is a generator that takes random arguments and yields one
-sentence for each failure.  Equations must be repeatable and finite, every backend must agree with
-Python, and declared units must be consistent.  For an output y of unit m^a s^b, in a unit of length
-1/c times as long,
+A block that passes can be wired, compiled, proved, linearized and integrated like the blocks of
+this package.  Each check is a generator that takes random arguments and yields one sentence for
+each failure, or a `Note` that does not fail.  Equations must be repeatable and finite, every
+backend must agree with Python, and declared units must be consistent.  For an output y of unit
+m^a s^b, in a unit of length 1/c times as long,
 
     y(c^.. u, c^.. p) = c^a y(u, p)
 
@@ -31,6 +31,10 @@ from .all_backends import Backend, readings
 
 FACTOR = 1.7  # ratio of the old unit to the new unit
 TOLERANCE = 1e-9  # relative to the largest value
+
+
+class Note(str):
+    """A sentence of a check that is no failure."""
 
 
 class Sample(NamedTuple):
@@ -157,9 +161,9 @@ def _pickles(block: Block, samples: list[Sample]) -> Iterator[str]:
     try:
         copy = pickle.loads(pickle.dumps(block))
     except Exception as error:
-        yield (
-            f"{block.name}: cannot be pickled ({error}). Define functions and parameters at the "
-            "top of a module"
+        yield Note(
+            f"{block.name}: cannot be pickled ({error}). To send it to other processes, define "
+            "functions and parameters at the top of a module"
         )
         return
     for sample in samples[:3]:
@@ -322,6 +326,8 @@ class ConformanceReport(NamedTuple):
         Descriptions of the checks.
     failures : tuple of str
         One sentence for each failure; empty if the block conforms.
+    notes : tuple of str
+        One sentence for each restriction, such as a function that cannot be pickled.
 
     Examples
     --------
@@ -334,6 +340,7 @@ class ConformanceReport(NamedTuple):
     block: str
     checks: tuple[str, ...]
     failures: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     @property
     def ok(self) -> bool:
@@ -344,12 +351,12 @@ class ConformanceReport(NamedTuple):
         return f"<ConformanceReport {str(self).splitlines()[0]}>"
 
     def __str__(self) -> str:
-        if self.ok:
-            return f"{self.block}: conforms ({len(self.checks)} checks)"
         count = len(self.failures)
-        return "\n".join(
-            [f"{self.block}: {count} failure{'s'[: count > 1]}", *self.failures]
-        )
+        verdict = f"{self.block}: {count} failure{'s'[: count > 1]}"
+        if self.ok:
+            verdict = f"{self.block}: conforms ({len(self.checks)} checks)"
+        notes = [f"Note: {note}" for note in self.notes]
+        return "\n".join([verdict, *self.failures, *notes])
 
 
 @public
@@ -415,10 +422,12 @@ def check_block(
     checks = [*CHECKS, *([] if units is None else [unit_check(units)])]
     descriptions: list[str] = []
     failures: list[str] = []
+    notes: list[str] = []
     for check in checks:
         descriptions.append((check.__doc__ or "").splitlines()[0])
         try:
-            failures.extend(check(block, drawn))
+            for sentence in check(block, drawn):
+                (notes if isinstance(sentence, Note) else failures).append(sentence)
         except Exception as error:  # any error of a user's function is a failure
             name = check.__name__.strip("_").replace("_", " ")
             failures.append(f"{block.name}: {name}: {type(error).__name__}: {error}")
@@ -427,5 +436,5 @@ def check_block(
                 break
             drawn = [sample for sample in drawn if _in_range(block, sample)]
     return ConformanceReport(
-        block.name, tuple(descriptions), tuple(dict.fromkeys(failures))
+        block.name, tuple(descriptions), tuple(dict.fromkeys(failures)), tuple(notes)
     )
