@@ -17,13 +17,14 @@ from ..engine.conformance.confirmation import drawn_around
 from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
-from ..engine.solver.schedule import checked_times, stacked
+from ..engine.solver.schedule import checked_times
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.team import Team
 from .diagram_runs import DiagramRun
 from .flows import note_speeds, speeds_of
 from .initial_states import initial_state as initial_state_of
 from .loops import closed_loop
+from .run_arguments import inputs_by_name, inputs_count, state_by_name, with_jumps
 from .run_cache import cached_run, diagram_key, scenario_key
 from .system_runs import ScenarioRun, TeamRun
 
@@ -58,15 +59,19 @@ def simulate(
         A team gives a dimension ``vehicle``. A diagram that `closed_loop` made knows its scenario.
     timepts : array_like, optional
         Times of the samples, increasing; a scenario and a team have their own
-        (multiples of ``run.output_step``, and the end).
+        (multiples of ``run.output_step``, and the end). At a repeated time, ``[0, 1, 1, 2]``,
+        `inputs` jump, and the run has one sample, the right limit.
     inputs : array_like, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a list
-        of both, ``[u1, 0]``. A function of time is a block, wired to the input.
+        of both, ``[u1, 0]``; by name, ``{"torque": 1.0}``, others being 0; or a
+        `control.TimeResponseData` with signals of these names. A function of time is a block,
+        wired to the input.
     initial_state : array_like, optional
         State of a diagram at ``timepts[0]``, of a scenario at t = 0; without, the scenario's own at
         t = 0, and zero for a diagram that knows none. A list holds numbers and arrays that follow
-        each other; one that ends with 0, ``[x0, 0]``, is filled with zeros. A scenario with this
+        each other; one that ends with 0, ``[x0, 0]``, is filled with zeros. A mapping,
+        ``{"angle": 1.0}``, has labels or ports of states. A scenario with this
         or `params` runs as its `closed_loop`; a team takes neither.
     params : mapping, optional
         Call-time parameters, ``{"adaptation.gain": 2.0}``.
@@ -217,8 +222,7 @@ class RunRequest(NamedTuple):
                 state = [0.0 if state is None else state]
             nstates = sum(map(np.size, state))
         if self.diagram.ninputs is None:
-            shape = np.shape(stacked(self.inputs, self.times))
-            ninputs = shape[0] if shape and shape != self.times.shape else 1
+            ninputs = inputs_count(self.diagram, self.inputs, self.times)
         return nstates, ninputs
 
 
@@ -246,6 +250,13 @@ def request_of(
     loop = getattr(diagram, "origin", None)
     if timepts is None:
         timepts = own_arguments.get("timepts")
+    if timepts is None and isinstance(inputs, control.TimeResponseData):
+        timepts = inputs.time
+    inputs = inputs_by_name(diagram, inputs, timepts)
+    own_state = own_arguments.get("initial_state")
+    initial_state = state_by_name(diagram, initial_state, own_state)
+    if timepts is not None:
+        timepts, inputs = with_jumps(diagram, timepts, inputs)
     skipped = 0
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = _times_from_zero(loop.scenario, timepts)

@@ -26,7 +26,8 @@ SHARP = 10.0  # a bend is sharp if it is so many times as large as most
 class Inputs:
     """The inputs of a diagram: ``at(t)`` of shape (ninputs,).
 
-    `samples` holds times and values (ninputs, nt), joined by straight lines.
+    `samples` holds times and values (ninputs, nt), joined by straight lines.  Two samples at one
+    time are a jump.
     """
 
     samples: tuple[ndarray, ndarray]
@@ -50,8 +51,14 @@ class Inputs:
         times, u = self.samples
         slopes = np.zeros(u.shape)
         spans = np.diff(times)
-        slopes[:, :-1] = np.diff(u) / spans
+        np.divide(np.diff(u), spans, out=slopes[:, :-1], where=spans > 0)
         return slopes
+
+    @cached_property
+    def jumps(self) -> ndarray:
+        """Times at which the inputs jump."""
+        times = self.samples[0]
+        return np.unique(times[1:][times[1:] == times[:-1]])
 
     @property
     def kinks(self) -> ndarray:
@@ -65,13 +72,16 @@ class Inputs:
             return times
         bending = np.ones(len(times), dtype=bool)
         bending[1:-1] = np.any(slopes[:, 1:-1] != slopes[:, :-2], axis=0)
+        if len(self.jumps):
+            bending |= np.isin(times, self.jumps)
         bends = np.flatnonzero(bending)
         lengths = np.diff(bends)
         begins = np.repeat(bends[:-1], lengths)  # of each sample's segment
         elapsed = times[:-1] - times[begins]
         line = u[:, begins] + slopes[:, begins] * elapsed
         straight = np.array_equal(line, u[:, :-1])
-        return times[bends] if straight else times
+        kinks = times[bends] if straight else times
+        return np.unique(kinks) if len(self.jumps) else kinks
 
     def sharp_bends(self, least: float) -> ndarray:
         """Return the times at which the inputs bend sharply.
@@ -79,7 +89,7 @@ class Inputs:
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
         sharp, noticeable = self._bends(least)
-        return self.samples[0][1:-1][sharp | noticeable]
+        return np.unique(self.samples[0][1:-1][sharp | noticeable])
 
     @property
     def bends_sharply_only(self) -> bool:
@@ -109,7 +119,8 @@ class Inputs:
         noticeable = departure > allowed
         sharp = np.any(sharp, axis=0)
         noticeable = np.any(noticeable, axis=0)
-        return sharp, noticeable
+        jumping = np.isin(times[1:-1], self.jumps)
+        return sharp | jumping, noticeable
 
     def rises(self, k: int) -> ndarray | None:
         """Return the times at which an input rises above 1/2; None if it is constant."""
@@ -310,6 +321,8 @@ def _events_of_time(
         if len(kinks):
             kinks = moved_to(jumps, kinks)
             bends = np.union1d(jumps, kinks)
+    if inputs is not None and len(kinks) and len(inputs.jumps):
+        jumps = np.union1d(jumps, moved_to(jumps, inputs.jumps))
     if diagram.time_tables:
         rows = [table.times for table in diagram.time_tables]
         bends = np.unique(np.concatenate([bends, *rows]))

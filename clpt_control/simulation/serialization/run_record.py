@@ -124,7 +124,7 @@ def _recorded_conditions(plain: dict[str, Any], diagram: Diagram) -> dict[str, A
         np.concatenate([times, values.ravel(), state, tolerances])
     ).all():
         raise DataError("a number is not finite")
-    if not (np.all(np.diff(times) > 0) and np.all(np.diff(plain["timepts"]) > 0)):
+    if not (np.all(np.diff(times) >= 0) and np.all(np.diff(plain["timepts"]) > 0)):
         raise DataError("its times do not increase")
     if min(tolerances + steps) < 0 or not isinstance(plain["method"], str | None):
         raise DataError("its tolerances, steps or method are not valid")

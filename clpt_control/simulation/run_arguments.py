@@ -1,0 +1,143 @@
+"""Arguments of a diagram's run in other forms: by name, as a response, with jumps of the inputs.
+
+Inputs and initial states may be mappings by label or port, inputs a `control.TimeResponseData`.
+Two samples at one time are a jump of the inputs, as in tables of Modelica.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import control
+import numpy as np
+
+from ..base.arguments import nearest, numbers
+from ..base.errors import SimulationError
+from ..engine.model.ports import ports_of
+from ..engine.solver.schedule import Inputs, read_inputs, stacked
+
+
+def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
+    """Return the number of a diagram's inputs; an open number is that of the inputs given."""
+    if diagram.ninputs is not None:
+        return diagram.ninputs
+    if isinstance(inputs, Inputs):
+        return len(inputs.samples[1])
+    shape = np.shape(stacked(inputs, times))
+    return shape[0] if shape and shape != times.shape else 1
+
+
+def with_jumps(diagram: Any, timepts: Any, inputs: Any) -> tuple[Any, Any]:
+    """Return times without repetition, and inputs that jump at repeated times."""
+    times = np.atleast_1d(numbers("timepts", timepts))
+    spans = np.diff(times)
+    if times.ndim != 1 or np.all(spans > 0) or not np.all(spans >= 0):
+        return timepts, inputs
+    if inputs is not None:
+        inputs = read_inputs(inputs, times, inputs_count(diagram, inputs, times))
+    return np.unique(times), inputs
+
+
+# --- by name -------------------------------------------------------------------------------------
+
+
+def inputs_by_name(diagram: Any, inputs: Any, timepts: Any) -> Any:
+    """Return inputs given by name or as a response as rows; others are as they are."""
+    if isinstance(inputs, control.TimeResponseData):
+        return _inputs_of_response(diagram, inputs, timepts)
+    if not isinstance(inputs, Mapping):
+        return inputs
+    rows: list[Any] = [0.0] * len(diagram.input_labels)
+    for name, value in inputs.items():
+        columns = _columns(diagram, "input", diagram.input_labels, name)
+        values = numbers(f"inputs['{name}']", value)
+        if len(columns) == 1 and values.ndim == 2:
+            values = values.ravel()
+        if len(columns) == 1 or values.ndim == 0:
+            values = np.array([values] * len(columns))
+        _check_rows("inputs", name, values, len(columns))
+        for column, row in zip(columns, values, strict=True):
+            rows[column] = row if row.ndim else float(row)
+    return rows
+
+
+def state_by_name(diagram: Any, state: Any, default: Any) -> Any:
+    """Return an initial state given by name as a vector; states without a name have the default."""
+    if not isinstance(state, Mapping):
+        return state
+    labels = diagram.state_labels
+    if len(labels) != diagram.nstates:
+        raise SimulationError(
+            f"initial_state: {diagram.name} has states of one name. Give an array"
+        )
+    vector = np.zeros(len(labels))
+    if default is not None:
+        vector[:] = default
+    for name, value in state.items():
+        columns = _columns(diagram, "state", labels, name)
+        values = numbers(f"initial_state['{name}']", value).ravel()
+        if len(values) == 1:
+            values = np.repeat(values, len(columns))
+        _check_rows("initial_state", name, values, len(columns))
+        vector[columns] = values
+    return vector
+
+
+def _columns(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
+    """Return the columns of a label or port; refuse an unknown name."""
+    names = {**ports_of(labels), **{label: [k] for k, label in enumerate(labels)}}
+    if name in names:
+        return names[name]
+    close = nearest(str(name), names)
+    advice = f"Did you mean '{close}'?" if close else f"It has {', '.join(names)}"
+    raise SimulationError(
+        f"{diagram.name}: has no {kind} '{name}'. {advice if names else 'It has none'}"
+    )
+
+
+def _check_rows(argument: str, name: str, values: np.ndarray, count: int) -> None:
+    if len(values) != count:
+        raise SimulationError(
+            f"{argument}['{name}']: has {len(values)} rows. Give {count}, one per signal"
+        )
+
+
+# --- responses -----------------------------------------------------------------------------------
+
+
+def _inputs_of_response(diagram: Any, response: Any, timepts: Any) -> Inputs:
+    """Return the signals of a response that have the names of a diagram's inputs."""
+    times = np.asarray(response.time, dtype=float)
+    rows: dict[str, Any] = {}
+    for labels, values in (
+        (response.input_labels, response.u),
+        (response.output_labels, response.y),
+    ):
+        if values is not None and labels is not None:
+            rows |= zip(labels, _one_trace(values), strict=True)
+    missing = [label for label in diagram.input_labels if label not in rows]
+    if missing:
+        raise SimulationError(
+            f"inputs: the response has no signal '{missing[0]}', but {', '.join(rows)}. "
+            f"Give inputs by name, {{'{missing[0]}': response.outputs}}"
+        )
+    span = numbers("timepts", timepts).ravel()
+    margin = 1e-9 * max(1.0, abs(times[-1]))
+    if len(span) and (span[0] < times[0] - margin or span[-1] > times[-1] + margin):
+        raise SimulationError(
+            f"inputs: the response is from {times[0]:.9g} to {times[-1]:.9g}. "
+            "Give timepts within these times"
+        )
+    values = [rows[label] for label in diagram.input_labels]
+    return read_inputs(np.reshape(values, (-1, len(times))), times, len(values))
+
+
+def _one_trace(values: Any) -> np.ndarray:
+    """Return signals (n, nt) of a response with one trace."""
+    values = np.asarray(values, dtype=float)
+    if values.ndim < 3:
+        return values
+    if values.shape[1] != 1:
+        raise SimulationError(
+            f"inputs: the response has {values.shape[1]} traces. Give one, as response[:, 0]"
+        )
+    return values[:, 0]
