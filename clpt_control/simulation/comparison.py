@@ -7,13 +7,16 @@ from collections.abc import Callable, Mapping
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+import control
 import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
 from ..base.figures import COLOURS, axes_for, line_style, literal
+from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
 from .run_plots import clpe_plot, learning_plot, run_plot
+from .serialization.run_record import signal_names
 from .track_chart import run_style, track_plot
 
 if TYPE_CHECKING:
@@ -197,3 +200,36 @@ def signals_of(port: "xarray.DataArray") -> dict[str, np.ndarray]:
 def named(name: str, units: str | None) -> str:
     """Return a name with its unit, if it has one."""
     return f"{name} ({units})" if units else name
+
+
+def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
+    """Return a run as a response of python-control, with the labels of its diagram."""
+    if "time" not in run.dims or not ports_along(run):
+        raise DataError("the dataset has no signal along time. Give a run")
+    names = signal_names(run)
+    labels_by = {key: ports_of(names[key]) for key in ("inputs", "outputs")}
+    signals: dict[str, dict[str, np.ndarray]] = {"inputs": {}, "outputs": {}}
+    for port in ports_along(run):
+        is_output = port in labels_by["outputs"]
+        name = port if is_output else port.removesuffix("_input")
+        key = "inputs" if not is_output and name in labels_by["inputs"] else "outputs"
+        rows = signals_of(run[port])
+        labels = [names[key][k] for k in labels_by[key].get(name, [])]
+        if len(labels) != len(rows):
+            labels = [*rows]
+        signals[key] |= zip(labels, rows.values(), strict=True)
+    inputs, outputs = signals.values()
+    states = run.get(STATES)
+    return control.TimeResponseData(
+        run.time.values,
+        np.reshape([*outputs.values()], (-1, run.sizes["time"])),
+        None if states is None else states.values.T,
+        np.array([*inputs.values()]) if inputs else None,
+        issiso=len(outputs) == len(inputs) == 1,
+        output_labels=[*outputs],
+        input_labels=[*inputs] if inputs else None,
+        state_labels=None if states is None else [*states["state"].values],
+        title=str(run.attrs.get("title", "")) or None,
+        plot_inputs=bool(inputs),
+        sysname=str(names["name"]) or None,
+    )

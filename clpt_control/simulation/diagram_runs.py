@@ -5,6 +5,7 @@ has a variable for each port.  Both carry a `RunRecord`, from which the run can 
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 from warnings import catch_warnings, simplefilter
@@ -26,6 +27,7 @@ from ..engine.diagram.wiring import (
 from ..engine.model.ports import ports_of, whole_labels
 from ..engine.solver.engine_choice import run_checked
 from ..engine.solver.native_diagram import NativeDiagram
+from ..engine.solver.runner import steps_between
 from ..engine.solver.schedule import read_inputs
 from ..paper.scenario.file import EQUATIONS, OWN_PARTS, REFERENCE
 from .dataset import changed_parameters, diagram_template, scenario_template
@@ -71,15 +73,25 @@ class DiagramRun(SystemRun):
         **options: Any,
     ) -> Any:
         """Integrate from a state at the first time; return a Dataset with a `RunRecord`."""
-        self.check_memory(len(times))
         u = read_inputs(inputs, times, self.wiring.ninputs)
+        steps = steps_between(times, self.wiring.dt)
+        every = (
+            times
+            if steps is None
+            else np.interp(np.arange(steps[-1] + 1), steps, times)
+        )
+        self.check_memory(len(every))
         state = stacked_state("initial_state", initial_state, self.runner.nstates)
         if self.experiment is not None:
             self._check_initial_alpha(state)
         options["inputs"] = u
         solution, blocks = run_checked(
-            self.runner, self.name, state, times, self.params, **options
+            self.runner, self.name, state, every, self.params, **options
         )
+        if steps is not None:
+            steps = steps[steps < len(solution.t)]
+            solution = replace(solution, t=times[: len(steps)], x=solution.x[steps])
+            blocks = blocks[steps]
         signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
         run = self.dataset(solution, signals.T)
         if self.loop is not None and {"x", "zc"} <= {*self.loop.external}:

@@ -219,3 +219,67 @@ def test_linear_algebra_that_is_not_traced_is_named(call, said):
         arm, [0.0, 1.0], 0, [0.5, 0.2], solve_ivp_kwargs={"rtol": 1e-9, "atol": 1e-11}
     )
     np.testing.assert_allclose(run.states[-1], expected.states[:, -1], rtol=1e-6)
+
+
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_times_that_are_multiples_of_dt_apart(engine):
+    system = control.ss([[0.5, 0.2], [0, 0.8]], [[1], [1]], [[1, 0]], 0.5, 0.1)
+    times = 0.3 * np.arange(6)
+    u = np.sin(times)
+    theirs = control.forced_response(system, times, u, [1.0, 2.0])
+    run = clpt.simulate(system, times, u, [1.0, 2.0], engine=engine)
+    np.testing.assert_allclose(run.states.values.T, theirs.states, rtol=1e-13)
+    np.testing.assert_allclose(run["y"].values, theirs.outputs, rtol=1e-13)
+    run = clpt.simulate(system, [0, 0.1, 0.3], 1.0, engine=engine)  # of several sizes
+    every = clpt.simulate(system, [0, 0.1, 0.2, 0.3], 1.0)
+    assert (run.states == every.states.isel(time=[0, 1, 3])).all()
+    with pytest.raises(clpt.SimulationError, match=r"0\.1 apart"):
+        clpt.simulate(system, [0, 0.25])
+
+
+def test_a_run_as_a_response_of_python_control(tmp_path):
+    system = control.ss(
+        [[-1, 1], [0, -2]],
+        [[0], [1]],
+        np.eye(2),
+        0,
+        inputs="u",
+        outputs=["y[0]", "y[1]"],
+    )
+    times = np.linspace(0, 3, 31)
+    theirs = control.forced_response(system, times, np.sin(times), [1.0, 0.0])
+    run = clpt.simulate(system, times, np.sin(times), [1.0, 0.0], rtol=1e-11)
+    clpt.save_run(run, tmp_path / "run.nc")
+    for response in (
+        run.clpt.response(),
+        clpt.load_run(tmp_path / "run.nc").clpt.response(),
+    ):
+        assert isinstance(response, control.TimeResponseData)
+        np.testing.assert_array_equal(response.outputs, run.y.values.T)
+        np.testing.assert_array_equal(response.states, run.states.values.T)
+        np.testing.assert_array_equal(response.inputs.ravel(), run.u.values)
+        assert response.input_labels == ["u"]
+        assert response.output_labels == theirs.output_labels
+        assert response.state_labels == theirs.state_labels
+        np.testing.assert_allclose(response.outputs, theirs.outputs, atol=1e-3)
+        assert response.plot().axes.shape == theirs.plot().axes.shape
+    lag = control.ss(-1, 1, 1, 0)
+    single = clpt.simulate(lag, times, 1.0).clpt.response()
+    assert (single.input_labels, single.output_labels) == (["u[0]"], ["y[0]"])
+    assert single.outputs.shape == times.shape
+    assert control.step_info(single.outputs, single.time)["Peak"] > 0.9
+
+
+def test_a_response_keeps_an_input_with_the_name_of_an_output():
+    hold = control.ss(-1, 1, 1, 0, inputs="u", outputs="u", name="same")
+    response = clpt.simulate(hold, [0, 1, 2], 1.0).clpt.response()
+    assert (response.input_labels, response.output_labels) == (["u"], ["u"])
+    assert response.inputs.tolist() == [1.0, 1.0, 1.0]
+
+
+def test_a_scenarios_run_is_a_response():
+    scenario = clpt.paper_scenario().with_values({"run.duration": 5})
+    run = clpt.simulate(scenario)
+    response = run.clpt.response()
+    row = response.output_labels.index("clpe axis 1")
+    np.testing.assert_array_equal(response.outputs[row], run.clpe.values[:, 0])

@@ -20,7 +20,7 @@ from ...base.files import atomic_path, check_writable, write_file
 from ...engine.model.ports import ports_of
 from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
-from ...simulation.comparison import named, ports_along, signals_of
+from ...simulation.comparison import named, ports_along, response_of, signals_of
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop
 
@@ -206,6 +206,13 @@ class ClptAccessor:
             linear.C, linear.D = linear.C[rows], linear.D[rows]
             linear.set_outputs([system.output_labels[k] for k in rows])
         return minimal_of(linear) if minimal else linear
+
+    def response(self) -> Any:
+        """Return a run as a `control.TimeResponseData`, for python-control's plots.
+
+        It has the outputs, inputs and states of a diagram's run at its times.
+        """
+        return response_of(self._data)
 
     @public
     def table(self, path: str | PathLike[str] | None = None) -> "pandas.DataFrame":

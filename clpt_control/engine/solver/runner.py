@@ -517,12 +517,28 @@ def checked_method(method: str | None) -> str:
     return method or "auto"
 
 
+def steps_between(times: np.ndarray, dt: Any) -> np.ndarray | None:
+    """Return the step of each time; None if all are one `dt` apart, or do not fit."""
+    if not dt or dt is True:
+        return None
+    spacing = np.diff(times)
+    counts = np.rint(spacing / dt)
+    fitting = np.abs(spacing - counts * dt) <= 1e-8 + 1e-5 * dt
+    if counts.min() < 1 or counts.max() == 1 or not fitting.all():
+        return None
+    return np.append(0, np.cumsum(counts)).astype(int)
+
+
 def check_spacing(times: np.ndarray, dt: Any) -> None:
     """Refuse times that are not spaced by the step of a diagram of discrete time."""
     spacing = np.diff(times)
     step = spacing[0] if dt is True else dt
     if (np.abs(spacing - step) > 1e-8 + 1e-5 * step).any():
-        required = "evenly spaced" if dt is True else f"{dt:.9g} apart"
+        required = (
+            "evenly spaced"
+            if dt is True
+            else f"{dt:.9g} apart (simulate: or multiples)"
+        )
         raise SimulationError(
             f"timepts: a diagram of discrete time (dt = {dt}) takes times that are {required}; "
             f"these are {spacing.min():.9g} to {spacing.max():.9g} apart"

@@ -98,6 +98,15 @@ def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
         return "", str(error)
 
 
+def signal_names(run: "xarray.Dataset") -> dict[str, Any]:
+    """Return the name of a run's diagram, and the labels of its inputs and outputs, if recorded."""
+    record = run.encoding.get(EQUATIONS) or run.attrs.get(EQUATIONS, "")
+    if isinstance(record, RunRecord):
+        return record.run.names
+    unknown = {"name": "", "inputs": [], "outputs": []}
+    return json.loads(record)["diagram"] if record else unknown
+
+
 def diagram_of_text(text: str) -> Diagram:
     """Return the diagram of a record as JSON; its attribute `recorded` has the conditions."""
     try:

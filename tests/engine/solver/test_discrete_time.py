@@ -126,11 +126,7 @@ def test_a_long_run_is_made_of_many_calls():
 
 
 MISFITS = [
-    (
-        [0, 0.5, 1.5],
-        {},
-        r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart; .* 1",
-    ),
+    ([0, 0.5, 1.25], {}, r"timepts: .*\(dt = 0\.5\) takes times that are 0\.5 apart"),
     ([0.0, 1.0, 3.0], {"system": first_order(True)}, "evenly spaced"),
     (
         [0.0, 0.1],
