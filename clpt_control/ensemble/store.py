@@ -298,10 +298,6 @@ def check_same(store: Store, arguments: Mapping[str, Any]) -> None:
 def open_ensemble(path: Path) -> "xarray.Dataset":
     """Return the ensemble of a folder, complete or not; trajectories are read when used."""
     store = open_store(path, mode="r")
-    if "diagram" in store.arguments:
-        raise DataError(
-            f"{path}: is an ensemble of a diagram, not of a scenario, and has no page"
-        )
     data = store.dataset()
     try:
         for array in data.variables.values():

@@ -1,4 +1,7 @@
-"""The page of an ensemble: what varied, how many are done, how they ended, percentiles."""
+"""The page of an ensemble: what varied, how many are done, how they ended, percentiles.
+
+The page of a diagram's ensemble has a figure for each output over time.
+"""
 
 import json
 from typing import Any
@@ -8,17 +11,32 @@ from xarray import Dataset
 
 from ...base.html import Result, folded, listing
 from ...base.units import percent
-from ...ensemble.ensemble_statistics import ensemble_plot, ensemble_summary, unit_of
+from ...ensemble.ensemble_statistics import (
+    by_member,
+    ensemble_plot,
+    ensemble_summary,
+    is_of_diagram,
+    rms_of,
+    signals_over_time,
+    unit_of,
+)
+from ...simulation.comparison import MAX_PORTS
 from .page import Page, Section, drawn, versions_section
 from .results import Numbers
 
 MOST_ROUNDS = 8
+MOST_PORTS = 12  # outputs of a diagram, a figure each
+SPREAD = "Spread of the runs"
+NOT_BEGUN = Result(sentences=["No member is done: nothing to draw"])
 Request = dict[str, Any]  # what was asked of `run_ensemble`
 
 
 def ensemble_page(data: Dataset, title: str | None) -> Page:
     """Return the page of an ensemble, whole or begun."""
     request = json.loads(data.attrs["ensemble"])
+    of_diagram = is_of_diagram(data)
+    if of_diagram:
+        data = by_member(data)
     summary = ensemble_summary(data)
     members, status = summary["members"], data["status"].values
     completed, finished = int(np.sum(status != 0)), int(np.sum(status == 1))
@@ -26,7 +44,8 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
     if completed < members:
         warnings.append(
             f"The ensemble is not complete: {completed} of {members} members are done; "
-            "figures are of these. `clpt ensemble` with the same words goes on."
+            f"figures are of these. {'run_ensemble' if of_diagram else '`clpt ensemble`'} with the "
+            "same words goes on."
         )
     if finished < completed:
         warnings.append(
@@ -37,34 +56,35 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
         warnings.append(
             f"The runs had a law given in Python, which no file holds: {request['law']}"
         )
-    text = folded("The scenario that varied, TOML", listing(str(request["scenario"])))
+    sections = [_varied(data, request), versions_section(data.attrs)]
+    if of_diagram:
+        spread = _diagram_spread(data, summary, completed)
+    else:
+        spread = _spread(data, summary, completed)
+        text = folded("The scenario that varied, TOML", listing(request["scenario"]))
+        sections.insert(1, Section("scenario", "Scenario", more=text))
     return Page(
         "Ensemble",
         title or str(data.attrs.get("title") or "An ensemble without a title"),
-        [f"{members} runs of a scenario with values that vary."],
-        warnings,
         [
-            _spread(data, summary, completed),
-            _varied(data, request),
-            Section("scenario", "Scenario", more=text),
-            versions_section(data.attrs),
+            f"{members} runs of a {'diagram' if of_diagram else 'scenario'} with values that vary."
         ],
+        warnings,
+        [spread, *sections],
     )
 
 
 def _spread(data: Dataset, summary: Numbers, completed: int) -> Section:
     """Return percentiles, drawn and as a table."""
-    heading = "Spread of the runs"
     if not completed:
-        result = Result(sentences=["No member is done: nothing to draw"])
-        return Section("spread", heading, result)
+        return Section("spread", SPREAD, NOT_BEGUN)
     caption = (
         "Above, the CLPE in each round of the waypoints; below, the largest error of what was "
         "learned: the median run, half of all runs, and nine in ten."
     )
     result = ensemble_result(data, summary, "Percentiles over the members")
     figure = drawn("ensemble", 5.4, caption, ensemble_plot, data)
-    return Section("spread", heading, result, [figure])
+    return Section("spread", SPREAD, result, [figure])
 
 
 def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
@@ -86,9 +106,6 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
         if f"{key}_at_end" in summary:
             row = f"largest {quantity} error ({unit_of(data[key])}), {end}"
             rows.append([row, *_cells(summary[f"{key}_at_end"])])
-    ended = ", ".join(
-        f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
-    )
     sentences = []
     if "faster_flow" in summary and summary["faster_flow"]["members"]:
         faster = summary["faster_flow"]
@@ -96,12 +113,47 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
             f"in {faster['members']} members the flow was faster than the vehicle, for at most "
             f"{percent(faster['largest_share'])} of the time"
         )
+    return _percentile_table(summary, name, rows, sentences)
+
+
+def _percentile_table(
+    summary: Numbers, name: str, rows: list[list[str]], sentences: list[str]
+) -> Result:
+    """Return rows of percentiles under their heading, which tells how the members ended."""
+    ended = ", ".join(
+        f"{n} {how.replace('_', ' ')}" for how, n in summary["ended"].items()
+    )
     if summary["first_failed"] is not None:
         sentences.append(
             f"the first member that did not finish is {summary['first_failed']}"
         )
     columns = ["percentile", *(f"{p} %" for p in summary["percents"])]
     return Result(f"{name}: {ended}", columns, rows, sentences)
+
+
+def _diagram_spread(data: Dataset, summary: Numbers, completed: int) -> Section:
+    """Return percentiles of a diagram's outputs over time, drawn, and of its summaries."""
+    if not completed:
+        return Section("spread", SPREAD, NOT_BEGUN)
+    rows = [[name, *_cells(column)] for name, column in summary["summaries"].items()]
+    signals = signals_over_time(data)
+    sentences, figures = [], []
+    for k, (label, signal) in enumerate([*signals.items()][:MOST_PORTS]):
+        caption = f"{label} over time: the median run, half of all runs, nine in ten."
+        one = signal.to_dataset(name=label).assign_attrs(data.attrs)
+        figures.append(drawn(f"output-{k}", 2.8, caption, ensemble_plot, one))
+    if hidden := len(signals) - len(figures):
+        sentences.append(f"{hidden} more outputs are not drawn")
+    if not signals and len(rms_of(data)) <= MAX_PORTS:
+        caption = "rms of each output over the first number that varies."
+        figures = [drawn("rms", 4.2, caption, ensemble_plot, data)]
+    if not signals:
+        sentences.append(
+            "`run_ensemble(..., trajectories=True)` stores outputs over time"
+        )
+    name = "Percentiles over the members"
+    result = _percentile_table(summary, name, rows, sentences)
+    return Section("spread", SPREAD, result, figures)
 
 
 def _cells(column: list[float] | None) -> list[str]:

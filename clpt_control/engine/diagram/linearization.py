@@ -22,13 +22,14 @@ from ...base.arguments import numbers, public
 from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
-from ..model.ports import ports_of
+from ..model.block import Block
+from ..model.ports import bare_labels, ports_of
 from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
 from ..trace.arrays import Tape, Unread, operand
 from ..trace.elementwise import lifted
-from .interconnection import changed_parameters
+from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord
 from .sampled_linearization import (
     SampledBlock,
@@ -248,9 +249,10 @@ def linearize(
     Returns
     -------
     control.StateSpace
-        With the diagram's labels of states, inputs and outputs; where `minimal` mixes states they
-        are called x[k]. With sampled blocks it is of discrete time, from one sample of all of them
-        to the next, with the diagram's inputs held between; held inputs of blocks are no states.
+        With the diagram's labels of states, inputs and outputs, ``linear["e[1]", "r"]``: a port of
+        one signal has its name alone. Where `minimal` mixes states they are called x[k]. With
+        sampled blocks it is of discrete time, from one sample of all of them to the next, with
+        the diagram's inputs held between; held inputs of blocks are no states.
 
     Raises
     ------
@@ -352,11 +354,16 @@ def _linearized(
             SampledSlopes(AB, CD, jumps), blocks, dt
         )
         states = [states[k] for k in remaining]
+    inputs, outputs = system.input_labels, system.output_labels
+    if isinstance(
+        system, Block | Diagram
+    ):  # python-control's systems keep their labels
+        inputs, outputs = bare_labels(inputs), bare_labels(outputs)
     linear = state_space(
         *(A, B, C, D, dt),
         states=states or None,
-        inputs=system.input_labels,
-        outputs=system.output_labels,
+        inputs=inputs,
+        outputs=outputs,
         name=f"{system.name}$linearized",
     )
     return minimal_of(linear) if minimal else linear

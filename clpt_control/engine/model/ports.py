@@ -7,7 +7,7 @@ several vehicles.  A namespace is then the prefix of its name and of its ports: 
 the port `west/x[2]`, and the equations are the same.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import prod
 from types import MappingProxyType
 from typing import Any
@@ -180,6 +180,15 @@ def ports_of(labels: Iterable[str]) -> dict[str, list[int]]:
         name = port if number == f"{count}]" else label
         ports.setdefault(name, []).append(index)
     return ports
+
+
+def bare_labels(labels: Sequence[str]) -> list[str]:
+    """Return labels, of a port of one signal its name: ``r[0]`` is ``r``."""
+    bare = [*labels]
+    for port, indices in ports_of(labels).items():
+        if len(indices) == 1:
+            bare[indices[0]] = port
+    return bare if counts_of(bare) == counts_of(labels) else [*labels]
 
 
 def whole_labels(labels: Iterable[str]) -> list[str]:

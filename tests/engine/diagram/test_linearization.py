@@ -50,10 +50,21 @@ def test_as_python_control_by_differences(law):
     for name in "ABCD":
         # theirs
         np.testing.assert_allclose(getattr(own, name), getattr(theirs, name), atol=2e-5)
-    assert (own.input_labels, own.output_labels) == (
-        loop.input_labels,
-        loop.output_labels,
-    )
+    assert own.input_labels == loop.input_labels
+    labels = (own.output_labels, loop.output_labels)
+    assert len({" ".join(names).replace("[0]", "") for names in labels}) == 1
+
+
+def test_a_port_of_one_signal_has_its_name_alone():
+    parts = [clpt.parts.lag(1.0, u="wanted", y="y")]
+    parts += [clpt.parts.lag(1.0, signals=2, name="two", u="force", y="e")]
+    both = clpt.linearize(clpt.connect(parts, external=["wanted", "force"]))
+    assert both.input_labels == ["wanted", "force[0]", "force[1]"]
+    assert both.output_labels == ["y", "e[0]", "e[1]"]
+    assert both["y", "wanted"].dcgain() == 1
+    assert clpt.linearize(parts[0])["y", "wanted"].dcgain() == 1
+    theirs = control.ss(-1, 1, 1, 0)
+    assert clpt.linearize(theirs).input_labels == theirs.input_labels
 
 
 def test_a_linear_system_is_itself_whatever_its_time():

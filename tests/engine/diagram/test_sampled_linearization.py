@@ -44,7 +44,8 @@ def test_one_rate_is_the_loop_by_hand(T):
     np.testing.assert_allclose(linear.B, np.vstack([[[1.0]], 0.8 * Bd]), atol=1e-12)
     assert linear.dt == T
     assert linear.state_labels == ["law_x[0]", "plant_x[0]", "plant_x[1]"]
-    assert linear.input_labels == ["r[0]"]
+    assert linear.input_labels == ["r"]
+    assert linear["y", "r"].noutputs == 1
     closed = control.feedback(law(T) * control.c2d(plant(), T), 1)
     poles = [np.sort_complex(one.poles()) for one in (linear, closed)]
     np.testing.assert_allclose(*poles, atol=1e-9)
