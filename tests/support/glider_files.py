@@ -6,10 +6,12 @@ current carries its fixes by DRIFT degrees of longitude.  On the equator a degre
 longitude is 6378137 m * pi/180 (WGS84), so every number is known without a reader.
 """
 
+from tempfile import TemporaryDirectory
+
 import netCDF4
 import numpy as np
 
-from clpt_control.ocean.gliders.dive_files import read_dive_file
+from clpt_control.gliders import read_dives, write_dive_table
 
 VELOCITY = np.array([0.24, -0.10])  # m/s through the water, east and north
 T0, DURATION, FIRST, LAST, DEPTH = 1.5e9, 9000.0, 60.0, 140.0, 400.0
@@ -22,7 +24,21 @@ SPEED, BEARING = np.hypot(*VELOCITY), np.degrees(np.arctan2(*VELOCITY))
 
 def dives_in(path):
     """Return the dives of a file."""
-    return read_dive_file(path)[0]
+    return read_dives(path, usable=False)[0]
+
+
+def used_numbers(dives):
+    """Return the numbers of the dives that are used, read back from a table."""
+    with TemporaryDirectory() as folder:
+        write_dive_table(dives, f"{folder}/dives.csv")
+        return [dive.number for dive in read_dives(f"{folder}/dives.csv")[0]]
+
+
+def error_of(dive):
+    """Return fix less dead reckoning, m, and how far it is from the file's own current, m/s."""
+    error = np.array([dive.miss_east, dive.miss_north])
+    own = np.array([dive.dac_east, dive.dac_north], float)
+    return error, np.hypot(*(error / dive.duration - own))
 
 
 def swim(count):

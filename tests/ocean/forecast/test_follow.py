@@ -13,10 +13,9 @@ import pytest
 from refusals import refuses
 from synthetic_vehicle import one_file_each, vehicle
 
-from clpt_control.gliders import sample_dives
+from clpt_control.gliders import read_dives, sample_dives
 from clpt_control.ocean.forecast import follow
 from clpt_control.ocean.forecast.follow import Follower, following
-from clpt_control.ocean.gliders.dive_files import read_all_dives
 from clpt_control.ocean.gliders.dives import Skipped
 from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.replay import Replay
@@ -202,7 +201,7 @@ def test_files_are_in_the_order_of_their_numbers(tmp_path):
         one_file_each(tmp_path / "in", [dive])
         follower.look()
         used, _ = usable(follower.dives()[0])
-        for found in (used, read_all_dives(tmp_path / "in")[0]):
+        for found in (used, read_dives(tmp_path / "in", usable=False)[0]):
             wanted = [(one.number, one.notes) for one in dives[: dive.number]]
             assert [(one.number, one.notes) for one in found] == wanted
         first = growing.steps

@@ -10,17 +10,11 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 import pytest
-from glider_files import basestation, dives_in, og1, og1_rows
+from glider_files import basestation, dives_in, error_of, og1, og1_rows
 from refusals import refuses
 
 from clpt_control.base.files import reading
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
-from clpt_control.ocean.estimation.dive import miss
-from clpt_control.ocean.gliders.dive_files import (
-    dive_paths,
-    read_all_dives,
-    read_dive_file,
-)
 from clpt_control.ocean.gliders.usable_dives import usable
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
@@ -47,9 +41,9 @@ def test_tables_of_other_kinds_are_told_what_to_change(table):
         ),
     ):
         table.write_text(content)
-        refuses(f"dives.csv: {sentence}", read_all_dives, table)
+        refuses(f"dives.csv: {sentence}", read_dives, table)
     table.write_text(text, encoding="utf-16")
-    refuses("dives.csv: is neither NetCDF nor text", read_all_dives, table)
+    refuses("dives.csv: is neither NetCDF nor text", read_dives, table)
 
 
 ODD = [
@@ -68,18 +62,18 @@ ODD = [
 def test_odd_numbers_and_times_are_skipped_one_by_one(tmp_path, cells, sentence):
     path = tmp_path / "dives.csv"
     path.write_text(HEAD + ROW.format(*cells) + ROW.format(2147483647, 10000, 19000))
-    (dive,), (skipped,) = read_all_dives(path)
-    assert (dive.number, usable([dive])[0]) == (2147483647, [dive])
+    (dive,), (skipped,) = read_dives(path)
+    assert dive.number == 2147483647
     assert re.search(sentence, skipped.why)
     path.write_text(HEAD + 2 * ROW.format(*cells))
-    refuses(r"no dive. First reason:.*line 2", read_all_dives, path)
+    refuses(r"no dive. First reason:.*line 2", read_dives, path)
 
 
 def test_times_are_seconds_or_dates_and_required_columns_suffice(tmp_path):
     head = "dr_north_m,dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,extra\n"
     row = "5,1,2020-09-13T12:26:40Z,-43,8,2020-09-13 16:56:40+02:00,-43,8.1,8000,word\n"
     (tmp_path / "mine.csv").write_text(head + row)
-    ((dive,), _) = read_all_dives(tmp_path)
+    ((dive,), _) = read_dives(tmp_path, usable=False)
     assert (dive.t_gps2, dive.duration, dive.magvar, dive.track) == (
         1.6e9,
         9000.0,
@@ -99,11 +93,9 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
     lines[3] = lines[3].replace(b"-43", b"\xb0", 1)
     lines[4] = lines[4][:30]
     table.write_bytes(b"\n".join(lines))
-    found, skipped = read_dive_file(table)
-    used, unused = usable(found)
+    used, skipped = read_dives(table)
     assert [dive.number for dive in used] == [304, 308]
     assert [one.dive for one in skipped] == [None, 306, 307]
-    assert not unused
     assert "line 3: dive is 'x305'" in skipped[0].why
     assert "lat_gps2 is '\ufffd" in skipped[1].why
     assert "line 5: has 3 cells, the header 22" in skipped[2].why
@@ -122,17 +114,20 @@ def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
     head = HEAD.replace("dr_east_m,dr_north_m", "dac_east,dac_north")
     lines = [",".join(map(str, row)) + "\n" for row in rows]
     (tmp_path / "own.csv").write_text(head + "".join(lines))
-    found, skipped = read_all_dives(tmp_path / "own.csv")
+    found, skipped = read_dives(tmp_path / "own.csv", usable=False)
     assert skipped == []
     for dive, same in zip(found[:-1], dives, strict=True):
         assert (dive.dr_east, dive.dr_north) == pytest.approx(
             (same.dr_east, same.dr_north)
         )
         assert dive.notes == ("dead reckoning computed from dac_east, dac_north",)
-    assert "dac_east or dac_north is not a number" in usable(found)[1][-1].why
+    assert (
+        "dac_east or dac_north is not a number"
+        in read_dives(tmp_path / "own.csv")[1][-1].why
+    )
     (tmp_path / "none.csv").write_text(HEAD.replace(",dr_east_m,dr_north_m", ""))
     said = "no column dr_east_m, dr_north_m; .* may stand instead"
-    refuses(said, read_all_dives, tmp_path / "none.csv")
+    refuses(said, read_dives, tmp_path / "none.csv")
 
 
 CURRENTS = [
@@ -149,16 +144,16 @@ def test_a_current_that_contradicts_dead_reckoning_is_refused(tmp_path, cause, c
     path = tmp_path / "dives.csv"
 
     def with_current(dive, change):
-        east, north = change(miss(dive) / dive.duration)
+        east, north = change(error_of(dive)[0] / dive.duration)
         return replace(dive, dac_east=float(east), dac_north=float(north))
 
     dives = [with_current(dive, lambda current: current) for dive in sample_dives()]
     write_dive_table([with_current(dives[0], change), *dives[1:]], path)
-    found, skipped = read_all_dives(path)  # one may have a wild fix
+    found, skipped = read_dives(path, usable=False)  # one may have a wild fix
     noted = [any("depth-averaged" in note for note in dive.notes) for dive in found]
     assert (noted, skipped) == ([True] + [False] * 13, [])
     write_dive_table([with_current(dive, change) for dive in dives], path)
-    said = refuses("contradict dac_east, dac_north by .* mm/s in", read_all_dives, path)
+    said = refuses("contradict dac_east, dac_north by .* mm/s in", read_dives, path)
     assert f"{cause}. Correct one pair, or leave the wrong columns out" in said
 
 
@@ -181,7 +176,7 @@ def test_quotes_join_cells_and_never_lines(tmp_path):
     notes = ('"rain, wind"', 'a 5" pipe', '"never closed', '"it ""rolled"""')
     rows = "".join(f"{row}{note}\n" for row, note in zip(cells, notes, strict=True))
     (tmp_path / "d.csv").write_text(head + rows)
-    dives, skipped = read_all_dives(tmp_path / "d.csv")
+    dives, skipped = read_dives(tmp_path / "d.csv", usable=False)
     assert [dive.number for dive in dives] == [1, 2, 4]
     assert ["line 4: has 1 cell, the header" in one.why for one in skipped] == [True]
 
@@ -193,9 +188,9 @@ def test_dive_numbers_of_netcdf_files(tmp_path):
             data.dive_number = number
         assert dives_in(path)[0].number == 7
     path = path.rename(tmp_path / "other.nc")
-    refuses("other.nc: neither dive_number nor log_DIVE is a", read_all_dives, path)
-    (dive,) = dives_in(og1(tmp_path / "og1.nc", columns=og1_rows([1e12])))
-    assert "its number is 1e+12; must be a whole number" in usable([dive])[1][0].why
+    refuses("other.nc: neither dive_number nor log_DIVE is a", read_dives, path)
+    _, (skipped,) = read_dives(og1(tmp_path / "og1.nc", columns=og1_rows([1e12])))
+    assert "its number is 1e+12; must be a whole number" in skipped.why
 
 
 def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
@@ -207,10 +202,10 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
         (tmp_path / "dives.csv" / "x.csv", "no such file"),
         (tmp_path / ("x" * 300), "cannot be read: File name too long"),
     ):
-        refuses(sentence, read_all_dives, path)
+        refuses(sentence, read_dives, path)
     write_dive_table(sample_dives(), tmp_path / "dives.csv")
     (tmp_path / "folder.nc").mkdir()
-    found, skipped = read_all_dives(tmp_path)
+    found, skipped = read_dives(tmp_path, usable=False)
     assert len(found) == 14
     why = ["is not a regular file. Give a file", "is a folder. Give a file"]
     assert [one.why.split(": ")[1] for one in skipped] == why
@@ -220,12 +215,8 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
 
     monkeypatch.setattr(Path, "stat", closed)
     monkeypatch.setattr(reading.os, "open", closed)
-    for read in (lambda path: dive_paths([path]), read_dive_file):
-        refuses(
-            "a.csv: cannot be read: Permission denied",
-            read,
-            tmp_path / "closed" / "a.csv",
-        )
+    closed_file = tmp_path / "closed" / "a.csv"
+    refuses("a.csv: cannot be read: Permission denied", read_dives, closed_file)
 
 
 BASE = make_dive(10, (1e6, -43.0, 8.0), (1.01e6, -43.0, 8.02), (1000.0, 50.0))

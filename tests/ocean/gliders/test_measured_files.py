@@ -9,23 +9,20 @@ from math import isfinite, nan
 import netCDF4
 import numpy as np
 import pytest
+from glider_files import error_of, used_numbers
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pyproj import Geod
 
-from clpt_control.gliders import make_dive, sample_dives, write_dive_table
-from clpt_control.ocean.estimation.dive import dac_difference, miss
-from clpt_control.ocean.gliders.dive_files import read_all_dives, read_dive_file
-from clpt_control.ocean.gliders.dive_table import OPTIONAL
+from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
 from clpt_control.ocean.gliders.samples import variation, with_variation
-from clpt_control.ocean.gliders.usable_dives import usable
 
 WGS84 = Geod(ellps="WGS84")
 
 
 @pytest.fixture(scope="module")
 def dives(facts):
-    found, skipped = read_all_dives(facts / "glider" / "basestation")
+    found, skipped = read_dives(facts / "glider" / "basestation", usable=False)
     assert not skipped
     return found
 
@@ -55,8 +52,11 @@ def test_the_files_give_the_table(dives, rows):
 
 
 def test_miss_over_duration_is_the_current_of_the_file(dives, facts):
-    for found in (dives, read_all_dives(facts / "glider" / "sg542_2016_dives.csv")[0]):
-        off = [dac_difference(dive) for dive in found]
+    for found in (
+        dives,
+        read_dives(facts / "glider" / "sg542_2016_dives.csv", usable=False)[0],
+    ):
+        off = [error_of(dive)[1] for dive in found]
         assert np.median(off) < 0.6e-3
         assert max(off) < 1e-3
 
@@ -72,7 +72,7 @@ def test_the_shipped_table_is_that_of_the_whole_files(shared):
         ]
         for found in (
             sample_dives(),
-            read_all_dives(shared / "glider" / "basestation")[0],
+            read_dives(shared / "glider" / "basestation", usable=False)[0],
         )
     )
     assert repr(ones) == repr(others)
@@ -81,7 +81,10 @@ def test_the_shipped_table_is_that_of_the_whole_files(shared):
 number = st.floats(-1e12, 1e12)
 place = st.tuples(number, st.floats(-90, 90), st.floats(-360, 360))
 through = st.tuples(st.one_of(number, st.just(nan)), number)
-more = dict.fromkeys(OPTIONAL, st.one_of(st.none(), number))
+OPTIONAL = (
+    "t_gps1 lat_gps1 lon_gps1 dac_east dac_north dac_qc magvar depth_max next_course"
+)
+more = dict.fromkeys(OPTIONAL.split(), st.one_of(st.none(), number))
 more |= dict.fromkeys(
     ("magvar", "next_course"), st.one_of(st.none(), st.floats(-180, 180))
 )
@@ -92,7 +95,7 @@ def with_right_current(dive):
     """Return a dive whose own current, if it has one, does not contradict its dead reckoning."""
     if not dive.duration > 1:
         return replace(dive, dac_east=None, dac_north=None)
-    names, current = ("dac_east", "dac_north"), miss(dive) / dive.duration
+    names, current = ("dac_east", "dac_north"), error_of(dive)[0] / dive.duration
     right = {
         name: float(one)
         for name, one in zip(names, current, strict=True)
@@ -106,10 +109,10 @@ def with_right_current(dive):
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
 )
-@given(st.lists(made.map(with_right_current), max_size=4))
+@given(st.lists(made.map(with_right_current), min_size=1, max_size=4))
 def test_csv_round_trip(tmp_path, dives):
     write_dive_table(dives, tmp_path / "dives.csv", "a comment\nof two lines")
-    back, skipped = read_dive_file(tmp_path / "dives.csv")
+    back, skipped = read_dives(tmp_path / "dives.csv", usable=False)
     assert not skipped
     assert repr([*map(vars, back)]) == repr([*map(vars, dives)])  # bit for bit, NaN too
 
@@ -121,7 +124,7 @@ def between(lat1, lon1, lat2, lon2):
 
 
 def test_basestation3_files_say_what_they_hold(facts):
-    dives, skipped = read_all_dives(facts / "glider" / "sg171")
+    dives, skipped = read_dives(facts / "glider" / "sg171", usable=False)
     assert (skipped, [dive.number for dive in dives]) == ([], [100, 101, 102])
     for dive in dives:
         with netCDF4.Dataset(
@@ -145,7 +148,7 @@ def test_basestation3_files_say_what_they_hold(facts):
             np.array([dive.miss_east, dive.miss_north]) / file["total_flight_time_s"]
         )
         assert current == pytest.approx(own, abs=2e-3)
-    assert len(usable(dives, 1000.0)[0]) == 3
+    assert used_numbers(dives) == [100, 101, 102]
 
 
 def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
@@ -153,7 +156,7 @@ def test_the_adcp_of_the_vehicle_says_how_far_it_swam(facts):
     with (facts / "glider" / "sg171_adcp.csv").open() as file:
         rows = {int(row["dive"]): row for row in csv.DictReader(file.readlines()[1:])}
     reckoned, swum = [], []
-    for dive in read_all_dives(facts / "glider" / "sg171")[0]:
+    for dive in read_dives(facts / "glider" / "sg171", usable=False)[0]:
         east, north = (float(rows[dive.number][name]) for name in ("u_east", "v_north"))
         reckoned += [dive.dr_east, dive.dr_north]
         swum += [
@@ -182,7 +185,7 @@ def swum_in(data, dive, variation):
 def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
     """Fixes in nanoseconds without units, one in a row at 250 m, speed in cm/s, magnetic."""
     path = facts / "glider" / "og1" / OG1
-    dives, unread = read_all_dives(path)
+    dives, unread = read_dives(path, usable=False)
     with netCDF4.Dataset(path) as data:
         is_fix = np.isfinite(np.ma.filled(data["LATITUDE_GPS"][:], np.nan))
         times = data["TIME_GPS"][:][is_fix] / 1e9
@@ -193,7 +196,7 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
             pytest.approx(times[gaps]),
         )
         assert [dive.duration for dive in dives] == pytest.approx(np.diff(times)[gaps])
-        used, skipped = usable(dives)
+        used, skipped = read_dives(path)
         # whose samples are missing
         (climb,) = (one.why for one in skipped if one.dive == 5)
         assert re.search(
@@ -233,7 +236,7 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, fact
 @pytest.mark.slow
 def test_a_whole_early_mission_has_32_good_long_dives(printed, shared):
     path = shared / "glider" / "og1" / OG1
-    assert len(usable(read_all_dives(path)[0])[0]) == 35
+    assert len(read_dives(path)[0]) == 35
     command = ("replay", path, "--least-duration", 4000)
     turned_by_field, as_true = printed(*command), printed(*command, "--variation", 0)
     assert turned_by_field["used"] == 32
@@ -246,7 +249,7 @@ def test_a_whole_early_mission_has_32_good_long_dives(printed, shared):
 def test_a_spray_says_where_its_dives_ended(facts):
     """The sample of OG1 has ends, the segments' middles, and the current of each."""
     path = facts / "glider" / "og1" / "sp028_20230202T1637_R.nc"
-    dives, skipped = read_all_dives(path)
+    dives, skipped = read_dives(path, usable=False)
     with netCDF4.Dataset(path) as data:
         assert np.ma.count(data["latitude_gps"][:]) == 0
         # the last of each
@@ -277,7 +280,8 @@ def test_a_spray_says_where_its_dives_ended(facts):
         )
         assert 0 < after.t_gps2 - before.t_gpse < 600
         assert np.hypot(*drift) < 100
-    assert len(usable(dives)[0]) == len(deep) == 4
+    assert used_numbers(dives) == sorted(deep)
+    assert len(deep) == 4
 
 
 # D, degrees, of `igrf13syn` (British Geological Survey) at geodetic places: latitude,

@@ -8,13 +8,18 @@ import glider_files as made
 import netCDF4
 import numpy as np
 import pytest
-from glider_files import basestation, basestation3, dives_in, og1, og1_rows
+from glider_files import (
+    basestation,
+    basestation3,
+    dives_in,
+    og1,
+    og1_rows,
+    used_numbers,
+)
 from refusals import refuses
 
-from clpt_control.gliders import write_dive_table
-from clpt_control.ocean.gliders.dive_files import read_all_dives
+from clpt_control.gliders import read_dives, write_dive_table
 from clpt_control.ocean.gliders.samples import variation, with_variation
-from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.replay import replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2
@@ -71,7 +76,7 @@ def test_basestation_files_of_both_kinds(make, lon, tmp_path):
         (),
     )
     assert (dive.dac_east, dive.dac_north) == pytest.approx(made.current())
-    assert usable([dive])[0] == [dive]
+    assert used_numbers([dive]) == [7]
 
 
 def test_the_track_has_the_times_of_its_displacement(tmp_path):
@@ -89,7 +94,7 @@ def test_a_part_of_the_dive_that_is_missing_is_no_time_at_the_surface(tmp_path):
     # still deep then
     down = {"ctd_depth": (made.CTD, np.linspace(0.0, 300.0, 1800), made.M)}
     dive = dives_in(basestation3(tmp_path / "cut.nc", **risen, **down))[0]
-    assert usable([dive])[0] == []
+    assert used_numbers([dive]) == []
     assert "no samples for 1200 s of 9000 s, from 300 m depth on" in dive.notes
 
 
@@ -211,7 +216,9 @@ def test_headings_that_are_no_angles_are_gaps(fill, tmp_path):
         assert way(dive) == pytest.approx(made.SWUM, rel=0.01)
         assert "HEADING are not within -180 to 540 degrees" in dive.notes[-1]
     columns["HEADING"][:] = fill
-    used, skipped = usable(mission(tmp_path, columns, drop=NO_STEPS, **TURNED))
+    used, skipped = read_dives(
+        og1(tmp_path / "og1.nc", columns=columns, drop=NO_STEPS, **TURNED)
+    )
     assert used == []
     assert "no speed and heading" in skipped[0].why
     plan = {"log_HEADING": ((), 9.97e36, {}), "magnetic_variation": ((), -999.0, {})}
@@ -272,7 +279,7 @@ def test_missions_over_the_date_line_go_round(tmp_path):
         replace(dive, lon_gpse=dive.lon_gpse % 360.0, gps_east=0.0) for dive in dives
     ]
     write_dive_table(east, tmp_path / "east.csv")  # longitudes to 360 east
-    rows = read_all_dives([tmp_path / "east.csv"])[0]
+    rows = read_dives([tmp_path / "east.csv"], usable=False)[0]
     assert [dive.gps_east for dive in rows] == pytest.approx([made.GPS_EAST] * 3)
 
 
@@ -289,7 +296,7 @@ def test_dives_with_no_fix_between_them_are_one(tmp_path):
     assert (dive.t_gps2, dive.t_gpse) == (made.T0, made.T0 + 20000 + made.DURATION)
     assert dive.gps_east == pytest.approx(3 * made.GPS_EAST)
     assert (way(dive), dive.dac_east) == (pytest.approx(3 * made.SWUM), None)
-    assert usable([dive])[0] == [dive]
+    assert used_numbers([dive]) == [dive.number]
 
 
 def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
@@ -359,8 +366,7 @@ def test_an_end_fix_that_repeats_the_start_fix_is_none(tmp_path):
     assert long.duration == made.DURATION + 700.0  # to GPS1 of the next dive
     _, _, lons = made.fixes(7, 8.0)
     repeated = {"log_gps_lon": (made.INFO, [lons[0], lons[1], lons[1]], {})}
-    seaglider = dives_in(basestation(tmp_path / "a.nc", **repeated))
-    used, skipped = usable(seaglider)
+    used, skipped = read_dives(basestation(tmp_path / "a.nc", **repeated))
     assert used == []
     assert skipped[0].why.startswith("no fix after the dive: its place is exactly")
 
@@ -393,7 +399,7 @@ def test_a_current_of_each_surfacing_is_that_of_its_dive(when, tmp_path):
         mean = np.array([dive.miss_east, dive.miss_north]) / dive.duration
         assert mean == pytest.approx(current, abs=1e-9)
     fewer = {"drop": (*STEPS, "HEADING")} | of_surfacings(2)
-    used, skipped = usable(mission(tmp_path, columns, **fewer))
+    used, skipped = read_dives(og1(tmp_path / "og1.nc", columns=columns, **fewer))
     assert used == []
     assert "no depth-averaged current of the file has a time of this" in skipped[0].why
 
@@ -422,7 +428,7 @@ def test_a_clock_that_is_set_back_under_water_costs_the_track_alone(
         assert said == (dive.track is None)
     assert [dive.track is None for dive in dives[:2]] == [False, True]
     assert (dives[2].track is None) == (last != FIX[5] + 1)
-    assert len(usable(dives)[0]) == 3
+    assert used_numbers(dives) == [1, 2, 3]
 
 
 def test_a_clock_that_is_set_back_with_its_fixes_is_refused(tmp_path):
@@ -442,7 +448,7 @@ def test_rows_in_any_order_and_twice(tmp_path):
 
 def test_without_a_whole_displacement_through_the_water(tmp_path):
     dives = mission(tmp_path, drop=(*STEPS, "GLIDER_HORZ_VELO_MODEL", "DAVG_CURR_EAST"))
-    assert usable(dives)[0] == []
+    assert used_numbers(dives) == []
     assert "no EAST_DISPLACEMENT, NORTH_DISPLACEMENT, no speed" in dives[0].notes[0]
 
 
@@ -459,7 +465,7 @@ def test_steps_that_no_vehicle_makes(name, fill, tmp_path):
     assert first.notes[0].startswith(f"3 of 400 {note}")
     assert way(first) == pytest.approx(made.SWUM)
     dives = filled(slice(60, 93))
-    assert [one.number for one in usable(dives)[0]] == [2, 3]
+    assert used_numbers(dives) == [2, 3]
     assert (
         dives[0]
         .notes[0]
@@ -540,11 +546,10 @@ def test_a_damaged_mission_is_named_and_its_good_dives_are_used(
     with netCDF4.Dataset(path, "a") as data:
         damage(data)
     if expected is None:
-        refuses(f"{path}.*{said}", read_all_dives, path)
+        refuses(f"{path}.*{said}", read_dives, path)
         return
-    dives, unread = read_all_dives(path)
-    used, unused = usable(dives)
-    told = [one.why for one in (*unread, *unused)]
+    used, skipped = read_dives(path)
+    told = [one.why for one in skipped]
     told += [note for dive in used for note in dive.notes]
     assert any(re.search(said, why) for why in told) or not said
     assert [dive.number for dive in used] == expected

@@ -7,6 +7,7 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from glider_files import error_of, used_numbers
 from pyproj import Geod
 from refusals import refuses
 from slocum_writer import (
@@ -23,41 +24,38 @@ from slocum_writer import (
     segment,
 )
 
-from clpt_control.ocean.estimation.dive import dac_difference
+from clpt_control.gliders import read_dives
 from clpt_control.ocean.forecast.follow import Follower
 from clpt_control.ocean.gliders import slocum_file
-from clpt_control.ocean.gliders.dive_files import read_all_dives
-from clpt_control.ocean.gliders.dives import files_before
 from clpt_control.ocean.gliders.slocum_file import read_segment, uncompressed
-from clpt_control.ocean.gliders.usable_dives import usable
 
 LZ4 = pytest.importorskip("numcodecs").LZ4
 
 
 def test_rosie_agrees_with_its_own_current(facts):
-    dives, skipped = read_all_dives(facts / "glider/slocum_rosie/sbd")
+    dives, skipped = read_dives(facts / "glider/slocum_rosie/sbd", usable=False)
     assert skipped == []
     assert [d.number for d in dives] == [970157, 970159, 970161, 980000, 980002, 980003]
-    off = sorted(map(dac_difference, dives))
+    off = sorted(error_of(dive)[1] for dive in dives)
     assert np.median(off) < 6e-3
     assert off[-2] < 1e-2
     # the last ten minutes of one are after its last logged place
     assert [d.number for d in dives if d.notes] == [970161]
     assert all(16.5 < d.magvar < 18.0 for d in dives)  # a SeaExplorer there says 17
-    used, left_out = usable(dives)
+    used, left_out = read_dives(facts / "glider/slocum_rosie/sbd")
     assert (len(used), left_out) == (6, [])
     assert not any("missing" in note for dive in used for note in dive.notes)
 
 
 def test_the_folder_of_lists_can_be_named(facts, tmp_path, monkeypatch):
     shutil.copy(facts / "glider/slocum_rosie/sbd/rosie_713-2019-170-0-2.sbd", tmp_path)
-    refuses(r"6b016a2e\.cac was not found .* CLPT_CAC", read_all_dives, tmp_path)
+    refuses(r"6b016a2e\.cac was not found .* CLPT_CAC", read_dives, tmp_path)
     monkeypatch.setenv("CLPT_CAC", str(facts / "glider/slocum_rosie/cac"))
-    assert len(read_all_dives(tmp_path)[0]) == 1
+    assert len(read_dives(tmp_path, usable=False)[0]) == 1
 
 
 def test_the_first_dive_is_that_of_the_table(facts):
-    ((dive,), skipped) = read_all_dives(facts / "glider/sea035")
+    ((dive,), skipped) = read_dives(facts / "glider/sea035", usable=False)
     assert skipped == []
     with (facts / "glider/sea035m10_dives.csv").open() as file:
         row = next(csv.DictReader(line for line in file if not line.startswith("#")))
@@ -81,7 +79,7 @@ def navigated(folder, rows, cut=""):
         time = f"09/04/2024 {12 + hours}:{minutes:02d}:{s % 60:02d}"
         text += ";".join(map(str, [time, *cells, "\n"]))
     (folder / "sea001.1.gli.sub.1").write_text(text + cut)
-    return read_all_dives(folder)[0][0]
+    return read_dives(folder, usable=False)[0][0]
 
 
 @pytest.mark.parametrize(
@@ -163,7 +161,7 @@ def test_a_seaexplorer_steers_its_last_desired_heading(
             f"{line}{steered[2 * k >= len(lines)]};" for k, line in enumerate(lines)
         ]
         (tmp_path / path.name).write_text("\n".join([f"{head}DesiredH;", *rows]) + "\n")
-    ((dive,), _) = read_all_dives(tmp_path)
+    ((dive,), _) = read_dives(tmp_path, usable=False)
     assert dive.next_course == course
 
 
@@ -209,7 +207,7 @@ def one(rosie):
 
 
 def test_compressed_files_are_read_as_plain_ones(rosie):
-    plain = read_all_dives(rosie / "sbd")
+    plain = read_dives(rosie / "sbd", usable=False)
     for path in [*(rosie / "sbd").iterdir(), *(rosie / "cac").iterdir()]:
         packed = compressed(path.read_bytes())
         assert uncompressed(packed) == (path.read_bytes(), True)
@@ -217,8 +215,7 @@ def test_compressed_files_are_read_as_plain_ones(rosie):
             packed
         )
         path.unlink()
-    assert read_all_dives(rosie / "sbd") == plain
-    assert len(files_before(sorted((rosie / "sbd").iterdir())[3])) == 3
+    assert read_dives(rosie / "sbd", usable=False) == plain
 
 
 def test_a_file_larger_than_a_block_and_every_cut_of_one(one):
@@ -240,17 +237,17 @@ def test_random_bytes_end_soon(tmp_path, seed, monkeypatch):
     monkeypatch.setattr(
         slocum_file, "_length", lambda *of: runs.append(of) or length(*of)
     )
-    refuses("damaged or cut short", read_all_dives, path)
+    refuses("damaged or cut short", read_dives, path)
     assert 0 < len(runs) < 100  # of new bytes and of copies
 
 
 def test_text_of_dbd2asc_gives_the_same_dives(rosie, one):
-    plain, text = read_all_dives(rosie / "sbd")[0][0], as_text(one, one.stem)
+    plain, text = read_dives(rosie / "sbd", usable=False)[0][0], as_text(one, one.stem)
     (rosie / "text").mkdir()
     for name in (f"{one.stem}.sba", "rosie.asc"):
         path = rosie / "text" / name
         path.write_text(text)
-        ((dive,), skipped) = read_all_dives(path)
+        ((dive,), skipped) = read_dives(path, usable=False)
         assert skipped == []
         for key in (
             "number",
@@ -276,11 +273,11 @@ def test_a_text_that_is_none_is_one_sentence(rosie, one):
         ("m_present_time", "m_past_time", "no m_present_time"),
     ):
         (rosie / "one.asc").write_text(as_text(one, one.stem).replace(old, new))
-        refuses(said, read_all_dives, rosie / "one.asc")
+        refuses(said, read_dives, rosie / "one.asc")
 
 
 def test_a_dockservers_folder_is_read_as_it_is(rosie):
-    plain = read_all_dives(rosie / "sbd")
+    plain = read_dives(rosie / "sbd", usable=False)
     glider = rosie / "default" / "gliders" / "rosie_713"
     for name in ("to-glider", "logs", "configuration"):
         (glider / name).mkdir(parents=True)
@@ -290,7 +287,7 @@ def test_a_dockservers_folder_is_read_as_it_is(rosie):
         b"dbd_label: x"
     )
     (rosie / "cac").rename(rosie / "default" / "cache")
-    assert read_all_dives(glider) == plain
+    assert read_dives(glider, usable=False) == plain
 
 
 def test_dives_of_one_file_are_told_apart(rosie, one):
@@ -298,7 +295,7 @@ def test_dives_of_one_file_are_told_apart(rosie, one):
         keepends=True
     )
     (rosie / "both.asc").write_text(as_text(one, "rosie") + "".join(other[17:]))
-    dives, _ = read_all_dives(rosie / "both.asc")
+    dives, _ = read_dives(rosie / "both.asc", usable=False)
     assert [dive.notes[0] for dive in dives] == [
         f"dive {k} of 2 in both.asc" for k in (1, 2)
     ]
@@ -315,7 +312,7 @@ def flown(folder, without=(), late=False, wrong=0.0, **how):
     mission = Mission(folder, tuple(n for n in SENSORS if n not in without), **how)
     for k in range(DIVES):
         mission.dive(k, 1 + k % 4, wrong, late)
-    dives, skipped = read_all_dives(folder)
+    dives, skipped = read_dives(folder, usable=False)
     assert skipped == []
     return mission.truth, sorted(dives, key=lambda dive: dive.t_gpse)
 
@@ -379,7 +376,7 @@ def test_a_dive_whose_end_fix_is_its_start_fix_is_not_used(tmp_path):
         mission = kind(tmp_path / kind.__name__, added=0.0)
         mission.dive(0)
         mission.dive(1)
-        found = read_all_dives(tmp_path / kind.__name__)[0]
+        found = read_dives(tmp_path / kind.__name__, usable=False)[0]
         dives.append(sorted(found, key=lambda dive: dive.t_gpse))
     (_, right), (used,) = dives
     assert used.t_gpse == right.t_gpse
@@ -405,7 +402,7 @@ def test_a_dive_with_depths_on_the_descent_alone_is_read(tmp_path):
     found = []
     for kind in (Mission, Descending):
         kind(tmp_path / kind.__name__, added=0.0).dive(0)
-        found += usable(read_all_dives(tmp_path / kind.__name__)[0])[0]
+        found += read_dives(tmp_path / kind.__name__)[0]
     right, half = found
     assert (half.dr_east, half.dr_north) == pytest.approx(
         (right.dr_east, right.dr_north), abs=1.0
@@ -417,7 +414,7 @@ def test_a_file_without_depths_says_what_to_give(tmp_path):
     sensors = tuple(name for name in SENSORS if name != "m_depth")
     Mission(tmp_path / "sbd", sensors).dive(0)
     said = "has fixes and no m_depth, by which dives are found. Give files with m_depth"
-    refuses(said, read_all_dives, tmp_path / "sbd")
+    refuses(said, read_dives, tmp_path / "sbd")
 
 
 @pytest.mark.parametrize(("share", "used"), [(0.2, 5), (1.0, 0)])
@@ -432,7 +429,7 @@ def test_a_heading_of_999_is_a_gap(tmp_path, monkeypatch, share, used):
 
     monkeypatch.setattr(Mission, "says", broken)
     truth, dives = flown(tmp_path / "sbd", OWN, added=0.0, every=25)
-    found, skipped = usable(dives)
+    found, skipped = read_dives(tmp_path / "sbd")
     assert len(found) == used
     if found:
         assert largest_error(truth, dives) < 5
@@ -446,12 +443,13 @@ def test_dead_reckoning_that_contradicts_the_own_current_is_not_used(tmp_path):
     assert all(
         d.track is None and "not used, that current is" in d.notes[-1] for d in dives
     )
-    assert len(usable(dives)[0]) == DIVES
+    assert len(used_numbers(dives)) == DIVES
 
 
 def test_a_dive_that_may_hold_a_current_is_not_used(tmp_path):
     for without in (OWN, FLAG):
-        used, skipped = usable(flown(tmp_path / without[0], without, late=True)[1])
+        flown(tmp_path / without[0], without, late=True)
+        used, skipped = read_dives(tmp_path / without[0])
         assert (used, len(skipped)) == ([], DIVES)
         assert all("holds a current" in s.why for s in skipped)
     _, dives = flown(tmp_path / "neither", (*OWN, *FLAG))
@@ -463,21 +461,20 @@ def in_three_files(tmp_path_factory):
     """A folder of a dive in three files and their list, and what is read of it."""
     folder = tmp_path_factory.mktemp("source") / "sbd"
     Mission(folder).dive(0, 3)
-    return folder, read_all_dives(folder)
+    return folder, read_dives(folder, usable=False)
 
 
 def test_a_dive_over_several_files_is_one(in_three_files, tmp_path):
     source, ((dive,), _) = in_three_files
     Mission(tmp_path / "whole").dive(0)
-    (whole,) = read_all_dives(tmp_path / "whole")[0]
+    (whole,) = read_dives(tmp_path / "whole", usable=False)[0]
     assert (dive.dr_east, dive.dr_north) == pytest.approx(
         (whole.dr_east, whole.dr_north), abs=1e-6
     )
     paths = [source / f"unit-2024-100-7-{k}.sbd" for k in range(3)]
-    assert files_before(paths[2]) == paths[:2]
     part = shutil.copytree(source, tmp_path / "part")
     (part / paths[1].name).unlink()
-    (dive,) = read_all_dives(part)[0]
+    (dive,) = read_dives(part, usable=False)[0]
     assert np.isnan(dive.dr_east)  # a third of it is missing
     assert any("no samples for" in note for note in dive.notes)
 
@@ -514,9 +511,11 @@ def test_a_file_that_holds_its_own_list_needs_none_beside_it(tmp_path):
     raw = segment(cycles, SENSORS, "00070000", path.stem, 0, first)
     path.write_bytes(raw)
     Mission(tmp_path / "beside").dive(0)
-    assert read_all_dives(path) == read_all_dives(tmp_path / "beside")
+    assert read_dives(path, usable=False) == read_dives(
+        tmp_path / "beside", usable=False
+    )
     path.write_bytes(raw[: raw.index(b"m_depth")])
-    refuses(r"is not a list of \d+ sensors", read_all_dives, path)
+    refuses(r"is not a list of \d+ sensors", read_dives, path)
 
 
 @pytest.mark.parametrize("said", ["a waypoint", "a heading", "nothing"])
@@ -528,7 +527,7 @@ def test_the_plan_of_the_next_dive(tmp_path, said):
     mission = Mission(tmp_path / "sbd", (*SENSORS, *plan))
     mission.says(**plan)
     mission.dive(0)
-    dive = read_all_dives(tmp_path / "sbd")[0][-1]
+    dive = read_dives(tmp_path / "sbd", usable=False)[0][-1]
     bearing = Geod(ellps="WGS84").inv(dive.lon_gpse, dive.lat_gpse, *there[::-1])[0]
     wanted = {
         "a waypoint": bearing % 360,
