@@ -146,7 +146,8 @@ def _fine(x: np.ndarray) -> dict[str, Any]:
 
 def _mark(ax: Axes, x: np.ndarray) -> None:
     """Mark dates, also where there is one."""
-    locator = AutoDateLocator(maxticks=7)
+    # three days are marked by days: hours of twelve are too many for four days
+    locator = AutoDateLocator(minticks=3, maxticks=7)
     ax.xaxis.set_major_formatter(ConciseDateFormatter(locator))
     ax.xaxis.set_major_locator(locator)
     ax.set_xlabel("surfaced (UTC)")
