@@ -29,6 +29,8 @@ def dives_in(path):
 
 def used_numbers(dives):
     """Return the numbers of the dives that are used, read back from a table."""
+    if not dives:
+        return []
     with TemporaryDirectory() as folder:
         write_dive_table(dives, f"{folder}/dives.csv")
         return [dive.number for dive in read_dives(f"{folder}/dives.csv")[0]]

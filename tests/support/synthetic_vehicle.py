@@ -2,17 +2,20 @@
 
 import math
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 from scipy.integrate import trapezoid
 
+import clpt_control as clpt
 from clpt_control.app.cli.replay_report import Job
 from clpt_control.base.geodesy import place_from
 from clpt_control.gliders import Dive, make_dive, write_dive_table
 from clpt_control.ocean.estimation.fix_model import inertial_frequency
 from clpt_control.ocean.forecast.advected_dives import FlowModel
 from clpt_control.paper.scenario.tidal_periods import period
-from clpt_control.replay import replay_dives
+from clpt_control.replay import replay_dataset, replay_dives
 
 STEADY = (0.1, -0.05)
 
@@ -90,9 +93,28 @@ def turned(dive, response):
     return further(dive, more.real, more.imag)
 
 
+def clpe_rms(replay, after=3, model="adaptive"):
+    """Return the rms of the position errors after the first dives, m."""
+    errors = [step.clpe[model] for step in replay.steps[after:]]
+    return math.sqrt(np.mean(np.square(errors)))
+
+
 def told(dives, *targets):
     """Return what `clpt replay --json` prints of dives, and of waypoints to aim at."""
     return Job(replay_dives(dives), targets=list(targets)).summary()
+
+
+def page_and_sentence(found):
+    """Return the page of `clpt report` on a replay, and its sentence on the next surfacing."""
+    with TemporaryDirectory() as folder:
+        path = Path(folder, "replay.html")
+        (sentence,) = clpt.report(replay_dataset(found), path)["sentences"]
+        return path.read_text("utf-8"), sentence
+
+
+def map_of(found):
+    """Return the Axes of the map of a replay."""
+    return replay_dataset(found).clpt.plot("map")
 
 
 def one_file_each(folder, dives):

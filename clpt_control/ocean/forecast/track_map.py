@@ -253,6 +253,8 @@ def grid_label(
 
     >>> grid_label(-42.9, names="NS", step=2), grid_label(190.505, names="EW", step=0.1)
     ("42°54'S", "169°29.70'W")
+    >>> grid_label(-0.999999, names="NS", step=0.1)
+    "1°00.00'S"
     """
     angle = east_of(angle) if names == "EW" else angle
     degrees, minutes = degrees_minutes(angle, 0 if step >= 1 else 2)

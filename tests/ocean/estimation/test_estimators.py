@@ -7,25 +7,23 @@ import numpy as np
 import pytest
 from refusals import refuses
 from scipy.integrate import trapezoid
-from synthetic_vehicle import STEADY, further, turned, vehicle
+from synthetic_vehicle import STEADY, clpe_rms, further, turned, vehicle
 
-from clpt_control.base.errors import ScenarioError
+from clpt_control import ScenarioError
 from clpt_control.base.geodesy import place_from
-from clpt_control.ocean.estimation.dive import Dive, mid_time
-from clpt_control.ocean.estimation.estimators import ESTIMATORS
+from clpt_control.gliders import Dive
 from clpt_control.ocean.estimation.fix_model import FixModel, inertial_frequency
 from clpt_control.ocean.estimation.priors import Priors
-from clpt_control.ocean.forecast.replay import replay_with
-from clpt_control.ocean.forecast.replay_summary import clpe_rms
 from clpt_control.paper.scenario.tidal_periods import period
-from clpt_control.replay import Replay, replay_dataset, replay_dives
+from clpt_control.replay import replay_dataset, replay_dives
 
-STEADY_ONLY = FixModel(("steady",))
+ESTIMATORS = ("gaussian-process", "gradient")
+STEADY_ONLY = {"flow": ("steady",)}
 
 
-def ratio(dives, estimator="gaussian-process", model=None):
-    rms = clpe_rms(replay_with(model or FixModel(), dives, estimator), 3)
-    return rms["adaptive"] / rms["previous_dive"]
+def ratio(dives, **model):
+    replay = replay_dives(dives, **model)
+    return clpe_rms(replay) / clpe_rms(replay, model="previous_dive")
 
 
 @pytest.mark.parametrize("count", [20, pytest.param(200, marks=pytest.mark.slow)])
@@ -36,7 +34,7 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
     for seed in range(count):
         factor = 1 + 0.1 * np.random.default_rng(1000 + seed).normal()
         dives = vehicle(seed, 16, factor=factor, noise=0.01)
-        step = replay_with(STEADY_ONLY, dives, estimator).steps[-1]
+        step = replay_dives(dives, estimator, **STEADY_ONLY).steps[-1]
         current = (step.current - STEADY) / step.current_error
         off.append([(step.speed - factor) / step.speed_error, *current])
         assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
@@ -108,14 +106,13 @@ def test_the_tides_integral_is_right():
     H = model.regressor(dive)
     assert H[0, 2] == pytest.approx(trapezoid(np.cos(w * t), t), rel=1e-5)
     assert H[1, 5] == pytest.approx(trapezoid(np.sin(w * t), t), rel=1e-5)
-    assert mid_time(dive) == pytest.approx(t.mean())
 
 
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
 def test_speed_and_compass_are_told_apart_however_large(factor, degrees):
     response = factor * np.exp(-1j * math.radians(degrees))  # clockwise
     dives = [turned(dive, response) for dive in vehicle(2, 40)]
-    step = replay_with(STEADY_ONLY, dives).steps[-1]
+    step = replay_dives(dives, **STEADY_ONLY).steps[-1]
     assert "speed" not in step.not_learned
     assert step.speed == pytest.approx(factor, abs=3 * step.speed_error)
     assert step.compass == pytest.approx(degrees, abs=3 * step.compass_error)
@@ -134,14 +131,14 @@ def in_shear(seed, size):
 
 
 def test_shear_is_learned_where_dives_change_their_depth():
-    model, gains = FixModel(("steady", "shear")), []
+    model, gains = {"flow": ("steady", "shear")}, []
     for seed in range(2):
         dives = in_shear(seed, -0.08)
-        replay = replay_with(model, dives)
+        replay = replay_dives(dives, **model)
         assert replay.known()["shear_east"] == pytest.approx(-0.08, abs=0.02)
         assert replay.steps[-1].parts["shear"] > 0.9
-        gains.append(ratio(dives, model=model) / ratio(dives, model=STEADY_ONLY))
-        still = replay_with(model, in_shear(seed, 0.0)).steps[-1]
+        gains.append(ratio(dives, **model) / ratio(dives, **STEADY_ONLY))
+        still = replay_dives(in_shear(seed, 0.0), **model).steps[-1]
         assert still.parts["shear"] < 0.5
     assert np.max(gains) < 0.6
 
@@ -149,8 +146,8 @@ def test_shear_is_learned_where_dives_change_their_depth():
 @pytest.mark.parametrize("depth", [None, math.nan])
 def test_shear_says_nothing_where_depth_is_unknown(depth):
     dives = [replace(d, depth_max=depth) for d in vehicle(3, 8, noise=0.01)]
-    with_it = replay_with(FixModel(("steady", "shear")), dives).steps[-1]
-    without = replay_with(STEADY_ONLY, dives).steps[-1]
+    with_it = replay_dives(dives, flow=("steady", "shear")).steps[-1]
+    without = replay_dives(dives, **STEADY_ONLY).steps[-1]
     assert with_it.forecast == pytest.approx(without.forecast, rel=1e-9)
     assert with_it.parts["shear"] == pytest.approx(0.5)
 
@@ -189,7 +186,7 @@ def test_ellipses_hold_after_a_turn():
     assert np.all(np.mean(inside, axis=0) > 0.8)
 
 
-MAPPED = FixModel(("steady", "gaussians"))
+MAPPED = {"flow": ("steady", "gaussians")}
 
 
 def straight(number, start, way, dr, T=14400.0):
@@ -222,7 +219,7 @@ def test_a_map_learned_helps_where_the_flow_stays(count):
     for seed in range(count):
         dives = survey(seed)
         plain, mapped = (
-            clpe_rms(replay_with(model, dives), 10)["adaptive"]
+            clpe_rms(replay_dives(dives, **model), 10)
             for model in (STEADY_ONLY, MAPPED)
         )
         gains.append(mapped / plain)
@@ -231,21 +228,21 @@ def test_a_map_learned_helps_where_the_flow_stays(count):
 
 def test_a_map_is_fed_dive_by_dive_or_at_once():
     dives = survey(1, 14)
-    single = Replay(model=MAPPED)
+    single = replay_dives([], **MAPPED)
     for dive in dives:
         single.step(dive)
         single.forecast(dives[-1])  # of a distant dive: the state does not change
-    at_once = replay_dataset(replay_with(MAPPED, dives))
+    at_once = replay_dataset(replay_dives(dives, **MAPPED))
     assert replay_dataset(single).identical(at_once)
     assert single.steps[-1].parts["gaussians"] != 0.5
 
 
 def test_the_gradient_law_has_no_map():
     said = "flow gaussians: not in the gradient law"
-    refuses(said, Replay, "gradient", MAPPED, error=ScenarioError)
+    refuses(said, replay_dives, [], "gradient", **MAPPED, error=ScenarioError)
 
 
-WITH_MODEL = FixModel(("steady", "M2", "inertial", "model"))
+WITH_MODEL = {"flow": ("steady", "M2", "inertial", "model")}
 
 
 def modelled(dives, ways):
@@ -263,11 +260,11 @@ def test_a_flow_model_that_tells_is_used(estimator, most):
     ways = [
         [0.8 * d.miss_east, 0.8 * d.miss_north] + 50 * rng.normal(size=2) for d in dives
     ]
-    replay = replay_with(WITH_MODEL, modelled(dives, ways), estimator)
-    plain = clpe_rms(replay_dives(dives, estimator), 5)["adaptive"]
-    assert clpe_rms(replay, 5)["adaptive"] < most * plain
+    replay = replay_dives(modelled(dives, ways), estimator, **WITH_MODEL)
+    plain = clpe_rms(replay_dives(dives, estimator), 5)
+    assert clpe_rms(replay, 5) < most * plain
     assert "model" not in replay.steps[-1].not_learned
-    uncovered = replay_with(WITH_MODEL, dives, estimator)
+    uncovered = replay_dives(dives, estimator, **WITH_MODEL)
     assert "model" in uncovered.steps[-1].not_learned
 
 
@@ -276,6 +273,6 @@ def test_a_flow_model_that_tells_nothing_does_little_harm():
     for seed in range(3):
         dives = vehicle(seed, noise=0.03)
         wrong = modelled(dives, 1500 * rng.normal(size=(len(dives), 2)))
-        plain, given = replay_dives(dives), replay_with(WITH_MODEL, wrong)
-        ratios.append(clpe_rms(given, 3)["adaptive"] / clpe_rms(plain, 3)["adaptive"])
+        plain, given = replay_dives(dives), replay_dives(wrong, **WITH_MODEL)
+        ratios.append(clpe_rms(given) / clpe_rms(plain))
     assert np.mean(ratios) < 1.05

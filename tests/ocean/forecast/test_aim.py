@@ -11,23 +11,15 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from refusals import refuses
-from synthetic_vehicle import STEADY, along, chained, vehicle
+from synthetic_vehicle import STEADY, along, chained, map_of, vehicle
 
 from clpt_control import ScenarioError
 from clpt_control.base.geodesy import displacement, place_from
-from clpt_control.ocean.estimation.fix_model import FixModel
 from clpt_control.ocean.forecast import route
-from clpt_control.ocean.forecast.aim import aim, triangle
-from clpt_control.ocean.forecast.replay import replay_with
-from clpt_control.ocean.forecast.text_report import (
-    AGAINST,
-    REACHED,
-    UNDER_WAY,
-    route_sentences,
-)
-from clpt_control.ocean.forecast.track_map import map_plot
-from clpt_control.ocean.gliders.samples import turned
+from clpt_control.ocean.forecast.aim import triangle
 from clpt_control.replay import aims, replay_dives
+
+REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"
 
 ways = st.floats(-5000, 5000)
 
@@ -77,7 +69,7 @@ def still(current=(0.0, 0.0), count=12, place=(40.0, 8.0)):
 
 def known(*current):
     """A replay of a steady current that is known."""
-    return replay_with(FixModel(("steady",), learn_speed=False), still(current))
+    return replay_dives(still(current), flow=("steady",), learn_speed=False)
 
 
 def away(replay, east, north):
@@ -105,9 +97,10 @@ def test_speed_and_compass_are_corrected():
     """A vehicle that goes 4 degrees to the right at 0.8 of its speed is steered to the left."""
     dives = []
     for dive in still():
-        east, north = turned((dive.dr_east / 0.8, dive.dr_north / 0.8), -4.0)
-        dives.append(replace(dive, dr_east=east.item(), dr_north=north.item()))
-    replay = replay_with(FixModel(("steady",)), dives)
+        # east + i north, counter-clockwise
+        way = complex(dive.dr_east, dive.dr_north) / 0.8 * np.exp(1j * np.radians(4.0))
+        dives.append(replace(dive, dr_east=way.real, dr_north=way.imag))
+    replay = replay_dives(dives, flow=("steady",))
     for way in ((0.0, 300e3), (300e3, 0.0)):
         leg = aims(replay, [away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
@@ -166,12 +159,12 @@ def test_legs_follow_one_another():
 
 def test_tides_are_those_of_the_dive_to_come():
     dives = vehicle(3, 40, flow="M2", fix=5.0)
-    replay = replay_with(FixModel(("steady", "M2"), learn_speed=False), dives)
+    replay = replay_dives(dives, flow=("steady", "M2"), learn_speed=False)
     last = dives[-1]
     seen = set()
     for hours in (1.0, 4.0, 7.0):  # a third of the tide's period apart
         start = last.t_gpse + 3600 * hours, last.lat_gpse, last.lon_gpse
-        leg = aim(replay, start, (41.0, 8.0), 0.25, 7200.0)
+        leg = aims(replay, [(41.0, 8.0)], 0.25, 7200.0, start=start)[0]
         plan = replace(leg.ahead.plan, dr_east=0.0, dr_north=0.0)
         assert leg.current == pytest.approx(replay.forecast(plan)[0] / 7200.0, abs=1e-4)
         seen.add(round(leg.heading))
@@ -247,11 +240,6 @@ def test_a_known_current_carries_it_there_when_the_triangle_says(steady):
     assert took["time"] == pytest.approx(due, rel=0.04)
     assert 0.85 * due < took["not_before"] < took["time"] < took["by"] < 1.15 * due
     assert (one["made"], [area["entered"] for area in found["areas"]]) == (1, [1, 0])
-    first, *others = route_sentences(found)
-    assert "cannot be made before" in first
-    assert " draws" not in first  # it is made in all
-    shares = ("across: entered in 100", "beside: entered in 0")
-    assert others == [f"{share} % of the draws" for share in shares]
 
 
 def test_who_knows_less_arrives_less_surely(steady):
@@ -268,9 +256,7 @@ def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
     monkeypatch.setattr(route, "MOST_DRAWN", 12)
     found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
-    assert route_sentences(found)[0].endswith(
-        "not there; made within 5 dives in 0 % of 3 draws"
-    )
+    assert (found["dives"], found["draws"]) == (5, 3)
 
 
 def test_the_same_draws_say_the_same(steady):
@@ -351,7 +337,15 @@ def test_the_command_draws_the_way(command, tmp_path):
     found = json.loads(command(*words, "--out", tmp_path / "out").stdout)
     assert found["aim"][0]["latitude"] == -42.93
     assert found["route"]["waypoints"][0]["made"] > 0.5
-    page = (tmp_path / "out" / "replay.html").read_text("utf-8")
-    assert "route to 42 55.80 S" in re.sub("<[^>]*>", "", page)
-    (area,) = map_plot(found).patches
+    page = re.sub("<[^>]*>", "", (tmp_path / "out" / "replay.html").read_text("utf-8"))
+    waypoints = found["route"]["waypoints"]
+    for waypoint in waypoints:
+        said = re.search(f"route to {waypoint['place']}: ([^/]*?UTC|not there)", page)[
+            1
+        ]
+        assert said.startswith("there 20" if waypoint["time"] else "not there")
+    assert page.count("cannot be made before") == len(waypoints)
+    entered = found["route"]["areas"][0]["entered"]
+    assert f"area: entered in {100 * entered:.0f} % of the draws" in page
+    (area,) = map_of(found).patches
     assert (len(area.get_xy()), found["paste"]["file"]) == (4, "targets")

@@ -7,16 +7,19 @@ from dataclasses import replace
 
 import pytest
 from html_parser import Reader
-from synthetic_vehicle import along, chained, fixes_of, one_file_each, told, vehicle
+from synthetic_vehicle import (
+    along,
+    chained,
+    fixes_of,
+    one_file_each,
+    page_and_sentence,
+    told,
+    vehicle,
+)
 
 from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import sample_dives, write_dive_table
-from clpt_control.ocean.forecast.cards import cards, made_good
-from clpt_control.ocean.forecast.fleet import fleet_page, ordered, standing
-from clpt_control.ocean.forecast.replay_page import replay_page
-from clpt_control.ocean.forecast.text_report import aim_sentence, next_surfacing, wide
-from clpt_control.ocean.forecast.track_map import map_svg
-from clpt_control.replay import replay_dives
+from clpt_control.replay import aims, replay_dives
 
 HOUR = 3600.0
 DAY = 24 * HOUR
@@ -44,7 +47,8 @@ def shown(page):
 
 def card_of(found, title):
     """The texts of a card: title, value, what is below."""
-    made = [Reader(one) for one in cards(found)]
+    page, _ = page_and_sentence(found)
+    made = [Reader(one) for one in re.findall("<section.*?</section>", page, re.S)]
     (card,) = (one for one in made if one.texts[0].startswith(title))
     return " ".join("".join(card.texts[1:]).split()), card.tags[0][1]
 
@@ -55,11 +59,11 @@ def test_a_vehicle_that_is_overdue_is_so_on_its_own_page():
     text, section = card_of(late, "Overdue: next surfacing")
     assert re.search(r"expected \d\.\d h ago$", text)
     assert section["class"] == "card first alarm"
-    page = shown(replay_page(late))
+    page, sentence = page_and_sentence(late)
     assert re.search(
-        r"Computed \d{4}-\d\d-\d\d \d\d:\d\d UTC, hours count from then\.", page
+        r"Computed \d{4}-\d\d-\d\d \d\d:\d\d UTC, hours count from then\.", shown(page)
     )
-    assert "overdue, expected" in next_surfacing(late["next_dive"])
+    assert "overdue, expected" in sentence
 
 
 def test_the_script_knows_when_a_vehicle_becomes_overdue():
@@ -83,20 +87,25 @@ def test_an_old_record_is_never_overdue():
     text, section = card_of(found, "Next surfacing")
     assert text.endswith("h from the end of the last dive")
     assert [name for name in section if name.startswith("data-")] == []
-    page = replay_page(found)
+    page, _ = page_and_sentence(found)
     assert "An old record: hours count from the end of its last dive" in shown(page)
     assert "data-since=" not in page
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_fleet_counts_on():
-    late, soon = told(recent(6, 9.0)), told(recent(6, 1.0))
-    rows = [standing(one, "a.html", time.time()) for one in (late, soon)]
-    page = fleet_page({"now": "2026-11-26T03:00:00Z", "vehicles": ordered(rows)})
+def test_the_fleet_counts_on(command, tmp_path):
+    ends = {}
+    for name, hours in (("soon", 1.0), ("late", 9.0)):
+        (tmp_path / name).mkdir()
+        one_file_each(tmp_path / name, dives := recent(6, hours))
+        ends[name] = dives[-1].t_gpse
+    command("watch", tmp_path, "--fleet")
+    page = (tmp_path / "replay" / "fleet.html").read_text("utf-8")
     marks = [
         tag for name, tag in Reader(page).tags if name == "tr" and "data-end" in tag
     ]
-    assert [tag["data-end"] for tag in marks] == [row["time"] for row in ordered(rows)]
+    found = [seconds_since_1970(tag["data-end"]) for tag in marks]
+    assert found == pytest.approx([ends["late"], ends["soon"]], abs=0.51)
     assert marks[1]["data-words"].startswith(
         "overdue after dive 6: should have surfaced at"
     )
@@ -109,16 +118,14 @@ def test_the_fleet_counts_on():
 def test_speed_and_distance_made_good_are_those_of_the_last_day():
     ways = [(along(90.0, 3000.0), along(90.0, 4000.0), 5 * HOUR)] * 12
     found = told(chained(ways, stay=HOUR))
-    way = made_good(found["each_dive"])
-    # of dives of six hours, with the time at the surface but for the last
-    assert way.seconds == 29 * HOUR
-    assert way.east == pytest.approx(20_000, rel=1e-3)
-    speed = 20_000 / way.seconds
+    # five dives of six hours, with the time at the surface but for the last
+    speed = 20_000 / (29 * HOUR)
     text, _ = card_of(found, "Speed made good, last 29 h")
     assert text.startswith(f"{speed:.2f} m/s, {speed * DAY / 1000:.1f} km per day")
     assert text.endswith("to 090; fix to fix, dives 7 to 11")
-    few = made_good(found["each_dive"][:1])
-    assert (few.seconds, round(few.east)) == (5 * HOUR, 4000)
+    few = found | {"each_dive": found["each_dive"][:1]}
+    text, _ = card_of(few, "Speed made good, last 5 h")
+    assert text.startswith(f"{4000 / (5 * HOUR):.2f} m/s")
 
 
 def test_the_last_dive_has_age_and_depth():
@@ -137,7 +144,7 @@ def test_distance_to_go_is_that_of_the_plan():
     text, _ = card_of(found, "Distance to go")
     assert text.startswith(f"{found['aim'][0]['distance'] / 1000:.1f} km to 349")
     assert re.search(r"there in [\d.]+ dives, \d+ h; 12.2 km per day nearer", text)
-    without = "".join(cards(told(sample_dives())))
+    without, _ = page_and_sentence(told(sample_dives()))
     assert "Distance to go" not in without
 
 
@@ -167,12 +174,11 @@ def test_a_wide_forecast_says_so_and_what_helps(basis, plan, says):
     found = told(sample_dives())
     ahead = found["next_dive"] | {"basis": basis, "plan_in_files": plan}
     assert ahead["ellipse_long"] > 3000
-    assert wide(ahead).startswith(says)
-    assert says in next_surfacing(ahead)
-    assert (
-        says in card_of(found | {"next_dive": ahead}, "Place of the next surfacing")[0]
-    )
-    assert wide(ahead | {"ellipse_long": 1000.0}) == ""
+    found["next_dive"] = ahead
+    assert says in page_and_sentence(found)[1]
+    assert says in card_of(found, "Place of the next surfacing")[0]
+    ahead["ellipse_long"] = 1000.0
+    assert "wide: " not in page_and_sentence(found)[1]
 
 
 def test_a_forecast_knows_of_a_plan_in_the_files():
@@ -202,13 +208,14 @@ def wild_fix():
 @pytest.mark.parametrize(
     "dives", [sample_dives(), recent(8, 9.0), wild_fix(), fixes_of(1)]
 )
-def test_the_words_of_a_page_are_plain(dives):
+def test_the_words_of_a_page_are_plain(dives, command, tmp_path):
     found = told(dives, (-42.8, 8.4), (-42.5, 8.4))
-    text = shown(replay_page(found))
+    text = shown(page_and_sentence(found)[0])
     assert PLAIN.findall(text) == []
     assert "half axes" in text
-    rows = [standing(found, "page", time.time())]
-    text = shown(fleet_page({"now": "2026-11-26T03:00:00Z", "vehicles": rows}))
+    one_file_each(tmp_path, dives)
+    command("watch", tmp_path, "--fleet")
+    text = shown((tmp_path / "replay" / "fleet.html").read_text("utf-8"))
     assert PLAIN.findall(text) == []
     assert "half axes (m)" in text
 
@@ -216,12 +223,14 @@ def test_the_words_of_a_page_are_plain(dives):
 @pytest.mark.usefixtures("undrawn")
 def test_cards_are_not_repeated_in_prose():
     found = told(sample_dives(), (-42.8, 8.4), (-42.5, 8.4))
-    page = shown(replay_page(found))
-    first, second = found["aim"]
-    assert next_surfacing(found["next_dive"]) not in page
+    page, sentence = page_and_sentence(found)
+    page = shown(page)
+    first, _ = found["aim"]
+    assert sentence not in page
     assert page.count(found["next_dive"]["place"]) == 1
     assert f"{first['distance'] / 1000:.1f} km to 349:" not in page
-    assert aim_sentence(second) in page
+    second = aims(replay_dives(sample_dives()), [(-42.8, 8.4), (-42.5, 8.4)])[1]
+    assert repr(second).removeprefix("<Aim: ").removesuffix(">") in page
 
 
 KEYS = ("track", "drift", "miss", "ring", "next", "target", "made", "outside", "area")
@@ -229,7 +238,9 @@ KEYS = ("track", "drift", "miss", "ring", "next", "target", "made", "outside", "
 
 def keys_of(found):
     """The kinds in the legend of the map."""
-    styles = [tag.get("class", "") for _, tag in Reader(replay_page(found)).tags]
+    styles = [
+        tag.get("class", "") for _, tag in Reader(page_and_sentence(found)[0]).tags
+    ]
     return {style.removeprefix("key ") for style in styles if style.startswith("key ")}
 
 
@@ -256,7 +267,7 @@ def test_the_legend_has_what_is_drawn_alone():
 def test_the_degrees_of_a_telephone_have_room(lat, lon):
     """Letters of 11 units, each 0.62 of their height, and a tick, left of the chart."""
     dives = [replace(one, lat_gps2=lat) for one in fixes_of(4, lat, lon)]
-    svg = map_svg(told(dives))
+    svg, _ = page_and_sentence(told(dives))
     left = float(re.search(r'data-box="([\d.]+)', svg)[1])
     names = re.findall(r">(\d+°[\d.]+'[NS])<", svg)
     assert names

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from glider_files import used_numbers
 from refusals import refuses
 from synthetic_vehicle import one_file_each, vehicle
 
@@ -17,7 +18,6 @@ from clpt_control.gliders import read_dives, sample_dives
 from clpt_control.ocean.forecast import follow
 from clpt_control.ocean.forecast.follow import Follower, following
 from clpt_control.ocean.gliders.dives import Skipped
-from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.replay import Replay
 
 SLOW = [pytest.param(seed, marks=pytest.mark.slow) for seed in range(4, 20)]
@@ -64,7 +64,7 @@ def test_any_history_of_a_folder(tmp_path, seed):
             seen |= {
                 k: [n for n in whole if whole[n] == text] for k, text in texts.items()
             }
-            known = [dive.number for dive in usable(follower.dives()[0])[0]]
+            known = used_numbers(follower.dives()[0])
             assert known == sorted({n for numbers in seen.values() for n in numbers})
             again = Follower(inbox, tmp_path / "state")
             assert (again.look(), repr(again.dives())) == ([], repr(follower.dives()))
@@ -80,8 +80,7 @@ def inbox(tmp_path):
 
 def numbers(follower):
     dives, skipped = follower.dives()
-    used, unused = usable(dives)
-    return [dive.number for dive in used], [entry.why for entry in (*skipped, *unused)]
+    return used_numbers(dives), [entry.why for entry in skipped]
 
 
 @pytest.fixture
@@ -200,8 +199,8 @@ def test_files_are_in_the_order_of_their_numbers(tmp_path):
     for dive in dives:
         one_file_each(tmp_path / "in", [dive])
         follower.look()
-        used, _ = usable(follower.dives()[0])
-        for found in (used, read_dives(tmp_path / "in", usable=False)[0]):
+        used, _ = follower.dives()
+        for found in (used, read_dives(tmp_path / "in")[0]):
             wanted = [(one.number, one.notes) for one in dives[: dive.number]]
             assert [(one.number, one.notes) for one in found] == wanted
         first = growing.steps

@@ -3,7 +3,9 @@
 import json
 import math
 import re
+import time
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import numpy as np
 import pytest
@@ -17,14 +19,7 @@ from clpt_control import ArgumentError, ScenarioError
 from clpt_control.base.files import write_file
 from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, sample_dives
-from clpt_control.ocean.estimation.fix_model import FixModel
-from clpt_control.ocean.forecast import dive_statistics, geographic, surfacing
-from clpt_control.ocean.forecast.replay import replay_with
-from clpt_control.ocean.forecast.replay_summary import (
-    clpe_rms,
-    learned_words,
-    speed_words,
-)
+from clpt_control.ocean.forecast.geographic import in_minutes
 from clpt_control.replay import Replay, next_dive, replay_dataset, replay_dives, summary
 
 DIVES = sample_dives()
@@ -32,7 +27,8 @@ DIVES = sample_dives()
 
 def test_sg542_without_learning_and_with_it(sg542):
     # the 13 after the first, which has no dive before it; all 14, the first with no flow
-    found, after = summary(sg542), clpe_rms(sg542, 3)
+    found = summary(sg542)
+    after = found["clpe_rms_after_3"]
     for key, no_flow, previous in (
         ("clpe_rms", 1853, 1213),
         ("clpe_rms_all", 1950, 1407),
@@ -78,18 +74,16 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
 
 
 def test_what_is_learned_is_said_as_it_is():
-    said = learned_words(replay_dives(vehicle(1, 2)))
+    said = summary(replay_dives(vehicle(1, 2)))["said"]
     assert "M2 0.0" in said
     assert "(odds 1:" in said or "(odds below 1:99)" in said
     tidal = replay_dives(vehicle(3, 40, flow="M2", fix=5.0))
     # the made tide turns by 0.15 m/s one way and 0.075 the other
-    size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", learned_words(tidal))[1]
+    size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", summary(tidal)["said"])[1]
     assert float(size) == pytest.approx(0.15, abs=0.02)
-    assert learned_words(replay_dives([])) == "nothing"
-    bare = learned_words(
-        replay_with(FixModel(("steady",), False), vehicle(1, 3), "gradient")
-    )
-    assert bare.endswith("over the last dive")
+    assert summary(replay_dives([]))["said"] == "nothing"
+    bare = replay_dives(vehicle(1, 3), "gradient", flow=("steady",), learn_speed=False)
+    assert summary(bare)["said"].endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
     found = summary(replay_dives([vehicle(1, 3)[0], noted]))
     assert found["notes"] == [{"dive": 1, "note": "filled 2 samples"}]
@@ -97,16 +91,16 @@ def test_what_is_learned_is_said_as_it_is():
 
 @pytest.mark.parametrize(("factor", "said"), [(1.5, "too slow"), (0.6, "too fast")])
 def test_a_speed_far_from_one_is_a_sentence(factor, said):
-    step = replay_dives(vehicle(4, 30, factor=factor)).steps[-1]
-    assert speed_words(step).endswith(f": your flight model is {said}")
-    step.speed = 1 - 2.99 * step.speed_error
-    assert "flight model" not in speed_words(step)
+    replay = replay_dives(vehicle(4, 30, factor=factor))
+    assert f": your flight model is {said}; compass" in summary(replay)["said"]
+    replay.steps[-1].speed = 1 - 2.99 * replay.steps[-1].speed_error
+    assert "flight model" not in summary(replay)["said"]
 
 
 @settings(derandomize=True, max_examples=200)
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
-    words = geographic.in_minutes(lat, lon).split()
+    words = in_minutes(lat, lon).split()
     found = [
         (int(whole) + float(minutes) / 60) * (-1 if name in "SW" else 1)
         for whole, minutes, name in (words[:3], words[3:])
@@ -121,23 +115,22 @@ def test_minutes_are_the_degrees(lat, lon):
 def test_drift_is_from_where_it_came_up():
     first = make_dive(7, (0.0, 0.0, 179.9), (9000.0, 0.0, 179.99), (0.0, 0.0))
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
-    way = dive_statistics.drift(next_one, first)
+
+    def drift(*dives):
+        return summary(replay_dives(dives))["each_dive"][-1]["drift"]
+
+    way = drift(first, next_one)
     degree = math.radians(1) * 6378137.0  # along the equator
-    assert way.east == pytest.approx(0.02 * degree, rel=1e-9)  # over the date line
-    speed = pytest.approx(0.02 * degree / 600)
-    assert (way.as_dict()["direction"], way.as_dict()["speed"]) == (
-        pytest.approx(90.0),
-        speed,
-    )
-    assert (
-        dive_statistics.drift(replace(next_one, number=9), first) is None
-    )  # a dive is missing
+    # over the date line
+    assert way["distance"] == pytest.approx(0.02 * degree, rel=1e-9)
+    assert way["direction"] == pytest.approx(90.0)
+    assert way["speed"] == pytest.approx(0.02 * degree / 600)
+    assert drift(first, replace(next_one, number=9)) is None  # a dive is missing
     gps1 = replace(next_one, number=9, t_gps1=9300.0, lat_gps1=0.0, lon_gps1=-180.0)
-    assert dive_statistics.drift(gps1, first).east == pytest.approx(
-        0.01 * degree, rel=1e-9
-    )
-    assert dive_statistics.drift(replace(gps1, t_gps1=math.nan), first) is None
-    still = dive_statistics.Way(0.0, 0.0, 20.0).as_dict()
+    assert drift(first, gps1)["distance"] == pytest.approx(0.01 * degree, rel=1e-9)
+    assert drift(first, replace(gps1, t_gps1=math.nan)) is None
+    at_once = make_dive(8, (9020.0, 0.0, 179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
+    still = drift(first, at_once)
     assert still["direction"] is still["speed"] is None
 
 
@@ -171,11 +164,12 @@ def test_each_dive_has_its_row(sg542):
 )
 def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
     end = sg542.steps[-1].dive.t_gpse
-    monkeypatch.setattr(surfacing.time, "time", lambda: end + late)
+    monkeypatch.setattr(time, "time", lambda: end + late)
     said = next_dive(sg542).as_dict()
     since = late if which == "clock" else 0
     assert said["now_is"].startswith(which)
-    assert said["now"] == geographic.utc(end + since)
+    now = datetime.fromtimestamp(round(end + since), UTC)
+    assert datetime.fromisoformat(said["now"]) == now
     assert 0 < said["surface_time"] < 1800
     hours = (said["surface_time"] + said["duration"] - since) / 3600
     assert said["hours_from_now"] == pytest.approx(hours)
@@ -209,7 +203,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         assert data.attrs["level"] == 0.9
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
-    bare = replay_with(FixModel(("steady",), learn_speed=False), vehicle(1, 3))
+    bare = replay_dives(vehicle(1, 3), flow=("steady",), learn_speed=False)
     assert "speed_factor" not in replay_dataset(bare)
 
 

@@ -13,17 +13,12 @@ import pytest
 from html_parser import Reader, fetching_nothing
 from matplotlib.path import Path
 from pyproj import Geod
-from synthetic_vehicle import fixes_of, told
+from refusals import refuses
+from synthetic_vehicle import fixes_of, map_of, page_and_sentence, told
 
-from clpt_control.app.cli.replay_report import write
 from clpt_control.base.geodesy import angle_near, place_from
 from clpt_control.base.html import plain
-from clpt_control.gliders import sample_dives
-from clpt_control.ocean.forecast.kml_geojson import next_geojson, track_kml
-from clpt_control.ocean.forecast.map_layers import ring_of
-from clpt_control.ocean.forecast.replay_page import replay_page
-from clpt_control.ocean.forecast.track_map import grid_label, map_plot
-from clpt_control.ocean.gliders import slocum
+from clpt_control.gliders import sample_dives, write_dive_table
 
 GEOD = Geod(ellps="WGS84")
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
@@ -37,7 +32,21 @@ def evil():
     found["vehicle"] = f"SG {EVIL}"
     found["each_dive"][0]["dive"] = found["next_dive"]["place"] = EVIL
     found["notes"] = [{"dive": 1, "note": EVIL}]
-    return replay_page(found)
+    return page_and_sentence(found)[0]
+
+
+@pytest.fixture
+def replayed(command, tmp_path):
+    """Replay dives by the command: what it prints as JSON, next.geojson and track.kml."""
+
+    def replay(dives, *words):
+        write_dive_table(dives, tmp_path / "dives.csv")
+        out = tmp_path / "out"
+        said = command(tmp_path / "dives.csv", "--json", "--out", out, *words)
+        texts = ((out / name).read_text() for name in ("next.geojson", "track.kml"))
+        return json.loads(said.stdout), *texts
+
+    return replay
 
 
 def test_nothing_of_a_file_is_markup(evil):
@@ -64,10 +73,11 @@ def test_nothing_is_fetched(evil):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_page_that_is_written_again_is_loaded_again():
-    found = told(fixes_of(3))
-    for again in (False, True):
-        tags = Reader(replay_page(found, again)).tags
+def test_a_page_that_is_written_again_is_loaded_again(command, follow, tmp_path):
+    write_dive_table(fixes_of(3), tmp_path / "dives.csv")
+    for again, run in ((False, command), (True, follow)):
+        run(tmp_path, "--out", tmp_path / "out")
+        tags = Reader((tmp_path / "out" / "replay.html").read_text("utf-8")).tags
         asked = [names for _, names in tags if names.get("http-equiv") == "refresh"]
         assert asked == [{"http-equiv": "refresh", "content": "60"}] * again
         assert [names["data-again"] for _, names in tags if "data-again" in names] == [
@@ -85,8 +95,8 @@ def charts_have_dates(text):
         )
 
 
-def test_sixty_dives_are_small_and_one_is_enough():
-    text = replay_page(told(fixes_of(60)))
+def test_sixty_dives_are_small_and_one_is_enough(replayed):
+    text, _ = page_and_sentence(told(fixes_of(60)))
     assert len(text.encode()) < 2_000_000
     tags = Reader(text).tags
     rows = [names["id"] for tag, names in tags if tag == "tr" and "id" in names]
@@ -94,17 +104,18 @@ def test_sixty_dives_are_small_and_one_is_enough():
     links = [names["href"] for tag, names in tags if tag == "a"]
     assert sorted(links) == sorted(f"#{one}" for one in rows) == sorted(set(links))
     assert len(links) == 60
-    one = told(fixes_of(1))
-    charts_have_dates(replay_page(one))
-    assert len(json.loads(next_geojson(one))["features"]) == 4
-    ElementTree.fromstring(track_kml(one, "one"))
+    charts_have_dates(page_and_sentence(told(fixes_of(1)))[0])
+    page_and_sentence(told(fixes_of(28)))  # 4.7 days, without a warning on dates
+    _, places, track = replayed(fixes_of(1))
+    assert len(json.loads(places)["features"]) == 4
+    ElementTree.fromstring(track)
 
 
 @pytest.mark.parametrize(
     ("lat", "lon"), [(-43.0, 8.0), (67.0, -179.9), (0.0, 180.0), (89.0, 0.0)]
 )
 def test_a_chart_is_true_to_scale_and_angle(lat, lon):
-    ax = map_plot(told(fixes_of(4, lat, lon)))
+    ax = map_of(told(fixes_of(4, lat, lon)))
     low, high = ax.get_ylim()
     middle = (low + high) / 2
     # in a degree of longitude
@@ -123,8 +134,7 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
 def test_a_place_beyond_the_poles_is_not_drawn(name):
     found = told(fixes_of(4))
     found["next_dive"][name] = 1e9
-    with pytest.raises(ValueError, match="a latitude is beyond the poles"):
-        replay_page(found)
+    refuses("a latitude is beyond the poles", page_and_sentence, found)
 
 
 def test_a_far_waypoint_leaves_the_chart_as_it_is():
@@ -133,48 +143,51 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
     for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
         place = GEOD.fwd(last.lon_gpse, last.lat_gpse, bearing, away)
         aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
-        ax = map_plot(aimed)
+        ax = map_of(aimed)
         edges[bearing] = *ax.get_xlim(), *ax.get_ylim()
     assert len({edge for bearing, edge in edges.items() if bearing != 300.0}) == 1
-    page = Reader(replay_page(aimed))
+    page = Reader(page_and_sentence(aimed)[0])
     assert page.texts[page.texts.index("Aim") + 1].startswith("heading ")
 
 
 def test_grid_names_its_lines():
-    lons = (179 + 55 / 60, 180.0, 180 + 5 / 60)
-    names = [grid_label(lon, names="EW", step=5) for lon in lons]
+    ax = map_of(told(fixes_of(4)))
+    names = [*map(ax.xaxis.get_major_formatter(), (179 + 55 / 60, 180.0, 180 + 5 / 60))]
     assert names == ["179°55'E", "180°00'E", "179°55'W"]
-    assert grid_label(-0.999999, names="NS", step=0.1) == "1°00.00'S"
-    assert grid_label(59.9999 / 60, names="NS", step=1) == "1°00'N"
+    assert ax.yaxis.get_major_formatter()(59.9999 / 60) == "1°00'N"
 
 
 KML = {"k": "http://www.opengis.net/kml/2.2"}
 
 
+def shapes_of(places):
+    """Coordinates of a GeoJSON text by name."""
+    return {
+        one["properties"]["name"]: one["geometry"]["coordinates"]
+        for one in json.loads(places)["features"]
+    }
+
+
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
-def test_a_ring_is_the_ellipse_on_the_earth(lat):
-    row = told(fixes_of(5, lat))["each_dive"][-1]
-    forecast = row["forecast"]
+@pytest.mark.usefixtures("undrawn")
+def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
+    found, places, _ = replayed(fixes_of(5, lat))
+    forecast, ring = found["next_dive"], shapes_of(places)["90 % ellipse"][0]
     centre = forecast["longitude"], forecast["latitude"]
-    start = row["start_latitude"], row["start_longitude"]
-    ring = ring_of(forecast, start, centre[::-1])
     assert ring[0] == ring[-1]
-    far = [GEOD.inv(*centre, lon, lat)[2] for lat, lon in ring]
+    far = [GEOD.inv(*centre, *point)[2] for point in ring]
     assert max(far) == pytest.approx(forecast["ellipse_long"], rel=2e-3)
     assert min(far) == pytest.approx(forecast["ellipse_short"], rel=5e-3)
-    bearing = GEOD.inv(*centre, ring[0][1], ring[0][0])[0]
+    bearing = GEOD.inv(*centre, *ring[0])[0]
     # meridians turn
     assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
 
 @pytest.mark.parametrize("lon", [8.0, 179.99, -180.0, 180.0, 180.01, -180.01])
-def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
-    found = told(fixes_of(5, 51.0, lon))
-    ahead, last = found["next_dive"], found["each_dive"][-1]
-    shapes = {
-        one["properties"]["name"]: one["geometry"]["coordinates"]
-        for one in json.loads(next_geojson(found))["features"]
-    }
+@pytest.mark.usefixtures("undrawn")
+def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(replayed, lon):
+    found, places, track = replayed(fixes_of(5, 51.0, lon))
+    ahead, last, shapes = found["next_dive"], found["each_dive"][-1], shapes_of(places)
     ring, goal = np.array(shapes["90 % ellipse"][0]), shapes["next surfacing"]
     assert ring[0].tolist() == ring[-1].tolist()
     # counter-clockwise
@@ -186,7 +199,7 @@ def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
     for (x, y), wanted, name in ((goal, ahead, ""), (way, last, "end_")):
         off = (x - wanted[f"{name}longitude"] + 180) % 360 - 180
         assert (off, y) == pytest.approx((0, wanted[f"{name}latitude"]), abs=1e-6)
-    root = ElementTree.fromstring(track_kml(found, "x"))
+    root = ElementTree.fromstring(track)
     lines = [one.text.split() for one in root.iterfind(".//k:coordinates", KML)]
     lines = [[float(pair.split(",")[0]) for pair in line] for line in lines]
     for span in (ring[:, 0], *lines):
@@ -194,10 +207,12 @@ def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(lon):
         assert abs(span[0]) <= 180
 
 
-def test_kml_is_read_back():
-    found = told(fixes_of(5, -43.0))
-    root = ElementTree.fromstring(track_kml(found, "SG<1> & co \x00"))
-    assert root.find("k:Document/k:name", KML).text == "SG<1> & co \ufffd"
+@pytest.mark.usefixtures("undrawn")
+def test_kml_is_read_back(replayed):
+    named = [replace(dive, vehicle="SG<1> & co") for dive in fixes_of(5, -43.0)]
+    found, _, track = replayed(named)
+    root = ElementTree.fromstring(track)
+    assert root.find("k:Document/k:name", KML).text == "SG<1> & co"
     fixes = [
         [
             one.find(f"k:{name}", KML).text
@@ -223,6 +238,7 @@ def test_plain_text_can_be_written_and_parsed():
 
 
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
+CORRECTS = "the glider corrects for the current itself (u_use_current_correction)"
 PLACES = [TARGETS[0], (-42.0, 8.25), TARGETS[2]]
 
 
@@ -298,7 +314,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
 
 
 def test_a_slocum_that_corrects_gets_the_waypoints_themselves():
-    read = waypoints_of(report_of("Slocum", note=slocum.CORRECTS)["paste"]["text"])
+    read = waypoints_of(report_of("Slocum", note=CORRECTS)["paste"]["text"])
     assert read == [pytest.approx(place) for place in PLACES]
 
 
@@ -314,9 +330,9 @@ def test_without_a_known_vehicle_or_a_waypoint_there_is_nothing_to_paste():
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_the_file_lies_beside_the_page_which_shows_it(tmp_path):
-    found = report_of("Seaglider", targets=TARGETS[:1])
-    assert tmp_path / "targets" in write(found, tmp_path, ())
-    text = (tmp_path / "targets").read_text()
-    assert text == found["paste"]["text"]
-    assert text in (tmp_path / "replay.html").read_text()
+def test_the_file_lies_beside_the_page_which_shows_it(command, tmp_path):
+    aim = ("--aim", *TARGETS[0])
+    said = command("--sample", *aim, "--json", "--out", tmp_path / "out")
+    text = (tmp_path / "out" / "targets").read_text()
+    assert text == json.loads(said.stdout)["paste"]["text"]
+    assert text in (tmp_path / "out" / "replay.html").read_text()
