@@ -13,10 +13,14 @@ from refusals import refuses
 import clpt_control as clpt
 from clpt_control import ArgumentError, ClptError, DataError, ScenarioError
 from clpt_control.base.geodesy import LocalPlane
-from clpt_control.currents import fit_current, read_currents, sample_currents
+from clpt_control.currents import (
+    explained_variance,
+    fit_current,
+    read_currents,
+    sample_currents,
+)
 from clpt_control.engine.model.block import evaluate
 from clpt_control.paper.blocks.field import gridded_flow
-from clpt_control.simulation.flows import explained_variance
 
 MARACOOS = sample_currents()
 BOX = (40.9, 41.55, -69.9, -69.0)

@@ -63,17 +63,12 @@ def test_the_command(sample, command):
 
 
 @pytest.mark.parametrize("width", [20, 80, 200])
-def test_the_table_keeps_what_matters(width, sample, capsys, monkeypatch):
-    from clpt_control.app.cli.printing import finish
-    from clpt_control.app.cli.replay_report import results
-
+def test_the_table_keeps_what_matters(width, sample, command, monkeypatch):
     monkeypatch.setenv("COLUMNS", str(width))
-    found = json.loads(json.dumps(sample.found)) | {"next_dive": None, "aim": []}
-    tables = [one._replace(sentences=[]) for one in results(found)]
-    finish(tables, found, False)
-    said = capsys.readouterr().out
+    found, said = sample.found, command("--sample").stdout
     assert "…" not in said
-    titles, rows = rows_of(said)
+    titles, (*rows, ahead) = rows_of(said)
+    assert ahead[0] == "next"
     assert {"dive", "previous", "adaptive", "90 %"} <= set(titles)
     assert all(titles)
     for row, dive in zip(rows, found["each_dive"], strict=True):
@@ -81,7 +76,8 @@ def test_the_table_keeps_what_matters(width, sample, capsys, monkeypatch):
         assert row[titles.index("adaptive")] == f"{dive['clpe']['adaptive']:.0f}"
         assert row[titles.index("90 %")] in ("in", "OUT", "-")
     if width >= 60:
-        assert max(map(len, said.splitlines())) <= width
+        table = [line for line in said.splitlines() if line[:1] in "┏┃┡│└"]
+        assert max(map(len, table)) <= width
     assert (len(titles) > 12) == (width == 200)
 
 
