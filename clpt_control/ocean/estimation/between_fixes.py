@@ -9,30 +9,28 @@ N(theta_0, prior^2).
 
 least-squares   theta = theta_0 + (sum y~ h^T/r^2) P,  P^-1 = P_0^-1 + sum h h^T/r^2,
                 y~ = y - theta_0 h
-kalman          the same recursively: k = P h/(r^2 + h^T P h),
-                theta <- theta + (y - theta h) k^T,  P <- P - k h^T P
+kalman          the same segment by segment, by `least_squares_step` of the law fix-regression
 
-P is N x N and serves both axes.  The filter ends at least squares.
+P is N x N and serves both axes.  The filter ends at least squares, which is computed so.
 
 Neighbouring segments share a fix: n_s = r_s (a_s + m_s - m_{s-1}), with a_s the noise of this
 segment alone and m_s that of the fix at its end; `Segments.shares` are their variances.  The n_s
 are a moving average of order 1.  A filter whose only state is the noise of the last fix makes
-white innovations of them, of y and of h (`whitened`): generalised least squares.  The filter of
-theta has that noise as one more state.  If the track itself is read with noise, theta h is as
-wrong as that noise makes phi (`Segments.blur`).
+white innovations of them, of y and of h (`whitened`): generalised least squares.  If the track
+itself is read with noise, theta h is as wrong as that noise makes phi (`Segments.blur`).
 
 Sources: R. E. Kalman, "A new approach to linear filtering and prediction problems", 1960; P. J.
 Brockwell, R. A. Davis, "Time Series: Theory and Methods", 1991, section 5.3 (innovations).
 """
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import simpson
 
-from ...base.errors import DataError
 from ...engine.model.block import Block, evaluate
+from ...paper.laws.memory_laws import least_squares_step
 
 GRADIENT_STEP = 1e-4  # of the track's size: step of the differences of phi
 
@@ -129,82 +127,76 @@ class Segments(NamedTuple):
         return np.stack(differences, axis=1) / (2 * size)
 
 
-def regularised(h, y, theta, sd) -> tuple[np.ndarray, np.ndarray]:
-    """Return theta and P of regularised least squares: h (n, N), y (n, 2), of unit noise."""
-    scaled = h * sd  # in units of the prior
-    if not np.all(np.isfinite(scaled)):
-        raise DataError(
-            "phi along the tracks is not finite in units of prior and noise. Give a smaller prior, "
-            "more noise, or fixes more often"
-        )
-    U, s, Vt = np.linalg.svd(scaled, full_matrices=len(h) < len(sd))
-    moved = Vt[: len(s)].T @ ((s / (1 + s**2))[:, None] * (U.T @ (y - h @ theta.T)))
-    share = np.ones(len(sd))  # of the prior that remains along each row of Vt
-    share[: len(s)] = 1 / (1 + s**2)
-    return theta + (sd[:, None] * moved).T, sd[:, None] * ((Vt.T * share) @ Vt) * sd
+def whitened(
+    segments: Segments,
+    columns: np.ndarray,
+    r: np.ndarray,
+    blur: Callable[[int], float] = lambda k: 0.0,
+) -> Iterator[np.ndarray]:
+    """Yield rows of columns (n, c) as innovations over their standard deviation: white, of size 1.
 
-
-def whitened(segments, columns, r, blur=0.0):
-    """Return columns (n, c) as innovations over their standard deviation: white, of size 1."""
+    `blur(k)` is that of segment k, and is called when its row is due.
+    """
     alone, fix = segments.shares(r)
-    alone = alone + fix * blur
-    white = columns / r[:, None]
+    rows = columns / r[:, None]
     fix_noise, variance = np.zeros(columns.shape[1]), fix[0]
     for k, renewed in enumerate(segments.renewed):
-        S = renewed * (variance + fix[k]) + alone[k]
-        innovation = white[k] + renewed * fix_noise  # one noise at both ends cancels
-        white[k] = innovation / np.sqrt(S)
+        S = renewed * (variance + fix[k]) + alone[k] + fix[k] * blur(k)
+        innovation = rows[k] + renewed * fix_noise  # one noise at both ends cancels
+        yield innovation / np.sqrt(S)
         if renewed:
             fix_noise = fix[k] / S * innovation
             variance = fix[k] - fix[k] ** 2 / S
-    return white
 
 
-def expected_blur(theta, P, B):
+def expected_blur(theta: np.ndarray, P: np.ndarray, B: np.ndarray) -> float:
     """Return the expectation of theta B theta^T, of the axis where it is larger."""
-    of_mean = np.einsum("...kl,ak,al->...a", B, theta, theta).max(axis=-1)
-    return of_mean + np.einsum("...kl,kl->...", B, P)
+    of_mean = np.einsum("kl,ak,al->a", B, theta, theta).max()
+    return float(of_mean + np.sum(B * P))
 
 
-def generalised(segments, h, theta, sd, r, blur=0.0) -> tuple[np.ndarray, np.ndarray]:
-    """Return theta and P of generalised least squares along a track."""
-    white = whitened(segments, np.hstack([h, segments.error]), r, blur)
-    return regularised(white[:, :-2], white[:, -2:], theta, sd)
+Estimate = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-def batch_least_squares(segments, basis, theta, sd, r):
-    """Return the steps of theta, P and h of batch least squares."""
+def kalman(
+    segments: Segments,
+    basis: Block,
+    theta: np.ndarray,
+    sd: np.ndarray,
+    r: np.ndarray,
+    known: tuple[np.ndarray, np.ndarray] | None = None,
+) -> Estimate:
+    """Return theta after each segment, P after the last one, and h.
+
+    The blur is that of theta and P so far, so that each step is causal, or of `known` ones.
+    """
     h, B = segments.integrals(basis), segments.blur(basis)
-    prior, P = theta, np.diag(sd**2)
+    P, steps = np.diag(sd**2), []
+
+    def blur(k: int) -> float:
+        expected_theta, expected_P = known or (theta, P)
+        return expected_blur(expected_theta, expected_P, B[k])
+
+    for row in whitened(segments, np.hstack([h, segments.error]), r, blur):
+        m, y = row[:-2], row[-2:]
+        change, P = least_squares_step(P, m, y - theta @ m, 1.0)
+        theta = theta + change
+        steps.append(theta)
+    return np.array(steps), P, h
+
+
+def batch_least_squares(
+    segments: Segments, basis: Block, theta: np.ndarray, sd: np.ndarray, r: np.ndarray
+) -> Estimate:
+    """Return theta, P and h of least squares, with the blur of the theta and P that it ends at."""
+    known = theta, np.diag(sd**2)
     for _ in range(3 if segments.noise_period else 1):
-        theta, P = generalised(segments, h, prior, sd, r, expected_blur(theta, P, B))
-    return theta[None], P, h
+        steps, P, h = kalman(segments, basis, theta, sd, r, known)
+        known = steps[-1], P
+    return steps[-1:], P, h
 
 
-def kalman(segments, basis, theta, sd, r):
-    """Return the steps of theta, P and h of the filter, causal: each segment after its end."""
-    h, B, N = segments.integrals(basis), segments.blur(basis), len(sd)
-    alone, fix = segments.shares(r)
-    # states: theta, and in units of r the noise of the fixes at start and end
-    x, P = np.pad(theta, ((0, 0), (0, 2))), np.diag([*sd**2, fix[0], 0.0])
-    steps = []
-    for k, renewed in enumerate(segments.renewed):
-        variance = alone[k] + fix[k] * expected_blur(x[:, :N], P[:N, :N], B[k])
-        P[N + 1, N + 1] = fix[k]
-        row = np.append(h[k] / r[k], [-1.0, 1.0] if renewed else [0.0, 0.0])
-        gain = P @ row / (variance + row @ P @ row)
-        x = x + np.outer(segments.error[k] / r[k] - x @ row, gain)
-        remainder = np.eye(N + 2) - np.outer(gain, row)
-        P = remainder @ P @ remainder.T + variance * np.outer(gain, gain)
-        steps.append(x[:, :N])
-        # the end is the start of the next segment
-        kept_states = [*range(N), N + 1 if renewed else N]
-        x = np.pad(x[:, kept_states], ((0, 0), (0, 1)))
-        P = np.pad(P[np.ix_(kept_states, kept_states)], (0, 1))
-    return np.array(steps), P[:N, :N], h
-
-
-METHODS: dict[str, Callable[..., Any]] = {
+METHODS: dict[str, Callable[..., Estimate]] = {
     "least-squares": batch_least_squares,
     "kalman": kalman,
 }

@@ -54,6 +54,11 @@ def swing(dive: Dive, w: float) -> float:
     return T * float(np.sinc(w * T / (2 * math.pi)))
 
 
+def leg_variance(of_fixes: float, scatter: Any, duration: float) -> Any:
+    """Return the variance of y: that of both fixes, and (s T)^2 of a flow that is not modelled."""
+    return of_fixes + (scatter * duration) ** 2
+
+
 class Term(NamedTuple):
     """Parameters of one part of the motion, their prior and memory.
 
@@ -213,7 +218,7 @@ class FixModel:
 
     def noise(self, dive: Dive, scatter: Any) -> Any:
         """Return FIX^2 + doubt^2 + (s T)^2, the variance of y, m^2."""
-        return self.priors.fix**2 + dive.doubt**2 + (scatter * dive.duration) ** 2
+        return leg_variance(self.priors.fix**2 + dive.doubt**2, scatter, dive.duration)
 
     @cached_property
     def memory(self) -> np.ndarray:

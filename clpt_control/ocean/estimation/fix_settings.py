@@ -19,6 +19,7 @@ from ...base.errors import ScenarioError
 from ...base.units import METRES, SECONDS
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
+from .fix_model import leg_variance
 
 PRIOR = 0.5  # m/s
 SCATTER = 0.02  # m/s, flow that the functions do not express, in the mean over a leg
@@ -73,5 +74,5 @@ class FixSettings:
     def noise_of(self, duration: float) -> float:
         """Return r of a leg, length."""
         if self.noise is None:
-            return float(np.hypot(np.sqrt(2) * self.fix, self.scatter * duration))
+            return float(leg_variance(2 * self.fix**2, self.scatter, duration) ** 0.5)
         return self.noise if self.noise_per_leg else self.noise * duration**0.5

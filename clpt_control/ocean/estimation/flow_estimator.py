@@ -5,9 +5,10 @@ A leg lies between two fixes.  At its end the position error is a regression,
     y = fix - z = (theta - theta_hat) m + n,    n ~ N(0, r^2 I)
 
 with z and m of `leg_track`, integrated along the prediction with y drawn in evenly, so that the
-track ends at the fix.  Least squares moves theta_hat (`learn` of the law fix-regression; Ljung
-1999, section 11.2).  Laws with this regression differ in P between the fixes (`Law.between_fixes`):
-`kalman-flow` adds its random walk, `least-squares` forgets.  r is that of `fix_settings`.
+track ends at the fix.  Least squares moves theta_hat (`least_squares_step` of the law
+fix-regression; Ljung 1999, section 11.2).  Laws with this regression differ in P between the fixes
+(`Law.between_fixes`): `kalman-flow` adds its random walk, `least-squares` forgets.  r is that of
+`fix_settings`.
 
 A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
 way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, which adds (T 0.25 m/s min(b/width, 1))^2 to r^2.
@@ -25,7 +26,6 @@ Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 import copy
 from dataclasses import asdict
 from math import log
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -33,7 +33,7 @@ import numpy as np
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
-from ...paper.laws.memory_laws import learn
+from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
 from .fix_settings import FixSettings
 from .learned_fix import LEVEL, Ahead, Learned
@@ -340,15 +340,9 @@ class FlowEstimator:
         y = place - z
         distance = float(y @ y) / float(noise**2 + m @ P @ m)
         is_far = self.legs > 0 and beyond > 1
-        p = SimpleNamespace(
-            noise=noise * beyond if is_far else noise, latency=0.0, interval=0.0
-        )
-        fixed = dict.fromkeys(("sent", "z_sent", "waiting", "m_sent"), 0.0)
-        x = SimpleNamespace(
-            alpha=-self.theta, P=P, information=0 * P, z=z, m=m, **fixed
-        )
-        after = learn(leg.time, x, SimpleNamespace(fix=place, taken=1.0), p)
-        self.theta, self.P = -after["alpha"], after["P"]
+        r = noise * beyond if is_far else noise
+        change, self.P = least_squares_step(P, m, y, r)
+        self.theta = self.theta + change
         self.legs += 1
         self.squares += min(distance, 2 * FAR)
         if not is_far:

@@ -152,7 +152,8 @@ def flow_estimate(
     with np.errstate(all="ignore"):  # numbers that are not finite are refused below
         steps, P, h = METHODS[method](segments, basis, theta, sd, r)
         theta = steps[-1]
-        scaled, residuals = whitened(segments, h, r), segments.error - h @ theta.T
+        scaled = np.array([*whitened(segments, h, r)])
+        residuals = segments.error - h @ theta.T
     if not all(np.all(np.isfinite(values)) for values in (theta, P, scaled)):
         raise DataError(
             "the estimate is not finite. Give a smaller prior or more noise"

@@ -336,6 +336,17 @@ def predict(t, x, u, p):
     return {**dict.fromkeys(STATES, 0.0), "z": u.v_x - x.alpha @ u.phi_z, "m": u.phi_z}
 
 
+def least_squares_step(P, m, y, noise):
+    """Return the change of theta_hat, and P, by y = (theta - theta_hat) m + noise, Ljung 1999."""
+    Pm = P @ m
+    d = noise**2 + m @ Pm
+    # Joseph's form of P, symmetric to the last bit
+    A = P - np.outer(Pm, Pm) / d
+    product = np.outer(A @ m, Pm)
+    joseph = A - (product + product.T) / (2 * d)
+    return np.outer(y, Pm) / d, joseph + noise**2 * np.outer(Pm, Pm) / d**2
+
+
 def learn(t, x, u, p):
     """Least squares on x of Eq. (1) at a fix, Ljung 1999: theta_hat, P, P^-1, z and m as above.
 
@@ -349,19 +360,12 @@ def learn(t, x, u, p):
     m = np.where(late, x.m_sent, x.m)
     n = np.where(late, x.m, 0.0)
     y = received * np.where(late, x.sent - x.z_sent, u.fix - x.z)
-    Pm = x.P @ m
-    d = p.noise**2 + m @ Pm
-    gain = np.outer(y, Pm) / d
-    # Joseph's form of P, symmetric to the last bit
-    A = x.P - np.outer(Pm, Pm) / d
-    product = np.outer(A @ m, Pm)
-    joseph = A - (product + product.T) / (2 * d)
-    joseph = joseph + p.noise**2 * np.outer(Pm, Pm) / d**2
+    change, P = least_squares_step(x.P, m, y, p.noise)
     return {
-        "alpha": x.alpha - gain,
-        "P": (1 - received) * x.P + received * joseph,
+        "alpha": x.alpha - change,
+        "P": (1 - received) * x.P + received * P,
         "information": x.information + received * np.outer(m, m) / p.noise**2,
-        "z": x.z + y + gain @ n,
+        "z": x.z + y + change @ n,
         "m": x.m * (1 - np.where(late, sends, received)),
         "sent": u.fix,
         "waiting": np.where(late, sends, 0.0),

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.ocean.estimation import between_fixes
 from clpt_control.ocean.estimation.between_fixes import (
     METHODS,
     Segments,
@@ -108,9 +107,7 @@ def test_the_filter_ends_at_least_squares(number, n):
     # another way: normal equations
     h, y = (batch[2] / r[:, None], segments.error / r[:, None])
     P = np.linalg.inv(np.diag(1 / sd**2) + h.T @ h)
-    np.testing.assert_allclose(
-        between_fixes.regularised(h, y, start, sd)[1], P, atol=1e-9
-    )
+    np.testing.assert_allclose(batch[1], P, atol=1e-9)
     np.testing.assert_allclose(batch[0][-1], (start / sd**2 + y.T @ h) @ P, atol=1e-7)
 
 
@@ -252,18 +249,17 @@ def test_95_percent_are_95_percent_where_fixes_have_noise(every, alone):
     """`alone` is what comes of misses that are taken to share nothing."""
     segments = run_segments(clpt.simulate(PAPER.with_values(FINE)), PAPER, every)
     n, s = len(segments.error), 0.02
-    h = segments.integrals(PAPER.basis_block())
-    shares, sd = [], np.full(3, 0.9)
+    basis, shares, sd = PAPER.basis_block(), [], np.full(3, 0.9)
     for number in range(200):
         noise = s * np.random.default_rng(number).standard_normal((n + 1, 2))
         seen = segments._replace(error=segments.error + np.diff(noise, axis=0))
         r = np.full(n, np.sqrt(2) * s)
         apart = seen._replace(alone=np.inf)
         found = [
-            between_fixes.generalised(one, h, np.zeros((2, 3)), sd, r)
+            batch_least_squares(one, basis, np.zeros((2, 3)), sd, r)
             for one in (seen, apart)
         ]
-        shares.append([covered(*one) for one in found])
+        shares.append([covered(steps[-1], P) for steps, P, _ in found])
     right, wrong = np.mean(shares, axis=0)
     assert 0.93 < right < 0.97
     assert wrong == pytest.approx(alone, abs=1e-3)
