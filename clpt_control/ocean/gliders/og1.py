@@ -36,10 +36,10 @@ from ...base.errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater, without_current
 from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
 from .og1_columns import (
-    columns_of,
     currents_of,
     fixes_and_others,
     has_ends,
+    measurements_of,
     segments_of,
 )
 from .og1_columns import is_known as is_known
@@ -139,7 +139,7 @@ def _spanning(rows: pandas.DataFrame, with_step: pandas.DataFrame) -> bool:
 
 def dives_of(data: xarray.Dataset, _path: Path) -> list[Dive | Skipped]:
     """Return the dives of a file by time, between fixes that are far apart in time."""
-    of = columns_of(data)
+    of = measurements_of(data)
     of["wet"] = _under_water(of)
     of["behind"] = 0.0
     if has_ends(data):

@@ -1,9 +1,4 @@
-"""Columns of an OG1 file under common names, in SI units.
-
-Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its
-vocabulary `WCUR_X`, `WCUR_Y` and `DEAD_RECKONING`;
-numbers of dives, displacements, the flight model's speed and the depth-averaged
-current are named as by seagliderOG1 and votoutils, or kept from the basestation.
+"""Columns of an OG1 file under common names (`quantities`), in SI units.
 
 Every column has one number per row, NaN where there is none.  Rows are those of
 `N_MEASUREMENTS`; fixes that stand on a dimension of their own follow as further
@@ -34,105 +29,25 @@ import xarray
 from ...base.errors import DataError
 from ...paper.currents.cf import said
 from .dives import Fix, fixes_in, is_fix
-from .samples import (
-    HEADINGS,
-    SURFACE,
-    VARIATIONS,
-    metres,
-    metres_per_second,
-    seconds,
-    values,
-    within,
+from .quantities import (
+    ANGLES,
+    ENDS,
+    HEADING,
+    PLACE,
+    PLACES,
+    QUANTITIES,
+    checked_angles,
+    columns_of,
+    known_names,
+    pairs_of,
 )
+from .samples import SURFACE, metres_per_second, seconds, values
 from .usable_dives import DAY, SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
-PLACES = ("TIME", "LATITUDE", "LONGITUDE")
-PLACE = ("lat", "lon")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix
-HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 SURFACING = 1800.0  # s after a dive in which its current may be dated
 FASTEST_CLIMB = 1.0  # m/s: no glider comes up faster
-# of a dive: how names end
-ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
-
-
-def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
-    radians = said(data[name]).lower().startswith("rad")
-    return np.degrees(values(data, name)) if radians else values(data, name)
-
-
-ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
-
-
-def _checked_angles(
-    angles: np.ndarray, key: str, units: str, name: str
-) -> tuple[np.ndarray, list[str]]:
-    """Return angles (degrees), NaN outside their limits, and notes."""
-    low, high = ANGLES[key]
-    angles, outside = within(angles, (low, high))
-    notes = []
-    if outside.any():
-        notes.append(
-            f"{outside.sum()} numbers of {name} are not within {low:g} to {high:g} degrees: "
-            "taken as gaps"
-        )
-    if key == "heading":
-        notes += _doubtful_units(angles[np.isfinite(angles)], units, name)
-    return angles, notes
-
-
-def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
-    """Refuse headings that look like radians and do not say so; return notes on the units."""
-    small = angles.any() and np.abs(angles).max() <= 2 * np.pi
-    if units.lower().startswith("rad") or not small:
-        return []
-    said_degrees = units.lower().startswith("deg") or "\N{DEGREE SIGN}" in units
-    if said_degrees and np.ptp(angles) <= np.pi:
-        doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
-        return [f"{doubt}; if they are radians, set its units to 'radian'"]
-    raise DataError(
-        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians. "
-        "Set its units to 'radian', or to 'degrees' if they are degrees"
-    )
-
-
-QUANTITIES = {  # of a measurement: what files call it, and how it is read
-    "east": (("EAST_DISPLACEMENT", "EAST_DISPLACEMENT_GSM"), metres),
-    "north": (("NORTH_DISPLACEMENT", "NORTH_DISPLACEMENT_GSM"), metres),
-    "speed": (
-        ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED"),
-        metres_per_second,
-    ),
-    "heading": (HEADING, _degrees),
-    "u": (
-        ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X"),
-        metres_per_second,
-    ),
-    "v": (
-        ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y"),
-        metres_per_second,
-    ),
-    "number": (
-        ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"),
-        values,
-    ),
-    "qc": (
-        ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"),
-        values,
-    ),
-    "magvar": (("MAGNETIC_VARIATION",), _degrees),
-    "depth": (("DEPTH", "GLIDER_DEPTH"), metres),
-    "depth_max": (("DEPTH_MAX",), metres),
-    "phase": (("PHASE",), values),
-    **{
-        f"{key}_{end}": ((f"{name}{suffix}",), read)
-        for end, suffix in ENDS.items()
-        for key, name, read in zip(
-            ("time", *PLACE), PLACES, (seconds, values, values), strict=True
-        )
-    },
-}
 
 
 def is_known(data: xarray.Dataset) -> bool:
@@ -141,7 +56,7 @@ def is_known(data: xarray.Dataset) -> bool:
     return "N_MEASUREMENTS" in data.dims or any(name in names for name in FIXES)
 
 
-def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
+def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     """Return the columns of a file by name, and in `attrs` what it says of them.
 
     `t_fix`, `lat`, `lon` are of the fixes; `time`, `east`, `north` (steps, m), `speed`,
@@ -164,14 +79,12 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
                 f"{t_name} has no units and is read as {unit}, as its numbers are"
             )
     columns, steps = {"time": time}, ""
-    for key, (candidates, read) in QUANTITIES.items():
+    for key in QUANTITIES:
         columns[key] = np.full(time.size, nan)
-        for name in (
-            names[candidate] for candidate in candidates if candidate in names
-        ):
-            column = read(data, name).ravel()
+        for name, numbers in columns_of(data, key):
+            column = numbers.ravel()
             if key in ANGLES:
-                column, doubts = _checked_angles(column, key, said(data[name]), name)
+                column, doubts = checked_angles(column, key, said(data[name]), name)
                 notes += doubts
             if data[name].ndim == 0:  # one number for the mission
                 column = np.full(time.size, column[0])
@@ -192,20 +105,18 @@ def columns_of(data: xarray.Dataset) -> pandas.DataFrame:
         "north": _frame(data, names),
         "steps": steps,
         "fix_clock": t_name,
-        "own_currents": _currents_elsewhere(data, names, time.size),
+        "own_currents": _currents_elsewhere(data, time.size),
         "notes": tuple(notes),
     }
     return table
 
 
 def _currents_elsewhere(
-    data: xarray.Dataset, names: dict[str, str], rows: int
+    data: xarray.Dataset, rows: int
 ) -> list[tuple[float, float, float]]:
     """Return time (s, NaN if not known), u and v of currents on a dimension of their own."""
-    for east, north in zip(QUANTITIES["u"][0], QUANTITIES["v"][0], strict=True):
-        if not {east, north} <= set(names):
-            continue
-        u, v = (data[names[name]] for name in (east, north))
+    for pair in pairs_of(data, "u", "v"):
+        u, v = (data[name] for name in pair)
         if u.ndim != 1 or u.dims != v.dims or u.size == rows:
             continue
         same_dims = (
@@ -214,10 +125,7 @@ def _currents_elsewhere(
         timed = (name for name in same_dims if " since " in said(data[name]).lower())
         time_name = next(timed, None)
         time = np.full(u.size, nan) if time_name is None else seconds(data, time_name)
-        columns = (
-            time,
-            *(metres_per_second(data, str(component.name)) for component in (u, v)),
-        )
+        columns = (time, *(metres_per_second(data, name) for name in pair))
         return list(zip(*(column.tolist() for column in columns), strict=True))
     return []
 
@@ -327,14 +235,6 @@ def fixes_and_others(of: pandas.DataFrame) -> tuple[list[Fix], np.ndarray]:
         rows = rows[is_new & afloat]
     rows = rows[np.argsort(when[rows], kind="stable")]
     return fixes_in(when[rows], lat[rows], lon[rows]), failed
-
-
-def known_names(data: xarray.Dataset) -> dict[str, str]:
-    """Return names in the file by their capitals; a name in capitals goes before others."""
-    return {
-        str(name).upper(): str(name)
-        for name in sorted(map(str, data.variables), reverse=True)
-    }
 
 
 def _frame(data: xarray.Dataset, names: dict[str, str]) -> str:

@@ -22,7 +22,6 @@ until it is within `log_TGT_RADIUS` (m).
 """
 
 import re
-from collections.abc import Iterator, Sequence
 from math import isfinite, nan
 from pathlib import Path
 
@@ -43,12 +42,12 @@ from .dives import (
     planned_course,
     whole_number,
 )
+from .quantities import columns_of, pairs_of
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
 GOOD = (0.0, 1.0, 2.0)  # flags of a fix: no change, good, probably good
 FAILED = 99.0  # hdop of a receiver that timed out
-DEPTHS = ("depth", "ctd_depth", "eng_depth")
 
 
 def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str]]:
@@ -108,26 +107,18 @@ def is_known(data: xarray.Dataset) -> bool:
 
 def dives_of(data: xarray.Dataset, path: Path) -> list[Dive | Skipped]:
     """Return the one dive of a file, NaN where a fix or the displacement is missing."""
-    pairs = [
-        (f"east_displacement{model}", f"north_displacement{model}")
-        for model in ("", "_gsm")
-    ]
-    names = next((pair for pair in pairs if set(pair) <= set(data.variables)), None)
+    names = next(pairs_of(data, "east", "north"), None)
     time, why_not = _times(data, names[0]) if names else (None, "")
     fixes, doubts = fixes_of(data, nan if time is None else float(time[0]))
     reckoned = _dead_reckoning(data, names, time, fixes[1][0], fixes[2][0])
-    depths = (
-        samples.deepest(samples.metres(data, name))
-        for name in DEPTHS
-        if name in data.variables
-    )
+    depths = (samples.deepest(numbers) for _, numbers in columns_of(data, "depth"))
     dive = dive_between(
         _number(data, path),
         fixes,
         reckoned,
-        dac_east=samples.scalar(data, "depth_avg_curr_east"),
-        dac_north=samples.scalar(data, "depth_avg_curr_north"),
-        dac_qc=samples.scalar(data, "depth_avg_curr_qc"),
+        dac_east=_number_of(data, "u"),
+        dac_north=_number_of(data, "v"),
+        dac_qc=_number_of(data, "qc"),
         magvar=_variation(data),
         depth_max=next((depth for depth in depths if depth is not None), None),
         next_course=_next_course(data, fixes[2]),
@@ -159,9 +150,17 @@ def _number(data: xarray.Dataset, path: Path) -> int:
     )
 
 
+def _number_of(data: xarray.Dataset, key: str) -> float | None:
+    """Return a quantity of the whole dive, None where the file has none."""
+    numbers = (
+        float(column.flat[0]) for _, column in columns_of(data, key) if column.size
+    )
+    return next(filter(isfinite, numbers), None)
+
+
 def _variation(data: xarray.Dataset) -> float | None:
     """Return the magnetic variation, that of GPS2 where the file has one per fix."""
-    stated = samples.scalar(data, "magnetic_variation")
+    stated = _number_of(data, "magvar")
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
     degrees, _ = samples.within(np.array(stated), samples.VARIATIONS)
@@ -181,20 +180,14 @@ def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
-def _of_samples(
-    data: xarray.Dataset, names: Sequence[str], reference: str
-) -> Iterator[str]:
-    """Return those of some variables that have the dimension of another."""
-    present = (name for name in names if name in data.variables)
-    return (name for name in present if data[name].dims == data[reference].dims)
-
-
 def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str]:
     """Return times of the samples that a variable has, or why there are none."""
     time_names = sorted(
         name for name in map(str, data.variables) if name.endswith("_time")
     )
-    for name in _of_samples(data, ("ctd_time", "time", *time_names), reference):
+    for name in ("ctd_time", "time", *time_names):
+        if name not in data or data[name].dims != data[reference].dims:
+            continue
         time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
@@ -222,17 +215,12 @@ def _dead_reckoning(
         return ThroughWater(notes=[*notes, wrong])
     if time is None:
         return ThroughWater((float(np.sum(east)), float(np.sum(north))), notes=notes)
-    depth = _depths(data, names[0])
+    depths = (
+        numbers
+        for name, numbers in columns_of(data, "depth")
+        if data[name].dims == data[names[0]].dims
+    )
+    depth = next(depths, np.full(east.shape, nan))
     return samples.summed(
         time - start, np.array([east, north]), depth, end - start, notes
-    )
-
-
-def _depths(data: xarray.Dataset, reference: str) -> np.ndarray:
-    """Return depths of the samples that a variable has, NaN where there are none."""
-    name = next(_of_samples(data, DEPTHS, reference), None)
-    return (
-        np.full(data[reference].shape, nan)
-        if name is None
-        else samples.metres(data, name)
     )
