@@ -36,13 +36,8 @@ from ...base.errors import DataError
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.geodesy import LocalPlane
 from ...base.units import METRES, SECONDS, seconds_since_1970
-from ...paper.currents.grid_file import (
-    AROUND,
-    DEEPEST,
-    SUFFIXES,
-    missing_steps,
-    read_currents,
-)
+from ...paper.currents.current_grid import AROUND, missing_steps
+from ...paper.currents.grid_file import DEEPEST, SUFFIXES, read_currents
 from ...paper.scenario.file import load_vehicle_scenario
 from ..gliders.dives import Dive
 from .advected_dives import Flow, FlowModel, Uncovered

@@ -37,7 +37,7 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
 from ...base.units import finite_or_none
-from ...paper.currents.cf import number
+from ...paper.currents.flags import number
 from ..estimation.dive import Dive as Dive
 from ..estimation.dive import Fix as Fix
 from ..estimation.dive import ThroughWater, dac_difference

@@ -27,7 +27,7 @@ import pandas
 import xarray
 
 from ...base.errors import DataError
-from ...paper.currents.cf import said
+from ...paper.currents.flags import said
 from .dives import Fix, fixes_in, is_fix
 from .quantities import (
     ANGLES,

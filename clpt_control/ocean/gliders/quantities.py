@@ -12,7 +12,7 @@ import numpy as np
 import xarray
 
 from ...base.errors import DataError
-from ...paper.currents.cf import said
+from ...paper.currents.flags import said
 from .samples import (
     HEADINGS,
     VARIATIONS,

@@ -28,8 +28,8 @@ from numpy.typing import ArrayLike
 
 from ...base.errors import DataError, import_optional
 from ...base.units import length_in_metres, speed_in_metres_per_second
-from ...paper.currents.cf import decoded, number, said
-from ...paper.currents.flags import IS_FLAG, without_flagged
+from ...paper.currents.cf_times import decoded
+from ...paper.currents.flags import IS_FLAG, number, said, without_flagged
 from ..estimation.dive import Dive, ThroughWater, Track
 from .usable_dives import FASTEST
 

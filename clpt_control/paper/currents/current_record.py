@@ -26,8 +26,11 @@ from ...base.errors import DataError, naming
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.geodesy import angle_near
 from . import cf
+from .cf_times import dates_of
 from .constituents import check_increasing, checked_latitude
+from .flags import number, said
 from .text_table import is_table, read_table
+from .valid_values import mark_gaps
 
 SHARE = 0.5  # of times at which a range must hold a number
 
@@ -114,7 +117,7 @@ def read_record(
     with naming(path):
         nothing = "no time has a finite value of both components of the current"
         nothing = "; ".join(dict.fromkeys((nothing, *notes)))
-        cf.mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
+        mark_gaps(u, v, ("the eastward current", "the northward current"), nothing)
         chosen = file_latitude if latitude is None else latitude
         if chosen is None:
             raise DataError("has no latitude. Give --latitude DEG")
@@ -136,7 +139,7 @@ def _from_netcdf(
         for quantity in ("eastward", "northward")
     )
     when = cf.find_axis(data, east, "time")
-    times = cf.dates_of(data, when, east, notes)
+    times = dates_of(data, when, east, notes)
     index: dict[Any, np.ndarray] = {when.dims[0]: np.arange(len(times))}
     latitude = _own_latitude(data)
     of_cell = (
@@ -179,17 +182,17 @@ def _own_latitude(data: xarray.Dataset) -> float | None:
     of_axes = [
         variable.values.ravel()[0]
         for name, variable in scalars.items()
-        if name in axis_names or cf.said(variable, "standard_name") == "latitude"
+        if name in axis_names or said(variable, "standard_name") == "latitude"
     ]
     low, high = (
-        cf.number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max")
+        number(data.attrs.get(f"geospatial_lat_{end}")) for end in ("min", "max")
     )
     values = (
         *of_axes,
         low if low == high else None,
         *map(data.attrs.get, ("latitude", "lat")),
     )
-    return next(filter(np.isfinite, map(cf.number, values)), None)
+    return next(filter(np.isfinite, map(number, values)), None)
 
 
 def _over_ranges(values: np.ndarray) -> np.ndarray:

@@ -38,7 +38,8 @@ from ...engine.model.block import evaluate
 from ..scenario import tidal_periods
 from ..scenario.experiment import Scenario
 from ..scenario.file import load_vehicle_scenario, scenario_to_text
-from .grid_file import Box, Currents, read_currents, source_name, with_all_steps
+from .current_grid import Box, Currents, with_all_steps
+from .grid_file import read_currents, source_name
 from .identifiability import check_nyquist, check_separable
 from .least_squares import least_squares
 from .plane import ORIGIN, GriddedField, field_dataset, fill_gaps, regular_grid

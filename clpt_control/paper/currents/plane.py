@@ -155,7 +155,7 @@ def read_field(
 
     An `origin` (latitude, longitude) must be that of the field, if the file has one.
     """
-    from .cf import numbers_of
+    from .valid_values import numbers_of
 
     with open_netcdf(path) as data, naming(path):
         _check_origin(data.attrs.get(ORIGIN), origin)

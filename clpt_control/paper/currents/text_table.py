@@ -34,9 +34,10 @@ import xarray
 
 from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
-from .cf import VELOCITY, check_fill_value, number, speed_unit
+from .cf import VELOCITY
 from .constituents import checked_times
-from .flags import without_flagged
+from .flags import number, without_flagged
+from .valid_values import check_fill_value, speed_unit
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")
 MOST = 10**8  # cells

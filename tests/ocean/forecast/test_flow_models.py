@@ -17,7 +17,7 @@ from clpt_control.currents import fit_current, read_currents
 from clpt_control.gliders import make_dive
 from clpt_control.ocean.forecast.advected_dives import carried
 from clpt_control.ocean.forecast.flow_models import depth_mean
-from clpt_control.paper.currents.grid_file import missing_steps
+from clpt_control.paper.currents.current_grid import missing_steps
 from clpt_control.replay import read_flow_model, replay_dives, summary
 
 nan = math.nan
