@@ -19,8 +19,8 @@ from ..base.figures import (
     GREY,
     ORANGE,
     RED,
-    SAME,
     TITLE,
+    file_settings,
     legend_below,
     new_figure,
 )
@@ -130,9 +130,7 @@ def animate(
     samples = np.searchsorted(t, times * (1 + 1e-12), side="right") - 1
     samples = np.clip(samples, 0, None)
     count = len(samples)
-    from matplotlib import rc_context
-
-    with rc_context(SAME), progress_bar("drawing", count, "frames") as report:
+    with file_settings(), progress_bar("drawing", count, "frames") as report:
         figure, ax = new_figure(INCHES, INCHES + 0.6)
         figure.set_dpi(width / INCHES)
         content = _gif(figure, draw_samples(ax, run, samples), pause, report)

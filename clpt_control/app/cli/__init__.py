@@ -161,6 +161,10 @@ def _answer(error: BaseException) -> int:
         return _complain(f"standard output: {OUTPUT[error.errno]}", 2)
     if isinstance(error, OSError) and error.errno in (errno.EMFILE, errno.ENFILE):
         return _complain("too many files are open at once; allow more (ulimit -n)", 1)
+    backend = os.environ.get("MPLBACKEND")
+    if backend and isinstance(error, ValueError) and "Key backend" in str(error):
+        sentence = f"MPLBACKEND = {backend!r:.40}: is not a backend of matplotlib. "
+        return _complain(f"{sentence}Unset it, or set it to agg", 2)
     import typer
 
     if isinstance(error, typer.Abort):

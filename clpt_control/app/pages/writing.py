@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from ...base.arguments import public
 from ...base.errors import DataError
-from ...base.figures import checked_formats
+from ...base.figures import ONE_DRAWING, checked_formats
 from ...base.files import check_writable, make_folder, write_together
 from ...base.files.reading import open_netcdf
 from ...paper.scenario.recorded_run import (
@@ -86,10 +86,18 @@ def report(
     >>> made["kind"], made["title"]
     ('Run of a scenario', 'A first minute')
     """
-    from .page import page_html
-
     path, kinds = Path(path), checked_formats(formats)
     check_writable(path, "a page", (".html", ".htm"))
+    with ONE_DRAWING:
+        return _written(run, path, title, figures, kinds)
+
+
+def _written(
+    run: Any, path: Path, title: str | None, figures: Any, kinds: Sequence[str]
+) -> dict[str, Any]:
+    """Write the page; return what `report` returns."""
+    from .page import page_html
+
     source: Any = run
     name = "the replay"
     if isinstance(run, str | Path):

@@ -12,10 +12,12 @@ have many figures.
 """
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from contextvars import ContextVar
 from io import BytesIO
 from pathlib import Path
+from threading import RLock
 from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
@@ -69,6 +71,7 @@ DROPPED = re.compile(  # of matplotlib's: what it tells of itself, names of grou
 )
 ROOT = 'stroke-linejoin="round" stroke-linecap="butt" fill="currentColor"'
 
+ONE_DRAWING = RLock()  # settings of matplotlib are those of the process
 _for_a_file: ContextVar[bool] = ContextVar("for_a_file", default=False)
 
 
@@ -153,13 +156,20 @@ def _displayed(width: float, height: float) -> "Figure":
         return _bare(width, height)
 
 
-def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
-    """Return the figure that a plot draws, without pyplot, for a file or a page."""
+@contextmanager
+def file_settings() -> Iterator[None]:
+    """Draw for files, one thread at a time, whatever the user's matplotlibrc says."""
     from matplotlib import rc_context
 
+    with ONE_DRAWING, rc_context(SAME):
+        yield
+
+
+def figure_of(plot: Callable[..., Any], *arguments: Any, **keywords: Any) -> "Figure":
+    """Return the figure that a plot draws, without pyplot, for a file or a page."""
     token = _for_a_file.set(True)
     try:
-        with rc_context(SAME):
+        with file_settings():
             axes = plot(*arguments, **keywords)
     finally:
         _for_a_file.reset(token)
@@ -210,9 +220,7 @@ def save_figure(
     figure: "Figure", target: Path | IO[bytes], kind: str, **options: Any
 ) -> None:
     """Write a figure as one of `FORMATS`: texts as text, no date, the same bytes each time."""
-    from matplotlib import rc_context
-
-    with rc_context(SAME):
+    with file_settings():
         try:
             figure.savefig(target, format=kind, metadata=DATES.get(kind), **options)
         except (ValueError, ArithmeticError) as error:  # limits of axes overflow

@@ -312,6 +312,12 @@ def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
     assert (status, bool(re.fullmatch(".*interrupted.*\n", err))) == (130, True)
 
 
+def test_a_backend_that_matplotlib_does_not_have_is_a_mistake():
+    done = ran(*CLPT, "laws", status=2, env={**os.environ, "MPLBACKEND": "nonsense"})
+    sentence = "clpt: MPLBACKEND = 'nonsense': is not a backend of matplotlib. "
+    assert done.stderr == f"{sentence}Unset it, or set it to agg\n"
+
+
 def test_brackets_in_tables_are_as_they_are(capsys):
     title, name, *cells = "x[b].csv [/]", "[red]a", "[bold]1[/bold]", "[/x]", ":smile:"
     print_table(title, [name], [[cell] for cell in cells])

@@ -2,9 +2,11 @@
 
 import json
 import re
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from xml.etree import ElementTree
 
+import matplotlib
 import numpy as np
 import pytest
 import xarray
@@ -331,3 +333,15 @@ def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls():
     drawn = inline_svg(figure, "own", "said")
     assert "lyapunov (\ufffd[31m)" in drawn
     ElementTree.fromstring(drawn)
+
+
+def test_threads_write_the_same_page_and_leave_matplotlibs_settings(tmp_path):
+    run = clpt.simulate(SHORT)
+    clpt.report(run, tmp_path / "alone.html")
+    before = dict(matplotlib.rcParams)
+    pages = [tmp_path / f"{k}.html" for k in range(4)]
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(clpt.report, [run] * 4, pages))
+    alone = (tmp_path / "alone.html").read_bytes()
+    assert [page.read_bytes() == alone for page in pages] == [True] * 4
+    assert dict(matplotlib.rcParams) == before
