@@ -143,6 +143,13 @@ def test_a_law_that_breaks_its_promise_is_found_out(name, monkeypatch):
     assert found.broken in promises_in_words(LAWS[name]).values()
 
 
+def test_a_search_is_repeated_whatever_the_clock(monkeypatch):
+    first = refute("sigma", budget=2.0, seed=3)
+    monkeypatch.setattr("time.monotonic", iter(range(10**6)).__next__)
+    assert refute("sigma", budget=2.0, seed=3) == first
+    assert 0 < first.runs <= 10
+
+
 @pytest.mark.parametrize(
     ("law", "budget"), [("no-law", 1.0), ("sigma", 0.0), ("sigma", np.inf)]
 )
