@@ -49,7 +49,7 @@ class Program(NamedTuple):
     decided: int  # how many numbers are decided
     # of each decision: its first number, and where it is made
     deciding: tuple[tuple, ...]
-    timed: bool = False  # whether time alone decides
+    timed: bool = False  # whether steps are short, as time may do much in little of it
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
     guarded: int = 0  # 1 if a guard follows the decisions
 

@@ -19,13 +19,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..record.graph import reached
-from ..record.operations import TABLE, named
+from ..record.operations import SMOOTH, TABLE, named
 
 # the sign of a - b where they hold
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}
 WHOLE = ("floor", "ceil", "trunc", "floordiv")
 PLACES = ("search", "argmin")
 LOCKED = named(lambda row: row.decisions)
+# functions without narrow peaks: sums and products of sines are as wide as their waves
+WIDE = {"add", "sub", "mul", "neg", "sin", "cos", "sqrt"}
+PEAKED = named(lambda row: row.smoothness == SMOOTH and row.slopes) - WIDE
 ROUNDING = 1e-12  # relative, of the numbers that are compared
 Ref = Any
 Add = Callable[..., Ref]  # writes an operation of arguments; returns its value
@@ -100,7 +103,8 @@ class Decisions:
         self.of: list[tuple] = []  # first place of each, and where it is made
         self.operations: list[int] = []  # the first decision of each operation
         self.count = 0  # how many numbers are decided
-        self.timed = False  # whether time alone decides
+        # whether time alone decides, or is read by a function that may have narrow peaks
+        self.timed = False
         self.first_count = 0  # of the first rates
         self._first = dict[
             int, Ref
@@ -131,6 +135,8 @@ class Decisions:
         # entries that change within a step, with locked decisions
         moving: set[Ref] = set()
         fed: set[Ref] = set()  # entries that depend on states, or on inputs
+        driven: set[Ref] = set()  # on inputs
+        timely: set[Ref] = set()  # on time, and not on inputs
         inputs = len(record.layout.P)
 
         def current(ref: Ref) -> Ref:
@@ -143,6 +149,13 @@ class Decisions:
             is_input = array == "P" and offset >= inputs
             if array == "X" or is_input or fed.intersection(refs):
                 fed.add(k)
+            if is_input or driven.intersection(refs):
+                driven.add(k)
+            elif array == "t" or timely.intersection(refs):
+                if kind not in COMPARED:
+                    timely.add(k)
+                peaked = exact[1:] if kind == "div" else exact
+                self.timed |= kind in PEAKED and not timely.isdisjoint(peaked)
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))

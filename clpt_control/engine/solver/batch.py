@@ -78,7 +78,7 @@ class Callee(NamedTuple):
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
     linear: Jacobian = Jacobian()  # of Rodas5P
-    timed: bool = False  # whether time alone decides
+    timed: bool = False  # whether steps are short, as time may do much in little of it
     code: tuple = ()  # objects that must live for as long as addresses are used
     raised: Any = ()  # errors that functions of Python raised, a list
 
