@@ -26,6 +26,7 @@ from .initial_states import initial_state as initial_state_of
 from .loops import closed_loop
 from .run_arguments import inputs_by_name, inputs_count, state_by_name, with_jumps
 from .run_cache import cached_run, diagram_key, scenario_key
+from .serialization.run_record import note_arguments
 from .system_runs import ScenarioRun, TeamRun
 
 if TYPE_CHECKING:
@@ -128,6 +129,8 @@ def simulate(
         "first_step": first_step,
         "progress": progress,
     }
+    own = {"timepts": timepts, "first_step": first_step, "engine": engine}
+    own["max_step"] = None if max_step == np.inf else max_step
     skipped = 0  # samples before the caller's
     if isinstance(system, Scenario | Team):
         if stop is not None:
@@ -171,6 +174,7 @@ def simulate(
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
+    note_arguments(data, own, skipped)
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
         note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)
     return data
@@ -235,8 +239,8 @@ def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
     loop = getattr(system, "origin", None)
     if loop is None:
         return system, getattr(system, "recorded", None) or {}
-    start = initial_state_of(system)
-    return system, {**loop.scenario.run.solver, "initial_state": start}
+    own_arguments = {**loop.scenario.run.solver, **(system.recorded or {})}
+    return system, {**own_arguments, "initial_state": initial_state_of(system)}
 
 
 def request_of(
@@ -248,8 +252,10 @@ def request_of(
     """
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
+    skipped = 0
     if timepts is None:
         timepts = own_arguments.get("timepts")
+        skipped = own_arguments.get("skipped", 0)
     if timepts is None and isinstance(inputs, control.TimeResponseData):
         timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)
@@ -257,7 +263,6 @@ def request_of(
     initial_state = state_by_name(diagram, initial_state, own_state)
     if timepts is not None:
         timepts, inputs = with_jumps(diagram, timepts, inputs)
-    skipped = 0
     if loop is not None and (timepts is None or inputs is initial_state is None):
         times, skipped = _times_from_zero(loop.scenario, timepts)
     elif timepts is None:

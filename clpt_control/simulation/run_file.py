@@ -6,7 +6,7 @@ reason why they are missing.
 """
 
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
@@ -18,7 +18,12 @@ from ..paper.scenario.experiment import MOST_BYTES, Scenario
 from ..paper.scenario.recorded_run import check_response, check_run, is_response
 from ..paper.scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
-from .serialization.run_record import diagram_of_text, equations_text
+from .serialization.run_record import (
+    arguments_of_text,
+    arguments_text,
+    diagram_of_text,
+    equations_text,
+)
 
 if TYPE_CHECKING:
     import xarray
@@ -75,6 +80,8 @@ def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
             attributes[file.TEAM] = team_to_text(system, path.parent)
         else:
             attributes["scenario"] = file.scenario_to_text(system, path.parent)
+    if arguments := arguments_text(run):
+        attributes[file.ARGUMENTS] = arguments
     equations, reason = equations_text(run)
     if equations:
         attributes[file.EQUATIONS] = equations
@@ -127,6 +134,8 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         if text := str(run.attrs.pop(file.EQUATIONS, "")):
             diagram_of_text(text)
             run.encoding[file.EQUATIONS] = text
+        if text := str(run.attrs.pop(file.ARGUMENTS, "")):
+            run.encoding[file.ARGUMENTS] = arguments_of_text(text)
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
     run.attrs.pop(file.FORM, None)  # of the file, not of the run
@@ -150,6 +159,18 @@ def repeats_by_equations(path: Path) -> bool:
         if file.EQUATIONS not in attributes:
             return False
         return "scenario" not in attributes or not attributes.isdisjoint(BEYOND)
+
+
+def recorded_arguments(path: Path) -> dict[str, Any]:
+    """Return the arguments of `simulate` that repeat a scenario's run, beside its scenario."""
+    if path.suffix != ".nc":
+        return {}
+    with open_netcdf(path) as data:
+        text = str(data.attrs.get(file.ARGUMENTS, ""))
+    try:
+        return arguments_of_text(text)
+    except ClptError as error:
+        raise DataError(f"{path}: {error}") from None
 
 
 @public
@@ -189,7 +210,9 @@ def load_diagram(path: str | Path) -> Diagram:
         attributes = {name: str(value) for name, value in data.attrs.items()}
     text = attributes.get(file.EQUATIONS)
     if not text and "scenario" in attributes:
-        return closed_loop(file.load_vehicle_scenario(path))
+        loop = closed_loop(file.load_vehicle_scenario(path))
+        loop.recorded = recorded_arguments(Path(path))
+        return loop
     if not text:
         reason = attributes.get(file.NOT_REPEATED)
         raise DataError(

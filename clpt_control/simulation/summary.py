@@ -18,6 +18,7 @@ import numpy as np
 from ..base.arguments import check_holds
 from ..base.errors import DataError
 from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.file import ARGUMENTS
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.team import Team
 from .flows import explained_variance, flow_error, speeds_of
@@ -41,9 +42,11 @@ class RunReport(NamedTuple):
 
 
 def run_and_report(
-    system: Scenario | Team, progress: Callable[[float], None] | None = None
+    system: Scenario | Team,
+    progress: Callable[[float], None] | None = None,
+    **options: Any,
 ) -> RunReport:
-    """Run a scenario, or a team, and summarise it.
+    """Run a scenario, or a team, and summarise it; `options` are those of `simulate`.
 
     Returns the run with the summary in its attributes, the same run evenly sampled for pictures
     (2000 samples a cycle, at most 200,000) and the summary: ``clpe_rms_per_cycle``, ``status``,
@@ -66,14 +69,18 @@ def run_and_report(
 
     # one run at all of these times
     times = union(run_times, error_times, even_times)
-    dense = simulate(system, times, progress=progress)
+    dense = simulate(system, times, progress=progress, **options)
+    plain = None
+    if dense.attrs["method"] != "DOP853":  # whose steps end at samples
+        plain = simulate(system, **options)
+    dense.encoding[ARGUMENTS] = options
     reached = dense.time.values
     if dense.attrs["status"] == "stopped":
         indices = nearest(reached, run_times[run_times < reached[-1]])
         indices = np.append(indices, -1)
     else:
         indices = nearest(reached, run_times)
-    run = dense.isel(time=indices)
+    run = dense.isel(time=indices) if plain is None else plain
     fine = dense.isel(time=nearest(reached, even_times))
     summary = {**ending_of(system, run), **figures_of(system, run, fine, dense)}
     run.attrs[SUMMARY] = json.dumps(summary)

@@ -128,7 +128,11 @@ def run(
         clpt run mine.toml --out run.nc --figures figures
     """
     from ...base.figures import checked_formats
-    from ...simulation.run_file import as_written, repeats_by_equations
+    from ...simulation.run_file import (
+        as_written,
+        recorded_arguments,
+        repeats_by_equations,
+    )
     from ...simulation.team_plots import run_figures
     from ...theory.excitation.gramian import not_learned
 
@@ -141,10 +145,11 @@ def run(
             f"{out}: is the scenario file. Give the run another name, such as run.nc"
         )
     folder = None if figures is None else make_folder(figures)
-    if again:
+    arguments = {} if again else recorded_arguments(scenario)
+    if again or "timepts" in arguments:
         from ..pages.run_page import extent_of, response_result
 
-        result = fine = clpt.simulate(system)
+        result = fine = clpt.simulate(system, **arguments)
         summary = {name: result.attrs[name] for name in ("title", "status", "message")}
         table, summary["signals"] = response_result(result), extent_of(result)
     else:
@@ -152,7 +157,7 @@ def run(
         from ..pages.results import run_result
 
         with progress_bar(f"running {scenario.name}", system.run.duration) as report:
-            result, fine, summary = run_and_report(system, report)
+            result, fine, summary = run_and_report(system, report, **arguments)
         table = run_result(summary, summary["title"] or str(scenario))
         if missing := not_learned(result):
             table = table._replace(sentences=[*table.sentences, missing])

@@ -27,6 +27,7 @@ OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 OWN_PARTS = "own_parts"
 REFERENCE = "reference"  # name of the block of the waypoints
 EQUATIONS = "equations"  # attribute of a diagram's run: its equations, as JSON
+ARGUMENTS = "arguments"  # of a scenario's run: times and steps that are not the scenario's, JSON
 NOT_REPEATED = (
     "not_repeated"  # attribute of a diagram's run: the reason for no equations
 )

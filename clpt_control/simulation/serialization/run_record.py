@@ -16,7 +16,7 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.solver.native_diagram import NativeDiagram
 from ...engine.solver.schedule import Inputs
 from ...engine.trace.arrays import Unread
-from ...paper.scenario.file import EQUATIONS
+from ...paper.scenario.file import ARGUMENTS, EQUATIONS, TEAM
 from .diagrams import diagram_of, plain_diagram
 
 if TYPE_CHECKING:
@@ -98,6 +98,36 @@ def equations_text(run: "xarray.Dataset") -> tuple[str, str]:
         return "", str(error)
 
 
+def note_arguments(
+    run: "xarray.Dataset", arguments: dict[str, Any], skipped: int
+) -> None:
+    """Note in a run what was given to `simulate` beside the system, and the samples left out."""
+    record = run.encoding.get(EQUATIONS)
+    if skipped and isinstance(record, RunRecord):
+        record.conditions["skipped"] = skipped
+    given = {key: value for key, value in arguments.items() if value is not None}
+    if given and {"scenario", TEAM} & run.attrs.keys():
+        run.encoding[ARGUMENTS] = given
+
+
+def arguments_text(run: "xarray.Dataset") -> str:
+    """Return the arguments of a scenario's run that are not in the scenario, as JSON, or ""."""
+    given = run.encoding.get(ARGUMENTS)
+    return json.dumps(given, default=lambda array: array.tolist()) if given else ""
+
+
+def arguments_of_text(text: str) -> dict[str, Any]:
+    """Return the arguments of a scenario's run from JSON, for `simulate`."""
+    try:
+        given = json.loads(text or "{}")
+        unknown = given.keys() - {"timepts", "first_step", "engine", "max_step"}
+    except (ValueError, AttributeError):
+        unknown = {"text"}
+    if unknown:
+        raise DataError(f"its arguments are damaged: {min(unknown)}")
+    return given
+
+
 def signal_names(run: "xarray.Dataset") -> dict[str, Any]:
     """Return the name of a run's diagram, and the labels of its inputs and outputs, if recorded."""
     record = run.encoding.get(EQUATIONS) or run.attrs.get(EQUATIONS, "")
@@ -138,4 +168,5 @@ def _recorded_conditions(plain: dict[str, Any], diagram: Diagram) -> dict[str, A
     if min(tolerances + steps) < 0 or not isinstance(plain["method"], str | None):
         raise DataError("its tolerances, steps or method are not valid")
     conditions = {name: plain[name] for name in CONDITIONS}
+    conditions["skipped"] = int(plain.get("skipped", 0))
     return {**conditions, "inputs": Inputs((times, values))}
