@@ -18,8 +18,6 @@ public_modules.register()
 
 
 def __getattr__(name: str) -> Any:
-    if name in public_modules.EARLIER:
-        raise public_modules.missing(__name__, name)
     try:
         return _lazy_getattr(name)
     except AttributeError:

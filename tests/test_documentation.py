@@ -348,23 +348,6 @@ def test_the_command_lists_all_and_refuses_others(clpt, printed, refused):
     )
 
 
-EARLIER_NAMES = [
-    "export_c",
-    "export_fmu",
-    "load_team",
-    "team_loop",
-    "error_loop",
-    "state_at",
-    "check_block",
-]
-
-
-@pytest.mark.parametrize("name", EARLIER_NAMES)
-def test_an_earlier_name_gives_the_new_one(name):
-    with pytest.raises(AttributeError, match=rf"clpt_control\.{name}: is now .*clpt\."):
-        getattr(clpt_control, name)
-
-
 def test_the_reference_has_basics_and_details():
     page = (REFERENCE / "index.md").read_text("utf-8")
     basics = page.partition("## Details")[0]

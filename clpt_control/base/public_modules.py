@@ -19,27 +19,9 @@ PUBLIC_MODULES = {
     "replay": "Forecasts of surfacings, dive by dive.",
 }
 
-EARLIER = {  # name of earlier versions: its replacement
-    "export_c": "clpt.export(system, 'x.c')",
-    "export_fmu": "clpt.export(system, 'x.fmu')",
-    "load_team": "clpt.load_scenario(path)",
-    "team_loop": "clpt.closed_loop(team)",
-    "error_loop": "clpt.closed_loop(scenario, errors=True)",
-    "state_at": "run.clpt.state(t)",
-    "mermaid": "clpt.draw(diagram, 'x.mmd')",
-    "fit_scenario": "clpt.currents.fit_current",
-    "check_block": "clpt.check(block)",
-    "conformance": "clpt.check(block)",
-    "save_fit": "fit.save(path)",
-    "usable": "clpt.gliders.read_dives(paths), which returns usable dives",
-    "percentiles": "the quantile of xarray",
-}
-
 
 def missing(module: str, name: str) -> AttributeError:
-    """Return the error of a name that a module does not have, with its replacement."""
-    if name in EARLIER:
-        return AttributeError(f"{module}.{name}: is now {EARLIER[name]}")
+    """Return the error of a missing name, or of a name of python-control."""
     if module == PACKAGE and not name.startswith("_"):
         import control
         import control.matlab

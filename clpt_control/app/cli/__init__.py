@@ -74,32 +74,8 @@ def _run() -> int:
         raise OSError(errno.EBADF, "standard output")
     logging.disable()  # commands print sentences, no logs
     words = sys.argv[1:] or ["--help"]  # `clpt` alone prints its page
-    refuse_earlier_names(words)
     status = application()(args=words, standalone_mode=False, prog_name="clpt")
     return status if isinstance(status, int) else 0
-
-
-EARLIER = {  # command and option of earlier versions: what stands in its place
-    ("diagram", ""): "clpt export SCENARIO --drawing",
-    ("refute", ""): "clpt prove LAW --search SECONDS",
-    ("certify", ""): "clpt excitation SCENARIO --bounds",
-    ("design", ""): "clpt tune SCENARIO --waypoints",
-    ("animate", ""): "clpt report RUN --film",
-    ("tides", ""): "clpt fit RECORD --tides",
-    ("replay", "--follow"): "clpt watch FOLDER",
-    ("replay", "--fleet"): "clpt watch FOLDER --fleet",
-    ("replay", "--alert"): "clpt watch FOLDER --alert CMD",
-    ("replay", "--every"): "clpt watch FOLDER --every SECONDS",
-    ("replay", "--patience"): "clpt watch FOLDER --patience SECONDS",
-}
-
-
-def refuse_earlier_names(words: list[str]) -> None:
-    """Refuse a command or an option of an earlier version, with its new name."""
-    for (command, option), new in EARLIER.items():
-        options = [word.partition("=")[0] for word in words[1:]]
-        if words[0] == command and (not option or option in options):
-            raise ClptError(f"clpt {command} {option}".rstrip() + f": is now `{new}`")
 
 
 def application() -> "typer.Typer":

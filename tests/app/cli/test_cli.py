@@ -391,27 +391,6 @@ MISSPELT = r"""
 """
 
 
-EARLIER_NAMES = r"""
-    diagram p.toml -> `clpt export SCENARIO --drawing`
-    refute sigma --budget 3 -> `clpt prove LAW --search SECONDS`
-    certify p.toml -> `clpt excitation SCENARIO --bounds`
-    design p.toml --out b.toml -> `clpt tune SCENARIO --waypoints`
-    animate run.nc -> `clpt report RUN --film`
-    tides r.csv --constituents M2 -> `clpt fit RECORD --tides`
-    replay --follow in -> `clpt watch FOLDER`
-    replay --fleet=in -> `clpt watch FOLDER --fleet`
-    replay in --alert true -> `clpt watch FOLDER --alert CMD`
-    replay in --every 3 -> `clpt watch FOLDER --every SECONDS`
-    replay in --patience 3 -> `clpt watch FOLDER --patience SECONDS`
-"""
-
-
-@pytest.mark.parametrize("line", EARLIER_NAMES.strip().splitlines())
-def test_an_earlier_name_gives_the_new_one(refused, line):
-    words, new = line.split(" -> ")
-    assert refused(*words.split()).endswith(f": is now {new}\n")
-
-
 @pytest.mark.parametrize("line", MISSPELT.strip().splitlines())
 def test_what_is_misspelt_or_lacks_is_said(refused, line):
     words, said = line.split(" -> ")
