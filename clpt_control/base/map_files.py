@@ -12,6 +12,9 @@ from .geodesy import angle_near, east_of
 from .html import safe
 
 DIGITS = 6  # decimals of a degree: 0.1 m
+# colours of KML: aabbggrr
+BLUE, GREEN = "ffb27200", "ff739e00"
+PURPLE, ORANGE = "ffa779cc", "ff009fe6"
 NAMESPACE = "http://www.opengis.net/kml/2.2"
 SHAPES = {  # of KML, around coordinates
     "Point": ("<Point>", "</Point>"),

@@ -5,13 +5,13 @@ The scenario has an `origin`, so that the run has latitudes and longitudes.  If 
 """
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..base.errors import DataError
 from ..base.files import write_file
-from ..base.map_files import Feature, geojson, kml
+from ..base.map_files import BLUE, GREEN, ORANGE, Feature, geojson, kml
 from ..base.units import SECONDS
 from ..paper.scenario.file import scenario_of_run
 from ..paper.scenario.recorded_run import check_run, waypoints_of
@@ -20,19 +20,13 @@ if TYPE_CHECKING:
     import xarray
 
 SUFFIXES = (".kml", ".geojson")
-BLUE, GREEN, ORANGE = "ffb27200", "ff739e00", "ff009fe6"  # of KML: aabbggrr
 
 
 def export_track(run: "xarray.Dataset", path: Path) -> None:
-    """Write the track of a scenario's run as KML or GeoJSON, by the ending of the name."""
-    features = track_features(run)
-    title = str(run.attrs.get("title", "")) or "run"
-    text = kml(features, title) if path.suffix == ".kml" else geojson(features)
-    write_file(path, text)
+    """Write the track of a scenario's run as KML or GeoJSON, by the ending of the name.
 
-
-def track_features(run: "xarray.Dataset") -> list[Feature]:
-    """Return the track, the predicted track, the waypoints, start and end."""
+    Features are the track, the predicted track, the waypoints, start and end.
+    """
     scenario = scenario_of_run(run)
     check_run(run, scenario, "time", "position")
     if scenario.origin is None:
@@ -52,18 +46,19 @@ def track_features(run: "xarray.Dataset") -> list[Feature]:
     for number, place in enumerate(places(waypoints_of(run, scenario)), 1):
         features.append(Feature(f"waypoint {number}", "Point", [place], ORANGE))
     for name, sample in (("start", 0), ("end", -1)):
-        time = _date(run, float(run.time[sample]), scenario.units.time)
-        properties: dict[str, Any] = {"time": time} if time else {}
+        time = _date(run, float(run.time[sample]) * SECONDS[scenario.units.time])
+        properties = {"time": time} if time else {}
         features.append(
             Feature(name, "Point", [track[sample]], BLUE, time, "", properties)
         )
-    return features
+    title = str(run.attrs.get("title", "")) or "run"
+    text = kml(features, title) if path.suffix == ".kml" else geojson(features)
+    write_file(path, text)
 
 
-def _date(run: "xarray.Dataset", time: float, unit: str) -> str:
+def _date(run: "xarray.Dataset", seconds: float) -> str:
     """Return the date of a time of a run as ISO 8601, or "" if the run has none."""
     origin = run.attrs.get("time_origin")
     if origin is None:
         return ""
-    seconds = np.timedelta64(round(time * SECONDS[unit]), "s")
-    return f"{np.datetime64(origin, 's') + seconds}Z"
+    return f"{np.datetime64(origin, 's') + np.timedelta64(round(seconds), 's')}Z"

@@ -25,63 +25,29 @@ from math import cos, radians, sin
 from typing import Any
 
 from ...base.geodesy import east_of, place_from
-from ...base.map_files import Feature, geojson, kml
-from ..estimation.learned_fix import PERCENT
+from ...base.map_files import geojson, kml
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
 from .geographic import compass, minutes
-from .map_layers import Layer, layers_of, place_in
+from .map_layers import layers_of, place_in
 from .text_report import REACHED
 
-BLUE, PURPLE, ORANGE = "ffb27200", "ffa779cc", "ff009fe6"  # as KML has them
-NAMES = {  # kind of a layer: its name and its colour
-    "track": ("track", BLUE),
-    "fix": ("dive", BLUE),
-    "last": ("last fix", BLUE),
-    "way": ("way to the next surfacing", PURPLE),
-    "next": ("next surfacing", PURPLE),
-    "ring next": (f"{PERCENT} ellipse", PURPLE),
-    "target": ("waypoint", ORANGE),
-    "made": ("distance made good", ORANGE),
-    "ring aimed": (f"{PERCENT} ellipse, aimed", ORANGE),
-}
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 
 def next_geojson(report: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
-    layers, last_row = layers_of(report), report["each_dive"][-1]
-    properties = {"dive": last_row["dive"], "time": last_row["end"]}
-    last = Layer("last", "Point", layers["way"][0].places[:1], properties)
-    return geojson(
-        map(_feature, [last, *(layer for kind in AHEAD for layer in layers[kind])])
-    )
+    layers = layers_of(report)
+    return geojson(feature for kind in ("last", *AHEAD) for feature in layers[kind])
 
 
 def track_kml(report: dict[str, Any], name: str) -> str:
     """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
     layers = layers_of(report)
-    fixes = layers["fix"]
-    places = [layers["track"][0].places[0], *(fix.places[0] for fix in fixes)]
-    track = Layer("track", "LineString", places, {})
-    ahead = (layer for kind in AHEAD for layer in layers[kind])
-    return kml(map(_feature, [track, *fixes, *ahead]), name)
-
-
-def _feature(layer: Layer) -> Feature:
-    """Return a layer as a feature of a map file."""
-    name, colour = NAMES[layer.kind]
-    if layer.kind == "fix":
-        name = f"{name} {layer.of['dive']}"
-    properties: dict[str, Any] = {"time": layer.when} if layer.when else {}
-    if layer.shape == "Point":
-        properties = {"description": layer.words} if layer.kind == "next" else {}
-        properties |= {
-            key: value for key, value in layer.of.items() if value is not None
-        }
-    return Feature(
-        name, layer.shape, layer.places, colour, layer.when, layer.words, properties
-    )
+    fixes, first = layers["fix"], layers["track"][0]
+    places = [first.places[0], *(fix.places[0] for fix in fixes)]
+    ahead = (feature for kind in AHEAD for feature in layers[kind])
+    return kml([first._replace(places=places), *fixes, *ahead], name)
 
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it

@@ -1,7 +1,7 @@
 """Map layers of a replay, made of what `clpt replay --json` prints.
 
-A layer is a point, a line or a ring, by the name of a GeoJSON geometry; its kind says what it is.
-Four writers take them: the map of the page, replay.png, GeoJSON and KML.
+A layer is a list of points, lines or rings of one kind.  Four writers take them: the map of the
+page, replay.png, GeoJSON and KML.
 
 The ring of a forecast, with half axes a and b and the bearing B of the long one, is
 
@@ -12,28 +12,31 @@ east and north at the start of the dive, where its covariance is resolved: count
 
 from collections import defaultdict
 from math import cos, pi, radians, sin
-from typing import Any, NamedTuple
+from typing import Any
+
+import numpy as np
 
 from ...base.geodesy import displacement, place_from
+from ...base.map_files import BLUE, ORANGE, PURPLE, Feature
 from ..estimation.learned_fix import PERCENT
 from .geographic import Place, compass, velocity
 from .surfacing import ELLIPSE
 from .table_rows import ellipse_words
 from .text_report import within
 
+NAMES = {  # kind of a layer in KML and GeoJSON: its name and its colour
+    "track": ("track", BLUE),
+    "fix": ("dive", BLUE),
+    "last": ("last fix", BLUE),
+    "way": ("way to the next surfacing", PURPLE),
+    "next": ("next surfacing", PURPLE),
+    "ring next": (f"{PERCENT} ellipse", PURPLE),
+    "target": ("waypoint", ORANGE),
+    "made": ("distance made good", ORANGE),
+    "ring aimed": (f"{PERCENT} ellipse, aimed", ORANGE),
+}
 CORNERS = 48
 LAST = 5  # dives whose ellipses are drawn
-
-
-class Layer(NamedTuple):
-    """Places, the row, next dive or leg that they are `of`, words on it, and its time."""
-
-    kind: str
-    shape: str
-    places: list[Place]
-    of: dict[str, Any]
-    words: str = ""
-    when: str = ""
 
 
 def place_in(row: dict[str, Any], prefix: str) -> Place:
@@ -49,17 +52,13 @@ def is_outside(row: dict[str, Any]) -> bool:
 def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:
     """Return the closed ring of an ellipse about the end of a way."""
     long, short, bearing = (row[name] for name in ELLIPSE)
-    east, north = displacement(*begin, *end)
+    center = displacement(*begin, *end)
     sine, cosine = sin(radians(bearing)), cos(radians(bearing))
-    points = []
-    for k in range(CORNERS):
-        along_axis, across = (
-            long * cos(2 * pi * k / CORNERS),
-            short * sin(2 * pi * k / CORNERS),
-        )
-        away = along_axis * sine - across * cosine, along_axis * cosine + across * sine
-        points.append(place_from(*begin, east + away[0], north + away[1]))
-    return [*points, points[0]]
+    angle = 2 * pi * (np.arange(CORNERS + 1) % CORNERS) / CORNERS
+    along_axis, across = long * np.cos(angle), short * np.sin(angle)
+    east = center[0] + along_axis * sine - across * cosine
+    north = center[1] + along_axis * cosine + across * sine
+    return [place_from(*begin, *away) for away in zip(east, north, strict=True)]
 
 
 def words_of_next(ahead: dict[str, Any]) -> str:
@@ -80,61 +79,68 @@ def words_of_dive(row: dict[str, Any]) -> str:
     return f"surfaced {row['end']}, {error}; current {current}"
 
 
-def layers_of(report: dict[str, Any]) -> dict[str, list[Layer]]:
+def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
     The ellipses are those of the last dives with a forecast.
     """
-    layers: list[Layer] = []
-    rings: list[Layer] = []
+    layers: dict[str, list[Feature]] = defaultdict(list)
+
+    def add(
+        kind: str,
+        places: list[Place],
+        of: dict[str, Any],
+        words: str = "",
+        when: str = "",
+    ) -> None:
+        layers[kind].append(_feature(kind, places, of, words, when))
+
     before = None
     for row in report["each_dive"]:
         start, end, reckoned = (
             place_in(row, prefix) for prefix in ("start_", "end_", "reckoned_")
         )
-        layers += [
-            Layer("miss", "LineString", [reckoned, end], row),
-            Layer("track", "LineString", [start, end], row),
-            Layer("reckoned", "Point", [reckoned], row),
-            Layer("fix", "Point", [end], row, words_of_dive(row), row["end"]),
-        ]
+        add("miss", [reckoned, end], row)
+        add("track", [start, end], row)
+        add("reckoned", [reckoned], row)
+        add("fix", [end], row, words_of_dive(row), row["end"])
         if before is not None:
-            layers.append(Layer("drift", "LineString", [before, start], row))
+            add("drift", [before, start], row)
         if row["forecast"] is not None:
             goal = place_in(row["forecast"], "")
-            ring = ring_of(row["forecast"], start, goal)
-            layers.append(Layer("forecast", "Point", [goal], row))
-            rings.append(Layer("ring", "Polygon", ring, row))
+            add("forecast", [goal], row)
+            add("ring", ring_of(row["forecast"], start, goal), row)
         before = end
-    layers += rings[-LAST:]
+    del layers.get("ring", [])[:-LAST]
     ahead = report.get("next_dive")
     if ahead is not None:
         last, goal = (place_in(ahead, prefix) for prefix in ("from_", ""))
-        layers += [
-            Layer("way", "LineString", [last, goal], ahead),
-            Layer("next", "Point", [goal], ahead, words_of_next(ahead), ahead["time"]),
-            Layer(
-                "ring next",
-                "Polygon",
-                ring_of(ahead, last, goal),
-                ahead,
-                when=ahead["time"],
-            ),
-        ]
+        add("last", [last], {"dive": row["dive"], "time": row["end"]})
+        add("way", [last, goal], ahead)
+        add("next", [goal], ahead, words_of_next(ahead), ahead["time"])
+        add("ring next", ring_of(ahead, last, goal), ahead, when=ahead["time"])
     for leg in report.get("aim") or ():
-        target, (begin, end) = (
-            place_in(leg, ""),
-            (place_in(leg, prefix) for prefix in ("from_", "end_")),
-        )
-        layers += [
-            Layer("target", "Point", [target], leg, leg["place"]),
-            Layer("aim", "LineString", [begin, target], leg),
-            Layer("made", "LineString", [begin, end], leg),
-            Layer(
-                "ring aimed", "Polygon", ring_of(leg, begin, end), leg, when=leg["end"]
-            ),
-        ]
-    by_kind = defaultdict(list)
-    for layer in layers:
-        by_kind[layer.kind].append(layer)
-    return by_kind
+        target, begin, end = (place_in(leg, prefix) for prefix in ("", "from_", "end_"))
+        add("target", [target], leg, leg["place"])
+        add("aim", [begin, target], leg)
+        add("made", [begin, end], leg)
+        add("ring aimed", ring_of(leg, begin, end), leg, when=leg["end"])
+    return layers
+
+
+def _feature(
+    kind: str, places: list[Place], of: dict[str, Any], words: str, when: str
+) -> Feature:
+    """Return a feature of a row, next dive or leg; only points have its values."""
+    name, colour = NAMES.get(kind, ("", ""))
+    if len(places) > 1:
+        shape = "Polygon" if kind.startswith("ring") else "LineString"
+        properties = {"time": when} if when else {}
+    else:
+        shape = "Point"
+        properties = {key: value for key, value in of.items() if value is not None}
+    if kind == "next":
+        properties = {"description": words, **properties}
+    if kind == "fix":
+        name = f"{name} {of['dive']}"
+    return Feature(name, shape, places, colour, when, words, properties)
