@@ -1,92 +1,49 @@
-from . import currents, gliders, parts, replay, theory
-from .app.pages.writing import report
-from .base.errors import (
-    ArgumentError,
-    BlockError,
-    ClptError,
-    DataError,
-    DiagramError,
-    ScenarioError,
-    SimulationError,
-)
-from .engine.conformance.checks import check
-from .engine.diagram.interconnection import connect
-from .engine.diagram.linearization import linearize
-from .engine.diagram.symbolic_equations import equations
-from .engine.model.block import Block
-from .engine.model.declaration import Guard
-from .engine.model.sampled import Sampled
-from .engine.trace.interpolators import lookup
-from .ensemble.run import run_ensemble
-from .ensemble.tune import tune_law
-from .paper.laws.table import laws
-from .paper.scenario.experiment import Scenario
-from .paper.scenario.file import paper_scenario, save_scenario
-from .paper.scenario.team import Team, load_scenario
-from .plots.drawing.figure import draw
-from .simulation.animation import animate
-from .simulation.comparison import compare
-from .simulation.fitting import fit_parameters
-from .simulation.initial_states import initial_state
-from .simulation.integrate import simulate
-from .simulation.loop_blocks import paper_blocks
-from .simulation.loops import closed_loop
-from .simulation.program_export import export
-from .simulation.run_file import load_diagram, load_run, save_run
-from .simulation.sensitivities import sensitivity
-from .theory.excitation.certify import certify
-from .theory.excitation.gramian import gramian
-from .theory.lyapunov_function import lyapunov
-from .theory.proofs.prove_law import prove
-from .theory.refuting import refute
+from . import currents as currents
+from . import gliders as gliders
+from . import parts as parts
+from . import replay as replay
+from . import theory as theory
+from .app.pages.writing import report as report
+from .base.errors import ArgumentError as ArgumentError
+from .base.errors import BlockError as BlockError
+from .base.errors import ClptError as ClptError
+from .base.errors import DataError as DataError
+from .base.errors import DiagramError as DiagramError
+from .base.errors import ScenarioError as ScenarioError
+from .base.errors import SimulationError as SimulationError
+from .engine.conformance.checks import check as check
+from .engine.diagram.interconnection import connect as connect
+from .engine.diagram.linearization import linearize as linearize
+from .engine.diagram.symbolic_equations import equations as equations
+from .engine.model.block import Block as Block
+from .engine.model.declaration import Guard as Guard
+from .engine.model.sampled import Sampled as Sampled
+from .engine.trace.interpolators import lookup as lookup
+from .ensemble.run import run_ensemble as run_ensemble
+from .ensemble.tune import tune_law as tune_law
+from .paper.laws.table import laws as laws
+from .paper.scenario.experiment import Scenario as Scenario
+from .paper.scenario.file import paper_scenario as paper_scenario
+from .paper.scenario.file import save_scenario as save_scenario
+from .paper.scenario.team import Team as Team
+from .paper.scenario.team import load_scenario as load_scenario
+from .plots.drawing.figure import draw as draw
+from .simulation.animation import animate as animate
+from .simulation.comparison import compare as compare
+from .simulation.fitting import fit_parameters as fit_parameters
+from .simulation.initial_states import initial_state as initial_state
+from .simulation.integrate import simulate as simulate
+from .simulation.loop_blocks import paper_blocks as paper_blocks
+from .simulation.loops import closed_loop as closed_loop
+from .simulation.program_export import export as export
+from .simulation.run_file import load_diagram as load_diagram
+from .simulation.run_file import load_run as load_run
+from .simulation.run_file import save_run as save_run
+from .simulation.sensitivities import sensitivity as sensitivity
+from .theory.excitation.certify import certify as certify
+from .theory.excitation.gramian import gramian as gramian
+from .theory.lyapunov_function import lyapunov as lyapunov
+from .theory.proofs.prove_law import prove as prove
+from .theory.refuting import refute as refute
 
 __version__: str
-__all__ = [
-    "ArgumentError",
-    "Block",
-    "BlockError",
-    "ClptError",
-    "DataError",
-    "DiagramError",
-    "Guard",
-    "Sampled",
-    "Scenario",
-    "ScenarioError",
-    "SimulationError",
-    "Team",
-    "animate",
-    "certify",
-    "check",
-    "closed_loop",
-    "compare",
-    "connect",
-    "currents",
-    "draw",
-    "equations",
-    "export",
-    "fit_parameters",
-    "gliders",
-    "gramian",
-    "initial_state",
-    "laws",
-    "linearize",
-    "load_diagram",
-    "load_run",
-    "load_scenario",
-    "lookup",
-    "lyapunov",
-    "paper_blocks",
-    "paper_scenario",
-    "parts",
-    "prove",
-    "refute",
-    "replay",
-    "report",
-    "run_ensemble",
-    "save_run",
-    "save_scenario",
-    "sensitivity",
-    "simulate",
-    "theory",
-    "tune_law",
-]

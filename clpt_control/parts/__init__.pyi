@@ -1,24 +1,16 @@
-from .controllers import pid
-from .lags import delay, hold, lag
-from .limits import backlash, dead_zone, lookup_table, rate_limit, relay, saturation
-from .observers import kalman_filter, noise, observer
-from .vehicles import planar_vehicle, point_vehicle, thrusters
-
-__all__ = [
-    "backlash",
-    "dead_zone",
-    "delay",
-    "hold",
-    "kalman_filter",
-    "lag",
-    "lookup_table",
-    "noise",
-    "observer",
-    "pid",
-    "planar_vehicle",
-    "point_vehicle",
-    "rate_limit",
-    "relay",
-    "saturation",
-    "thrusters",
-]
+from .controllers import pid as pid
+from .lags import delay as delay
+from .lags import hold as hold
+from .lags import lag as lag
+from .limits import backlash as backlash
+from .limits import dead_zone as dead_zone
+from .limits import lookup_table as lookup_table
+from .limits import rate_limit as rate_limit
+from .limits import relay as relay
+from .limits import saturation as saturation
+from .observers import kalman_filter as kalman_filter
+from .observers import noise as noise
+from .observers import observer as observer
+from .vehicles import planar_vehicle as planar_vehicle
+from .vehicles import point_vehicle as point_vehicle
+from .vehicles import thrusters as thrusters
