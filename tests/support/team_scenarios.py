@@ -21,6 +21,11 @@ def team(coupling=0.6, edges=None, **members):
     return clpt.Team(members=members, edges=edges, coupling=coupling)
 
 
+def write_team(path, of):
+    """Write a team's TOML file: the text that its run carries."""
+    path.write_text(clpt.simulate(of, [0.0, 0.5]).attrs["team"])
+
+
 DIFFERENT = {
     "a": vehicle(vehicle_position=[1.0, -0.5], learning_position=[0.5, 0.5]),
     "b": vehicle(

@@ -7,17 +7,15 @@ import numpy as np
 import pytest
 from image_checks import inked
 from law_blocks import off, papers_law
-from team_scenarios import FILE, team, vehicle
+from team_scenarios import FILE, team, vehicle, write_team
 
 import clpt_control
-from clpt_control.paper.scenario.team import team_to_text
 from examples import team as example
 
 
 def test_a_team_runs_and_runs_again(clpt, printed):
-    Path("team.toml").write_text(
-        team_to_text(team(a=vehicle(), b=vehicle(reference_radius=2.0)))
-    )
+    file = Path("team.toml")
+    write_team(file, team(a=vehicle(), b=vehicle(reference_radius=2.0)))
     words = ("run", "team.toml", "--out", "run.nc")
     out = clpt(*words, "--figures", "figures").out
     assert re.search(
@@ -72,8 +70,7 @@ QUICK = ("--window", "60", "--start", "60", "--for", "kappa")
 
 
 @pytest.fixture
-def paper(monkeypatch):
-    monkeypatch.setattr("clpt_control.theory.design.search.LONG_CLIMB", 5)
+def paper():
     scenario = clpt_control.paper_scenario().with_values({"run.duration": 200})
     clpt_control.save_scenario(scenario, "paper.toml")
 

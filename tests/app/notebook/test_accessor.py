@@ -13,14 +13,11 @@ from scipy.io import loadmat
 from subprocesses import ran
 
 import clpt_control as clpt
-from clpt_control.ocean.forecast.plots import current_plot, dive_clpe_plot
-from clpt_control.ocean.forecast.track_map import map_plot
-from clpt_control.simulation.track_chart import track_plot
 
 ORDERS = (
     "clpt_control, xarray",
     "xarray, clpt_control",
-    "clpt_control.paper.scenario, xarray.core",
+    "clpt_control.currents, xarray.core",
 )
 
 
@@ -50,7 +47,7 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
     loaded, vary = clpt.load_scenario(tmp_path / "s.toml"), "learning.gain=0.2:2.0"
     clpt.save_run(clpt.simulate(loaded), tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc") as opened:
-        assert track_plot(opened).has_data()
+        assert opened.clpt.plot("track").has_data()
     for out in (None, tmp_path / "e.zarr"):
         data = clpt.run_ensemble(loaded, vary, 2, out=out)
         assert data.clpt.scenario.field_path.is_file()
@@ -58,7 +55,7 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
 
 
 def test_teams_ensembles_and_replays(made, scenario, tmp_path):
-    replay, data = made["replay"], clpt.replay.replay_dataset(made["replay"])
+    data = clpt.replay.replay_dataset(made["replay"])
     for kind, one, count in (
         *(
             ("team", made["team"], 3),
@@ -72,10 +69,9 @@ def test_teams_ensembles_and_replays(made, scenario, tmp_path):
     assert made["ensemble"].clpt.scenario == scenario
     data.to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as opened:  # times decoded
-        for plot in (current_plot, map_plot, dive_clpe_plot):
-            for of_data, own in zip(
-                np.ravel(plot(opened)), np.ravel(plot(replay)), strict=True
-            ):
+        for name in ("current", "map", "clpe"):
+            decoded, whole = opened.clpt.plot(name), data.clpt.plot(name)
+            for of_data, own in zip(np.ravel(decoded), np.ravel(whole), strict=True):
                 assert of_data.get_title(loc="left") == own.get_title(loc="left")
                 for a, b in zip(of_data.lines, own.lines, strict=True):
                     np.testing.assert_allclose(a.get_ydata(), b.get_ydata(), atol=1e-3)
@@ -87,9 +83,7 @@ def test_what_is_not_ours_is_one_sentence(made):
     says(clpt.ClptError, "", lambda: foreign.clpt.scenario)
     says(clpt.ClptError, "", foreign.clpt.plot)
     says(clpt.ClptError, "", clpt.report, foreign, "page.html")
-    says(clpt.ClptError, "", map_plot, made["run"])
-    for draw in (track_plot, map_plot, clpt.animate):
-        says(clpt.ClptError, "", draw, foreign)
+    says(clpt.ClptError, "", clpt.animate, foreign)
 
 
 def test_a_run_is_linearized_at_one_of_its_times(scenario):

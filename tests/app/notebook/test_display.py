@@ -7,8 +7,6 @@ import pytest
 from html_parser import Reader
 
 import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import compile
-from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 EVIL = '<b onload="x">&'
 
@@ -34,7 +32,7 @@ def things():
         "Diagram": clpt.connect([block], external=["a<i>"], name="d<i>"),
         "Drawing": clpt.draw(loop),
         "Replay": replay,
-        "Verdict": clpt.prove(LAW.of(1, gain=-0.5), points=200),
+        "Verdict": clpt.prove(clpt.laws()["learned-flow"].of(1, gain=-0.5), points=200),
         "Excitation": clpt.gramian(team, 20.0),
         "Movie": clpt.animate(clpt.simulate(scenario), seconds=0.2, width=200),
     }
@@ -65,7 +63,6 @@ def test_what_has_no_table_says_itself_in_one_line(things):
         "Search of learned-flow: not refuted in ": clpt.refute(
             "learned-flow", budget=0.5
         ),
-        "NativeDiagram: 1 blocks, 1 states": compile(clpt.parts.lag(1.0)),
         "NextDive: up 2016-02-01 ": clpt.replay.next_dive(things["Replay"]),
         "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(
             things["Replay"], [(-42.8, 8.4)]

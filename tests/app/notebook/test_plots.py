@@ -6,6 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from error_sentences import says
+from film_frames import frame_of
 from gridded_currents import uniform_field
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
@@ -14,14 +15,6 @@ from PIL import Image, ImageSequence
 
 import clpt_control as clpt
 from clpt_control import save_run
-from clpt_control.app.notebook import accessor
-from clpt_control.base.figures import BLUE, GREEN, figure_of, inline_svg, new_figure
-from clpt_control.ensemble.ensemble_statistics import ensemble_plot
-from clpt_control.ocean.forecast.track_map import map_plot
-from clpt_control.simulation.animation import draw_samples
-from clpt_control.simulation.run_plots import clpe_plot
-from clpt_control.simulation.team_plots import team_plot
-from clpt_control.simulation.track_chart import track_plot
 
 COUNTS = {  # kind of dataset -> name of a plot -> number of its Axes
     "run": {"": 7, "track": 1, "clpe": 2, "learning": 2, "signals": 10},
@@ -38,10 +31,11 @@ PLOTS = [
 ]
 
 
-def test_all_plots_are_listed():
-    assert {kind: {*plots} for kind, plots in accessor.PLOTS.items()} == {
-        kind: {*plots} for kind, plots in COUNTS.items()
-    }
+@pytest.mark.parametrize("kind", COUNTS)
+def test_all_plots_are_listed(made, kind):
+    names = ", ".join(filter(None, COUNTS[kind])) or "no name"
+    said = f"plot 'x': must be {names}, for a {kind}"
+    says(clpt.ClptError, said, plot_of(made, kind, "x"))
 
 
 def plot_of(made, kind, name):
@@ -77,41 +71,36 @@ def test_on_given_axes(kind, name, count, made):
     assert plt.get_fignums() == [figure.number]
 
 
-def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(made, monkeypatch):
-    assert track_plot(made["run"]).figure is plt.gcf()
+def test_without_axes_a_plot_is_the_figure_of_pyplot_or_of_a_file(
+    made, monkeypatch, tmp_path
+):
+    assert made["run"].clpt.plot("track").figure is plt.gcf()
     plt.close("all")
-    assert figure_of(track_plot, made["run"]).axes
+    clpt.report(made["run"], tmp_path / "run.html")
     assert plt.get_fignums() == []
 
     def closed(**_):
         raise ImportError("headless")  # a window cannot be opened
 
     monkeypatch.setattr(plt, "figure", closed)
-    assert track_plot(made["run"]).has_data()
+    assert made["run"].clpt.plot("track").has_data()
 
 
 def test_what_is_no_run_is_one_sentence(made):
-    for given, said in (
-        (made["replay"], "must be an xarray.Dataset"),
-        (made["team"], "team's; run.clpt.plot"),
-        (made["run"].drop_attrs(), "carries no scenario"),
-        (made["run"].isel(time=-1), "has no time over time, as its scenario has"),
-    ):
-        says(clpt.ClptError, said, track_plot, given)
-    for plot in (ensemble_plot, team_plot, map_plot):
-        says(clpt.ClptError, "", plot, made["run"])
+    moment, said = made["run"].isel(time=-1), "has no time over time, as its scenario"
+    says(clpt.ClptError, said, moment.clpt.plot, "track")
     lacking, said = (
         made["team"].drop_vars("alpha"),
         "the run has no alpha over vehicle 2, time",
     )
-    says(clpt.DataError, said, team_plot, lacking)
+    says(clpt.DataError, said, lacking.clpt.plot)
 
 
 def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
     with plt.rc_context({"text.usetex": True}):
-        text = inline_svg(figure_of(clpe_plot, made["run"]), "clpe", "CLPE")
+        clpt.report(made["run"], tmp_path / "run.html")
         clpt.animate(made["run"], tmp_path / "run.gif", seconds=0.2, fps=5, width=200)
-    assert ">CLPE (m)<" in text
+    assert ">CLPE (m)<" in (tmp_path / "run.html").read_text("utf-8")
 
 
 # --- films ---------------------------------------------------------------------------------------
@@ -125,6 +114,8 @@ def run(made):
 def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
     file, words = tmp_path / "run.gif", ("report", tmp_path / "run.nc", "--film", "-o")
     save_run(run, tmp_path / "run.nc")
+    lines = {one.get_label(): one for one in frame_of(run, 0).lines}
+    colours = [to_rgb(lines[name].get_color()) for name in ("vehicle", "prediction")]
     done = clpt(*words, file, "--seconds", 1, "--fps", 10, "--width", 300)
     assert done.out == f"Wrote {file}\n"
     refused_for(["must end in .gif"], *words, tmp_path / "film.doc")
@@ -133,7 +124,7 @@ def test_a_film_has_its_frames(run, clpt, refused_for, tmp_path):
         for frame in ImageSequence.Iterator(film):
             assert frame.info["duration"] == 100
             pixels = np.asarray(frame.convert("RGB")).reshape(-1, 1, 3) / 255
-            near = np.abs(pixels - [to_rgb(BLUE), to_rgb(GREEN)]).max(axis=2) < 0.03
+            near = np.abs(pixels - colours).max(axis=2) < 0.03
             assert near.sum(axis=0).min() > 10  # vehicle and prediction are there
     assert {one.name for one in tmp_path.iterdir()} == {"run.nc", "run.gif"}
 
@@ -145,8 +136,7 @@ def test_hundredths_of_a_second_are_whole_and_the_film_lasts_as_long(run):
 
 def drawn(run, at):
     """Return the lines by name, and the arrows, that are drawn of a sample."""
-    _, ax = new_figure()
-    next(draw_samples(ax, run, np.array([at])))
+    ax = frame_of(run, at)
     arrows = {one.get_label(): one for one in ax.collections if isinstance(one, Quiver)}
     return {one.get_label(): one.get_xydata() for one in ax.lines}, arrows
 
@@ -197,7 +187,9 @@ def test_refusals(run, made, scenario, tmp_path):
             "would take 2.0 GB of memory",
         ),
         (made["team"], {}, "the run is a team's"),
+        (run.drop_attrs(), {}, "carries no scenario"),
         (scenario, {}, "must be an xarray.Dataset"),
+        (made["replay"], {}, "must be an xarray.Dataset"),
     ):
         says(clpt.ClptError, said, clpt.animate, given, **options)
     assert list(tmp_path.iterdir()) == []

@@ -6,24 +6,17 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from xml.etree import ElementTree
 
+import control
 import matplotlib
 import numpy as np
 import pytest
 import xarray
 from error_sentences import says
 from html_parser import fetching_nothing
-from matplotlib.figure import Figure
 from synthetic_vehicle import fixes_of
 
 import clpt_control as clpt
-from clpt_control import ClptError, DataError
-from clpt_control.app.pages.page import page_html
-from clpt_control.app.pages.results import run_result
-from clpt_control.app.pages.writing import page_of, report
-from clpt_control.base.figures import inline_svg, new_figure
-from clpt_control.base.html import _asset
-from clpt_control.ensemble.store import Store
-from clpt_control.simulation.summary import run_and_report
+from clpt_control import ClptError, DataError, report
 
 EVIL = "</title></style><script>alert(1)</script><img src=x onerror='alert(2)'>\"&amp;"
 SECTIONS = [
@@ -47,9 +40,21 @@ def run():
     return clpt.simulate(SHORT)
 
 
-@pytest.fixture(scope="module")
-def page(run):
-    return page_html(page_of(run))
+@pytest.fixture
+def page_of(tmp_path):
+    """Return the HTML of a dataset's report."""
+
+    def written(data):
+        clpt.report(data, tmp_path / "page.html")
+        return (tmp_path / "page.html").read_text("utf-8")
+
+    return written
+
+
+@pytest.fixture
+def words(page_of, undrawn):
+    """Return the texts of a report, without its figures: cells of a row are joined by bars."""
+    return lambda data: "|".join(map(str.strip, fetching_nothing(page_of(data)).texts))
 
 
 def checked(text, *said):
@@ -57,7 +62,7 @@ def checked(text, *said):
     read = fetching_nothing(text)
     assert [one for one in said if one not in text] == []
     assert [tag for tag, _ in read.tags].count("script") == 1
-    assert text.endswith(f"<script>{_asset('figures.js')}</script></body></html>\n")
+    assert text.endswith("</script></body></html>\n")
     assert "http" not in text.replace("http-equiv", "")
     own, named = [names["id"] for _, names in read.tags if "id" in names], []
     assert len(own) == len(set(own))
@@ -73,19 +78,8 @@ def checked(text, *said):
     return read
 
 
-def words(data):
-    """What a page says, without its figures."""
-    with pytest.MonkeyPatch.context() as patch:
-        for file in ("page", "run_page"):
-            patch.setattr(
-                f"clpt_control.app.pages.{file}.figure_of", lambda *_: Figure()
-            )
-        page = page_of(data)
-    parts = [f"{one.more} {' '.join(map(str, one.result))}" for one in page.sections]
-    return "\n".join([*page.sentences, *page.warnings, *parts])
-
-
-def test_a_run_has_its_page(page):
+def test_a_run_has_its_page(run, page_of):
+    page = page_of(run)
     read = checked(page)
     assert [names["id"] for tag, names in read.tags if tag == "h2"] == SECTIONS
     assert [tag for tag, _ in read.tags].count("svg") == 7
@@ -95,22 +89,27 @@ def test_a_run_has_its_page(page):
     assert len(page) < 1_000_000
 
 
-def test_each_figure_of_a_run_has_words_of_its_own(run):
-    captions = {one.name: one.caption for one in page_of(run).figures if one.caption}
-    assert captions["clpe"].startswith("The prediction error, ")
-    assert len(captions) == len(set(captions.values()))
+@pytest.mark.usefixtures("undrawn")
+def test_each_figure_of_a_run_has_words_of_its_own(run, page_of):
+    figures = [
+        names for tag, names in fetching_nothing(page_of(run)).tags if tag == "svg"
+    ]
+    captions = [names["aria-label"] for names in figures]
+    assert [one for one in captions if one.startswith("The prediction error, ")]
+    assert len(captions) == len(set(captions))
 
 
-def test_nothing_of_a_run_is_markup(run, monkeypatch):
-    monkeypatch.setattr("clpt_control.app.pages.page.inline_svg", lambda *_: "")
+@pytest.mark.usefixtures("undrawn")
+def test_nothing_of_a_run_is_markup(run, page_of):
     scenario = run.attrs["scenario"].replace("Two waypoints", EVIL.replace('"', '\\"'))
     bad = run.assign_attrs(
         title=EVIL, message=EVIL, status=EVIL, software=EVIL, scenario=scenario
     )
-    assert sum(EVIL in text for text in checked(page_html(page_of(bad))).texts) >= 4
+    assert sum(EVIL in text for text in checked(page_of(bad)).texts) >= 4
 
 
-def test_a_number_that_is_none_is_refused(run):
+@pytest.mark.usefixtures("undrawn")
+def test_a_number_that_is_none_is_refused(run, page_of):
     for name in ("clpe", "feedback_gain", "flow_parameters_estimate"):
         bad = run.assign({name: run[name].where(run.time < 40)})
         says(
@@ -122,27 +121,29 @@ def test_a_number_that_is_none_is_refused(run):
     page_of(run.assign(alpha=run.alpha.where(run.time > 30)))  # not shown
 
 
-def test_one_sample_is_said_and_two_of_a_vehicle_at_rest_in_still_water_are_drawn(run):
-    text = page_html(page_of(run.isel(time=[-1])))
+def test_one_sample_is_said_and_two_of_a_vehicle_at_rest_in_still_water_are_drawn(
+    run, page_of
+):
+    text = page_of(run.isel(time=[-1]))
     checked(text, "one sample: nothing can be drawn over time", "Not measured")
     still = {"kind": "waypoints", "points": [[0, 0]], "dwell": 20}
     calm = SHORT.with_values({"flow.parameters": np.zeros((2, 3)), "reference": still})
     still = clpt.simulate(calm)
     assert float(np.abs(still.position).max()) == 0
-    checked(page_html(page_of(still.isel(time=[0, -1]))))
+    checked(page_of(still.isel(time=[0, -1])))
 
 
 @pytest.mark.slow
-def test_many_samples_stay_small(run):
+def test_many_samples_stay_small(run, page_of):
     long = run.interp(time=np.linspace(0, 40, 60_001)).assign(
         flow_parameters=run.flow_parameters
     )
-    text = page_html(page_of(long))
+    text = page_of(long)
     checked(text, "Drawn from 1 in 11 of 60001 samples")
     assert len(text) < 2_000_000
 
 
-def test_what_the_scenario_does_not_hold_is_said(run):
+def test_what_the_scenario_does_not_hold_is_said(run, words):
     steered = clpt.closed_loop(SHORT, external=("zc",))
     times, start = np.linspace(0, 40, 41), clpt.initial_state(SHORT)
     steps = clpt.simulate(steered, times, inputs=[3, 0], initial_state=start)
@@ -165,50 +166,58 @@ def test_what_the_scenario_does_not_hold_is_said(run):
         assert said in words(data)
 
 
-@pytest.fixture(scope="module")
-def found():
-    return run_and_report(SHORT)
+@pytest.fixture
+def found(printed, tmp_path):
+    """The figures that `clpt run` prints of a run, and the run."""
+    clpt.save_scenario(SHORT, tmp_path / "s.toml")
+    summary = printed("run", tmp_path / "s.toml", "--out", tmp_path / "run.nc")
+    return summary, clpt.load_run(tmp_path / "run.nc")
 
 
-def test_figures_of_clpt_run_are_those_of_the_page(found):
-    text = words(found.run)
-    assert f"['CLPE rms, whole run (m)', '{found.summary['clpe_rms']:.3g}']" in text
+def test_figures_of_clpt_run_are_those_of_the_page(found, words):
+    summary, run = found
+    text = words(run)
+    assert f"CLPE rms, whole run (m)|{summary['clpe_rms']:.3g}|" in text
     assert "of the file" not in text
-    assert "samples of the file" in words(found.run.isel(time=slice(10)))
+    assert "samples of the file" in words(run.isel(time=slice(10)))
 
 
-def test_a_share_of_a_current_near_all_of_it_is_not_all(found):
-    """0.9996 of it is 99.96 %, in the table of a run on a page and on a terminal."""
+def with_figures(run, **changed):
+    """Return a run that carries changed figures."""
+    figures = json.loads(run.attrs["summary"]) | changed
+    return run.assign_attrs(summary=json.dumps(figures))
+
+
+def test_a_share_of_a_current_near_all_of_it_is_not_all(found, words):
+    """0.9996 of it is 99.96 %."""
     shares = {"track": 0.9996, "box": -0.5, "window": [30.0, 40.0]}
-    summary = found.summary | {"explained_variance": shares}
-    rows = run_result(summary, "").rows
-    assert ["share of the flow's variance learned, track", "99.96 %"] in rows
-    assert rows[-1][1] == "-50 %; negative: worse than the mean current"
-    text = words(found.run.assign_attrs(summary=json.dumps(summary)))
-    assert all(str(row) in text for row in rows[1:])
+    text = words(with_figures(found[1], explained_variance=shares))
+    assert "share of the flow's variance learned, track|99.96 %|" in text
+    assert "|-50 %; negative: worse than the mean current|" in text
 
 
-def test_part_of_a_run_has_no_first_round():
+def test_part_of_a_run_has_no_first_round(words):
     """From t = 150 of rounds of 200 on: the first, which was the worst, is not among them."""
     run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 600}))
     part = run.sel(time=slice(150, 500))
     text = words(part)
     rms = ((part.position - part.predicted_position) ** 2).sum("axis").mean() ** 0.5
     assert "CLPE rms per cycle" not in text
-    assert f"['CLPE rms, whole run (m)', '{float(rms):.3g}']" in text
+    assert f"CLPE rms, whole run (m)|{float(rms):.3g}|" in text
     said = "The page shows t = 7 to 7 s of the run..*over the 1 samples of the file"
     assert re.search(f"(?s){said}", words(run.isel(time=[7])))
 
 
-def test_damaged_figures_of_a_run_are_not_believed(found):
-    right = json.loads(found.run.attrs["summary"])
+def test_damaged_figures_of_a_run_are_not_believed(found, words):
+    _, run = found
+    right = json.loads(run.attrs["summary"])
     for summary in (
         *({"end": right["end"]}, right | {"clpe_rms": None}),
         *(right | {"clpe_rms_per_cycle": "0.1"}, right | {"explained_variance": [0.5]}),
         right | {"max_flow_parameter_error": {"40": float("nan")}},
     ):
         assert "samples of the file" in words(
-            found.run.assign_attrs(summary=json.dumps(summary))
+            run.assign_attrs(summary=json.dumps(summary))
         )
 
 
@@ -222,7 +231,7 @@ def test_an_ensemble_has_its_page_and_figures(printed, tmp_path):
     assert sorted(found["figures"]) == sorted(map(str, folder.iterdir())) == names
 
 
-def test_an_ensemble_that_failed_has_its_page():
+def test_an_ensemble_that_failed_has_its_page(words):
     long = SHORT.with_values({"run.duration": 250})
     text = words(clpt.run_ensemble(long, "vehicle.position=[[1e200,0],[1e201,0]]", 2))
     said = "2 of 2 runs ended early.*2 step too small.*did not finish is 0"
@@ -230,20 +239,12 @@ def test_an_ensemble_that_failed_has_its_page():
 
 
 @pytest.mark.parametrize("done", [0, 1])
-def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, monkeypatch, done):
-    write, left = Store.write, [True] * done
-
-    def stops(self, index, arrays):
-        if not left:
-            raise KeyboardInterrupt
-        left.pop()
-        write(self, index, arrays)
-
-    monkeypatch.setattr(Store, "write", stops)
-    # a process that is killed removes nothing
-    monkeypatch.setattr("clpt_control.ensemble.run.remove_empty", lambda store: None)
-    with pytest.raises(KeyboardInterrupt):
-        clpt.run_ensemble(SHORT, VARY, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
+def test_an_ensemble_under_way_says_how_far_it_is(tmp_path, done):
+    """Chunks that a killed process has not written have no files."""
+    clpt.run_ensemble(SHORT, VARY, 6, out=tmp_path / "e.zarr", chunk=2, threads=1)
+    for name in ("done", "status"):
+        for chunk in range(done, 3):
+            (tmp_path / "e.zarr" / name / "c" / str(chunk)).unlink()
     said = clpt.report(tmp_path / "e.zarr", tmp_path / "e.html")["sentences"]
     told = f"not complete: {2 * done} of 6 members are done"
     assert told in said[1]  # where the command ran
@@ -281,6 +282,29 @@ def test_the_command_looks_at_what_a_file_is_and_figures_have_their_formats(
     own = {"figures": tmp_path, "formats": ["gif"]}
     said = "format 'gif': must be one of png, pdf, svg"
     says(ClptError, said, report, run, tmp_path / "r.html", **own)
+
+
+WORSE = "the flow learned is worse than the mean current"
+RISES = "CLPE does not fall: its last cycle is above the first"
+REMEDY = r"Try another law \(`clpt tune`\), .*see docs/laws\.md"
+ADVICE = [  # CLPE of each cycle, shares learned on the track and in the box, advice
+    ([0.2, 0.1], 0.9, 0.4, ""),
+    ([0.2, 0.2], 0.0, None, ""),
+    ([0.2], 0.9, 0.4, ""),
+    ([0.2, 0.1], -0.1, 0.4, WORSE),
+    ([0.2, 0.1], 0.9, -0.4, WORSE),
+    ([0.1, 0.05, 0.2], 0.9, 0.4, RISES),
+    ([0.1, 0.2], -0.1, 0.4, f"{RISES}; {WORSE}"),
+]
+
+
+def test_faults_of_learning_have_a_sentence_and_a_remedy(found, words):
+    for rms, track, box, said in ADVICE:
+        shares = {"track": track, "box": box, "window": [10.0, 20.0]}
+        changed = {"clpe_rms_per_cycle": rms, "explained_variance": shares}
+        text = words(with_figures(found[1], **changed))
+        advice = re.findall(rf"\|([^|]*)\. {REMEDY}", text)
+        assert advice == ([said] if said else [])
 
 
 NO_SUMMARY = {  # of a replay's NetCDF
@@ -327,12 +351,16 @@ def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeyp
 
 
 @pytest.mark.filterwarnings("ignore:Glyph")
-def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls():
-    figure, ax = new_figure(2, 1)
-    ax.set_ylabel("lyapunov (\x1b[31m)")
-    drawn = inline_svg(figure, "own", "said")
-    assert "lyapunov (\ufffd[31m)" in drawn
-    ElementTree.fromstring(drawn)
+def test_a_text_that_no_page_may_hold_is_drawn_without_its_controls(page_of):
+    lag = control.ss(-1, 1, 1, 0, name="lag", outputs="level")
+    run = clpt.simulate(lag, [0, 1, 2], 1.0)
+    run.level.attrs["units"] = "\x1b[31m"
+    text = page_of(run)
+    figures = re.findall("(?s)<svg.*?</svg>", text)
+    assert [one for one in figures if "level (\ufffd[31m)" in one]
+    for one in figures:
+        ElementTree.fromstring(one)
+    checked(text)
 
 
 def test_threads_write_the_same_page_and_leave_matplotlibs_settings(tmp_path):
