@@ -1,5 +1,6 @@
 """Files that commands are given: the paper's scenario with changed keys, and one of each kind."""
 
+import json
 import shutil
 import tomllib
 from pathlib import Path
@@ -10,7 +11,6 @@ from team_scenarios import FILE
 from tidal_records import times, waves, write_table
 
 import clpt_control as clpt
-from clpt_control.paper.scenario.file import paper_text, toml
 
 RUN = ("run", "s.toml", "--out", "run.nc")
 ENSEMBLE = (
@@ -64,8 +64,18 @@ def seldom(cases, often=1):
     return [pytest.param(one, marks=rare * (k >= often)) for k, one in enumerate(cases)]
 
 
+def toml(tables, outer=""):
+    """Return nested dicts as TOML, whose strings, numbers and lists are those of JSON."""
+    inner = {key: one for key, one in tables.items() if isinstance(one, dict)}
+    values = [(key, one) for key, one in tables.items() if key not in inner]
+    lines = [f"[{outer[:-1]}]"] if outer else []
+    lines += [f"{key} = {json.dumps(one).replace('NaN', 'nan')}" for key, one in values]
+    return "\n".join([*lines, *(toml(inner[key], f"{outer}{key}.") for key in inner)])
+
+
 def write(changes, path="s.toml"):
-    tables = tomllib.loads(paper_text())
+    clpt.save_scenario(clpt.paper_scenario(), path)
+    tables = tomllib.loads(Path(path).read_text())
     for key, value in changes.items():
         *place, last = key.split(".")
         table = tables

@@ -1,6 +1,5 @@
 """The command line: figures within 1e-6 of independent numbers, and what it leaves."""
 
-import errno
 import json
 import os
 import re
@@ -15,7 +14,6 @@ import control
 import numpy as np
 import pytest
 from command_outputs import COMMANDS, FOLLOW, seldom, write, write_each
-from error_sentences import says
 from paths import TESTS
 from responses import states_of
 from subprocesses import (
@@ -29,9 +27,6 @@ from subprocesses import (
 )
 
 import clpt_control
-from clpt_control.app import cli
-from clpt_control.app.cli import application
-from clpt_control.app.cli.printing import print_json, print_table
 
 HERE = TESTS
 HEARD = CODE.replace(
@@ -190,12 +185,6 @@ def test_an_output_at_the_limit_of_its_size_is_named():
     assert done.stderr == said
 
 
-def test_too_many_open_files_are_one_sentence(capsys):
-    answer = cli._answer(OSError(errno.EMFILE, "Too many open files", "DejaVuSans.ttf"))
-    said = "clpt: too many files are open at once; allow more (ulimit -n)\n"
-    assert (answer, capsys.readouterr().err) == (1, said)
-
-
 WATCHED = """
 import sys
 asked = ("socket.connect", "socket.bind", "socket.getaddrinfo", "pickle.find_class")
@@ -300,16 +289,27 @@ def test_without_a_home_and_a_cache_the_work_goes_on(tmp_path):
     assert Path("figure1.png").exists()
 
 
-def test_an_interrupted_import_is_an_interrupt(clpt, monkeypatch):
-    def broken():
-        try:
-            raise KeyboardInterrupt
-        except KeyboardInterrupt as error:
-            raise ImportError("initialization failed") from error
+BROKEN = """
+import sys
 
-    monkeypatch.setattr(cli, "_run", broken)
-    status, _, err = clpt()
-    assert (status, bool(re.fullmatch(".*interrupted.*\n", err))) == (130, True)
+class Broken:
+    def find_spec(self, name, *_):
+        if name == "control":
+            try:
+                raise {}
+            except KeyboardInterrupt as error:
+                raise ImportError("initialization failed") from error
+
+sys.meta_path.insert(0, Broken())
+sys.argv = ["clpt", "laws"]
+"""
+FAILED_IMPORTS = {  # raised at an import -> status, what is said
+    "KeyboardInterrupt": (130, "clpt: interrupted; nothing half-written was left\n"),
+    "OSError(24, 'Too many open files', 'a.ttf')": (
+        1,
+        "clpt: too many files are open at once; allow more (ulimit -n)\n",
+    ),
+}
 
 
 def test_a_backend_that_matplotlib_does_not_have_is_a_mistake():
@@ -318,22 +318,36 @@ def test_a_backend_that_matplotlib_does_not_have_is_a_mistake():
     assert done.stderr == f"{sentence}Unset it, or set it to agg\n"
 
 
-def test_brackets_in_tables_are_as_they_are(capsys):
-    title, name, *cells = "x[b].csv [/]", "[red]a", "[bold]1[/bold]", "[/x]", ":smile:"
-    print_table(title, [name], [[cell] for cell in cells])
-    text = capsys.readouterr().out
-    assert [said for said in (title, name, *cells) if said not in text] == []
+@pytest.mark.parametrize("error", FAILED_IMPORTS)
+def test_a_failed_import_is_one_sentence(error):
+    status, said = FAILED_IMPORTS[error]
+    code = BROKEN.format(error) + CODE
+    assert ran(sys.executable, "-c", code, status=status).stderr == said
 
 
-def test_figures_that_json_cannot_hold_are_said(capsys):
-    said = "a number is not finite, so JSON cannot represent it"
-    says(clpt_control.SimulationError, said, print_json, {"figure": float("inf")})
-    assert capsys.readouterr().out == ""
+def test_brackets_in_tables_are_as_they_are(clpt):
+    title = "x[b].csv [/] [bold]1[/bold] :smile:"
+    write({"run.duration": 5, "title": title})
+    assert title in clpt("run", "s.toml", "--out", "run.nc").out
+
+
+@pytest.mark.filterwarnings("ignore:overflow")
+def test_figures_that_json_cannot_hold_are_said(clpt):
+    """The square of the distance is no number of 64 bits."""
+    changes = {"run.duration": 5, "vehicle.position": [1e155, 0.0]}
+    changes |= {"vehicle.feedback": [1e-3, 1e-3], "learning.adapt_gains": False}
+    changes |= {"learning.law": "known-flow", "learning.parameters": None}
+    changes |= {"learning.theta_estimate": [[0.0] * 3] * 2}
+    scenario = clpt_control.paper_scenario().with_values(changes)
+    clpt_control.save_scenario(scenario, "s.toml")
+    status, out, err = clpt("run", "s.toml", "--out", "run.nc", "--json")
+    said = "clpt: --json: a number is not finite, so JSON cannot represent it."
+    assert (status, out, err.startswith(said)) == (1, "", True), err
 
 
 # --- manners -------------------------------------------------------------------------------------
 
-CALLED = [one.callback.__name__ for one in application().registered_commands]
+CALLED = sorted({words[0] for words in COMMANDS} - {"--help"})
 TYPES = re.compile(
     r"<|\b(TEXT|FLOAT|INTEGER|PATH|None|inf|float|str|int|list|bool)\b|\.\.\.$"
 )
