@@ -153,7 +153,8 @@ class Job:
     ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
         from ...ocean.forecast.geographic import place
-        from ...ocean.forecast.text_report import aim_sentence, when
+        from ...ocean.forecast.table_rows import when
+        from ...ocean.forecast.text_report import aim_sentence
 
         summary = self.found(*dives)
         used = len(self.replay.steps)

@@ -104,7 +104,9 @@ def _written(
         source, name = read(Path(run)), str(Path(run))
     results: dict[Path, Any] = {}
     if hasattr(source, "steps") or kind_of(source) == "replay":
-        replay = replay_facts(source, name)
+        from ...ocean.forecast.netcdf_export import report_of as replay_report
+
+        replay = replay_report(source, name)
         if figures is not None:
             raise DataError(
                 "figures: not available for a replay. Use clpt replay --out"
@@ -189,25 +191,3 @@ def read(path: Path) -> "xarray.Dataset":
         if kind_of(data) in ("replay", "fixes"):
             return data.load()
     return load_run(path)
-
-
-def replay_facts(replay: Any, name: str) -> dict[str, Any]:
-    """Return the summary of a replay or of its dataset; refuse one without a dive."""
-    from ...ocean.forecast.netcdf_export import summary_in
-    from ...ocean.forecast.replay import next_dive
-    from ...ocean.forecast.replay_summary import summary
-
-    if hasattr(replay, "steps"):
-        ahead = next_dive(replay).as_dict() if replay.steps else None
-        facts = {**summary(replay), "next_dive": ahead}
-    else:
-        facts = summary_in(replay, name)
-    if not (isinstance(facts, dict) and "hindsight" in facts):
-        raise DataError(
-            f"{name}: is a replay of an earlier version. Run `clpt replay` again"
-        )
-    if not facts.get("each_dive") or facts.get("next_dive") is None:
-        raise DataError(
-            f"{name}: is a replay without a dive. Give a replay with one dive at least"
-        )
-    return {"vehicle": "glider", "aim": [], **facts}

@@ -35,7 +35,8 @@ from ..gliders.samples import variation as igrf
 from .geographic import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
 from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
-from .text_report import AGAINST, REACHED, UNDER_WAY, aim_sentence
+from .table_rows import AGAINST, REACHED, UNDER_WAY
+from .text_report import aim_sentence
 
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians

@@ -13,11 +13,11 @@ from ...base.geodesy import displacement, distance
 from ...base.html import safe
 from ...base.units import seconds_since_1970
 from ..estimation.learned_fix import PERCENT
-from . import geographic, text_report
+from . import geographic, table_rows
 from .dive_statistics import Way
-from .map_layers import place_in
 from .surfacing import CLOCK, overdue_times
-from .table_rows import ellipse_words, half_axes
+from .table_rows import ellipse_words, half_axes, is_outside, place_in
+from .text_report import BASES
 
 Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
@@ -94,12 +94,12 @@ def card(
 
 def _surfacing(report: Report) -> str:
     ahead = report["next_dive"]
-    value = f"{geographic.clock(ahead['time'])} {text_report.within(ahead)}"
-    below = text_report.from_now(ahead["hours_from_now"])
+    value = f"{geographic.clock(ahead['time'])} {table_rows.within(ahead)}"
+    below = table_rows.from_now(ahead["hours_from_now"])
     if ahead["now_is"] != CLOCK:
         below = f"{below} from the {ahead['now_is']}"
         return card("Next surfacing", value, below, FIRST)
-    late = text_report.is_overdue(ahead)
+    late = table_rows.is_overdue(ahead)
     title = "Overdue: next surfacing" if late else "Next surfacing"
     style = f"{FIRST} {ALARM}" if late else FIRST
     below = f"expected {below}" if late else below
@@ -110,17 +110,14 @@ def _surfacing(report: Report) -> str:
 def _place(report: Report) -> str:
     ahead = report["next_dive"]
     where = geographic.in_degrees(ahead["latitude"], ahead["longitude"])
-    texts = [where, ellipse_words(ahead), text_report.wide(ahead)]
+    texts = [where, ellipse_words(ahead), table_rows.wide(ahead)]
     below = "; ".join(filter(None, texts))
     return card("Place of the next surfacing", ahead["place"], below, FIRST)
 
 
 def _aim(report: Report, leg: Report) -> str:
-    texts = [leg["state"]]
-    if leg["state"] == text_report.AGAINST:
-        current = geographic.velocity(leg["current_east"], leg["current_north"])
-        speed = f"{leg['speed_expected']:.2f} m/s"
-        texts = [f"cannot be made against the current, {current}, at {speed}"]
+    is_against = leg["state"] == table_rows.AGAINST
+    texts = [table_rows.against(leg) if is_against else leg["state"]]
     if leg["crab"] is not None:
         texts.append(f"crab {leg['crab']:+z.0f} degrees")
     made, full = leg["made_good"], leg["through_water_full"]
@@ -130,7 +127,7 @@ def _aim(report: Report, leg: Report) -> str:
     texts.append(f"expected position error {leg['expected_miss']:.0f} m")
     if half_axes(leg) != half_axes(report["next_dive"]):
         texts.append(ellipse_words(leg))
-    return card("Aim", text_report.heading_words(leg), "; ".join(texts), FIRST)
+    return card("Aim", table_rows.heading_words(leg), "; ".join(texts), FIRST)
 
 
 def _to_go(report: Report, leg: Report) -> str:
@@ -156,7 +153,7 @@ def _plan(report: Report) -> str:
     angle = geographic.direction(east, north)
     if angle is not None:
         value += f" to {geographic.compass(angle)}"
-    below = f"through the water; {text_report.BASES[ahead['basis']]}"
+    below = f"through the water; {BASES[ahead['basis']]}"
     return card("Next dive", value, below)
 
 
@@ -172,7 +169,7 @@ def _last_dive(report: Report) -> str:
     hours = _age_hours(report)
     below = f"surfaced {end} after {duration}; {depth}"
     return card(
-        title, f"{text_report.age(hours)} ago", below, marks={"end": last["end"]}
+        title, f"{table_rows.age(hours)} ago", below, marks={"end": last["end"]}
     )
 
 
@@ -247,7 +244,7 @@ def _week_ago(rows: list[Report]) -> Report | None:
 def _position_error(report: Report) -> str:
     last = report["each_dive"][-1]
     before = f"with the previous dive's current: {last['clpe']['previous_dive']:.0f} m"
-    if not (last["forecast"] or {"inside": True})["inside"]:
+    if is_outside(last):
         before += f"; outside the {PERCENT} ellipse of its forecast"
     value = f"{last['clpe']['adaptive']:.0f} m"
     return card(f"Position error, dive {last['dive']}", value, before)

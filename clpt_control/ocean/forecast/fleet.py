@@ -40,11 +40,9 @@ from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from .cards import attributes, overdue_marks, unbroken
 from .geographic import clock, date, in_minutes
-from .map_layers import is_outside
 from .replay_page import cell_table
 from .surfacing import RECENT, overdue_times
-from .table_rows import Columns, cells, half_axes
-from .text_report import age, within
+from .table_rows import Columns, age, cells, half_axes, is_outside, within
 
 OVERDUE, OUT, UNREAD = "overdue", "OUT", "cannot be read"
 ORDER = (OVERDUE, OUT, UNREAD)

@@ -29,8 +29,8 @@ from ...base.map_files import geojson, kml
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
 from .geographic import compass, minutes
-from .map_layers import layers_of, place_in
-from .text_report import REACHED
+from .map_layers import layers_of
+from .table_rows import REACHED, place_in
 
 AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 

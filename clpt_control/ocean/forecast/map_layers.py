@@ -21,8 +21,7 @@ from ...base.map_files import BLUE, ORANGE, PURPLE, Feature
 from ..estimation.learned_fix import PERCENT
 from .geographic import Place, compass, velocity
 from .surfacing import ELLIPSE
-from .table_rows import ellipse_words
-from .text_report import within
+from .table_rows import ellipse_words, is_outside, place_in, within
 
 NAMES = {  # kind of a layer in KML and GeoJSON: its name and its colour
     "track": ("track", BLUE),
@@ -37,16 +36,6 @@ NAMES = {  # kind of a layer in KML and GeoJSON: its name and its colour
 }
 CORNERS = 48
 LAST = 5  # dives whose ellipses are drawn
-
-
-def place_in(row: dict[str, Any], prefix: str) -> Place:
-    """Return a place of a row, such as its ``"end_"``."""
-    return row[f"{prefix}latitude"], row[f"{prefix}longitude"]
-
-
-def is_outside(row: dict[str, Any]) -> bool:
-    """Return whether a dive ended outside the ellipse of its forecast; False without one."""
-    return row["forecast"] is not None and not row["forecast"]["inside"]
 
 
 def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:

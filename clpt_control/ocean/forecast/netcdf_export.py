@@ -51,29 +51,26 @@ COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
 Source = Replay | xarray.Dataset | dict[str, Any]
 
 
-def report_of(source: Source) -> dict[str, Any]:
+def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
     """Return what `clpt replay --json` prints of a replay, or of the dataset or JSON of one.
 
     With the next surfacing as the replay expects it.  What has no dive is refused.
     """
     report: Any = source
     if isinstance(source, Replay):
-        if not source.steps:
-            raise DataError("the replay has no dive. Add one with Replay.step")
-        report = {
-            **summary(source),
-            "next_dive": next_dive(source).as_dict(),
-            "aim": [],
-        }
-    elif isinstance(source, xarray.Dataset) and SUMMARY in source:
-        report = summary_in(source, "the dataset")
-    if not (isinstance(report, dict) and report.get("each_dive")):
+        ahead = next_dive(source).as_dict() if source.steps else None
+        report = {**summary(source), "next_dive": ahead}
+    elif isinstance(source, xarray.Dataset):
+        report = summary_in(source, name)
+    if not (isinstance(report, dict) and "hindsight" in report):
         raise DataError(
-            f"{type(source).__name__}: is not a replay. Make one with "
-            "clpt.replay.replay_dives(dives); "
-            "`clpt replay` writes its dataset, replay.nc"
+            f"{name}: is a replay of an earlier version. Run `clpt replay` again"
         )
-    return report
+    if not report.get("each_dive") or report.get("next_dive") is None:
+        raise DataError(
+            f"{name}: is a replay without a dive. Give a replay with one dive at least"
+        )
+    return {"vehicle": "glider", "aim": [], **report}
 
 
 @public

@@ -14,7 +14,7 @@ from ...base.html import document, listing, safe
 from ..estimation.learned_fix import PERCENT
 from . import table_rows, text_report
 from .cards import cards, time_of_computing, unbroken
-from .map_layers import is_outside, layers_of, words_of_dive
+from .map_layers import layers_of, words_of_dive
 from .plots import current_plot, dive_clpe_plot
 from .track_map import map_svg
 
@@ -76,7 +76,7 @@ def _legend(report: dict[str, Any]) -> str:
     """Return the legend of what the map shows."""
     drawn = layers_of(report)
     entries = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
-    if any(map(is_outside, report["each_dive"])):
+    if any(map(table_rows.is_outside, report["each_dive"])):
         entries.append(("outside", f"fix outside its {PERCENT} ellipse"))
     if "route" in report and report["route"]["areas"]:
         entries.append(("area", "area to stay out of"))

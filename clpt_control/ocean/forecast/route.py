@@ -32,7 +32,7 @@ from ..gliders.dives import Fix, make_dive
 from .aim import ARRIVED, aim, usual
 from .geographic import Place, in_minutes, placed, utc
 from .replay import Replay
-from .text_report import REACHED
+from .table_rows import REACHED
 
 DRAWS, DIVES, SEED = 100, 100, 1
 MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times

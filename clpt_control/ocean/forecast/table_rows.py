@@ -1,18 +1,137 @@
-"""The table of a replay: a row for each dive, on terminals and pages.
+"""Rows of a replay: what `clpt replay --json` prints of a dive, the next dive and an aim.
 
-Cells are made of what `clpt replay --json` prints.  A column of a lower rank stands before others
-where there is no room for all; those of rank 0 always stand.
+Table, page, map, files and sentences take the words on a number from here.  A column of a lower
+rank stands before others where there is no room for all; those of rank 0 always stand.
 """
 
 from collections.abc import Callable
+from math import hypot
 from typing import Any
 
 from ..estimation.learned_fix import PERCENT
-from .geographic import compass, date
+from .dive_statistics import GIVEN
+from .geographic import Place, clock, compass, date, velocity
 
+REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
+SOON = 48.0  # hours; a longer age is in days
 Row = dict[str, Any]
 # title: rank, and cell of a row
 Columns = dict[str, tuple[int, Callable[[Row], str | None]]]
+
+
+# --- places, times and sizes ----------------------------------------------------------------------
+
+
+def place_in(row: Row, prefix: str) -> Place:
+    """Return a place of a row, such as its ``"end_"``."""
+    return row[f"{prefix}latitude"], row[f"{prefix}longitude"]
+
+
+def is_outside(row: Row) -> bool:
+    """Return whether a dive ended outside the ellipse of its forecast; False without one."""
+    return row["forecast"] is not None and not row["forecast"]["inside"]
+
+
+def half_axes(row: Row) -> str:
+    """Return the half axes of an ellipse, m."""
+    return f"{row['ellipse_long']:.0f} x {row['ellipse_short']:.0f}"
+
+
+def ellipse_words(row: Row) -> str:
+    """Return the size of an ellipse.
+
+    >>> ellipse_words({"ellipse_long": 3163.2, "ellipse_short": 2955.0})
+    '90 % ellipse with half axes 3163 x 2955 m'
+    """
+    return f"{PERCENT} ellipse with half axes {half_axes(row)} m"
+
+
+def age(hours: float) -> str:
+    """Return an age in hours, or in days if it is two days or more.
+
+    >>> age(8.94), age(100.0)
+    ('8.9 h', '4 d')
+    """
+    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
+
+
+def from_now(hours: float) -> str:
+    """Return when something is, in hours from now.
+
+    >>> from_now(4.26), from_now(-0.52), from_now(-100.0)
+    ('in 4.3 h', '0.5 h ago', '4 d ago')
+    """
+    return f"{age(-hours)} ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
+
+
+def is_overdue(ahead: Row) -> bool:
+    """Return whether a vehicle is later than the half width of its time, of `NextDive.as_dict`."""
+    late = -3600 * ahead["hours_from_now"]
+    return ahead["now_is"] == "clock" and late > ahead["time_half_width"]
+
+
+def due(ahead: Row) -> str:
+    """Return when the next surfacing is, from now, and that it is overdue.
+
+    >>> due({"time_half_width": 1800.0, "hours_from_now": -0.6, "now_is": "clock"})
+    'overdue, expected 0.6 h ago'
+    """
+    words = from_now(ahead["hours_from_now"])
+    return f"overdue, expected {words}" if is_overdue(ahead) else words
+
+
+def wide(ahead: Row) -> str:
+    """Return a warning if an ellipse is longer than its dive, and what helps.
+
+    >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_long": 900.0,
+    ...       "basis": "repeated"})
+    'wide: no plan in the files. Give --next or --aim'
+    """
+    if ahead["ellipse_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
+        return ""
+    if ahead["basis"] == GIVEN:
+        return "wide: longer than the way through the water; more dives narrow it"
+    why = "no plan in the files"
+    if ahead.get("plan_in_files"):
+        why = "few dives went along the plan in the files"
+    return f"wide: {why}. Give --next or --aim"
+
+
+def within(ahead: Row) -> str:
+    """Return the half width of a time."""
+    return f"+- {ahead['time_half_width'] / 60:.0f} min"
+
+
+def when(ahead: Row) -> str:
+    """Return when the next surfacing is, of `NextDive.as_dict`.
+
+    >>> when({"time": "2016-02-03T14:19:59Z", "time_half_width": 1800.0, "hours_from_now": 4.5,
+    ...       "now_is": "clock"})
+    '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
+    """
+    words = f"{clock(ahead['time'])} {within(ahead)}, {due(ahead)}"
+    return (
+        words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
+    )
+
+
+def heading_words(leg: Row) -> str:
+    """Return what to command, of `Aim.as_dict`."""
+    if leg["heading"] is None:
+        return "stay"
+    magnetic = leg["heading_magnetic"]
+    magnetic_text = "" if magnetic is None else f" (magnetic {compass(magnetic)})"
+    return f"heading {compass(leg['heading'])}{magnetic_text}"
+
+
+def against(leg: Row) -> str:
+    """Return that a waypoint cannot be made, and why."""
+    current = velocity(leg["current_east"], leg["current_north"])
+    speed = f"{leg['speed_expected']:.2f} m/s"
+    return f"{AGAINST} against the current, {current}, at {speed}"
+
+
+# --- cells ----------------------------------------------------------------------------------------
 
 
 def metres(size: float | None) -> str:
@@ -55,26 +174,13 @@ def _drift(drift: Row | None) -> str:
     return "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}"
 
 
-def half_axes(row: Row) -> str:
-    """Return the half axes of an ellipse, m."""
-    return f"{row['ellipse_long']:.0f} x {row['ellipse_short']:.0f}"
-
-
-def ellipse_words(row: Row) -> str:
-    """Return the size of an ellipse.
-
-    >>> ellipse_words({"ellipse_long": 3163.2, "ellipse_short": 2955.0})
-    '90 % ellipse with half axes 3163 x 2955 m'
-    """
-    return f"{PERCENT} ellipse with half axes {half_axes(row)} m"
-
-
 def _ellipse(row: Row | None) -> str:
     return "-" if row is None else f"{half_axes(row)}, {row['ellipse_bearing']:.0f}"
 
 
-def _inside(forecast: Row | None) -> str:
-    return "-" if forecast is None else "in" if forecast["inside"] else "OUT"
+def in_words(row: Row) -> str:
+    """Return whether a dive ended in the ellipse of its forecast, as a cell."""
+    return "-" if row["forecast"] is None else "OUT" if is_outside(row) else "in"
 
 
 TITLE = "Position error (CLPE, m) one dive ahead; currents in m/s"
@@ -99,7 +205,7 @@ COLUMNS: Columns = {
         ),
     ),
     ELLIPSE: (5, lambda row: _ellipse(row["forecast"])),
-    PERCENT: (0, lambda row: _inside(row["forecast"])),
+    PERCENT: (0, in_words),
 }
 
 

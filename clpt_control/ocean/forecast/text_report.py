@@ -1,67 +1,19 @@
 """A replay in sentences, made of what `clpt replay --json` prints."""
 
-from math import hypot
 from typing import Any
 
 from ..estimation.learned_fix import PERCENT
-from .dive_statistics import GIVEN
-from .geographic import clock, compass, place, velocity
-from .table_rows import ellipse_words
-
-REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"  # of a waypoint
-SOON = 48.0  # hours; a longer age is in days
-
-
-def age(hours: float) -> str:
-    """Return an age in hours, or in days if it is two days or more.
-
-    >>> age(8.94), age(100.0)
-    ('8.9 h', '4 d')
-    """
-    return f"{hours:.1f} h" if hours < SOON else f"{hours / 24:.0f} d"
-
-
-def from_now(hours: float) -> str:
-    """Return when something is, in hours from now.
-
-    >>> from_now(4.26), from_now(-0.52), from_now(-100.0)
-    ('in 4.3 h', '0.5 h ago', '4 d ago')
-    """
-    return f"{age(-hours)} ago" if round(hours, 1) < 0 else f"in {abs(hours):.1f} h"
-
-
-def is_overdue(ahead: dict[str, Any]) -> bool:
-    """Return whether a vehicle is later than the half width of its time, of `NextDive.as_dict`."""
-    late = -3600 * ahead["hours_from_now"]
-    return ahead["now_is"] == "clock" and late > ahead["time_half_width"]
-
-
-def due(ahead: dict[str, Any]) -> str:
-    """Return when the next surfacing is, from now, and that it is overdue.
-
-    >>> due({"time_half_width": 1800.0, "hours_from_now": -0.6, "now_is": "clock"})
-    'overdue, expected 0.6 h ago'
-    """
-    words = from_now(ahead["hours_from_now"])
-    return f"overdue, expected {words}" if is_overdue(ahead) else words
-
-
-def wide(ahead: dict[str, Any]) -> str:
-    """Return a warning if an ellipse is longer than its dive, and what helps.
-
-    >>> wide({"dr_east": 800.0, "dr_north": 0.0, "ellipse_long": 900.0,
-    ...       "basis": "repeated"})
-    'wide: no plan in the files. Give --next or --aim'
-    """
-    if ahead["ellipse_long"] <= hypot(ahead["dr_east"], ahead["dr_north"]):
-        return ""
-    if ahead["basis"] == GIVEN:
-        return "wide: longer than the way through the water; more dives narrow it"
-    why = "no plan in the files"
-    if ahead.get("plan_in_files"):
-        why = "few dives went along the plan in the files"
-    return f"wide: {why}. Give --next or --aim"
-
+from .geographic import clock, compass, place
+from .table_rows import (
+    AGAINST,
+    REACHED,
+    UNDER_WAY,
+    against,
+    ellipse_words,
+    heading_words,
+    when,
+    wide,
+)
 
 BASES = {  # what the next dive is guessed by
     "planned": "as the last dives went along the plan in the files",
@@ -89,11 +41,6 @@ def uncovered(ahead: dict[str, Any]) -> str:
     return f"the flow model does not cover the next dive: {why}" if why else ""
 
 
-def within(ahead: dict[str, Any]) -> str:
-    """Return the half width of a time."""
-    return f"+- {ahead['time_half_width'] / 60:.0f} min"
-
-
 def record_sentence(forecast: dict[str, Any]) -> str:
     """Return how many surfacings were as forecast.
 
@@ -108,28 +55,6 @@ def record_sentence(forecast: dict[str, Any]) -> str:
     return f"forecast, made before the dive: {inside}, {on_time}"
 
 
-def when(ahead: dict[str, Any]) -> str:
-    """Return when the next surfacing is, of `NextDive.as_dict`.
-
-    >>> when({"time": "2016-02-03T14:19:59Z", "time_half_width": 1800.0, "hours_from_now": 4.5,
-    ...       "now_is": "clock"})
-    '2016-02-03 14:19 UTC +- 30 min, in 4.5 h'
-    """
-    words = f"{clock(ahead['time'])} {within(ahead)}, {due(ahead)}"
-    return (
-        words if ahead["now_is"] == "clock" else f"{words} from the {ahead['now_is']}"
-    )
-
-
-def heading_words(leg: dict[str, Any]) -> str:
-    """Return what to command, of `Aim.as_dict`."""
-    if leg["heading"] is None:
-        return "stay"
-    magnetic = leg["heading_magnetic"]
-    magnetic_text = "" if magnetic is None else f" (magnetic {compass(magnetic)})"
-    return f"heading {compass(leg['heading'])}{magnetic_text}"
-
-
 def aim_sentence(leg: dict[str, Any]) -> str:
     """Return the sentence on `Aim.as_dict`."""
     text, made_good = (
@@ -139,9 +64,7 @@ def aim_sentence(leg: dict[str, Any]) -> str:
     if leg["bearing"] is not None:
         text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
     if leg["state"] == AGAINST:
-        current = velocity(leg["current_east"], leg["current_north"])
-        speed = f"{leg['speed_expected']:.2f} m/s"
-        text += f"cannot be made against the current, {current}, at {speed}; best "
+        text += f"{against(leg)}; best "
     text += heading_words(leg)
     if leg["crab"] is not None:
         text += f", crab {leg['crab']:+z.0f}"

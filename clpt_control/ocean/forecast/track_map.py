@@ -32,8 +32,9 @@ from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
 from ..estimation.learned_fix import PERCENT
 from .geographic import Place, clock, degrees_minutes
-from .map_layers import is_outside, layers_of
+from .map_layers import layers_of
 from .netcdf_export import Source, report_of
+from .table_rows import is_outside
 
 FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width
