@@ -360,6 +360,15 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     )
 
 
+def attribute_of(value: Any, name: str, default: Any = None) -> Any:
+    """Return an attribute of any object, and never what its class's `__getattr__` makes up."""
+    try:
+        kind: Any = type(value)
+        return kind.__getattribute__(value, name)
+    except Exception:  # the code of a user's class can raise anything
+        return default
+
+
 def check_holds(argument: str, data: Any, names: Iterable[str], cure: str) -> None:
     """Refuse a Dataset or dict without one of some names."""
     for name in names:

@@ -438,3 +438,36 @@ def test_python_control_gives_the_same_run(dwell, end):
         )
     ours = clpt.simulate(scenario, times, rtol=1e-10, atol=1e-12)
     np.testing.assert_allclose(states_of(ours), theirs, rtol=0, atol=1e-7)
+
+
+class KeysAsAttributes(dict):
+    """Of which `getattr` raises a KeyError for a name that is not a key."""
+
+    def __getattr__(self, name):
+        return self[name]
+
+
+class Rate(KeysAsAttributes):
+    def __call__(self, t, x, u, p):
+        return [-self.k * x[0]]
+
+    def method(self, t, x, u, p):
+        return [-self.k * x[0]]
+
+
+def rates():
+    """Functions of the three kinds; pytest cannot collect such objects of a module."""
+    numbers, rate = KeysAsAttributes(k=2.0), Rate(k=2.0)
+    return [lambda t, x, u, p: [-numbers.k * x[0]], rate, rate.method]
+
+
+@pytest.mark.parametrize("kind", range(3))
+def test_objects_whose_getattr_raises_a_key_error(kind, tmp_path):
+    decay = control.nlsys(rates()[kind], states=1, inputs=0, outputs=1, name="decay")
+    run = clpt.simulate(decay, [0, 1], initial_state=[1.0])
+    assert run.attrs["engine"] == "native"
+    assert run.states.values[-1, 0] == pytest.approx(np.exp(-2), abs=1e-8)
+    assert clpt.linearize(decay).A == -2
+    assert str(clpt.equations(decay)).startswith("x' = -2*x")
+    assert clpt.check(decay).ok
+    clpt.export(decay, tmp_path / "decay.c")

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import brief, nearest, public
+from ...base.arguments import attribute_of, brief, nearest, public
 from ...base.errors import BlockError, DiagramError
 from ...base.html import shortened
 from ...base.notebook_display import diagram_html
@@ -391,7 +391,7 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
         return np.where(value, 1.0, -1.0) if is_truth else value
 
     def sentence(t: float, u: np.ndarray, p: Any) -> str:
-        return f"`{getattr(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
+        return f"`{attribute_of(stop, '__name__', 'stop')}` fell to 0 at t = {t:.9g}"
 
     ninputs, outputs = wiring.ninputs, wiring.outputs
     block = Block(

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...base.arguments import brief, public
+from ...base.arguments import attribute_of, brief, public
 from ...base.errors import BlockError
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
@@ -291,5 +291,5 @@ def docs_of(block: Any) -> list[str]:
         getattr(block, f"{role}_function", None)
         for role in ("update", "output", "jump")
     ]
-    docs = (getattr(f, "func", f).__doc__ for f in functions if f)
+    docs = (attribute_of(f, "func", f).__doc__ for f in functions if f)
     return [doc for doc in docs if doc]

@@ -5,6 +5,8 @@ from traceback import walk_tb
 from types import CodeType, FrameType
 from typing import Any
 
+from ...base.arguments import attribute_of
+
 LIBRARIES = ("numpy", "scipy", "matplotlib")  # run as they are
 STATEMENT = "__statement__"  # name of a function that is a statement of the user's
 ENGINE = __package__.rpartition(".")[0]
@@ -40,7 +42,7 @@ def located(function: Any, *errors: BaseException) -> str:
         ]
         if lines:
             return lines[-1]
-    return f"{getattr(function, '__name__', 'it')}: "
+    return f"{attribute_of(function, '__name__', 'it')}: "
 
 
 def _name_in_source(code: CodeType) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
 from ..record.graph import Record, Shape, compact
@@ -249,7 +250,7 @@ class ReadBlock(control.NonlinearIOSystem):
     @cached_property
     def of_package(self) -> bool:
         """True if the functions are the package's own."""
-        modules = (getattr(f, "__module__", None) or "" for f, _ in self._plan.values())
+        modules = (attribute_of(f, "__module__") or "" for f, _ in self._plan.values())
         return all(
             name.startswith(f"{__package__.partition('.')[0]}.") for name in modules
         )

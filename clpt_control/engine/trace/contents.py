@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...base.arguments import attribute_of
 from .references import PLAIN_BASES, root_of
 
 UNBOUND = object()  # stands for no value
@@ -54,7 +55,7 @@ def _write_list(value: list, content: Content) -> None:
 
 def _read_dict(value: dict) -> Content:
     keys = [*value] if isinstance(value, OrderedDict) else [*dict.keys(value)]
-    structure = type(value), getattr(value, "default_factory", None)
+    structure = type(value), attribute_of(value, "default_factory")
     return Content(structure, keys, [dict.__getitem__(value, key) for key in keys])
 
 

@@ -35,6 +35,7 @@ from typing import Any
 import control
 import numpy as np
 
+from ...base.arguments import attribute_of
 from ..model.declaration import Parameters
 from .arrays import Tape, Unread, reading_on
 from .contents import PANDAS, UNBOUND, Mutable, slot_values, slots_of
@@ -199,7 +200,7 @@ class _Walk:
         if isinstance(value, Enum):
             self._attributes(value)
             return "enum", self._class(kind), self.key_of(value._value_)
-        holder = getattr(value, "__self__", None) if isinstance(value, BOUND) else None
+        holder = attribute_of(value, "__self__") if isinstance(value, BOUND) else None
         if holder is not None and not isinstance(holder, ModuleType | type):
             return "method", value.__name__, self.key_of(holder)
         if is_pure(value):
@@ -325,7 +326,7 @@ class _Walk:
     def _function(self, function: FunctionType) -> Any:
         """Return the key of a function: its code, and the values that it references."""
         if is_library(root_of(function)):
-            if registry := getattr(function, "registry", None):  # of singledispatch
+            if registry := attribute_of(function, "registry"):  # of singledispatch
                 return id(function), *map(self.key_of, registry.values())
             if not is_pure(function):
                 self._refuse(reason(self.label or function.__qualname__, function))
@@ -506,7 +507,7 @@ def _cells_of(function: FunctionType) -> dict[str, Any]:
 
 
 def _name_of(value: Any) -> str:
-    return getattr(value, "__name__", type(value).__name__)
+    return str(attribute_of(value, "__name__", type(value).__name__))
 
 
 BUILTINS: dict[str, Any] = vars(__import__("builtins"))

@@ -39,6 +39,8 @@ from typing import Any, Generic, NamedTuple, Protocol
 
 import numpy as np
 
+from ...base.arguments import attribute_of
+
 PACKAGE = __package__.partition(".")[0]
 LIBRARIES = frozenset(("numpy", "scipy", "matplotlib", "pandas", "xarray", "sympy"))
 
@@ -194,13 +196,13 @@ def module_of(value: Any) -> str:
             getattr(sys.modules.get(name), "__dict__", None) is value.__globals__
         )
         return name if is_current else ""
-    owner = None if isinstance(value, type) else getattr(value, "__objclass__", None)
+    owner = None if isinstance(value, type) else attribute_of(value, "__objclass__")
     if isinstance(owner, type):  # of a method of a built-in type
         return module_of(owner)
-    holder = getattr(value, "__self__", None)  # module or class of a built-in function
+    holder = attribute_of(value, "__self__")  # module or class of a built-in function
     if isinstance(holder, ModuleType | type):
         return module_of(holder)
-    module = getattr(value, "__module__", None)
+    module = attribute_of(value, "__module__")
     return module if isinstance(module, str) else ""
 
 
@@ -236,7 +238,7 @@ def is_pure(value: Any) -> bool:
             or type(value).__module__ == "dataclasses"
         )
     module = module_of(value)
-    name = getattr(value, "__name__", "")
+    name = attribute_of(value, "__name__", "")
     root = module.partition(".")[0]
     if module == "datetime" and name in CLOCKS:
         return False
@@ -262,7 +264,7 @@ def reason(label: str, value: Any) -> str:
         return CLOCK
     if module == "random" or module.startswith("numpy.random"):
         return UNSEEDED
-    name = getattr(value, "__name__", last)
+    name = attribute_of(value, "__name__", last)
     return f"calls {label if name == last else f'{label} ({name})'}, {OUTSIDE}"
 
 

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..model.declaration import Parameters
 from ..model.locations import located
@@ -79,7 +80,7 @@ class Request(NamedTuple):
     @property
     def name(self) -> str:
         """Name of the function, for a sentence."""
-        return getattr(self.function, "__name__", type(self.function).__name__)
+        return attribute_of(self.function, "__name__", type(self.function).__name__)
 
 
 MOST_TRACED = 256  # functions whose records are cached
