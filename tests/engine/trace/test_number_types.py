@@ -61,6 +61,7 @@ def test_nothing_is_printed_while_a_function_is_read(capsys):
 
 
 @pytest.mark.filterwarnings("ignore:the matrix subclass")
+@pytest.mark.filterwarnings("ignore:Bitwise inversion")  # of a bool, Python 3.12 on
 @pytest.mark.parametrize("name", REFUSED)
 def test_what_would_be_another_number_is_refused(name):
     with pytest.raises(Unread, match=r"output: "):
