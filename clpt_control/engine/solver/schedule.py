@@ -51,14 +51,17 @@ class Inputs:
         times, u = self.samples
         slopes = np.zeros(u.shape)
         spans = np.diff(times)
-        np.divide(np.diff(u), spans, out=slopes[:, :-1], where=spans > 0)
+        if len(self.jumps):
+            spans[spans == 0] = np.inf
+        slopes[:, :-1] = np.diff(u) / spans
         return slopes
 
     @cached_property
     def jumps(self) -> ndarray:
         """Times at which the inputs jump."""
         times = self.samples[0]
-        return np.unique(times[1:][times[1:] == times[:-1]])
+        repeated = times[1:] == times[:-1]
+        return np.unique(times[1:][repeated]) if repeated.any() else times[:0]
 
     @property
     def kinks(self) -> ndarray:
@@ -89,7 +92,8 @@ class Inputs:
         A bend that leaves the line before it by `least` of the largest value is sharp, too.
         """
         sharp, noticeable = self._bends(least)
-        return np.unique(self.samples[0][1:-1][sharp | noticeable])
+        bends = self.samples[0][1:-1][sharp | noticeable]
+        return np.unique(bends) if len(self.jumps) else bends
 
     @property
     def bends_sharply_only(self) -> bool:
@@ -119,8 +123,9 @@ class Inputs:
         noticeable = departure > allowed
         sharp = np.any(sharp, axis=0)
         noticeable = np.any(noticeable, axis=0)
-        jumping = np.isin(times[1:-1], self.jumps)
-        return sharp | jumping, noticeable
+        if len(self.jumps):
+            sharp |= np.isin(times[1:-1], self.jumps)
+        return sharp, noticeable
 
     def rises(self, k: int) -> ndarray | None:
         """Return the times at which an input rises above 1/2; None if it is constant."""
