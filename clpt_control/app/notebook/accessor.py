@@ -203,8 +203,9 @@ class ClptAccessor:
             ports = ports_of(system.output_labels)
             check_holds("output", ports, [output], f"it has {', '.join(ports)}")
             rows = ports[output]
+            labels = [linear.output_labels[k] for k in rows]
             linear.C, linear.D = linear.C[rows], linear.D[rows]
-            linear.set_outputs([system.output_labels[k] for k in rows])
+            linear.set_outputs(labels)
         return minimal_of(linear) if minimal else linear
 
     def response(self) -> Any:
