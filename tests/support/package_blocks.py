@@ -94,35 +94,43 @@ def of_size(N):
             )
 
 
+def plant(dt):
+    return control.ss(
+        [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], np.eye(2), [[0.1], [0]], dt
+    )
+
+
+TIMES = ({"lag": 0.1}, {"dt": 0.1})
+COVARIANCES = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
+INERTIA = [[60, 0, 0], [0, 90, 5], [0, 5, 20]]
+PARTS = {  # each part, continuous and sampled: its arguments by name, the first ones by place
+    "backlash": [((0.4,), {"signals": 2, **time}) for time in TIMES],
+    "dead_zone": [((-0.3, 0.2), {"signals": 2})],
+    "delay": [((0.7, 3), {"signals": 2}), ((0.75,), {"dt": 0.25, "signals": 2})],
+    "hold": [((0.5,), {"signals": 2})],
+    "kalman_filter": [
+        ((plant(dt), *COVARIANCES), {"P0": np.eye(2)}) for dt in (0, 0.1)
+    ],
+    "lag": [((2.0, 3.0), {"signals": 2, "u": "v_c", "y": "v_x"})],
+    "lookup_table": [(([-1, 0, 3], [0, 10, 20]), {"signals": 2})],
+    "noise": [((0.3, 1.3), {"signals": 3, "seed": 5})],
+    "observer": [((plant(dt), [[0.4, 0], [0.1, 0.2]]), {}) for dt in (0, 0.1)],
+    "pid": [((2.0, 0.5, 0.3, -1, 2), {"dt": dt, "signals": 2}) for dt in (None, 0.1)],
+    "planar_vehicle": [((INERTIA, np.diag([30, 60, 20]), np.diag([20.0, 40, 10])), {})],
+    "point_vehicle": [(([60, 90], 30, 20), {})],
+    "rate_limit": [((0.5, 0.7), {"signals": 2, **time}) for time in TIMES],
+    "relay": [((0.3, -0.2), time) for time in TIMES],
+    "saturation": [((-1, [0.5, 1.0]), {"signals": 2})],
+    "thrusters": [(([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3), {})],
+}
+
+
 def shelf():
-    """Each part, continuous and sampled, of one signal and of two."""
-    matrices = [[0.5, 0.2], [-0.3, 0.4]], [[0], [1]], [[1, 0], [1, 2]], [[0.1], [0]]
-    covariances = [[1, 0.2], [0.2, 0.5]], [[0.1, 0.01], [0.01, 0.3]]
-    M, Q = [[60, 0, 0], [0, 90, 5], [0, 5, 20]], np.diag([20.0, 40, 10])
-    yield from [
-        *(
-            parts.saturation(-1, [0.5, 1.0], signals=2),
-            parts.dead_zone(-0.3, 0.2, signals=2),
-        ),
-        parts.lookup_table([-1, 0, 3], [0, 10, 20], signals=2),
-        *(parts.lag(2.0, 3.0, signals=2, u="v_c", y="v_x"), parts.hold(0.5, signals=2)),
-        *(parts.delay(0.7, 3, signals=2), parts.delay(0.75, dt=0.25, signals=2)),
-        *(
-            parts.noise(0.3, 1.3, signals=3, seed=5),
-            parts.point_vehicle([60, 90], 30, 20),
-        ),
-        parts.planar_vehicle(M, np.diag([30, 60, 20]), Q),
-        parts.thrusters([(-0.8, -0.2), (-0.8, 0.2)], [0.1, 0], -10, 20, 0.3),
-    ]
-    for time in ({"lag": 0.1}, {"dt": 0.1}):
-        yield parts.rate_limit(0.5, 0.7, signals=2, **time)
-        yield parts.backlash(0.4, signals=2, **time)
-        yield parts.relay(0.3, -0.2, **time)
-    for dt in (None, 0.1):
-        plant = control.ss(*matrices, dt or 0)
-        yield parts.pid(2.0, 0.5, 0.3, -1, 2, dt=dt, signals=2)
-        yield parts.observer(plant, [[0.4, 0], [0.1, 0.2]])
-        yield parts.kalman_filter(plant, *covariances, P0=np.eye(2))
+    """Every public name of `clpt.parts` with its arguments in PARTS."""
+    for name in parts.__all__:
+        yield from (
+            getattr(parts, name)(*given, **named) for given, named in PARTS[name]
+        )
 
 
 MADE = [*of_no_size(), *shelf(), *of_size(3)]

@@ -8,7 +8,7 @@ import control
 import numpy as np
 import pytest
 from error_sentences import says
-from package_blocks import BLOCKS, EACH
+from package_blocks import EACH
 from recorded_blocks import static
 
 from clpt_control import ArgumentError, Block, BlockError, ClptError, check
@@ -29,22 +29,6 @@ from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 @pytest.mark.parametrize("block", EACH)
 def test_package_block_conforms(block):
     assert not check(block, samples=8).notes
-
-
-def test_docstrings_name_the_equation():
-    """Of the package's own blocks; a user's equation has no value in the paper."""
-    for block in BLOCKS:
-        functions = [getattr(block, f"{role}_function") for role in roles(block)]
-        texts = [
-            function.__doc__ or "" for function in functions if function is not None
-        ]
-        assert all(text.strip() and text.splitlines()[0].strip() for text in texts), (
-            block.name
-        )
-        text = "\n".join(texts)
-        assert re.search(r"\bEqs?\.|\b[Ss]ection\b|\b[A-Z]\w+ (19|20)\d\d\b", text), (
-            block.name
-        )
 
 
 def test_a_report_counts_its_checks_and_repeats():
