@@ -34,7 +34,7 @@ import xarray
 
 from ...base.errors import DataError
 from ..estimation.dive import Dive, Fix, ThroughWater, without_current
-from .dives import LEAST_DEPTH, Skipped, Three, cut_dives, dive_between
+from .dives import LEAST_DEPTH, LEAST_GAP, Skipped, Three, cut_dives, dive_between
 from .og1_columns import (
     currents_of,
     fixes_and_others,
@@ -46,7 +46,6 @@ from .og1_columns import is_known as is_known
 from .sample_clock import with_steady_clock
 from .samples import deepest, summed, variation
 
-LEAST_GAP = 600.0  # s between two fixes with a dive between them
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 
 

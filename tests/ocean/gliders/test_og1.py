@@ -304,8 +304,8 @@ def test_a_mission_that_cannot_be_read_is_one_sentence(tmp_path):
         return {"units": {name: {"units": unit}}}
 
     for how, said in (
-        ({"columns": without(FIX)}, "no two fixes more than 600 s apart"),
-        ({"columns": without(FIX[1:])}, "no two fixes more than 600 s apart"),
+        ({"columns": without(FIX)}, "no two fixes more than 300 s apart"),
+        ({"columns": without(FIX[1:])}, "no two fixes more than 300 s apart"),
         (
             {"drop": ("LONGITUDE_GPS",)},
             "no variable LONGITUDE_GPS; OG1 has the fixes there",
@@ -515,7 +515,7 @@ DAMAGED = [  # each: the damage, what is said, which dives are used; None: the f
     (SG015, lambda data: None, "", [3, 4, 6, 7]),
     (SG015, no_end, "", [3, 4, 6]),
     (SG015, in_milliseconds, "read as milliseconds", [3, 4, 6, 7]),
-    (SG015, put("TIME_GPS", ALL, 7.0), "no two fixes more than 600 s apart", None),
+    (SG015, put("TIME_GPS", ALL, 7.0), "no two fixes more than 300 s apart", None),
     (
         SG015,
         lambda data: data["HORZ_GLIDER_SPEED"].setncattr("units", "km/s"),
