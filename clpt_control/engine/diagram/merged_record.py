@@ -92,18 +92,17 @@ class RecordMerger:
         values: list[Ref] = []
         for operation in record.operations:
             if operation.kind == "leaf":
-                value = self._leaf_value(k, operation, fed)
+                group, name = operation.at
+                value = (
+                    fed[name]
+                    if group == "u"
+                    else self.leaf(k, group, name, operation.shape)
+                )
             else:
                 refs = [values[a] if type(a) is int else a for a in operation.arguments]
                 value = self.put(k, role, record, operation, refs)
             values.append(value)
         return [values[ref] if type(ref) is int else ref for ref in record.outputs]
-
-    def _leaf_value(self, k: int, operation: Operation, fed: Mapping[str, Ref]) -> Ref:
-        group, name = operation.at
-        if group == "u":
-            return fed[name]
-        return self.leaf(k, group, name, operation.shape)
 
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value of each input port of a block."""

@@ -416,10 +416,9 @@ class _Walk:
                 for name, value in owner.namespace().items():
                     if name not in owner.names and self._is_named(owner, name, value):
                         owner.names[name] = None
-                        self.where, self.label = (
-                            f"{_name_of(owner.value)}.{name}: ",
-                            name,
-                        )
+                        kind = type(owner.value).__name__
+                        owner_name = attribute_of(owner.value, "__name__", kind)
+                        self.where, self.label = f"{owner_name}.{name}: ", name
                         trusted, self.trusted = (
                             self.trusted,
                             self.trusted or owner.of_control,
@@ -504,10 +503,6 @@ def _cells_of(function: FunctionType) -> dict[str, Any]:
     """Return the values in the closure of a function, by name."""
     pairs = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
     return {name: cell.cell_contents for name, cell in pairs if cell != CellType()}
-
-
-def _name_of(value: Any) -> str:
-    return str(attribute_of(value, "__name__", type(value).__name__))
 
 
 BUILTINS: dict[str, Any] = vars(__import__("builtins"))

@@ -105,10 +105,6 @@ def _read_only(real: Callable) -> Callable:
     return _replaced(real, opened)
 
 
-def _dropping(real: Callable) -> Callable:
-    return _replaced(real, lambda *arguments, **options: None)
-
-
 def _replacements() -> Iterator[tuple[Any, str, Any, Any]]:
     """Yield owner, name, the real function or stream, and its replacement."""
     for owner, name, label in REFUSED:
@@ -117,7 +113,12 @@ def _replacements() -> Iterator[tuple[Any, str, Any, Any]]:
     for owner, name in OPENING:
         yield owner, name, vars(owner)[name], _read_only(vars(owner)[name])
     for owner, name in DROPPED:
-        yield owner, name, vars(owner)[name], _dropping(vars(owner)[name])
+        yield (
+            owner,
+            name,
+            vars(owner)[name],
+            _replaced(vars(owner)[name], lambda *arguments, **options: None),
+        )
     for name in ("stdout", "stderr"):
         if (stream := getattr(sys, name)) is not None:
             yield sys, name, stream, _Silent(stream)

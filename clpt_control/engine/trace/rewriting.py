@@ -63,7 +63,7 @@ def rewritten(code: CodeType) -> CodeType:
     if not _may_branch(code):
         return code
     for k, statement in enumerate(_statements_of(code.co_filename)):
-        nodes: list[Any] = [statement, *_decorators(statement)]
+        nodes: list[Any] = [statement, *getattr(statement, "decorator_list", [])]
         first_line = min(node.lineno for node in nodes)
         if first_line <= code.co_firstlineno <= (statement.end_lineno or 0):
             return _replacement(code, k)
@@ -103,10 +103,6 @@ def _statements_of(file: str) -> list[ast.stmt]:
         return ast.parse("".join(linecache.getlines(file))).body
     except (SyntaxError, ValueError, RecursionError):
         return []
-
-
-def _decorators(statement: ast.stmt) -> list[ast.expr]:
-    return getattr(statement, "decorator_list", [])
 
 
 @functools.lru_cache(maxsize=256)

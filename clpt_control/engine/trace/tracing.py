@@ -259,7 +259,10 @@ class _Tracing:
             if tape.stopped is None and (
                 isinstance(error, RecursionError) or not of_path
             ):
-                text = error if isinstance(error, Unread) else _in_words(error)
+                text = f"{error}"
+                if not isinstance(error, Unread):  # a tracer array is a signal
+                    text = f"{type(error).__name__}: {error}"
+                    text = text.replace("'Array'", "a signal")
                 raise Unread(f"{located(request.function, error)}{text}") from None
             outputs = [filled(tape, nan, shape) for shape in request.out.values()]
         if tape.stopped is not None:  # a function may have gone on
@@ -277,11 +280,6 @@ class _Tracing:
         numbers = [number for value in values for number in objects(value).ravel()]
         self.spreads |= len(numbers) == 1
         return numbers * size if len(numbers) == 1 else returned
-
-
-def _in_words(error: BaseException) -> str:
-    """Return an error for a sentence, in which a tracer array is a signal."""
-    return f"{type(error).__name__}: {error}".replace("'Array'", "a signal")
 
 
 def _by_port(
