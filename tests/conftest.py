@@ -60,6 +60,24 @@ def printed(clpt):
 
 
 @pytest.fixture
+def reported(printed, tmp_path):
+    """Run a scenario or a team by `clpt run`; return what the command prints, and the run."""
+    from team_scenarios import write_team
+
+    import clpt_control
+
+    def run(system):
+        file, out = tmp_path / "reported.toml", tmp_path / "reported.nc"
+        if isinstance(system, clpt_control.Team):
+            write_team(file, system)
+        else:
+            clpt_control.save_scenario(system, file)
+        return printed("run", file, "--out", out), clpt_control.load_run(out)
+
+    return run
+
+
+@pytest.fixture
 def refused(clpt):
     """Run `clpt ARGUMENTS`, a user's mistake, and give the one line that it says."""
 

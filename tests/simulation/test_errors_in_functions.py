@@ -7,12 +7,12 @@ import warnings
 import control
 import numpy as np
 import pytest
+from engine_runs import Each
 from error_sentences import says
 from still_water import PAPER
 
 import clpt_control as clpt
 from clpt_control import Block, SimulationError
-from clpt_control.engine.model.declaration import Each
 from clpt_control.paper.blocks import field, vehicle
 from clpt_control.paper.currents.plane import GriddedField
 

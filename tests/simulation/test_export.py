@@ -10,11 +10,11 @@ from contextlib import suppress
 import control
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram
 from example_models import MODELS, pendulum
 from random_diagrams import random_system
 
 import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import NativeDiagram
 from clpt_control.paper.blocks.field import gridded_flow
 from clpt_control.paper.blocks.vehicle import vehicle
 from clpt_control.paper.currents.plane import GriddedField

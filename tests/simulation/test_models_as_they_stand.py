@@ -6,6 +6,7 @@ import control
 import netCDF4
 import numpy as np
 import pytest
+from engine_runs import wiring_of
 from error_sentences import says
 from example_models import MODELS
 from paths import REFERENCE
@@ -14,8 +15,6 @@ from still_water import CALM
 
 import clpt_control as clpt
 from clpt_control import BlockError, DataError, DiagramError, SimulationError
-from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.simulation.initial_states import initial_state
 
 T = np.linspace(0.0, 2.0, 21)
 TIGHT = {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
@@ -415,7 +414,7 @@ def test_the_paper_is_the_scenario_that_ships():
     for part in ("units", "basis", "flow", "vehicle", "reference", "run"):
         assert getattr(ours, part) == getattr(theirs, part)
     assert ours.learning.gain == theirs.learning.gain
-    np.testing.assert_array_equal(initial_state(ours), initial_state(theirs))
+    np.testing.assert_array_equal(clpt.initial_state(ours), clpt.initial_state(theirs))
 
 
 @pytest.mark.parametrize(
@@ -425,7 +424,7 @@ def test_python_control_gives_the_same_run(dwell, end):
     """Its own solver, started again at each waypoint."""
     scenario = clpt.paper_scenario().with_values({"reference.dwell": dwell})
     loop = clpt.closed_loop(scenario)
-    theirs = [initial_state(scenario)]
+    theirs = [clpt.initial_state(scenario)]
     times = np.arange(0, end + 1, dwell)
     own = {
         "solve_ivp_method": "DOP853",

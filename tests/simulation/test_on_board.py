@@ -11,11 +11,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from engine_runs import Each
 from small_scenarios import FIXES, paper_of
 from test_export import InC, library, needs_cc
 
 import clpt_control as clpt
-from clpt_control.engine.model.declaration import Each
 
 BOARD = Path(__file__).parents[1] / "data" / "board"
 PAPER = clpt.paper_scenario()

@@ -20,10 +20,6 @@ from random_diagrams import random_diagram
 from subprocesses import ran
 
 import clpt_control as clpt
-from clpt_control.simulation.serialization.run_record import (
-    diagram_of_text,
-    equations_text,
-)
 
 TIMES = np.linspace(0.0, 4.0, 21)
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 20.0})
@@ -272,38 +268,56 @@ def test_a_parameter_that_the_record_holds_stays(again):
         clpt.simulate(again(clpt.simulate(kicked(), TIMES))[1], [0.0, 50.0])
 
 
-def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path):
+@pytest.fixture
+def text_of(tmp_path):
+    """Save a run; return the record of its equations in the file, JSON."""
+
+    def text(run):
+        clpt.save_run(run, tmp_path / "of.nc")
+        return xarray.load_dataset(tmp_path / "of.nc").attrs["equations"]
+
+    return text
+
+
+@pytest.fixture
+def diagram_of(tmp_path):
+    """Write a run's file with other equations, JSON as dicts or text; load its diagram."""
+    clpt.save_run(RUNS["samples"](), tmp_path / "whole.nc")
+    run = xarray.load_dataset(tmp_path / "whole.nc").drop_encoding()
+
+    def loaded(equations):
+        text = equations if isinstance(equations, str) else json.dumps(equations)
+        run.assign_attrs(equations=text).to_netcdf(tmp_path / "other.nc")
+        return clpt.load_diagram(tmp_path / "other.nc")
+
+    return loaded
+
+
+def test_runs_that_are_copied_cut_or_pickled_keep_what_repeats_them(tmp_path, text_of):
     run = RUNS["samples"]()
     copies = [copy.deepcopy(run), run.copy(deep=True), pickle.loads(pickle.dumps(run))]
     for one in (*copies, run.isel(time=slice(2, 9)), run[["h"]]):
-        assert equations_text(one)[0] == equations_text(run)[0]
+        assert text_of(one) == text_of(run)
     run.to_netcdf(tmp_path / "theirs.nc")  # xarray's own way holds the data alone
     assert clpt.load_run(tmp_path / "theirs.nc").equals(run)
 
 
-def test_changed_equations_are_one_sentence_or_a_diagram():
-    texts = [
-        equations_text(RUNS[name]())[0]
-        for name in ("parameters", "sampled-tank", "times")
-    ]
+def test_changed_equations_are_one_sentence_or_a_diagram(text_of, diagram_of):
+    texts = [text_of(RUNS[name]()) for name in ("parameters", "sampled-tank", "times")]
     rng, refused = np.random.default_rng(3), []
     for k in range(150):
         json_changed(rng, plain := json.loads(texts[k % 3]))
         try:
-            diagram_of_text(json.dumps(plain))
+            diagram_of(plain)
         except clpt.DataError as error:
             refused.append(str(error))
-    assert all(re.fullmatch("its equations are damaged: .*", said) for said in refused)
+    damaged = "(?s).*other.nc: its equations are damaged: .*"
+    assert all(re.fullmatch(damaged, said) for said in refused)
     assert len(refused) > 75
     for row, column in ((0, -1), (-1, 0), (0, 99)):  # a wire from or to no signal
         plain = json.loads(texts[0])
         plain["diagram"]["connections"][0][:2] = row, column
-        says(
-            clpt.DataError,
-            "its equations are damaged: ",
-            diagram_of_text,
-            json.dumps(plain),
-        )
+        says(clpt.DataError, "its equations are damaged: ", diagram_of, plain)
 
 
 LINES = [
@@ -326,10 +340,10 @@ LINES = [
 
 
 @pytest.mark.parametrize("line", [*LINES, "no memory holds"], ids=str)
-def test_a_line_of_a_record_that_is_none_is_refused(line):
+def test_a_line_of_a_record_that_is_none_is_refused(line, text_of, diagram_of):
     """What machine code would believe: each is told, none is run."""
     plain, said = (
-        json.loads(equations_text(RUNS["samples"]())[0]),
+        json.loads(text_of(RUNS["samples"]())),
         "damaged: .*(record|KeyError)",
     )
     record = plain["diagram"]["blocks"][1]["records"]["output"]
@@ -339,7 +353,7 @@ def test_a_line_of_a_record_that_is_none_is_refused(line):
     else:
         record["operations"] += [["fill", [0.5], [5_000_000], None]] * 21
         said = r"has 1.05e\+08 numbers; at most 1e\+08"
-    says(clpt.DataError, said, diagram_of_text, json.dumps(plain))
+    says(clpt.DataError, said, diagram_of, plain)
 
 
 def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
@@ -369,9 +383,11 @@ def test_damaged_numbers_of_a_run_are_one_sentence(tmp_path):
         )
 
 
-def test_names_of_a_file_are_neither_markup_nor_formulas(again, tmp_path):
+def test_names_of_a_file_are_neither_markup_nor_formulas(
+    again, tmp_path, text_of, diagram_of
+):
     """Ports, blocks and units of a stranger's file, on its page."""
-    text = equations_text(RUNS["samples"]())[0]
+    text = text_of(RUNS["samples"]())
     others = {
         '"gauge"': '"<b>$x_$"',
         '"v"': '"v$_{<i>"',
@@ -380,7 +396,7 @@ def test_names_of_a_file_are_neither_markup_nor_formulas(again, tmp_path):
     }
     for one, other in others.items():
         text = text.replace(one, other)
-    loaded, _ = again(clpt.simulate(diagram_of_text(text)))
+    loaded, _ = again(clpt.simulate(diagram_of(text)))
     clpt.report(loaded, tmp_path / "page.html")
     page = (tmp_path / "page.html").read_text()
     assert not [tag for tag in ("<b>$", "<i>", "<u>") if tag in page]

@@ -12,7 +12,6 @@ import pytest
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.simulation.run_cache import diagram_key
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE = 1.0, [1.0]
@@ -120,7 +119,6 @@ def test_what_changed_counts_at_the_next_run(name, monkeypatch):
     change()
     assert [end(diagram), end(diagram)] == pytest.approx([np.exp(-2.0)] * 2, rel=1e-7)
     assert end(alike) == pytest.approx(np.exp(-1.0), rel=1e-7)
-    assert diagram_key(diagram, None) is not None
 
 
 def test_params_at_call_time_and_names_count_as_they_are():
@@ -132,7 +130,7 @@ def test_params_at_call_time_and_names_count_as_they_are():
     assert "speed" in clpt.simulate(diagram, TIMES)
 
 
-def test_what_could_change_unseen_has_no_key():
+def test_what_could_change_unseen_counts_at_the_next_run():
     class Plant:
         rate, lock = 1.0, threading.Lock()
 
@@ -140,7 +138,11 @@ def test_what_could_change_unseen_has_no_key():
             with self.lock:
                 return [-self.rate * x[0]]
 
-    assert diagram_key(system(Plant().rates), None) is None
+    plant = Plant()
+    diagram = system(plant.rates)
+    for plant.rate in (1.0, 2.0):
+        found = end(diagram, engine="python")
+        assert found == pytest.approx(np.exp(-plant.rate), rel=1e-7)
 
 
 def test_scenarios_run_again_alike():

@@ -9,10 +9,13 @@ from scipy.integrate import simpson
 
 import clpt_control as clpt
 from clpt_control import ClptError, DiagramError, ScenarioError
-from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 40})
+LAWS = clpt.laws()
+AT_FIXES = {
+    "localization": {"interval": 5.0},
+    **dict.fromkeys(("learning.gain", "learning.feedback", "learning.feedforward")),
+}
 
 
 def with_law(name, **more):

@@ -1,5 +1,7 @@
 """At which times a run has samples, what it carries, and what it says of the speed limit."""
 
+import re
+
 import control
 import numpy as np
 import pytest
@@ -7,9 +9,6 @@ from still_water import CALM, DWELL, PAPER, POINTS, exact_positions
 
 import clpt_control as clpt
 from clpt_control import SimulationError
-from clpt_control.paper.blocks import disturbance, reference
-from clpt_control.paper.scenario.tables import Units
-from clpt_control.simulation.flows import faster_flow, speeds_of
 
 SAMPLES = [  # of a duration and a step
     (1.0, 0.25, [0, 0.25, 0.5, 0.75, 1]),
@@ -91,12 +90,17 @@ def test_values_at_a_jump_are_right_limits():
 @pytest.mark.parametrize("engine", ["native", "python"])
 def test_jumps_of_two_blocks_at_one_time(engine):
     # half periods at 0.1 k and waypoints at 0.3 k, which differ by rounding alone
-    delta = disturbance.disturbance("square", [1.0, -2.0], period=0.2)
+    wave = {"kind": "square", "amplitude": [1.0, -2.0], "period": 0.2}
+    way = {"kind": "waypoints", "points": [[1.0, 0.0], [0.0, 1.0]], "dwell": 0.3}
+    blocks = {
+        block.name: block
+        for block in clpt.paper_blocks(
+            PAPER.with_values({"flow.disturbance": wave, "reference": way})
+        )
+    }
     ports = {"inputs": {"delta": 2, "zc": 2}, "states": {"s": 4}}
     sum_up = clpt.Block("sum", update=lambda t, x, u, p: u, **ports)
-    loop = clpt.connect(
-        [reference.reference([[1.0, 0.0], [0.0, 1.0]], dwell=0.3), delta, sum_up]
-    )
+    loop = clpt.connect([blocks["reference"], blocks["disturbance"], sum_up])
     k = np.arange(31)
     run = clpt.simulate(loop, 0.1 * k, rtol=1e-11, atol=1e-13, engine=engine)
     first = 0.1 * (3 * (k // 6) + np.minimum(k % 6, 3))
@@ -162,16 +166,19 @@ def drifting(**values):
     return PAPER.with_values({**base, **values})
 
 
-def test_a_flow_that_comes_and_goes():
+def test_a_flow_that_comes_and_goes(reported):
     # 2 sin(2 pi t/12) is above 1 from 1 to 5, and so is its size again from 7 to 11
     wave = {"kind": "sine", "amplitude": [2.0, 0.0], "period": 12.0}
     values = {"flow.disturbance": wave, "run.duration": 24, "run.output_step": 0.01}
-    run = clpt.simulate(drifting(**values))
-    found = speeds_of(run, 1.0)
-    assert faster_flow(found, Units()) in run.attrs["message"]
+    summary, _ = reported(drifting(**values))
+    found = summary["speed"]["faster_flow"]
     wanted = {"first": (1.0, 0.02), "longest": (4.0, 0.02), "share": (2 / 3, 2e-3)}
     for key, (value, off) in wanted.items():
-        assert found["faster_flow"][key] == pytest.approx(value, abs=off)
+        assert found[key] == pytest.approx(value, abs=off)
+    said = r"the flow was faster than the vehicle \(1 m/s\), which .*: first at "
+    said += r"t = 1[.\d]* s, 66\.\d* % of the time, at most [34][.\d]* s long"
+    for message in (summary["message"], clpt.simulate(drifting(**values)).message):
+        assert re.search(said, message)
 
 
 def test_a_calm_run_says_nothing_and_its_share_is_right():
@@ -215,7 +222,7 @@ def test_the_command_says_it(clpt, printed, tmp_path):
         < found["speed"]["share_at_limit"]
         < 1
     )
-    assert faster_flow(found["speed"], Units()) in found["message"]
+    assert "the flow was faster than the vehicle (1.5 m/s)" in found["message"]
     said = clpt("run", file, "--out", run).out
     assert all(
         words in said

@@ -3,11 +3,11 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import Each
 from example_models import MODELS, autonomous, decay, mrac, stepping
 from scipy.linalg import expm
 
 import clpt_control as clpt
-from clpt_control.engine.model.declaration import Each
 
 EXACT = {"rtol": 1e-12, "atol": 1e-13}
 

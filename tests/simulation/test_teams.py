@@ -7,7 +7,6 @@ from scipy.linalg import expm
 from team_scenarios import DIFFERENT, FILE, PAPER, ROW, team, vehicle
 
 import clpt_control as clpt
-from clpt_control.simulation.summary import run_and_report
 
 VARIABLES = (
     "position",
@@ -33,19 +32,19 @@ def test_identical_vehicles_are_as_one():
     np.testing.assert_allclose(run.lyapunov, 3 * alone.lyapunov, rtol=1e-7)
 
 
-def test_without_coupling_each_is_alone():
+def test_without_coupling_each_is_alone(reported):
     """And has the CLPE that it has alone, however few samples are recorded."""
     run = clpt.simulate(team(0.0, ROW, **DIFFERENT))
     seldom = {
         name: one.with_values({"run.output_step": 4}) for name, one in DIFFERENT.items()
     }
-    found = run_and_report(team(0.0, ROW, **seldom))
-    assert found.run.sizes["time"] == 4
+    found, short = reported(team(0.0, ROW, **seldom))
+    assert short.sizes["time"] == 4
     for name, scenario in DIFFERENT.items():
         same(run.sel(vehicle=name), clpt.simulate(scenario))
-        alone = run_and_report(seldom[name]).summary
+        alone, _ = reported(seldom[name])
         for key in ("clpe_rms", "clpe_rms_last_quarter"):
-            assert found.summary[key][name] == pytest.approx(alone[key], rel=2e-3)
+            assert found[key][name] == pytest.approx(alone[key], rel=2e-3)
 
 
 GAINS = {  # the values of a vehicle, and gamma

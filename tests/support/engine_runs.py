@@ -1,13 +1,48 @@
-"""The engines that are compared, and runs side by side."""
+"""The engine's inner names that its tests share, engines that are compared, and runs side by side.
+
+Tests of `tests/engine` and `tests/simulation` import these names here: a file of the engine that is
+merged or moved changes this file alone.
+"""
 
 from functools import partial
 
 import numpy as np
 
+from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.conformance.all_backends import readings
+from clpt_control.engine.conformance.checks import check_block
+from clpt_control.engine.conformance.confirmation import Confirmation
+from clpt_control.engine.diagram.interconnection import Diagram
+from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
 from clpt_control.engine.methods.table import EXPLICIT, RK4
+from clpt_control.engine.model.declaration import Each
+from clpt_control.engine.model.system import linear
 from clpt_control.engine.solver.batch import Batch
-from clpt_control.engine.solver.native_diagram import NativeDiagram
+from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.runner import PythonDiagram
+from clpt_control.engine.solver.solver_layout import Status
+from clpt_control.engine.trace.arrays import Unread
+from clpt_control.engine.trace.fingerprint import reachable
+
+__all__ = [
+    "ENGINES",
+    "LANES",
+    "Confirmation",
+    "Diagram",
+    "Each",
+    "NativeDiagram",
+    "PythonDiagram",
+    "Status",
+    "Unread",
+    "blocks_of",
+    "check_block",
+    "compile",
+    "linear",
+    "reachable",
+    "readings",
+    "side_by_side",
+    "wiring_of",
+]
 
 ENGINES = {
     "python": PythonDiagram,

@@ -9,13 +9,13 @@ import math
 import control
 import numpy as np
 import pytest
+from engine_runs import readings
 from error_sentences import says
 from recorded_blocks import static
 from text_systems import ticking
 
 import clpt_control as clpt
 from clpt_control import Block, lookup
-from clpt_control.engine.conformance.all_backends import readings
 
 
 def without_source(body, name="f", **names):

@@ -6,14 +6,12 @@ import control
 import numpy as np
 import pytest
 import scipy.linalg
+from engine_runs import NativeDiagram, readings, wiring_of
 
 import clpt_control as clpt
 from clpt_control import Block, lookup
 from clpt_control.engine.codegen.llvm_text import print_program
-from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.diagram.interconnection import connect
-from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 SIZES = {"N": 11, "M": 3}
 STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}

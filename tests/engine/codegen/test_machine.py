@@ -12,6 +12,7 @@ import control
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram
 from paths import ROOT
 
 from clpt_control import Block
@@ -25,7 +26,6 @@ from clpt_control.engine.codegen.machine import (
     code_name,
 )
 from clpt_control.engine.codegen.plan import Program
-from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 
 @pytest.fixture

@@ -5,12 +5,12 @@ import math
 
 import numpy as np
 import pytest
+from engine_runs import readings
 from recorded_blocks import static
 
 import clpt_control as clpt
 from clpt_control import lookup
 from clpt_control.engine.codegen.c_library import compiler
-from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.record.operations import TABLE, UFUNCS, Row
 
 NUMBERS = (-4.0, -2.5, -1.0, -0.3, 0.0, 0.4, 1.0, 3.0, 20.0)

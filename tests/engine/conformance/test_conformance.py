@@ -7,21 +7,19 @@ import re
 import control
 import numpy as np
 import pytest
+from engine_runs import check_block, linear, readings
 from error_sentences import says
 from package_blocks import EACH
 from recorded_blocks import static
 
 from clpt_control import ArgumentError, Block, BlockError, ClptError, check
 from clpt_control.engine.codegen import vectors
-from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import (
-    check_block,
     differ,
     python_values,
     random_samples,
     roles,
 )
-from clpt_control.engine.model.system import linear
 from clpt_control.paper.blocks import clpe
 from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 

@@ -3,12 +3,11 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import Diagram, wiring_of
 from error_sentences import says
 
 import clpt_control as clpt
 from clpt_control import BlockError, DiagramError
-from clpt_control.engine.diagram.interconnection import Diagram
-from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.paper.blocks import flow, vehicle
 from clpt_control.simulation.initial_states import initial_state
 

@@ -9,11 +9,12 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
+from engine_runs import linear
 from recorded_blocks import as_it_runs, recorded, static
 
 from clpt_control import ArgumentError, Block, BlockError, Sampled
 from clpt_control.engine.model.ports import renamed, split, within
-from clpt_control.engine.model.system import linear, on_each_axis
+from clpt_control.engine.model.system import on_each_axis
 from clpt_control.plots.drawing.figure import equation_numbers
 
 

@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from engine_runs import compile
 from image_checks import inked
 from paths import ROOT
 from subprocesses import ran
@@ -16,7 +17,6 @@ sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
 
 from benchmarks import build, cases, report, traced
 from benchmarks.c_engine import Program
-from clpt_control.engine.solver.native_diagram import compile
 
 pytestmark = pytest.mark.skipif(
     build.compiler() is None, reason="there is no C compiler here"

@@ -2,13 +2,10 @@
 
 import numpy as np
 import pytest
-from engine_runs import ENGINES, side_by_side
+from engine_runs import ENGINES, LANES, Each, Status, side_by_side
 from user_laws import formula
 
 from clpt_control import Block
-from clpt_control.engine.codegen.machine import LANES
-from clpt_control.engine.model.declaration import Each
-from clpt_control.engine.solver.solver_layout import Status
 
 N = 6  # copies of a flow, each with its rate
 RATES, TIMES = np.linspace(0.5, 2.0, N), np.array([0.0, 0.3, 1.0, 1.7, 2.0])

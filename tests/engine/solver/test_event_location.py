@@ -3,12 +3,12 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import compile
 from law_blocks import HELD
 from scipy.optimize import brentq
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import compile
 from clpt_control.theory import refuting
 
 RTOL, ATOL = 1e-10, 1e-12

@@ -8,10 +8,9 @@ import ctypes
 
 import numpy as np
 import pytest
+from engine_runs import compile
 from scipy.integrate import solve_ivp
 from test_event_location import ATOL, FORMS, RTOL, T, case_of, run, system
-
-from clpt_control.engine.solver.native_diagram import compile
 
 LONGEST = 0.02  # step: SciPy looks for events at the ends of steps only
 NUDGE = 1e-11  # time by which a run goes on behind an event, to decide anew there

@@ -9,7 +9,7 @@ from test_event_location import T, system
 from text_systems import ticking
 
 import clpt_control as clpt
-from clpt_control.engine.model.declaration import Guard
+from clpt_control import Guard
 
 
 def rest_of(rates, x0, times=T, **more):

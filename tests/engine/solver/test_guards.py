@@ -3,16 +3,12 @@
 import control
 import numpy as np
 import pytest
-from engine_runs import ENGINES, side_by_side
+from engine_runs import ENGINES, LANES, NativeDiagram, Status, side_by_side, wiring_of
 from error_sentences import says
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control.engine.codegen.machine import LANES
-from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.model.declaration import Guard
-from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.solver_layout import Status
+from clpt_control import Guard
 
 
 def height(t, x, u, p):

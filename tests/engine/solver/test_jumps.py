@@ -8,7 +8,14 @@ from typing import NamedTuple
 import control
 import numpy as np
 import pytest
-from engine_runs import ENGINES, side_by_side
+from engine_runs import (
+    ENGINES,
+    LANES,
+    NativeDiagram,
+    PythonDiagram,
+    Status,
+    side_by_side,
+)
 from error_sentences import says
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -18,10 +25,6 @@ from text_systems import ticking
 
 import clpt_control as clpt
 from clpt_control import Block, BlockError, Guard, SimulationError
-from clpt_control.engine.codegen.machine import LANES
-from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.runner import PythonDiagram
-from clpt_control.engine.solver.solver_layout import Status
 
 
 def ticks(p, t0, t1):

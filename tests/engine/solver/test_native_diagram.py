@@ -5,10 +5,9 @@ import re
 import control
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram, PythonDiagram
 
 import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.runner import PythonDiagram
 
 
 def test_code_is_made_once_for_diagrams_that_differ_in_numbers():

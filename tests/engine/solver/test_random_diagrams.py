@@ -6,12 +6,12 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from engine_runs import readings
 from random_diagrams import random_diagram
 from rounding_bounds import rounding_of
 from sympy import Rational, sin
 
 from clpt_control import Block, ClptError
-from clpt_control.engine.conformance.all_backends import readings
 
 IN_A_TEST, TESTS, SLOW_TESTS = 6, 3, 340
 POINTS = 3

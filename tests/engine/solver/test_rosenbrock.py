@@ -6,17 +6,14 @@ import sys
 
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram, PythonDiagram, Status, wiring_of
 from paths import ROOT
 from random_diagrams import random_diagram
 from text_systems import ticking, written
 
 import clpt_control as clpt
 from clpt_control import Block, Guard
-from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.solver import batch, solver_layout
-from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.runner import PythonDiagram
-from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.varied_scenario import VariedScenario
 

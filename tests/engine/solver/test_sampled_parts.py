@@ -3,14 +3,12 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import check_block, compile, readings
 from error_sentences import says
 from scipy.linalg import expm
 
 import clpt_control as clpt
 from clpt_control import Block, Sampled
-from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.engine.conformance.checks import check_block
-from clpt_control.engine.solver.native_diagram import compile
 
 DT = 0.5
 TIMES = DT * np.arange(41)

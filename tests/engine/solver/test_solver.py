@@ -6,13 +6,11 @@ import math
 import control
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram, PythonDiagram, wiring_of
 from scipy.integrate import solve_ivp
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control.engine.diagram.wiring import wiring_of
-from clpt_control.engine.solver.native_diagram import NativeDiagram
-from clpt_control.engine.solver.runner import PythonDiagram
 
 every_engine = pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
 

@@ -5,11 +5,10 @@ import math
 import control
 import numpy as np
 import pytest
+from engine_runs import Unread, readings
 from recorded_blocks import as_it_runs, static
 
 import clpt_control as clpt
-from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.engine.trace.arrays import Unread
 
 N = 8
 U = np.array([0.3, -1.7, 2.0, -0.4, 1.0, -1.0, 0.0, 1.2])

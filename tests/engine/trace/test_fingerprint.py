@@ -18,14 +18,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
+from engine_runs import Unread, reachable
 from scipy import special
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
 from clpt_control.engine.trace import tracing as reading
-from clpt_control.engine.trace.arrays import Unread
 from clpt_control.engine.trace.contents import Mutable, restore
-from clpt_control.engine.trace.fingerprint import reachable
 
 LOGGER = logging.getLogger("boat")
 Point = namedtuple("Point", "east north")

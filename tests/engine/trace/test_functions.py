@@ -4,11 +4,10 @@ import math
 
 import numpy as np
 import pytest
+from engine_runs import Unread, readings
 from recorded_blocks import as_it_runs, recorded, static
 
 from clpt_control import lookup
-from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.engine.trace.arrays import Unread
 
 U = (0.8, 0.4, 2.0)
 INTEGERS = {

@@ -15,11 +15,12 @@ import control
 import numpy as np
 import pandas as pd
 import pytest
+from engine_runs import Unread
 from recorded_blocks import run, static
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.engine.trace.arrays import Array, Unread
+from clpt_control.engine.trace.arrays import Array
 
 U = [0.3, -0.7, 2.0]
 ROW, HISTORY, LATE, SEEN = [0.0], [], deque([0.0] * 3, maxlen=3), set()

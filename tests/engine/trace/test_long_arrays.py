@@ -4,12 +4,13 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from engine_runs import compile
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from recorded_blocks import as_it_runs
 
 from clpt_control import Block
-from clpt_control.engine.solver.native_diagram import UNOPTIMISED, compile
+from clpt_control.engine.solver.native_diagram import UNOPTIMISED
 
 N, M = 40, 6
 X = np.random.default_rng(0).uniform(-2.0, 2.0, N)

@@ -5,11 +5,8 @@ import random
 import control
 import numpy as np
 import pytest
+from engine_runs import Confirmation, Unread, blocks_of
 from memory_programs import made, programs
-
-from clpt_control.engine.conformance.confirmation import Confirmation
-from clpt_control.engine.diagram.wiring import blocks_of
-from clpt_control.engine.trace.arrays import Unread
 
 EVERY = [*programs()]
 random.Random(0).shuffle(EVERY)

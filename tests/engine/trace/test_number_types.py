@@ -6,11 +6,10 @@ Each of these once gave another number than Python does, or an exception of the 
 import control
 import numpy as np
 import pytest
+from engine_runs import Unread, wiring_of
 from functions_with_side_effects import PARAMS, READ, REFUSED
 
-from clpt_control.engine.diagram.wiring import wiring_of
 from clpt_control.engine.model.on_arrays import leaf_values
-from clpt_control.engine.trace.arrays import Unread
 
 STATES = (
     [0.3, -0.7, 2.0],

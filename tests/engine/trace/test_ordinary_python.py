@@ -8,11 +8,11 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from engine_runs import Unread
 from recorded_blocks import as_it_runs, static
 from scipy.interpolate import CubicSpline, interp1d
 
 import clpt_control as clpt
-from clpt_control.engine.trace.arrays import Unread
 
 TABLE = [1.0, 2.0, 4.0]
 WHOLE = np.array([[0, 1, 3], [-2, -3, 1], [1, 1, 1]])

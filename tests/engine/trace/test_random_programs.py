@@ -5,12 +5,11 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from engine_runs import Confirmation, Unread
 from random_diagrams import random_block
 from recorded_blocks import run
 
-from clpt_control.engine.conformance.confirmation import Confirmation
 from clpt_control.engine.model.on_arrays import on_arrays
-from clpt_control.engine.trace.arrays import Unread
 
 PROGRAMS, SLOW, POINTS = 100, 2000, 160
 

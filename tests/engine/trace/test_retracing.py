@@ -11,13 +11,12 @@ from types import ModuleType, SimpleNamespace
 import control
 import numpy as np
 import pytest
+from engine_runs import Unread, reachable
 from recorded_blocks import as_it_runs, recorded, static
 from scipy import special
 from test_ordinary_python import POINTS
 
 import clpt_control as clpt
-from clpt_control.engine.trace.arrays import Unread
-from clpt_control.engine.trace.fingerprint import reachable
 
 # --- what changes after the block was made --------------------------------------------------------
 

@@ -5,13 +5,13 @@ import inspect
 import control
 import numpy as np
 import pytest
+from engine_runs import Unread
 from recorded_blocks import run, static
 from scipy.optimize import brentq
 
 import clpt_control as clpt
 from clpt_control import Block, BlockError
 from clpt_control.engine.trace import tracing as reading
-from clpt_control.engine.trace.arrays import Unread
 
 
 def counts_by_a_signal(t, x, u, p):
