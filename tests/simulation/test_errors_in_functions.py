@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 from engine_runs import Each
 from error_sentences import says
+from gridded_currents import field_blocks, plane_field
 from still_water import PAPER
 
 import clpt_control as clpt
 from clpt_control import Block, SimulationError
-from clpt_control.paper.blocks import field, vehicle
-from clpt_control.paper.currents.plane import GriddedField
 
 ENGINES = pytest.mark.parametrize("engine", [None, "python"])
 TIMES = np.linspace(0.0, 4.0, 5)
@@ -222,13 +221,19 @@ def test_what_is_infinite_is_named(engine):
         clpt.simulate(burst, [0.0, 2.0], initial_state=[1.0], engine=engine)
 
 
-def drift(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
-    """A vehicle that swims nowhere in a uniform current on x1 = -2 ... 2, x2 = -1 ... 1."""
-    axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
-    grid = GriddedField(*axes, *(np.full((5, 5, 9), speed) for speed in (u, v)))
-    units = PAPER.units.model_copy(update={"length": "km", "time": "h"})
-    flow = field.gridded_flow(grid, outside, units=units)
-    return clpt.connect([flow, vehicle.vehicle(), *more], external=external)
+@pytest.fixture
+def drift(tmp_path):
+    """Connect a vehicle that swims nowhere and a uniform current, as `made` says."""
+
+    def made(outside, u=1.0, v=0.0, end=10.0, *more, external=("v_x",)):
+        """Return the diagram on x1 = -2 ... 2 km, x2 = -1 ... 1 km, from 0 h to the end."""
+        axes = [np.linspace(0, end, 5), np.linspace(-1, 1, 5), np.linspace(-2, 2, 9)]
+        flow = (np.full((5, 5, 9), speed) for speed in (u, v))
+        plane_field(tmp_path / "field.nc", *axes, *flow, "km", "h")
+        blocks = field_blocks(tmp_path / "field.nc", outside, "km", "h")
+        return clpt.connect([*blocks, *more], external=external)
+
+    return made
 
 
 WHERE = r"\(2, 0.5\) km, time 2 h.*x1 -2 to 2, x2 -1"
@@ -245,7 +250,7 @@ LEFT = [  # its start, its span, the field, and what of the place, the time and 
 
 
 @pytest.mark.parametrize(("start", "times", "given", "said"), LEFT)
-def test_leaving_raises_with_position_time_and_bounds(start, times, given, said):
+def test_leaving_raises_with_position_time_and_bounds(drift, start, times, given, said):
     says(
         SimulationError,
         said,
@@ -256,7 +261,7 @@ def test_leaving_raises_with_position_time_and_bounds(start, times, given, said)
     )
 
 
-def test_leaving_stops_where_it_leaves_between_samples():
+def test_leaving_stops_where_it_leaves_between_samples(drift):
     run = clpt.simulate(drift("stop"), [0.0, 1.0, 3.0], initial_state=[0.75, 0.5])
     np.testing.assert_allclose(run.time, [0.0, 1.0, 1.25], atol=1e-9)
     np.testing.assert_allclose(
@@ -271,7 +276,7 @@ def test_leaving_stops_where_it_leaves_between_samples():
     np.testing.assert_allclose(run.time, [0.0, 3.0], atol=1e-9)
 
 
-def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
+def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside(drift):
     run = clpt.simulate(
         drift("clip", v=-0.5), [0.0, 4.0, 20.0], initial_state=[0.0, 0.0]
     )
@@ -281,7 +286,7 @@ def test_clip_goes_on_with_the_flow_at_the_edge_and_an_end_there_is_inside():
 
 
 @pytest.mark.parametrize("farthest", [4.04, 2.02])
-def test_out_and_back_within_a_step_is_found(farthest):
+def test_out_and_back_within_a_step_is_found(drift, farthest):
     # x1 = a sin(pi t/10) against a current of 1: out at the first time where it is 2
     def velocity(t, x, u, p):
         return [-1.0 + farthest * math.pi / 10 * np.cos(math.pi * t / 10), 0.0]

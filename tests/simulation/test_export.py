@@ -12,12 +12,10 @@ import numpy as np
 import pytest
 from engine_runs import NativeDiagram
 from example_models import MODELS, pendulum
+from gridded_currents import field_blocks, plane_field
 from random_diagrams import random_system
 
 import clpt_control as clpt
-from clpt_control.paper.blocks.field import gridded_flow
-from clpt_control.paper.blocks.vehicle import vehicle
-from clpt_control.paper.currents.plane import GriddedField
 
 COMPILER = shutil.which("cc")
 needs_cc = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
@@ -184,12 +182,12 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
 def test_a_gridded_field_is_a_table(tmp_path):
     random = np.random.default_rng(5)
     axes = np.linspace(0, 6, 7), np.linspace(-20, 20, 6), np.linspace(-30, 30, 18)
-    field = GriddedField(*axes, *random.normal(size=(2, 7, 6, 18)))
-    loop = clpt.connect([gridded_flow(field), vehicle()], external="v_x")
-    made, runner = InC(loop, tmp_path), NativeDiagram(loop)
+    plane_field(tmp_path / "f.nc", *axes, *random.normal(size=(2, 7, 6, 18)))
+    loop = clpt.connect(field_blocks(tmp_path / "f.nc"), external="v_x")
+    made = InC(loop, tmp_path)
     assert "static const double T_[]" in made.text
     for t, *x in ((0.0, 1.0, 2.0), (3.3, -25.0, 11.0), (5.9, 3.0, -19.0)):
-        rates = runner.sweep.derivative(t, np.array(x), np.array([0.1, 0.2]))
+        rates = loop.dynamics(t, np.array(x), np.array([0.1, 0.2]))
         found = made.computed("rates", t, np.array(x), np.array([0.1, 0.2]))
         assert found == pytest.approx(rates, rel=1e-12, abs=1e-12)
 

@@ -3,20 +3,36 @@
 import numpy as np
 import xarray
 
+import clpt_control as clpt
+
+
+def plane_field(path, time, y, x, u, v, length="m", hour="s"):
+    """Write a current, shapes (time, y, x), on a plane, with units of length and time."""
+    flow = {
+        name: (("time", "y", "x"), values, {"units": f"{length} {hour}-1"})
+        for name, values in (("u", u), ("v", v))
+    }
+    axes = {"time": ("time", time, {"units": hour})}
+    axes |= {name: (name, at, {"units": length}) for name, at in (("y", y), ("x", x))}
+    field = xarray.Dataset(flow, axes)
+    field.to_netcdf(path)
+    return field
+
 
 def uniform_field(path, u=0.1, v=0.1, half=10.0, end=50.0):
     """Write a current (m/s) on a square of 5 x 5 places about 0, from 0 s to the end."""
     place = np.linspace(-half, half, 5)
-    field = xarray.Dataset(
-        {
-            name: (("time", "y", "x"), np.full((2, 5, 5), speed), {"units": "m s-1"})
-            for name, speed in (("u", u), ("v", v))
-        },
-        {"time": ("time", [0.0, end], {"units": "s"})}
-        | {name: (name, place, {"units": "m"}) for name in "xy"},
-    )
-    field.to_netcdf(path)
-    return field
+    flow = (np.full((2, 5, 5), speed) for speed in (u, v))
+    return plane_field(path, [0.0, end], place, place, *flow)
+
+
+def field_blocks(path, outside="raise", length="m", hour="s"):
+    """Return the true flow of a field's file, and the vehicle, of the paper's loop."""
+    flow = {"field": str(path), "outside": outside}
+    units = {"length": length, "time": hour}
+    scenario = clpt.paper_scenario().with_values({"flow": flow, "units": units})
+    blocks = {block.name: block for block in clpt.paper_blocks(scenario)}
+    return blocks["true_flow"], blocks["vehicle"]
 
 
 def gridded_current(
