@@ -1,6 +1,7 @@
 """Several runs in one figure, units of ports, and dimensions named after them."""
 
 import control
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
@@ -8,15 +9,13 @@ from compared_loops import gauge, lemniscate, loop, tank
 from error_sentences import says
 
 import clpt_control as clpt
-from clpt_control.base.figures import COLOURS
-from clpt_control.simulation.comparison import response_plot
-from clpt_control.simulation.run_plots import clpe_plot, learning_plot
-from clpt_control.simulation.track_chart import track_plot
 
 TIMES = np.linspace(0.0, 4.0, 41)
 SCENARIO = clpt.paper_scenario().with_values(
     {"run.duration": 60.0, "run.output_step": 0.5}
 )
+with plt.style.context("clpt_control.data.house"):
+    COLOURS = plt.rcParams["axes.prop_cycle"].by_key()["color"]
 
 
 def legends(axes):
@@ -50,7 +49,7 @@ def test_the_legend_of_what_is_learned_stands_above_the_data():
     scenario = SCENARIO.with_values(
         {"basis": four, "flow.parameters": theta, **without}
     )
-    for ax in learning_plot(clpt.simulate(scenario)):
+    for ax in clpt.simulate(scenario).clpt.plot("learning"):
         ax.figure.canvas.draw()
         box = ax.get_legend().get_window_extent()
         lines = [line for line in ax.lines if line.get_label()[0] != "_"]
@@ -109,7 +108,7 @@ def test_names_that_would_be_one_are_two():
     sizes, wide = {"h": 2, "h_index": 1}, lambda t, x, u, p: {"h": [t, t], "h_index": t}
     run = clpt.simulate(clpt.Block("a", output=wide, outputs=sizes), [0.0, 1.0])
     assert (run.h.dims, run.h_index.dims) == (("time", "h_index_"), ("time",))
-    axes = response_plot(run)
+    axes = run.clpt.plot()
     assert [line.get_label() for line in axes[0].lines] == ["h[0]", "h[1]"]
 
 
@@ -120,7 +119,7 @@ def test_units_of_ports_are_those_of_the_run():
     run, units = clpt.simulate(made, TIMES, 1.0), {"h": "m", "v": "V", "q": "m3/s"}
     units |= {"mean": None, "w": None}
     assert {name: run[name].attrs.get("units") for name in units} == units
-    axes = response_plot(run)
+    axes = run.clpt.plot()
     assert {ax.get_ylabel() for ax in axes} == {
         "h (m)",
         "v (V)",
@@ -234,21 +233,21 @@ def test_legends_of_several_runs_lie_beside_and_leave_the_axes_their_width(
 def test_runs_that_are_cut_or_joined(of_tanks, of_scenarios):
     a, b = of_tanks.values()
     cut = a.isel(time=slice(3, 20))
-    assert len(response_plot(cut)[0].lines[0].get_xdata()) == 17
+    assert len(cut.clpt.plot()[0].lines[0].get_xdata()) == 17
     one = a.isel(h_index=0)[["h"]].clpt.plot()
     np.testing.assert_array_equal(one.lines[0].get_ydata(), a.h[:, 0])
-    both = response_plot(xarray.concat([a, b], "run", data_vars="all"))
+    both = xarray.concat([a, b], "run", data_vars="all").clpt.plot()
     assert legends(both[0])[:2] == ["h[0] run 0", "h[0] run 1"]
     np.testing.assert_array_equal(both[0].lines[1].get_ydata(), b.h[:, 0])
     paper = of_scenarios["0.8"]
     for plot, run in {
-        response_plot: a.isel(time=3),
-        track_plot: paper.isel(time=3),
-        clpe_plot: xarray.concat([paper, paper], "run", data_vars="all"),
-        learning_plot: xarray.concat([paper, paper], "time", data_vars="minimal"),
+        "": a.isel(time=3),
+        "track": paper.isel(time=3),
+        "clpe": xarray.concat([paper, paper], "run", data_vars="all"),
+        "learning": xarray.concat([paper, paper], "time", data_vars="minimal"),
     }.items():
-        says(clpt.DataError, r"\A.*\Z", plot, run)
-    ax = track_plot(paper, label="mine", color="black")
+        says(clpt.DataError, r"\A.*\Z", run.clpt.plot, plot)
+    ax = paper.clpt.plot("track", label="mine", color="black")
     assert (ax.lines[0].get_color(), legends(ax)[0]) == ("black", "mine: track")
 
 
@@ -280,14 +279,14 @@ def test_no_waypoint_is_told_of_a_reference_of_ones_own(tmp_path):
     )
     zc = np.array([2 * np.cos(times / 20), np.sin(times / 10)])
     for run in (clpt.simulate(made, times), clpt.simulate(outside, times, zc)):
-        ax = track_plot(run)
+        ax = run.clpt.plot("track")
         words = legends(ax)
         assert words == ["track", "prediction", "desired position", "start"]
         np.testing.assert_allclose(ax.lines[2].get_xydata(), zc.T, atol=1e-12)
-        for one in (ax, *clpe_plot(run)):
+        for one in (ax, *run.clpt.plot("clpe")):
             words += [*legends(one), one.get_title(loc="left"), one.get_xlabel()]
         assert not [word for word in words if "waypoint" in word or "interval" in word]
     clpt.report(run, tmp_path / "page.html")
     text = (tmp_path / "page.html").read_text().partition('<h2 id="scenario"')[0]
     assert "waypoint" not in text.partition('id="excitation"')[0].lower()
-    assert "waypoints" in legends(track_plot(clpt.simulate(SCENARIO)))
+    assert "waypoints" in legends(clpt.simulate(SCENARIO).clpt.plot("track"))

@@ -7,14 +7,16 @@ from error_sentences import says
 from scipy.integrate import simpson
 
 import clpt_control as clpt
-from clpt_control.base.random_numbers import hash_fraction
-from clpt_control.engine.model.block import evaluate
-from clpt_control.paper.blocks import localization
-from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 TABLE = "learning.fix_regression"
 PAPER = clpt.paper_scenario().with_values(
-    {"learning.law": "fix-regression", **AT_FIXES}
+    {
+        "learning.law": "fix-regression",
+        "localization": {"interval": 5.0},
+        **dict.fromkeys(
+            f"learning.{key}" for key in ("gain", "feedback", "feedforward")
+        ),
+    }
 )
 # one steady function so wide that it is 1 to rounding: a uniform current, and m = t
 STEADY = {
@@ -55,12 +57,18 @@ def test_in_a_uniform_current_the_estimate_is_that_of_ridge_regression(latency, 
     assert np.all(run.feedback_gain == 1.0)
 
 
+def fixes_of(scenario):
+    """Return the block of the fixes of a scenario."""
+    (block,) = (one for one in clpt.paper_blocks(scenario) if one.name == "fixes")
+    return block
+
+
 def test_where_fixes_are_missing_the_integral_goes_on():
     scenario = UNIFORM.with_values(
         {"localization.dropouts": 0.5, "localization.seed": 2}
     )
-    shares = [hash_fraction(2.0, float(k), localization.MISSING, 0) for k in range(13)]
-    taken = [k for k in range(1, 13) if shares[k] >= 0.5]
+    block = fixes_of(scenario)
+    taken = [k for k in range(1, 13) if block.output(5.0 * k, [], [0.0, 0.0])[2]]
     assert 2 < len(taken) < 10
     run = clpt.simulate(scenario)
     learned, squares, last = np.zeros(len(run.time)), 0.0, 0
@@ -74,7 +82,8 @@ def test_where_fixes_are_missing_the_integral_goes_on():
 
 def test_dropouts_are_as_frequent_as_said_and_independent_of_noise():
     count, rate = 2000, 0.3
-    block = localization.fixes(1.0, 5.0, rate, 7.0)
+    given = {"noise": 1.0, "interval": 5.0, "dropouts": rate, "seed": 7}
+    block = fixes_of(PAPER.with_values({"localization": given}))
     found = np.array(
         [block.output(5.0 * k, [], [0.0, 0.0]) for k in range(1, count + 1)]
     )
@@ -90,8 +99,8 @@ def test_steps_of_equal_length_average_the_noise_of_fixes():
     """y_k is theta T + n_k - n_{k-1}; with a wide prior the sum leaves the last n alone."""
     exact = {f"{TABLE}.noise": 1e-9, f"{TABLE}.prior": 1e3}
     noisy = {"localization.noise": 0.05, "localization.interval": 20.0}
-    run = clpt.simulate(UNIFORM.with_values(exact | noisy))
-    block = localization.fixes(0.05, 20.0, 0.0)
+    scenario = UNIFORM.with_values(exact | noisy)
+    run, block = clpt.simulate(scenario), fixes_of(scenario)
     for k in (1, 2, 3):
         n = block.output(20.0 * k, [], [0.0, 0.0])[:2]
         learned = estimates(run.sel(time=20.0 * k))
@@ -116,9 +125,8 @@ def test_ever_more_fixes_give_continuous_least_squares():
     """As T goes to 0 with r^2 = s^2 T, P^-1 is 1/prior^2 + int phi phi^T/s^2 along the track."""
     s, prior, times = 0.3, 0.9, np.linspace(0.0, 20.0, 4001)
     plain = clpt.paper_scenario().with_values({"run.duration": 20.0})
-    phi = evaluate(
-        plain.basis_block(), times, clpt.simulate(plain, times).position.values
-    )
+    basis, track = plain.basis_block(), clpt.simulate(plain, times).position.values
+    phi = np.array([basis.output(t, [], x) for t, x in zip(times, track, strict=True)])
     seen = simpson(phi[:, :, None] * phi[:, None], x=times, axis=0) / s**2
     limit = plain.flow.parameters @ (
         np.eye(3) - np.linalg.inv(np.eye(3) + prior**2 * seen)

@@ -3,20 +3,17 @@
 import json
 from xml.etree import ElementTree
 
-import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from error_sentences import says
 from pyproj import Geod
 
 import clpt_control as clpt
-from clpt_control.base.figures.degree_axes import degree_axes
-from clpt_control.base.geodesy import LocalPlane
-from clpt_control.base.map_files import NAMESPACE
 
 ORIGIN = (41.225, -69.45)
 CORNERS = [[41.3, -69.55], [41.3, -69.35], [41.15, -69.35], [41.15, -69.55]]
 WGS84 = Geod(ellps="WGS84")
+NAMESPACE = "http://www.opengis.net/kml/2.2"
 PAPER = clpt.paper_scenario()
 
 
@@ -153,15 +150,15 @@ def test_runs_without_an_origin_have_no_map(tmp_path):
 
 @pytest.mark.parametrize(("lat", "lon"), [(41.2, -69.5), (-10.0, 179.98)])
 def test_ticks_are_at_even_degrees(lat, lon):
-    plane = LocalPlane(lat, lon)
-    figure, ax = plt.subplots()
-    ax.set(xlim=(-10, 10), ylim=(-12, 12))
-    degree_axes(ax, plane, "km")
-    figure.draw_without_rendering()
+    corners = [[lat + a, lon + b] for a, b in ((0, 0), (0.1, 0), (0.1, 0.1))]
+    changes = {"origin": (lat, lon), "reference.points_lat_lon": corners}
+    ax = clpt.simulate(at_sea(**changes)).clpt.plot("track")
+    ax.figure.draw_without_rendering()
     for tick in ax.yaxis.get_major_ticks():
         degrees, letter = tick.label1.get_text().split("° ")
         latitude = float(degrees) * {"N": 1, "S": -1}[letter]
-        x2 = float(plane.to_plane(latitude, lon)[1])
+        _, _, metres = WGS84.inv(lon, lat, lon, latitude)
+        x2 = np.copysign(metres / 1000, latitude - lat)
         assert x2 == pytest.approx(tick.get_loc(), abs=1e-3)
     letters = {label.get_text()[-1] for label in ax.get_xticklabels()}
     assert letters == ({"W"} if lon < 0 else {"E", "W"})  # 180 degrees are crossed

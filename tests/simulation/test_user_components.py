@@ -8,6 +8,7 @@ import law_blocks
 import numpy as np
 import pytest
 from error_sentences import says
+from film_frames import frame_of
 from matplotlib.quiver import Quiver
 from matplotlib.text import Text
 from still_water import CALM, KD, POINTS, GammaD, exact_positions
@@ -15,13 +16,6 @@ from xarray.testing import assert_allclose, assert_equal, assert_identical
 
 import clpt_control as clpt
 from clpt_control import BlockError, ClptError, DataError, DiagramError, prove
-from clpt_control.base.figures import new_figure
-from clpt_control.paper.blocks import vehicle
-from clpt_control.paper.scenario.file import OWN_PARTS
-from clpt_control.simulation.animation import draw_samples
-from clpt_control.simulation.run_plots import learning_plot
-from clpt_control.simulation.track_chart import track_plot
-from clpt_control.simulation.user_components import LAW
 from clpt_control.theory.excitation.certificates import certificate
 
 PAPER = clpt.paper_scenario().with_values({"run.duration": 30})
@@ -77,7 +71,8 @@ def test_a_replaced_vehicle_starts_where_the_scenario_says():
     ports = {"inputs": [f"{port}[{k}]" for port in ("flow_x", "v_x") for k in (0, 1)]}
     ports |= {"outputs": ["x[0]", "x[1]"], "name": "boat"}
     boat = control.ss(0 * np.eye(2), np.hstack([np.eye(2)] * 2), np.eye(2), 0, **ports)
-    hull = clpt.connect([vehicle.vehicle()], external=["flow_x", "v_x"], name="hull")
+    (vehicle,) = (one for one in clpt.paper_blocks(PAPER) if one.name == "vehicle")
+    hull = clpt.connect([vehicle], external=["flow_x", "v_x"], name="hull")
     scenario = PAPER.with_values({"vehicle.position": [1.0, -2.0]})
     plain = clpt.simulate(scenario)
     for own, first in ((boat, "boat_x[0]"), (hull, "hull_vehicle_x[0]")):
@@ -114,7 +109,7 @@ UNFIT = [
     ({"law": "sigma"}, "law = 'sigma': must be a Block"),
     ({"law": law_blocks.papers_law(N=2)}, r"alpha of N = 2 functions; the scenario has 3"),
     ({"law": clpt.paper_blocks(PAPER)[0]}, r"a law makes alpha\[2N\], K\[2\] and Gamma\[2\]"),
-    ({"law": law_blocks.papers_law(), "replace": {LAW: WIDE}}, "both replace the law"),
+    ({"law": law_blocks.papers_law(), "replace": {"adaptation": WIDE}}, "both replace the law"),
 ]  # fmt: skip
 
 
@@ -142,7 +137,9 @@ def test_a_loop_that_knows_its_scenario_is_its_scenario():
     fast = clpt.simulate(loop(LIMITED))
     assert fast.attrs["message"] == clpt.simulate(LIMITED).attrs["message"]
     law = clpt.paper_blocks(PAPER.with_values({"learning.gain": 2.0}))[-1]
-    loops = [loop(PAPER, **own) for own in ({"law": law}, {"replace": {LAW: law}})]
+    loops = [
+        loop(PAPER, **own) for own in ({"law": law}, {"replace": {"adaptation": law}})
+    ]
     assert clpt.simulate(loops[0]).identical(clpt.simulate(loops[1]))
     with pytest.raises(
         clpt.ScenarioError, match="timepts: is required to run a diagram"
@@ -158,7 +155,7 @@ def test_what_was_done_to_a_loop_since_is_in_its_run(change):
     else:
         loop.syslist[-1].parameters = loop.syslist[-1].parameters._replace(gain=3.0)
     run = clpt.simulate(loop)
-    assert run.attrs[OWN_PARTS] == "closed_loop: run as a diagram"
+    assert run.attrs["own_parts"] == "closed_loop: run as a diagram"
     assert not np.allclose(
         run.predicted_position, clpt.simulate(PAPER).predicted_position
     )
@@ -241,19 +238,18 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
         (tmp_path / f"{n}.html").read_text("utf-8") for n in ("run", "many")
     )
     told = {"learned flow"} if "the learned flow at the end" in page else set()
-    axes = learning_plot(run)
+    axes = run.clpt.plot("learning")
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
         has = f"largest {error.replace('_', ' ')}" in page
         assert has is (error in data) is (f"{error.split('_')[-2]} error" in ensemble)
         assert has is ("true" in axes[below].get_title(loc="left"))
         told |= {error} if has else set()
-    _, ax = new_figure()
-    next(draw_samples(ax, run, np.array([run.sizes["time"] - 1])))
+    ax = frame_of(run, run.sizes["time"] - 1)
     texts = [text.get_text() for text in ax.figure.findobj(Text)]
     arrows = set(re.findall(r"^longest (true|learned) arrow ", "\n".join(texts), re.M))
     assert ("true flow" in texts) is ("true" in arrows)
     told |= {f"{kind} arrow" for kind in arrows}
-    track = track_plot(run).collections
+    track = run.clpt.plot("track").collections
     assert any(isinstance(one, Quiver) for one in track) is ("true arrow" in told)
     assert told == set(wanted.split(", "))
 

@@ -12,7 +12,6 @@ from law_blocks import HELD, alone, everything, of_law, off, square, still
 from scipy.integrate import quad, simpson
 
 import clpt_control as clpt
-from clpt_control.paper.laws.memory_laws import COMPOSITE_MEMORY, CONCURRENT
 
 LAWS = (
     "composite-least-squares",
@@ -37,7 +36,9 @@ def test_memory_of_one_function_is_its_integral():
         "filter": 1.5,
     }
     t, theta = np.linspace(0, 8, 9), np.array([[0.6], [-0.4]])
-    states, _ = alone(still(COMPOSITE_MEMORY, **own), t, np.ones((1, 9)), theta)
+    states, _ = alone(
+        still(clpt.laws()["composite-memory"], **own), t, np.ones((1, 9)), theta
+    )
 
     def seen(s):
         return 1 - 1 / (1 + (1 - np.exp(-1.5 * s)) ** 2)
@@ -211,7 +212,9 @@ def test_one_function_is_the_closed_form():
         np.array([[0.3], [0.9]]),
         np.linspace(0, 6, 61),
     )
-    x, _ = alone(still(CONCURRENT, **OWN), t, np.ones((1, 61)), theta, alpha=first)
+    x, _ = alone(
+        still(clpt.laws()["concurrent"], **OWN), t, np.ones((1, 61)), theta, alpha=first
+    )
     M = np.maximum(0.0, t - T) / (2 * T)
     S = M / (1 + M)
     np.testing.assert_allclose([*x["S"], *x["B"]], [S, *(theta * S)], atol=1e-9)
@@ -225,7 +228,7 @@ def test_what_was_shown_once_is_learned_exponentially_and_for_good(after):
     t = np.linspace(0, 60, 6001)
     seen = t <= 4.0
     phi = np.array([np.where(seen, 1.0, after), seen * (t - 2.0)])
-    x, _ = alone(still(CONCURRENT, 2, **OWN), t, phi, theta)
+    x, _ = alone(still(clpt.laws()["concurrent"], 2, **OWN), t, phi, theta)
     least = np.linalg.eigvalsh(x["S"].T.reshape(-1, 2, 2))[:, 0]
     assert np.all(np.diff(least) >= -1e-9)  # as Chowdhary and Johnson ask of a stack
     off, least = (

@@ -13,9 +13,6 @@ from law_blocks import alone, everything, of_law, off, square, still
 from scipy.integrate import cumulative_trapezoid, quad, simpson
 
 import clpt_control as clpt
-from clpt_control.paper.laws.least_squares import LEAST_SQUARES, NORMALISED_GRADIENT
-from clpt_control.paper.laws.paper import KALMAN_FLOW, kalman_flow
-from clpt_control.simulation.initial_states import state_columns
 
 SQUARES = ("least-squares", "composite-least-squares")
 THETA = np.array([[0.6], [-0.4]])
@@ -33,7 +30,7 @@ def test_a_constant_regressor_has_a_closed_form(forgetting):
     """phi_f(0) = 1 stays 1: 1/P comes to 1/P(0) + 1/(lambda_0 r^2) by e^(-lambda_0 t)."""
     t, law = (
         np.linspace(0, 30, 31),
-        still(LEAST_SQUARES, **USUAL, forgetting=forgetting),
+        still(clpt.laws()["least-squares"], **USUAL, forgetting=forgetting),
     )
     s, _ = alone(
         law, t, np.ones((1, 31)), THETA, P=0.8**2, rho=1.0, phi_f=1.0, q=-THETA
@@ -53,8 +50,8 @@ def test_a_constant_regressor_has_a_closed_form(forgetting):
 
 def test_what_is_never_seen_is_never_forgotten_beyond_the_bound():
     """phi = 0: P stays at its bound whatever is forgotten; below it P grows and stays below."""
-    law = still(LEAST_SQUARES, **USUAL, forgetting=2.0)
-    at, state = state_columns([law])["P"].start, np.zeros(law.nstates)
+    law = still(clpt.laws()["least-squares"], **USUAL, forgetting=2.0)
+    at, state = law.state_labels.index("P[0]"), np.zeros(law.nstates)
     for share in (1.0, 0.999, 0.5, 0.01):
         state[at] = share * 0.8**2
         rate = law.dynamics(0.0, state, np.zeros(law.ninputs))[at]
@@ -147,7 +144,7 @@ def filtered(duration, step=1.0, **own):
 @pytest.mark.parametrize("walk", [0.2, 0.5])
 def test_the_filter_of_one_function_is_the_closed_form(walk):
     r, P0, first, t = 0.3, 0.64, np.array([[0.1], [0.2]]), np.linspace(0, 3, 7)
-    law = still(KALMAN_FLOW, noise=r, walk=walk, filter=1.5)
+    law = still(clpt.laws()["kalman-flow"], noise=r, walk=walk, filter=1.5)
     start = {"theta_hat": first, "P": P0, "phi_f": 1.0, "q": -THETA}
     found, _ = alone(law, t, np.ones((1, 7)), THETA, **start)
     p, s = walk * r, walk * t / r
@@ -194,7 +191,11 @@ def test_a_block_of_ones_own_may_make_the_estimate():
         "parameters": table.parameters._replace(walk=0.5),
     }
     mine = clpt.Block(
-        "mine", update=kalman_flow, output=table.output_function, **ports, **own
+        "mine",
+        update=table.update_function,
+        output=table.output_function,
+        **ports,
+        **own,
     )
     loop = clpt.closed_loop(scenario, law=mine)
     run = clpt.simulate(loop)
@@ -224,7 +225,10 @@ def test_a_constant_regressor_is_learned_at_its_rate(regressor):
         {"gain": 0.8, "rate": 1.0, "filter": 1.5, "regression_gain": 0.7},
     )
     start = {"phi_f": regressor, "q": -THETA * regressor}
-    law, phi = still(NORMALISED_GRADIENT, **own), np.full((1, 9), regressor)
+    law, phi = (
+        still(clpt.laws()["normalised-gradient"], **own),
+        np.full((1, 9), regressor),
+    )
     found, _ = alone(law, t, phi, THETA, **start)
     rate = 0.7 * regressor**2 / (1 + regressor**2)
     np.testing.assert_allclose(
