@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.codegen.machine import LANES
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import check_block
@@ -38,6 +39,7 @@ __all__ = [
     "check_block",
     "compile",
     "linear",
+    "print_program",
     "reachable",
     "readings",
     "side_by_side",

@@ -6,12 +6,10 @@ import control
 import numpy as np
 import pytest
 import scipy.linalg
-from engine_runs import NativeDiagram, readings, wiring_of
+from engine_runs import NativeDiagram, print_program, readings, wiring_of
 
 import clpt_control as clpt
 from clpt_control import Block, lookup
-from clpt_control.engine.codegen.llvm_text import print_program
-from clpt_control.engine.diagram.interconnection import connect
 
 SIZES = {"N": 11, "M": 3}
 STATES = {"x": "N", "y": "M", "A": ("N", "N"), "B": (2, "N"), "c": 2, "d": 20, "s": 1}
@@ -112,7 +110,7 @@ def meeting(one):
     ]
     if one:
         own = lambda t, x, u, p: {"plus": u.alpha @ u.phi, "minus": -u.alpha @ u.phi}  # noqa: E731
-        return connect(
+        return clpt.connect(
             [*made, Block("both", output=own, outputs={"plus": 2, "minus": 2}, **size)]
         )
     up = Block(
@@ -121,7 +119,7 @@ def meeting(one):
     down = Block(
         "down", output=lambda t, x, u, p: -u.alpha @ u.phi, outputs={"minus": 2}, **size
     )
-    return connect([*made, up, down])
+    return clpt.connect([*made, up, down])
 
 
 @pytest.mark.parametrize(("one", "left"), [(True, 4), (False, 2)])

@@ -12,13 +12,12 @@ import control
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
-from engine_runs import NativeDiagram
+from engine_runs import NativeDiagram, print_program
 from paths import ROOT
 
 from clpt_control import Block
 from clpt_control.base.files import CACHE, cache_folder, trusted
 from clpt_control.engine.codegen import machine
-from clpt_control.engine.codegen.llvm_text import print_program
 from clpt_control.engine.codegen.machine import (
     Machine,
     cache_code,

@@ -12,6 +12,7 @@ from error_sentences import says
 from package_blocks import EACH
 from recorded_blocks import static
 
+import clpt_control as clpt
 from clpt_control import ArgumentError, Block, BlockError, ClptError, check
 from clpt_control.engine.codegen import vectors
 from clpt_control.engine.conformance.checks import (
@@ -20,8 +21,6 @@ from clpt_control.engine.conformance.checks import (
     random_samples,
     roles,
 )
-from clpt_control.paper.blocks import clpe
-from clpt_control.paper.laws.paper import LEARNED_FLOW as LAW
 
 
 @pytest.mark.parametrize("block", EACH)
@@ -30,7 +29,9 @@ def test_package_block_conforms(block):
 
 
 def test_a_report_counts_its_checks_and_repeats():
-    report = check_block(clpe.clpe())
+    blocks = clpt.paper_blocks(clpt.paper_scenario())
+    (clpe,) = (block for block in blocks if block.name == "clpe")
+    report = check_block(clpe)
     assert (report.ok, report.failures, len(report.checks)) == (True, (), 6)
     assert str(report) == "clpe: conforms (6 checks)"
     assert check_block(static(root, 1), seed=3) == check_block(static(root, 1), seed=3)
@@ -251,9 +252,10 @@ def test_one_gain_for_all_is_of_no_unit():
         "gain_K": "m-2 s-2",
         "gain_Gamma": "m-2 s-2",
     }
-    check(LAW.of(3, gain=0.7, gain_K=0.4, gain_Gamma=1.3), units=units)
+    law = clpt.laws()["learned-flow"]
+    check(law.of(3, gain=0.7, gain_K=0.4, gain_Gamma=1.3), units=units)
     del units["gain_K"], units["gain_Gamma"]
-    one = check_block(LAW.of(3, gain=0.7), units=units)
+    one = check_block(law.of(3, gain=0.7), units=units)
     assert "adaptation.update: K is not of the unit '1/s'" in one.failures[0]
 
 

@@ -8,8 +8,6 @@ from error_sentences import says
 
 import clpt_control as clpt
 from clpt_control import BlockError, DiagramError
-from clpt_control.paper.blocks import flow, vehicle
-from clpt_control.simulation.initial_states import initial_state
 
 TIMES = np.linspace(0.0, 3.0, 7)
 ENGINES = ("native", "python")
@@ -32,9 +30,13 @@ def with_a_law(**own):
     return [clpt.parts.lag(1.0, y="h"), clpt.parts.pid(1, 0.1, y="h", **own)]
 
 
-PAPER, VEHICLE = clpt.paper_scenario(), vehicle.vehicle()
-BASIS = flow.flow_basis("basis_z", "z", "gaussian", np.zeros((2, 2)), *np.eye(3)[:, :2])
+PAPER = clpt.paper_scenario()
 PAPERS = clpt.paper_blocks(PAPER)
+NAMED = {block.name: block for block in PAPERS}
+VEHICLE = NAMED["vehicle"]
+BASIS = clpt.Block(
+    "basis_z", output=lambda t, x, u, p: u.z, inputs={"z": 2}, outputs={"phi_z": 2}
+)
 UNFIT = [
     (with_a_law(), (), r"'r'.*there are h, u; external='r' supplies it from outside"),
     (with_a_law(), "rr", r"did you mean rr\?; there are h, rr, u"),
@@ -43,11 +45,7 @@ UNFIT = [
         "r",
         "'u' has 2 signals, but lag takes 1; both must have one size",
     ),
-    (
-        [BASIS, flow.modeled_flow(np.zeros((2, 3)))],
-        "z",
-        "'phi_z' has 2 signals, but modeled_flow",
-    ),
+    ([BASIS, NAMED["modeled_flow"]], "z", "'phi_z' has 2 signals, but modeled_flow"),
     (
         [VEHICLE, through("a", "flow_x", "b")],
         ("flow_x", "v_x"),
@@ -284,7 +282,7 @@ def test_initial_state_is_in_the_order_of_the_states():
     start |= {"feedback": [11.0, 12.0], "feedforward": [13.0, 14.0]}
     learning = {f"learning.{key}": value for key, value in start.items()}
     scenario = PAPER.with_values({"vehicle.position": [1.0, 2.0], **learning})
-    assert initial_state(scenario).tolist() == list(range(1, 15))
+    assert clpt.initial_state(scenario).tolist() == list(range(1, 15))
     ends = [label.split("_")[-1] for label in clpt.closed_loop(scenario).state_labels]
     assert ends == flat("x 2 z 2 alpha 6 K 2 Gamma 2")
 

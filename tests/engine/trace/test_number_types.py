@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from engine_runs import Unread, wiring_of
 from functions_with_side_effects import PARAMS, READ, REFUSED
-
-from clpt_control.engine.model.on_arrays import leaf_values
+from recorded_blocks import recorded
 
 STATES = (
     [0.3, -0.7, 2.0],
@@ -39,12 +38,9 @@ def block_of(function, params):
 @pytest.mark.parametrize("name", READ)
 def test_numbers_of_every_kind_are_as_python_has_them(name):
     block = block_of(READ[name], PARAMS)
-    record = block.array_record("output")
     for t, x, u in POINTS:
         x, u = np.array(x), np.array(u)
-        found = record.values(
-            leaf_values(block, t, x, u, block.parameters), block.sizes
-        )
+        found = recorded(block, "output", t, x, u)
         with np.errstate(all="ignore"):
             wanted = np.ravel(
                 np.asarray(READ[name](t, x.copy(), u.copy(), dict(PARAMS)), float)
