@@ -209,8 +209,8 @@ def held_noise(t, x, u, p):
 def noise(
     std: ArrayLike,
     period: float,
-    signals: int = 1,
     seed: Seed = 0,
+    signals: int = 1,
     name: str = "noise",
     **ports: str,
 ) -> Block:
@@ -222,10 +222,10 @@ def noise(
         Standard deviation; of white noise of an intensity q it is ``sqrt(q / period)``.
     period : float
         How long each number is held.
-    signals : int, optional
-        Number of signals, independent of each other.
     seed : int, optional
         A whole number; the same seed is the same noise in every engine.
+    signals : int, optional
+        Number of signals, independent of each other.
     name : str, optional
         Name of the block.
     **ports : str
