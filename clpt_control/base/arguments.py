@@ -192,8 +192,8 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
 def plain(value: Any, kinds: Kinds) -> Any:
     """Return a value, made plain where one of the kinds asks for it."""
     if (
-        getattr(value, "ndim", None) == 0
-        and getattr(value, "dtype", EMPTY).kind in "iufb"
+        attribute_of(value, "ndim") == 0
+        and attribute_of(value, "dtype", EMPTY).kind in "iufb"
     ):
         return value.item() if {float, int, bool} & set(kinds) else value
     if isinstance(value, Iterator) and any(
@@ -202,7 +202,7 @@ def plain(value: Any, kinds: Kinds) -> Any:
         return list(value)
     if isinstance(value, list) and any(get_origin(kind) is tuple for kind in kinds):
         return tuple(value)
-    listed = isinstance(value, list | tuple) or hasattr(value, "__array__")
+    listed = isinstance(value, list | tuple) or has(value, "__array__")
     if listed and np.ndarray in kinds and not isinstance(value, np.ndarray):
         with suppress(TypeError, ValueError):  # rows of several lengths
             return np.asarray(value)
@@ -249,7 +249,7 @@ def _has_kind(value: Any, kind: Any) -> bool:
     if origin in LISTS or (origin is tuple and inner[-1] is Ellipsis):
         return _is_list_of(value, origin, inner)
     if origin is tuple:
-        listed = isinstance(value, tuple | list) or getattr(value, "ndim", 0) == 1
+        listed = isinstance(value, tuple | list) or attribute_of(value, "ndim", 0) == 1
         return listed and len(value) == len(inner) and all(map(_inner, value, inner))
     if origin in (Mapping, dict) and inner and isinstance(value, origin):
         return all(
@@ -281,12 +281,12 @@ def _is_list_of(value: Any, origin: Any, inner: Kinds) -> bool:
     """Return True if a value is a list or another sequence whose members have the inner kind."""
     if (
         isinstance(value, str | bytes | os.PathLike | Mapping)
-        or getattr(value, "ndim", 1) == 0
+        or attribute_of(value, "ndim", 1) == 0
     ):
         return False
-    if not all(hasattr(value, name) for name in ("__iter__", "__len__")):
+    if not all(has(value, name) for name in ("__iter__", "__len__")):
         return False
-    if origin is not Iterable and not hasattr(value, "__getitem__"):
+    if origin is not Iterable and not has(value, "__getitem__"):
         return False
     if inner[:1] == (float,):  # thousands of times are asked at once
         try:
@@ -323,7 +323,7 @@ def brief(value: Any) -> str:
         return " ".join(SHORT.repr(value).split())
     kind = type(value).__name__.removeprefix("nd")
     named = f"{'an' if kind[0] in 'AEIOUaeiou' else 'a'} {kind}"
-    shape = getattr(value, "shape", None)
+    shape = attribute_of(value, "shape")
     return f"{named} of shape {shape}" if isinstance(shape, tuple) else named
 
 
@@ -344,8 +344,8 @@ def numbers(argument: str, value: Any, *last: int | None) -> np.ndarray:
     if type(value) is np.ndarray and value.dtype == float and not last:
         return value
     value = without_mask(value)
-    with suppress(TypeError, ValueError):
-        if getattr(getattr(value, "dtype", None), "kind", "-") in "cmM":
+    with suppress(Exception):  # of a user's object
+        if attribute_of(attribute_of(value, "dtype"), "kind", "-") in "cmM":
             raise TypeError  # NumPy would drop what is imaginary, and the unit of a time
         array = np.asarray([] if value is None else value, dtype=float)
         sizes = array.shape[max(array.ndim - len(last), 0) :]
@@ -367,6 +367,11 @@ def attribute_of(value: Any, name: str, default: Any = None) -> Any:
         return kind.__getattribute__(value, name)
     except Exception:  # the code of a user's class can raise anything
         return default
+
+
+def has(value: Any, name: str) -> bool:
+    """Return whether an object has an attribute, without its class's `__getattr__`."""
+    return attribute_of(value, name, EMPTY) is not EMPTY
 
 
 def check_holds(argument: str, data: Any, names: Iterable[str], cure: str) -> None:

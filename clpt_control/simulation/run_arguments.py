@@ -84,11 +84,13 @@ def state_by_name(diagram: Any, state: Any, default: Any) -> Any:
 
 def _columns(diagram: Any, kind: str, labels: Sequence[str], name: Any) -> list[int]:
     """Return the columns of a label or port; refuse an unknown name."""
-    names = {**ports_of(labels), **{label: [k] for k, label in enumerate(labels)}}
-    if name in names:
-        return names[name]
+    ports = ports_of(labels)
+    names = {**ports, **{label: [k] for k, label in enumerate(labels)}}
+    for known in (name, str(name).replace(".", "_")):  # plant.angle is plant_angle
+        if known in names:
+            return names[known]
     close = nearest(str(name), names)
-    advice = f"Did you mean '{close}'?" if close else f"It has {', '.join(names)}"
+    advice = f"Did you mean '{close}'?" if close else f"It has {', '.join(ports)}"
     raise SimulationError(
         f"{diagram.name}: has no {kind} '{name}'. {advice if names else 'It has none'}"
     )

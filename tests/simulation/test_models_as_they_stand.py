@@ -470,3 +470,9 @@ def test_objects_whose_getattr_raises_a_key_error(kind, tmp_path):
     assert str(clpt.equations(decay)).startswith("x' = -2*x")
     assert clpt.check(decay).ok
     clpt.export(decay, tmp_path / "decay.c")
+
+
+@pytest.mark.parametrize("place", ["system", "timepts", "inputs", "initial_state"])
+def test_such_an_object_in_place_of_an_argument_is_refused(place):
+    given = {"system": control.ss(-1, 1, 1, 0), "timepts": [0, 1], place: Rate(k=2.0)}
+    says(clpt.ClptError, "must be |has no", clpt.simulate, **given)

@@ -93,6 +93,14 @@ def test_inputs_and_states_by_name():
     assert named.equals(expected)
 
 
+def test_a_state_of_a_block_by_its_dotted_name():
+    loop = clpt.connect([lag()], external="torque")
+    assert loop.state_labels == ["lag_angle"]
+    for name in ("lag_angle", "lag.angle"):
+        run = clpt.simulate(loop, TIMES, initial_state={name: 3.0})
+        assert run.states.values[0, 0] == 3.0
+
+
 def test_other_states_of_a_scenario_are_its_own():
     scenario = clpt.paper_scenario().with_values({"run.duration": 5})
     loop = clpt.closed_loop(scenario)

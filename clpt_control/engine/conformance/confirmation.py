@@ -54,7 +54,7 @@ def _flat(values: Any) -> np.ndarray:
     try:
         arrays = [np.ravel(value) for value in values if value is not None]
         vector = np.concatenate([NONE, *arrays])
-    except (TypeError, ValueError):  # of which the run itself says more
+    except Exception:  # of a user's object; the run itself says more
         vector = NONE
     return vector[np.isfinite(vector)] if vector.dtype == float else NONE
 

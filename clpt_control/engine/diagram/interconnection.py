@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import control
 import numpy as np
 
-from ...base.arguments import attribute_of, brief, nearest, public
+from ...base.arguments import attribute_of, brief, has, nearest, public
 from ...base.errors import BlockError, DiagramError
 from ...base.html import shortened
 from ...base.notebook_display import diagram_html
@@ -87,7 +87,7 @@ class Diagram(control.InterconnectedSystem):
     def _update_params(self, params: Params) -> None:
         params = dict(params or {})
         # a diagram around this one has checked the names
-        is_nested = any(hasattr(value, "_fields") for value in params.values())
+        is_nested = any(has(value, "_fields") for value in params.values())
         is_nested |= bool(self.params) and set(self.params) <= set(params)
         if params and not is_nested:
             changed_parameters(blocks_of(self), params)
@@ -387,7 +387,7 @@ def with_stop(wiring: Wiring, stop: Callable[[float, Any, Any], Any]) -> Wiring:
 
     def distance(t, x, u, p):
         value = stop(t, u.y, u.u)
-        is_truth = isinstance(value, bool) or getattr(value, "dtype", None) == np.bool_
+        is_truth = isinstance(value, bool) or attribute_of(value, "dtype") == np.bool_
         return np.where(value, 1.0, -1.0) if is_truth else value
 
     def sentence(t: float, u: np.ndarray, p: Any) -> str:

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple, TypeAlias
 import control
 import numpy as np
 
+from ...base.arguments import has
 from ...base.errors import DiagramError
 from ..model.block import Block
 from ..model.ports import ports_of
@@ -428,7 +429,7 @@ def _checked(system: Any) -> Part:
         return system
     kind = type(system).__name__
     if not isinstance(system, control.NonlinearIOSystem | control.TransferFunction):
-        value = f"a {kind}" if hasattr(system, "name") else f"{system!r:.60}"
+        value = f"a {kind}" if has(system, "name") else f"{system!r:.60}"
         raise DiagramError(
             f"{value} is not a block. Give a clpt.Block, a diagram, or control.ss, tf or nlsys"
         )

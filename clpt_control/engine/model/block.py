@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...base.arguments import brief, numbers, public
+from ...base.arguments import brief, has, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..trace.tracing import RAISED
 from .declaration import (
@@ -280,7 +280,7 @@ class Block(ReadBlock):
             owner, _, field = key.rpartition(".")
             if owner == self.name and field in self.parameters._fields:
                 changes[field] = value
-            elif key == self.name and hasattr(value, "_fields"):
+            elif key == self.name and has(value, "_fields"):
                 continue  # python-control passes it to every block of a diagram
             elif self.name in (owner, key) or not in_diagram:
                 names = (

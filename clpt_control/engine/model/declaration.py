@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...base.arguments import attribute_of, brief, public
+from ...base.arguments import attribute_of, brief, has, public
 from ...base.errors import BlockError
 
 UNIT = re.compile(r"([A-Za-z_]+)(?:\^|\*\*)?(-?\d+)?")  # and its power
@@ -220,7 +220,7 @@ def named_values(name: str, parameters: Any) -> dict[str, Any]:
         return {}
     if isinstance(parameters, Mapping):
         return dict(parameters)
-    if hasattr(parameters, "_asdict"):
+    if has(parameters, "_asdict"):
         return parameters._asdict()
     if is_dataclass(parameters) and not isinstance(parameters, type):
         return {

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy import ndarray
 
+from ...base.arguments import attribute_of
 from ..diagram.wiring import Node, Wiring
 from ..model.ports import reused_vector
 
@@ -112,7 +113,7 @@ class Sweep:
         self.triggered = {}
         for k in self._breaking:
             node = self.nodes[k]
-            trigger = getattr(node.system.breakpoints_function, "trigger", None)
+            trigger = attribute_of(node.system.breakpoints_function, "trigger")
             signal = None if trigger is None else node.external_input(trigger)
             if inputs is None or signal is None:
                 continue
