@@ -199,10 +199,6 @@ def test_a_folder_goes_on_and_refuses_another_diagram(tmp_path):
         ):
             clpt.run_ensemble(of, out=out, **given | more)
     assert files(out) == before
-    with pytest.raises(
-        DataError, match="is an ensemble of a diagram, not of a scenario"
-    ):
-        clpt.report(out, tmp_path / "page.html")
     odd = system(unread, params={"a": 1.0}, name="odd")
     with pytest.raises(DiagramError, match=r"^out: odd\.update: "):
         # it cannot be told from others

@@ -38,12 +38,12 @@ def test_percentiles_over_time_of_each_output():
     axes = data.clpt.plot()
     tau = data["lag.tau"].values[:, None]
     y = 1 - np.exp(-TIMES / tau)
-    for ax, exact in zip(axes, (y, (1 - y) / tau, y), strict=True):
+    for ax, exact in zip(axes, ((1 - y) / tau, y, y), strict=True):
         median, low, high = (line.get_ydata() for line in ax.lines)
         expected = np.percentile(exact, [50, 5, 95], axis=0)
         np.testing.assert_allclose([median, low, high], expected, atol=1e-7)
     labels = [ax.get_ylabel() for ax in axes]
-    assert labels == ["y (m)", "r[0] (m/s)", "r[1] (m/s)"]
+    assert labels == ["r[0] (m/s)", "r[1] (m/s)", "y (m)"]
     plt.close("all")
 
 
@@ -52,8 +52,8 @@ def test_without_trajectories_the_rms_is_drawn_over_what_varied():
         lag(), {"lag.tau": [0.5, 1, 2], "u": [1.0, 2.0]}, timepts=TIMES
     )
     for data in (grid, grid.unstack()):
-        top = data.clpt.plot()[0]
-        tau, rms = top.lines[0].get_data()
+        axes = data.clpt.plot()
+        tau, rms = axes[-1].lines[0].get_data()
         np.testing.assert_array_equal(tau, [0.5, 0.5, 1, 1, 2, 2])
         np.testing.assert_array_equal(rms, grid.y_rms.values)
     plt.close("all")

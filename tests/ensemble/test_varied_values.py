@@ -234,11 +234,11 @@ def test_an_ensemble_says_what_it_is_and_is_written_as_netcdf(tmp_path):
             xarray.testing.assert_equal(read, data)
         assert data.clpt.kind == "ensemble"
         assert repr(data.clpt) == "<clpt of a dataset: ensemble Ensemble of lag>"
-        for ask in (data.clpt.plot, lambda data=data: clpt.report(data, "page.html")):
-            with pytest.raises(
-                ClptError, match=r"is an ensemble of a diagram.*plot\.contourf"
-            ):
-                ask()
+        assert (
+            data.clpt.plot().lines[0].get_xdata().tolist() == data.tau.values.tolist()
+        )
+        made = clpt.report(data, tmp_path / "page.html")
+        assert made["title"] == "Ensemble of lag"
 
 
 def test_a_state_whose_label_is_a_word_of_the_function_varies():
