@@ -265,7 +265,7 @@ def _diagram_plot(data: "xarray.Dataset", ax: Any) -> Any:
         panel.set_ylabel(literal(named(label, signal.attrs.get("units"))))
     count = f"{data.sizes['member']:,}".replace(",", " ")
     panels[0].set_title(f"{count} members", **TITLE)
-    if stored:
+    if stored and panels[0].lines:
         panels[0].legend(frameon=False, fontsize=8)
     panels[-1].set_xlabel(literal(named(str(x.name), x.attrs.get("units"))))
     return axes

@@ -76,6 +76,25 @@ def test_an_ensemble_of_a_diagram_has_a_page(tmp_path, stored):
     np.testing.assert_allclose(cells, expected, rtol=1e-3)
 
 
+def test_an_ensemble_whose_members_all_fail_has_its_page(tmp_path):
+    blown = clpt.Block(
+        "b",
+        update=lambda t, x, u, p: p.k / (x.x - 1),
+        states={"x": 1},
+        parameters={"k": 1.0},
+    )
+    with pytest.warns(UserWarning, match="2 of 2"):
+        data = clpt.run_ensemble(
+            blown,
+            {"b.k": [1.0, 2.0]},
+            timepts=TIMES,
+            initial_state=1.0,
+            trajectories=True,
+        )
+    clpt.report(data, tmp_path / "many.html")
+    assert "2 of 2 runs ended early" in (tmp_path / "many.html").read_text()
+
+
 def test_more_signals_than_a_figure_shows():
     wide = control.ss(-np.eye(17), np.ones((17, 1)), np.eye(17), 0, name="wide")
     data = clpt.run_ensemble(wide, {"u": [1.0, 2.0]}, timepts=[0, 1], trajectories=True)
