@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..base.arguments import check_holds, public
-from ..base.errors import ArgumentError, DataError
+from ..base.errors import ArgumentError
 from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
-from ..simulation.comparison import MAX_PORTS, named
+from ..simulation.comparison import named, panels_for
 from .summaries import STATUS
 
 if TYPE_CHECKING:
@@ -249,12 +249,7 @@ def _diagram_plot(data: "xarray.Dataset", ax: Any) -> Any:
     signals = signals_over_time(data)
     stored = bool(signals)
     signals = signals or rms_of(data)
-    if not 0 < len(signals) <= MAX_PORTS:
-        raise DataError(
-            f"the ensemble has {len(signals)} signals to draw; one figure shows 1 to {MAX_PORTS}. "
-            f"Choose some, as data[{[*data.data_vars][-1:]}]"
-        )
-    axes = axes_for(ax, 6.4, 1.4 + 1.6 * len(signals), nrows=len(signals), sharex=True)
+    axes = panels_for(ax, len(signals), f"data[{[*data.data_vars][-1:]}]")
     panels = np.ravel(axes)
     x = data["time"] if stored else _first_varied(data)
     for panel, (label, signal) in zip(panels, signals.items(), strict=True):

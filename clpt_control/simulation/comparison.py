@@ -47,18 +47,23 @@ def response_plot(
         raise DataError(
             "the run has one sample, so it has no plot. Give a slice of samples"
         )
-    if not 0 < len(ports) <= MAX_PORTS:
-        raise DataError(
-            f"the run has {len(ports)} signals along time; one picture shows 1 to {MAX_PORTS}: "
-            f"choose some, as run[{ports[:2]}]"
-        )
-    axes = axes_for(ax, 6.4, 1.2 + 1.3 * len(ports), nrows=len(ports), sharex=True)
+    axes = panels_for(ax, len(ports), f"run[{ports[:2]}]")
     panels = np.ravel(axes)
     with run_style(axes, None if label is None else literal(label), color):
         for panel, port in zip(panels, ports, strict=True):
             _draw_port(panel, run, port)
     panels[-1].set_xlabel(literal(named("time", run.time.attrs.get("units"))))
     return axes
+
+
+def panels_for(ax: Any, count: int, example: str) -> Any:
+    """Return the axes of a figure with a panel for each signal; refuse too many."""
+    if not 0 < count <= MAX_PORTS:
+        raise DataError(
+            f"{count} signals along time: one figure shows 1 to {MAX_PORTS}. Choose some, as "
+            f"{example}"
+        )
+    return axes_for(ax, 6.4, 1.2 + 1.3 * count, nrows=count, sharex=True)
 
 
 def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
