@@ -61,7 +61,8 @@ def simulate(
     timepts : array_like, optional
         Times of the samples, increasing; a scenario and a team have their own
         (multiples of ``run.output_step``, and the end). At a repeated time, ``[0, 1, 1, 2]``,
-        `inputs` jump, and the run has one sample, the right limit.
+        `inputs` jump, and the run has one sample, the right limit. Those of a diagram of discrete
+        time are multiples of its ``dt`` apart.
     inputs : array_like, optional
         For a diagram: shape (ninputs, ntimes), joined by straight lines
         between `timepts`; a number or one number per input is held; a list

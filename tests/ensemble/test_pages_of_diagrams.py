@@ -98,4 +98,8 @@ def test_an_ensemble_whose_members_all_fail_has_its_page(tmp_path):
 def test_more_signals_than_a_figure_shows():
     wide = control.ss(-np.eye(17), np.ones((17, 1)), np.eye(17), 0, name="wide")
     data = clpt.run_ensemble(wide, {"u": [1.0, 2.0]}, timepts=[0, 1], trajectories=True)
-    says(clpt.DataError, "17 signals along time: one figure shows 1 to 16", data.clpt.plot)
+    says(
+        clpt.DataError,
+        "17 signals along time: one figure shows 1 to 16",
+        data.clpt.plot,
+    )
