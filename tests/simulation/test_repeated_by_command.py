@@ -16,6 +16,7 @@ KEYWORDS = {  # of `simulate`: a system and values
     "timepts": [
         (SCENARIO, {"timepts": [0.0, 1.5, 7.0, 20.0]}),
         (SCENARIO, {"timepts": [3.0, 5.0, 31.0]}),
+        (SCENARIO, {"timepts": range(0, 20, 5), "max_step": np.float32(0.5)}),
         (LOOP, {"timepts": [0.0, 1.5, 7.0]}),
         (LOOP, {"timepts": [1.5, 7.0]}),
         (SCENARIO, {"timepts": [3.0, 5.0], "params": {"adaptation.gain": 2.0}}),

@@ -113,7 +113,7 @@ def note_arguments(
 def arguments_text(run: "xarray.Dataset") -> str:
     """Return the arguments of a scenario's run that are not in the scenario, as JSON, or ""."""
     given = run.encoding.get(ARGUMENTS)
-    return json.dumps(given, default=lambda array: array.tolist()) if given else ""
+    return json.dumps(given, default=lambda x: np.asarray(x).tolist()) if given else ""
 
 
 def arguments_of_text(text: str) -> dict[str, Any]:
