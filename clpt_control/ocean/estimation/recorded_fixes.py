@@ -9,6 +9,8 @@ from collections.abc import Iterable, Iterator
 from importlib.metadata import version
 from itertools import pairwise
 from math import hypot
+from operator import attrgetter
+from typing import Any
 
 import numpy as np
 import xarray
@@ -22,8 +24,7 @@ from .learned_fix import PERCENT, Learned
 
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
-MPS = {"units": "m s-1"}
-METRE = {"units": "m"}
+MPS = "m s-1"
 
 
 def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
@@ -61,58 +62,44 @@ def flow_of_legs(
     estimator = FlowEstimator(scenario)
     learned = [result for _, result in learn_legs(estimator, legs)]
     frame, _ = estimator.under_way
-    flow = np.array([estimator.flow(r.time, r.latitude, r.longitude) for r in learned])
-    errors = np.array([(r.error_east, r.error_north) for r in learned], dtype=float)
-    forecasts = [result.forecast for result in learned if result.forecast is not None]
+    flow = [estimator.flow(r.time, r.latitude, r.longitude) for r in learned]
+    forecasts = [result.forecast for result in learned]
+    start, end = (
+        _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")
+    )
+    north, east = "degrees_north", "degrees_east"
+    error, region = "fix less forecast, before it was learned", f"{PERCENT} region"
 
-    def column(values: object, name: str, units: str) -> tuple:
-        return "leg", np.array(values), {"long_name": name, "units": units}
+    def column(values: Iterable[Any], name: str, units: str = "", *dims: str) -> tuple:
+        attributes = {"long_name": name} | ({"units": units} if units else {})
+        return ("leg", *dims), np.array([*values]), attributes
+
+    def of(source: Iterable[Any], keys: str, *described: str) -> tuple:
+        return column(map(attrgetter(*keys.split()), source), *described)
 
     data = xarray.Dataset(
         {
-            "start_time": column(
-                _dates(leg.t_gps2 for leg in legs), "last fix before the leg", ""
+            "start_time": column(start, "last fix before the leg"),
+            "end_time": column(end, "first fix after the leg"),
+            "latitude": of(learned, "latitude", "latitude of the fix", north),
+            "longitude": of(learned, "longitude", "longitude of the fix", east),
+            "predicted_latitude": of(forecasts, "latitude", "forecast latitude", north),
+            "predicted_longitude": of(
+                forecasts, "longitude", "forecast longitude", east
             ),
-            "end_time": column(
-                _dates(leg.t_gpse for leg in legs), "first fix after the leg", ""
+            "position_error": of(learned, "error_east error_north", error, "m", "axis"),
+            "forecast_radius": of(
+                forecasts, "radius", f"radius of the forecast's {region}", "m"
             ),
-            "latitude": column(
-                [r.latitude for r in learned], "latitude of the fix", "degrees_north"
+            "inside": of(learned, "inside", f"fix in the {region} of its forecast"),
+            "flow": column(flow, "learned flow at the fix", MPS, "axis"),
+            "flow_parameters_estimate": of(
+                *(learned, "flow_parameters", "estimate of theta after the leg"),
+                *(MPS, "axis", "basis"),
             ),
-            "longitude": column(
-                [r.longitude for r in learned], "longitude of the fix", "degrees_east"
-            ),
-            "predicted_latitude": column(
-                [f.latitude for f in forecasts], "forecast latitude", "degrees_north"
-            ),
-            "predicted_longitude": column(
-                [f.longitude for f in forecasts], "forecast longitude", "degrees_east"
-            ),
-            "position_error": (
-                ("leg", "axis"),
-                errors,
-                {"long_name": "fix less forecast, before it was learned", **METRE},
-            ),
-            "forecast_radius": column(
-                [f.radius for f in forecasts],
-                f"radius of the forecast's {PERCENT} region",
-                "m",
-            ),
-            "inside": ("leg", np.array([r.inside for r in learned])),
-            "flow": (
-                ("leg", "axis"),
-                flow,
-                {"long_name": "learned flow at the fix", **MPS},
-            ),
-            "flow_parameters_estimate": (
-                ("leg", "axis", "basis"),
-                np.array([r.flow_parameters for r in learned]),
-                {"long_name": "estimate of theta after the leg", **MPS},
-            ),
-            "standard_error": (
-                ("leg", "basis"),
-                np.array([r.standard_error for r in learned]),
-                {"long_name": "standard error of each row of theta", **MPS},
+            "standard_error": of(
+                *(learned, "standard_error", "standard error of each row of theta"),
+                *(MPS, "basis"),
             ),
         },
         {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
@@ -131,8 +118,6 @@ def flow_of_legs(
             + bent_legs(legs),
         },
     )
-    for name in ("start_time", "end_time"):
-        del data[name].attrs["units"]
     return data, estimator
 
 
