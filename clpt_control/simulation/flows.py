@@ -17,12 +17,11 @@ from ..base.arguments import numbers, public
 from ..base.errors import DataError
 from ..base.units import percent
 from ..engine.model.block import evaluate
-from ..paper.blocks import vehicle
 from ..paper.blocks.field import gridded_flow
 from ..paper.currents.least_squares import explained_share
 from ..paper.currents.plane import read_field
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.recorded_run import unknown_parts
+from ..paper.scenario.recorded_run import commanded_velocity, unknown_parts
 from ..paper.scenario.tables import Units
 from .loop_blocks import paper_blocks
 
@@ -277,12 +276,8 @@ def unlike_controller(run: "xarray.Dataset", scenario: Scenario) -> str:
     times, x = run.time.values, run.position.values
     if len(times) < LEAST_SAMPLES:
         return ""
-    car = scenario.vehicle
-    controller = vehicle.vehicle_controller(
-        scenario.model_parameters, car.feedback, car.feedforward
-    )
     phi = evaluate(scenario.basis_block(), times, x)
-    commanded = evaluate(controller, times, np.hstack([x, run.reference.values, phi]))
+    commanded = commanded_velocity(scenario, times, x, run.reference.values)
     moved = np.diff(x, axis=0) / np.diff(times)[:, None]
     v, phi = ((a[1:] + a[:-1]) / 2 for a in (commanded, phi))
     zero = np.zeros_like(phi)

@@ -22,7 +22,7 @@ from ...engine.model.block import evaluate
 from ...engine.model.declaration import multiples
 from ...paper.blocks import vehicle
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.recorded_run import check_run
+from ...paper.scenario.recorded_run import check_run, commanded_velocity
 from .between_fixes import Segments
 
 SAMPLES = 129  # of a segment's track
@@ -38,7 +38,6 @@ class RunTrack:
 
     def __init__(self, run: xarray.Dataset, scenario: Scenario):
         self.time, position = run.time.values, run.position.values
-        basis = scenario.basis_block()
         self.positions, self.water = [], []  # splines, one for each smooth interval
         self.doubt = 0.0  # error of the displacement over an interval, length
         self.periods = {"waypoint": scenario.reference.dwell}  # of each discontinuity
@@ -72,9 +71,11 @@ class RunTrack:
         # an interval has one noise and one waypoint, those of its first row
         first_row = np.repeat(rows_of_edges[:-1], np.diff(rows_of_edges) + 1)
         x = position[rows] + (read - position)[first_row]
-        velocity = self._velocity(
-            scenario, basis, self.time[rows], x, run.reference.values[first_row]
-        )
+        times, limit = self.time[rows], scenario.vehicle.max_speed
+        zc = run.reference.values[first_row]
+        velocity = commanded_velocity(scenario, times, x, zc)
+        if limit is not None:
+            velocity = evaluate(vehicle.speed_limit(limit), times, velocity)
         total = np.zeros(2)
         ends = np.flatnonzero(np.diff(first_row)) + 1
         for part in np.split(np.arange(len(rows)), ends):
@@ -86,18 +87,6 @@ class RunTrack:
             self.positions.append(CubicSpline(t, x[part]))
             self.water.append((spline.antiderivative(), total))
             total = total + spline.integrate(t[0], t[-1])
-
-    @staticmethod
-    def _velocity(scenario, basis, t, x, zc) -> np.ndarray:
-        """Return the velocity through the water, Eq. (7), at positions as read."""
-        car = scenario.vehicle
-        controller = vehicle.vehicle_controller(
-            scenario.model_parameters, car.feedback, car.feedforward
-        )
-        velocity = evaluate(controller, t, np.hstack([x, zc, evaluate(basis, t, x)]))
-        if car.max_speed is None:
-            return velocity
-        return evaluate(vehicle.speed_limit(car.max_speed), t, velocity)
 
     def evaluate(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the position as read and the displacement since the start, (..., 2) each."""

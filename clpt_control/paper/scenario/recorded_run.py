@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...base.errors import DataError
+from ...engine.model.block import evaluate
+from ..blocks.vehicle import vehicle_controller
 from .experiment import Scenario
 from .file import CHANGED, REFERENCE, TEAM, own_parts
 from .team import Team
@@ -52,6 +54,18 @@ KINDS = {  # kind of dataset -> its attribute; the first that is present decides
     "diagram": "engine",
 }
 MOST_WAYPOINTS = 1e6  # visited in a run that is longer than its scenario
+
+
+def commanded_velocity(
+    scenario: Scenario, timepts: np.ndarray, x: np.ndarray, zc: np.ndarray
+) -> np.ndarray:
+    """Return the velocity through the water at positions, Eq. (7), without a limit, (n, 2)."""
+    car = scenario.vehicle
+    controller = vehicle_controller(
+        scenario.model_parameters, car.feedback, car.feedforward
+    )
+    phi = evaluate(scenario.basis_block(), timepts, x)
+    return evaluate(controller, timepts, np.hstack([x, zc, phi]))
 
 
 def waypoints_of(run: "xarray.Dataset", scenario: Scenario) -> np.ndarray:
