@@ -52,10 +52,9 @@ def compared(
 ) -> Comparison:
     """Replay dives and compare what was learned with the ADCP's currents."""
     steps = clpt.replay.replay_dives(dives).steps
-    reckoned = np.array([(s.dive.dr_east, s.dive.dr_north) for s in steps])
+    reckoned = np.array([s.dive.through_water for s in steps])
     swum = [
-        np.array([s.dive.gps_east, s.dive.gps_north])
-        - adcp[s.dive.number] * s.dive.duration
+        np.array(s.dive.over_ground) - adcp[s.dive.number] * s.dive.duration
         for s in steps
     ]
     late = steps[SETTLED:]

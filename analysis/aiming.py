@@ -72,7 +72,7 @@ def aimed_off(away: np.ndarray, drift: np.ndarray, full: float) -> np.ndarray:
 def current_of(dive: Dive, own: np.ndarray) -> np.ndarray:
     """Return what the water did in a dive, m, with the errors I + M of its own."""
     return np.array([dive.miss_east, dive.miss_north]) - (
-        (own - np.eye(2)) @ [dive.dr_east, dive.dr_north]
+        (own - np.eye(2)) @ dive.through_water
     )
 
 
@@ -80,12 +80,12 @@ def _flown(
     replay: Replay, before: Dive, dive: Dive, true: np.ndarray, angle: float
 ) -> list[float]:
     """Fly one dive to waypoints on one bearing, as `record` has it."""
-    flown, current = np.array([dive.dr_east, dive.dr_north]), current_of(dive, true)
+    flown, current = np.array(dive.through_water), current_of(dive, true)
     known = own_errors(replay)
     drift = current_of(before, known) * dive.duration / before.duration
     line = np.array([np.sin(angle), np.cos(angle)])
     across = np.array([line[1], -line[0]])
-    start = dive.t_gps2, dive.lat_gps2, dive.lon_gps2
+    start = dive.t_gps2, *dive.start
     full = float(np.hypot(*flown))
     near: list[np.ndarray] = []
     far: list[np.ndarray] = []
@@ -99,7 +99,7 @@ def _flown(
         plan, crab = leg.ahead.plan, leg.crab or 0.0
         real = aimed_off(away * line, drift, full * np.sqrt(np.linalg.det(known)))
         ways = min(away, full) * line, np.linalg.solve(known, real)
-        for way in (*ways, np.array([plan.dr_east, plan.dr_north])):
+        for way in (*ways, np.array(plan.through_water)):
             ends.append(true @ way + current)
     return [
         *(float(np.hypot(*(end - full / 2 * line))) for end in near),

@@ -52,9 +52,7 @@ class Headline(NamedTuple):
 def headline(replay: Replay, dive: Dive) -> Headline:
     """Return the headline of a replay, judged by the dive that came."""
     said = next_dive(replay).as_dict()
-    east, north = displacement(
-        said["latitude"], said["longitude"], dive.lat_gpse, dive.lon_gpse
-    )
+    east, north = displacement(said["latitude"], said["longitude"], *dive.end)
     turn = np.radians(said["ellipse_bearing"])
     long, short = said["ellipse_long"], said["ellipse_short"]
     along = east * np.sin(turn) + north * np.cos(turn)
@@ -85,11 +83,9 @@ def afloat(dives: list[Dive]) -> list[Dive]:
     """Return made dives with fixes where they end, each begun where the last one ended."""
     found, place = [], (dives[0].lat_gps2, dives[0].lon_gps2)
     for dive in dives:
-        end = place_from(*place, dive.gps_east, dive.gps_north)
+        end = place_from(*place, *dive.over_ground)
         start, after = (dive.t_gps2, *place), (dive.t_gpse, *end)
-        found.append(
-            make_dive(dive.number, start, after, (dive.dr_east, dive.dr_north))
-        )
+        found.append(make_dive(dive.number, start, after, dive.through_water))
         place = end
     return found
 

@@ -38,7 +38,7 @@ def used_numbers(dives):
 
 def error_of(dive):
     """Return fix less dead reckoning, m, and how far it is from the file's own current, m/s."""
-    error = np.array([dive.miss_east, dive.miss_north])
+    error = dive.miss
     own = np.array([dive.dac_east, dive.dac_north], float)
     return error, np.hypot(*(error / dive.duration - own))
 

@@ -89,7 +89,7 @@ class Job:
         from ...ocean.forecast.aim import ARRIVED
 
         last = self.replay.steps[-1].dive
-        fix = last.lat_gpse, last.lon_gpse
+        fix: tuple[float, float] = last.end
         while len(self.targets) > 1 and distance(*fix, *self.targets[0]) < ARRIVED:
             self.targets.pop(0)
         how = self.targets, self.speed, self.duration, self.variation

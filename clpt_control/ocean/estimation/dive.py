@@ -135,6 +135,36 @@ class Dive:
         return self.t_gpse - self.t_gps2
 
     @property
+    def start(self) -> tuple[float, float]:
+        """Place of the last fix before the dive, degrees north and east."""
+        return self.lat_gps2, self.lon_gps2
+
+    @property
+    def end(self) -> tuple[float, float]:
+        """Place of the first fix after the dive, degrees north and east."""
+        return self.lat_gpse, self.lon_gpse
+
+    @property
+    def over_ground(self) -> tuple[float, float]:
+        """Displacement between the two fixes, east and north, m."""
+        return self.gps_east, self.gps_north
+
+    @property
+    def through_water(self) -> tuple[float, float]:
+        """Dead-reckoned displacement through the water, east and north, m."""
+        return self.dr_east, self.dr_north
+
+    @property
+    def mid_time(self) -> float:
+        """Middle of the dive, s since 1970 UTC."""
+        return 0.5 * (self.t_gps2 + self.t_gpse)
+
+    @property
+    def miss(self) -> np.ndarray:
+        """Position error of the dead reckoning, east and north, m."""
+        return np.array([self.miss_east, self.miss_north])
+
+    @property
     def miss_east(self) -> float:
         """Position error to the east of the dead reckoning, m."""
         return self.gps_east - self.dr_east
@@ -196,22 +226,12 @@ def without_current(
     return east - current[0] * duration, north - current[1] * duration
 
 
-def mid_time(dive: Dive) -> float:
-    """Return the middle of a dive, s since 1970 UTC."""
-    return 0.5 * (dive.t_gps2 + dive.t_gpse)
-
-
-def miss(dive: Dive) -> np.ndarray:
-    """Return y, fix less dead reckoning at a dive's end, (2,), m."""
-    return np.array([dive.miss_east, dive.miss_north])
-
-
 def dac_difference(dive: Dive) -> float:
     """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
     if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
         return nan
     return float(
-        np.hypot(*(miss(dive) / dive.duration - (dive.dac_east, dive.dac_north)))
+        np.hypot(*(dive.miss / dive.duration - (dive.dac_east, dive.dac_north)))
     )
 
 

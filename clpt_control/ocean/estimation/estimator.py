@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 
-from .dive import Dive, mid_time
+from .dive import Dive
 from .fix_model import FixModel
 
 
@@ -56,7 +56,7 @@ class Estimator(ABC):
 
     def elapsed(self, dive: Dive) -> float:
         """Return the time from the middle of the last dive to that of this one, s."""
-        return 0.0 if self.time is None else max(0.0, mid_time(dive) - self.time)
+        return 0.0 if self.time is None else max(0.0, dive.mid_time - self.time)
 
     def noise(self, dive: Dive) -> np.ndarray:
         """Return the m covariances of the noise n of a dive, (m, 2, 2), m^2."""

@@ -33,7 +33,7 @@ import numpy as np
 
 from ...base.errors import ScenarioError
 from ...paper.scenario.tidal_periods import SPEEDS, period
-from .dive import Dive, mid_time
+from .dive import Dive
 from .priors import Priors
 
 FAR = 13.82  # chi-squared of two components, 99.9 %
@@ -101,7 +101,7 @@ def modelled(dive: Dive) -> np.ndarray:
 def tide(name: str, dive: Dive) -> np.ndarray:
     """Return the columns of a tide by its name."""
     w = 2 * math.pi / period(name, "s")
-    phase = w * mid_time(dive)
+    phase = w * dive.mid_time
     c, s = math.cos(phase), math.sin(phase)
     return swing(dive, w) * np.array([[c, 0.0, s, 0.0], [0.0, c, 0.0, s]])
 

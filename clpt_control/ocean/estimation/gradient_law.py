@@ -17,7 +17,7 @@ fix moves it by the share of its variance that is not doubt.
 import numpy as np
 
 from ...base.errors import ScenarioError
-from .dive import Dive, mid_time, miss
+from .dive import Dive
 from .estimator import Estimator
 from .fix_model import FAR, FixModel
 
@@ -53,14 +53,14 @@ class Gradient(Estimator):
         """Learn from a dive that has ended."""
         forecast, S = self.predict(dive)
         variance = np.trace(S) / 2
-        distance = float(np.sum((miss(dive) - forecast) ** 2)) / variance
+        distance = float(np.sum((dive.miss - forecast) ** 2)) / variance
         trust = 1.0 - dive.doubt**2 / variance
         mu = trust * self.priors.gain * FAR / max(distance, FAR)
         mean, P = self._before(dive)
         H, R = self.model.regressor(dive), self.noise(dive)[0]
         weight = self.variance[0][:, None] * H.T
         K = mu * weight @ np.linalg.inv(H @ weight + R)
-        self.mean = mean + (miss(dive) - mean @ H.T) @ K.T
+        self.mean = mean + (dive.miss - mean @ H.T) @ K.T
         remainder = np.eye(len(K)) - K @ H
         self.covariance = remainder @ P @ remainder.T + K @ R @ K.T
-        self.time = mid_time(dive)
+        self.time = dive.mid_time

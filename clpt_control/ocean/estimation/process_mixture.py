@@ -34,7 +34,7 @@ from math import log
 import numpy as np
 
 from ...base.geodesy import displacement
-from .dive import Dive, mid_time, miss
+from .dive import Dive
 from .dive_regression import DiveRegression, empty_regression
 from .estimator import Estimator
 from .fix_model import FAR, FixModel
@@ -67,7 +67,7 @@ class ProcessMixture(Estimator):
 
     def forecast(self, dive: Dive) -> tuple[np.ndarray, np.ndarray]:
         """Return each process's mean (m, 2) and covariance (m, 2, 2) of a dive's miss."""
-        reckoned = np.array([dive.dr_east, dive.dr_north])
+        reckoned = np.array(dive.through_water)
         mean, S, _ = self._rotated(dive).posterior(
             self.model.regressor(dive), self._path(dive, reckoned), self._jumps(dive)
         )
@@ -81,7 +81,7 @@ class ProcessMixture(Estimator):
 
     def _path(self, dive: Dive, displaced: np.ndarray) -> np.ndarray:
         """Return time, east and north at start and end of a dive, (2, 3)."""
-        start = np.array([dive.lat_gps2, dive.lon_gps2])
+        start = np.array(dive.start)
         origin = start if self.origin is None else self.origin
         x = np.array(displacement(*origin, *start))
         return np.array([[dive.t_gps2, *x], [dive.t_gpse, *(x + displaced)]])
@@ -95,8 +95,8 @@ class ProcessMixture(Estimator):
 
     def update(self, dive: Dive) -> None:
         """Learn from a dive that has ended."""
-        y, H = miss(dive), self.model.regressor(dive)
-        path = self._path(dive, np.array([dive.gps_east, dive.gps_north]))
+        y, H = dive.miss, self.model.regressor(dive)
+        path = self._path(dive, np.array(dive.over_ground))
         regression, jumps = self._rotated(dive), self._jumps(dive)
         mean, S, factor = regression.posterior(H, path, jumps)
         S = S + self.noise(dive)
@@ -112,9 +112,9 @@ class ProcessMixture(Estimator):
         )
         if len(self.regression.paths) > MOST:
             self.regression = self.regression.without_oldest(DROPPED)
-        self.time, self.jumps = mid_time(dive), jumps
+        self.time, self.jumps = dive.mid_time, jumps
         self.deepest = max(self.deepest, dive.depth_max or 0.0)
-        self.origin = self.origin or (dive.lat_gps2, dive.lon_gps2)
+        self.origin = self.origin or dive.start
         self._describe()
 
     def _weigh(self, distance: np.ndarray, S: np.ndarray, elapsed: float) -> None:

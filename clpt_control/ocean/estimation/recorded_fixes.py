@@ -31,17 +31,17 @@ def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
     """Learn from one leg."""
     # dives may overlap by rounded times
     start = max(leg.t_gps2, estimator.time)
-    estimator.fix(start, leg.lat_gps2, leg.lon_gps2)
+    estimator.fix(start, *leg.start)
     elapsed, east, north = reckoned(leg)
     keep = np.diff(elapsed, prepend=-1.0) > 0
     points = np.array([elapsed, east, north]).T[keep]
     is_later = leg.t_gps2 + points[:, 0] > start
     points = points[(points[:, 0] == 0) | (is_later & (points[:, 0] < leg.duration))]
-    points = np.vstack([points, [leg.duration, leg.dr_east, leg.dr_north]])
+    points = np.vstack([points, [leg.duration, *leg.through_water]])
     for (_, *before), (time, *after) in pairwise(points):
         stretch = np.subtract(after, before)
         estimator.move(leg.t_gps2 + float(time), float(stretch[0]), float(stretch[1]))
-    return estimator.fix(leg.t_gpse, leg.lat_gpse, leg.lon_gpse)
+    return estimator.fix(leg.t_gpse, *leg.end)
 
 
 def learn_legs(
@@ -141,11 +141,7 @@ def not_learned(estimator: FlowEstimator) -> list[str]:
 def bent_legs(legs: list[Dive]) -> list[str]:
     """Return a note on legs of a table whose way was not straight."""
     speeds = np.array(
-        [
-            hypot(leg.dr_east, leg.dr_north) / leg.duration
-            for leg in legs
-            if leg.track is None
-        ]
+        [hypot(*leg.through_water) / leg.duration for leg in legs if leg.track is None]
     )
     bent = int(np.sum(speeds < BENT * speeds.max())) if len(speeds) else 0
     if len(speeds) < 2 or 2 * bent < len(speeds):

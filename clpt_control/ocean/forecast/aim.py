@@ -74,16 +74,16 @@ class Aim:
         It goes s through the water, and with stays between them tau of it reach the target.
         """
         plan, self.ahead, self.target = ahead.plan, ahead, target
-        g = displacement(plan.lat_gps2, plan.lon_gps2, *target)
+        g = displacement(*plan.start, *target)
         self.distance, self.bearing = hypot(*g), direction(*g)
-        self.heading = direction(plan.dr_east, plan.dr_north)
+        self.heading = direction(*plan.through_water)
         self.crab: float | None = None
         if self.heading is not None and self.bearing is not None:
             self.crab = angle_near(self.heading - self.bearing, 0.0)
         self.speed, self.speed_expected = V, s / T
         self.current = float(c[0]) / T, float(c[1]) / T
         self.through_water, self.through_water_full = (
-            hypot(plan.dr_east, plan.dr_north),
+            hypot(*plan.through_water),
             V * T,
         )
         self.left = distance(ahead.latitude, ahead.longitude, *target)
@@ -104,7 +104,7 @@ class Aim:
         return {
             **placed("", *self.target),
             "place": in_minutes(*self.target),
-            **placed("from_", plan.lat_gps2, plan.lon_gps2),
+            **placed("from_", *plan.start),
             "start": utc(plan.t_gps2),
             "duration": plan.duration,
             "end": utc(plan.t_gpse),
@@ -231,7 +231,7 @@ def usual(
 ) -> tuple[float, float]:
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
-    reckoned = float(median(hypot(d.dr_east, d.dr_north) / d.duration for d in dives))
+    reckoned = float(median(hypot(*d.through_water) / d.duration for d in dives))
     V = reckoned if speed is None else speed
     if V == 0.0:
         raise ScenarioError(

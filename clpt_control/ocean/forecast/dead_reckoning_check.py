@@ -35,8 +35,8 @@ def check_dead_reckoning(dives: Sequence[Dive]) -> None:
     dives = dives[-MOST:]
     if len(dives) < FEWEST:
         return
-    over_ground = _variation([(d.gps_east, d.gps_north, d.duration) for d in dives])
-    reckoned = _variation([(d.dr_east, d.dr_north, d.duration) for d in dives])
+    over_ground = _variation([(*d.over_ground, d.duration) for d in dives])
+    reckoned = _variation([(*d.through_water, d.duration) for d in dives])
     limit = _residual(over_ground, reckoned, 0.0) * np.exp(-SURE / (len(dives) - 1))
     residuals = {
         cause: _residual(over_ground, reckoned @ matrix, SLOWEST)

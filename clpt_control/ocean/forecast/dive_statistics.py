@@ -82,11 +82,11 @@ def drift(dive: Dive, before: Dive | None) -> Way | None:
     """Return the drift at the surface before a dive; None where it is not known."""
     fix: tuple[Any, Any, Any] = dive.t_gps1, dive.lat_gps1, dive.lon_gps1
     if before is not None and dive.number == before.number + 1:
-        fix = before.t_gpse, before.lat_gpse, before.lon_gpse
+        fix = before.t_gpse, *before.end
     if any(value is None or not isfinite(value) for value in fix):
         return None
     seconds = dive.t_gps2 - fix[0]
-    displaced = displacement(*fix[1:], dive.lat_gps2, dive.lon_gps2)
+    displaced = displacement(*fix[1:], *dive.start)
     is_known = 0.0 <= seconds <= LONGEST_STAY and isfinite(displaced[0])
     return Way(*displaced, seconds) if is_known else None
 
@@ -151,7 +151,7 @@ class DiveStatistics:
 
     def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
         """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
-        frames = {REPEATED: (_frame(last.dr_east, last.dr_north), log(last.duration))}
+        frames = {REPEATED: (_frame(*last.through_water), log(last.duration))}
         if last.next_course is not None and has_course(last):
             usual, usually = self.means[1:] / self.means[0]  # length, log duration
             course, length = radians(last.next_course), max(usual, LEAST)
@@ -209,7 +209,7 @@ class DiveStatistics:
 
         Nothing that could be changed in place is: a copy of this needs no depth.
         """
-        came = np.array([dive.dr_east, dive.dr_north, log(dive.duration)])
+        came = np.array([*dive.through_water, log(dive.duration)])
         if self.last is not None:
             for name, (B, log_time) in self._frames(self.last).items():
                 z, was = (

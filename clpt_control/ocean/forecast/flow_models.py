@@ -99,7 +99,7 @@ class Forecast(FlowModel):
         bridged = any(gap and a < dive.t_gpse and dive.t_gps2 < b for a, b, gap in ends)
         if bridged or not (time[0] <= dive.t_gps2 and dive.t_gpse <= time[-1]):
             raise Uncovered("outside the forecast's steps, or in a gap of them")
-        plane = LocalPlane(dive.lat_gps2, dive.lon_gps2)
+        plane = LocalPlane(*dive.start)
         deepest = dive.depth_max
         if deepest is None or not (isfinite(deepest) and deepest > 0):
             deepest = DEEPEST
@@ -148,10 +148,7 @@ class Fitted(FlowModel):
 
     def along(self, dive: Dive) -> Flow:
         """Return theta phi for one dive; `Uncovered` if it begins outside the fit's area."""
-        dive_plane, units = (
-            LocalPlane(dive.lat_gps2, dive.lon_gps2),
-            self.scenario.units,
-        )
+        dive_plane, units = (LocalPlane(*dive.start), self.scenario.units)
         long, time_unit = METRES[units.length], SECONDS[units.time]
         basis, N, no_state = (
             self.scenario.basis_block(),

@@ -29,7 +29,7 @@ from math import hypot
 import numpy as np
 
 from ...base.geodesy import displacement, distance
-from ..estimation.dive import Dive, miss
+from ..estimation.dive import Dive
 from ..estimation.priors import Priors
 from ..gliders.usable_dives import FASTEST, follows
 
@@ -50,19 +50,15 @@ def doubt_one_fix(
 
     The forecast is that of the end of the one before.
     """
-    separation = distance(
-        before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2
-    )
+    separation = distance(*before.end, *dive.start)
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
-    current = float(np.hypot(*miss(before))) / before.duration
+    current = float(np.hypot(*before.miss)) / before.duration
     fastest = min(current + WIND, FASTEST) if follows(dive, before) else FASTEST
     if not separation > fastest * since + FIXES * priors.fix:
         return before, dive
-    start_displacement = displacement(
-        before.lat_gps2, before.lon_gps2, dive.lat_gps2, dive.lon_gps2
-    )
-    start = np.array(start_displacement) - (before.dr_east, before.dr_north)
-    end_off = squared_distance(miss(before), *forecast)
+    start_displacement = displacement(*before.start, *dive.start)
+    start = np.array(start_displacement) - before.through_water
+    end_off = squared_distance(before.miss, *forecast)
     jump = f"{separation / 1000:.1f} km in {since / 60:.0f} min"
     if squared_distance(start, *forecast) >= end_off:
         note = f"starts {jump} from where dive {before.number} ended: counts little"
@@ -89,17 +85,17 @@ def is_confirmed(
 
     The end has drifted with the learned current (2,), m/s, until the next start.
     """
-    gap = displacement(before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2)
+    gap = displacement(*before.end, *dive.start)
     from_end = np.array(gap) - current * (dive.t_gps2 - before.t_gpse)
-    from_forecast = from_end + miss(before) - mean
+    from_forecast = from_end + before.miss - mean
     return float(np.hypot(*from_end)) < float(np.hypot(*from_forecast))
 
 
 def doubt_outlier(dive: Dive, mean: np.ndarray, covariance: np.ndarray) -> Dive:
     """Return a dive that ends outside the 99 % ellipse of its forecast doubted, else the same."""
-    if squared_distance(miss(dive), mean, covariance) <= OUTLYING:
+    if squared_distance(dive.miss, mean, covariance) <= OUTLYING:
         return dive
-    off = float(np.hypot(*(miss(dive) - mean)))
+    off = float(np.hypot(*(dive.miss - mean)))
     note = f"ends {off / 1000:.1f} km from its forecast, outside the 99 % ellipse"
     return _doubted(dive, off, f"{note}: counts little unless the next dive agrees")
 

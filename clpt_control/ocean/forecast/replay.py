@@ -34,7 +34,7 @@ from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
 from ...paper.currents.identifiability import check_separable
-from ..estimation.dive import Dive, Fix, miss
+from ..estimation.dive import Dive, Fix
 from ..estimation.estimator import Estimator
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import FLOW, OTHERS, FixModel
@@ -200,7 +200,7 @@ class Replay:
         if rng is not None:
             stay = max(rng.normal(stay, late), 0.0)
             drift = rng.multivariate_normal(drift, spread, check_valid="ignore")
-        return (last.t_gpse + stay, *place_from(last.lat_gpse, last.lon_gpse, *drift))
+        return (last.t_gpse + stay, *place_from(*last.end, *drift))
 
     def imagined(self) -> "Replay":
         """Return one that knows the same, for dives that are drawn."""
@@ -242,7 +242,7 @@ class Replay:
             mean,
             covariance * guess.tails * wide**2,
             *position,
-            (last.dive.t_gpse, last.dive.lat_gpse, last.dive.lon_gpse),
+            (last.dive.t_gpse, *last.dive.end),
             float(NORMAL * late * np.sqrt(guess.tails) * long),
             guess.basis,
             has_course(last.dive),
@@ -299,7 +299,7 @@ class Replay:
         self.dive_statistics.learn(dive, surface_drift, held or ())
         dive = self._learn(dive, forecast)
         mean, covariance = forecast
-        inside = squared_distance(miss(dive), mean, covariance) <= CHI_SQUARED
+        inside = squared_distance(dive.miss, mean, covariance) <= CHI_SQUARED
         clpe = self._clpe(dive, last, mean)
         step = Step(dive, clpe, mean, covariance, inside, surface_drift, headline, held)
         self.steps.append(step.learned(self._learner))
@@ -320,7 +320,7 @@ class Replay:
         if self._outlier is None:
             return forecast
         other = self._outlier[1].predict(dive)
-        y = miss(dive)
+        y = dive.miss
         log_odds = log_density(y, *other) - log_density(y, *forecast)
         is_trusted = self.steps[-1].dive.doubt < self._outlier[0].doubt
         if log_odds > (SURE if is_trusted else 0.0):
@@ -331,9 +331,9 @@ class Replay:
 
     def _clpe(self, dive: Dive, last: Dive | None, mean: np.ndarray) -> dict[str, Any]:
         """Return the position error of a dive by each flow model, m."""
-        y = miss(dive)
+        y = dive.miss
         scale = dive.duration / last.duration if last else 0.0
-        carried_by = [np.zeros(2), scale * miss(last or dive), mean]
+        carried_by = [np.zeros(2), scale * (last or dive).miss, mean]
         if self.flow_model is not None:
             carried_by.append(np.array([dive.model_east, dive.model_north], float))
         sizes = [finite_or_none(float(np.hypot(*(y - way)))) for way in carried_by]
@@ -379,9 +379,7 @@ def next_dive(
         return replay.surfacing()
     guess = replay.surfacing().plan
     T = guess.duration if duration is None else duration
-    through = (
-        (guess.dr_east, guess.dr_north) if through_water is None else through_water
-    )
+    through = guess.through_water if through_water is None else through_water
     check_flown(hypot(*through) / T if T > 0 else 0.0, T)
     return replay.surfacing(replay.dive_statistics.guess_of(through, T))
 

@@ -166,9 +166,7 @@ def _draw(
         target = targets[len(arrived)]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan
-        guess = learned.dive_statistics.guess_of(
-            (plan.dr_east, plan.dr_north), plan.duration
-        )
+        guess = learned.dive_statistics.guess_of(plan.through_water, plan.duration)
         east, north, late = rng.multivariate_normal(
             np.zeros(3), guess.scatter, check_valid="ignore"
         )
@@ -179,7 +177,7 @@ def _draw(
             dr_north=plan.dr_north + north,
         )
         miss = rng.multivariate_normal(*learned.ahead(flown), check_valid="ignore")
-        through = flown.dr_east, flown.dr_north
+        through = flown.through_water
         end: Fix = (flown.t_gpse, *place_from(*start[1:], *(through + miss)))
         legs.append((start[1:], end[1:]))
         if leg.state == REACHED or distance(*end[1:], *target) < ARRIVED:

@@ -104,8 +104,8 @@ class Step:
         north; what is not known is None.
         """
         dive = self.dive
-        start = dive.lat_gps2, dive.lon_gps2
-        reckoned = place_from(*start, dive.dr_east, dive.dr_north)
+        start = dive.start
+        reckoned = place_from(*start, *dive.through_water)
         east, north = map(float, self.current)
         speed: Any = self.speed, self.speed_error, self.compass, self.compass_error
         if not self.speed_error:  # none is learned
@@ -118,9 +118,9 @@ class Step:
             "end_time": dive.t_gpse,
             "duration": dive.duration,
             **placed("start_", *start),
-            **placed("end_", dive.lat_gpse, dive.lon_gpse),
+            **placed("end_", *dive.end),
             **placed("reckoned_", *reckoned),
-            **vector("dr_", dive.dr_east, dive.dr_north),
+            **vector("dr_", *dive.through_water),
             "forecast": self._forecast_row(),
             "hindsight": self._hindsight_row(),
             "flow_model_east": dive.model_east,
@@ -135,7 +135,7 @@ class Step:
             "current_direction": direction(east, north),
             **dict(zip(SPEED, speed, strict=True)),
             "drift": None if self.drift is None else self.drift.as_dict(),
-            "over_ground": Way(dive.gps_east, dive.gps_north, dive.duration).as_dict(),
+            "over_ground": Way(*dive.over_ground, dive.duration).as_dict(),
             "probability": self.parts,
             "depth_max": dive.depth_max,
             "notes": list(dive.notes),
@@ -157,7 +157,7 @@ class Step:
     def _hindsight_row(self) -> dict[str, Any]:
         """Return the forecast with the dead reckoning and the duration of the dive."""
         dive, (east, north) = self.dive, self.forecast
-        start = dive.lat_gps2, dive.lon_gps2
+        start = dive.start
         end = place_from(*start, dive.dr_east + east, dive.dr_north + north)
         return {
             **placed("", *end),
@@ -171,7 +171,7 @@ class Step:
 
 def check_next(dive: Dive, last: Dive | None) -> None:
     """Refuse a dive that is not finite or ends before the last one."""
-    numbers = [dive.miss_east, dive.miss_north, dive.lat_gps2, dive.lon_gps2]
+    numbers = [dive.miss_east, dive.miss_north, *dive.start]
     numbers += [dive.model_east or 0, dive.model_north or 0]
     numbers += [np.sum(column) for column in dive.track or ()]
     if not (np.all(np.isfinite(numbers)) and dive.duration > 0):

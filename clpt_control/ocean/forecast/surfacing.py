@@ -81,9 +81,7 @@ class NextDive:
 
     def holds(self, dive: Dive) -> tuple[bool, bool]:
         """Return whether the end of the dive is inside the ellipse, and within the time."""
-        away = np.array(
-            displacement(self.latitude, self.longitude, dive.lat_gpse, dive.lon_gpse)
-        )
+        away = np.array(displacement(self.latitude, self.longitude, *dive.end))
         inside = squared_distance(away, np.zeros(2), self.covariance) <= CHI_SQUARED
         return inside, abs(dive.t_gpse - self.plan.t_gpse) <= self.time_half_width
 
@@ -98,11 +96,11 @@ class NextDive:
             "hours_from_now": (self.plan.t_gpse - now) / 3600,
             "surface_time": self.plan.t_gps2 - self.fix[0],
             **placed("from_", *self.fix[1:]),
-            **placed("start_", self.plan.lat_gps2, self.plan.lon_gps2),
+            **placed("start_", *self.plan.start),
             "basis": self.basis,
             "plan_in_files": self.plan_in_files,
             "duration": self.plan.duration,
-            **vector("dr_", self.plan.dr_east, self.plan.dr_north),
+            **vector("dr_", *self.plan.through_water),
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
             **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),

@@ -29,7 +29,7 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...paper.currents.text_table import other_marks, table_of
-from ..estimation.dive import Dive, dac_difference, make_dive, miss, without_current
+from ..estimation.dive import Dive, dac_difference, make_dive, without_current
 from ..estimation.log_columns import STEERING, velocity_of
 from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
 from .fix_log import AS_TIME, is_log, log_legs, row_number
@@ -86,7 +86,7 @@ def _check_current(dives: list[Dive], path: str | Path) -> None:
     currents = np.array(
         [(dive.dac_east, dive.dac_north) for dive in dives_with_current]
     )
-    expected = np.array([miss(dive) / dive.duration for dive in dives_with_current])
+    expected = np.array([dive.miss / dive.duration for dive in dives_with_current])
 
     def median_off(currents: np.ndarray) -> float:
         return float(np.median(np.hypot(*(currents - expected).T)))

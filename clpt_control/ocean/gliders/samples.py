@@ -305,7 +305,7 @@ def with_variation(dive: Dive, degrees: float) -> Dive:
     if dive.turned is None:
         return dive
     angle = degrees - dive.turned
-    east, north = turned((dive.dr_east, dive.dr_north), angle)
+    east, north = turned(dive.through_water, angle)
     track = dive.track and (dive.track[0], *turned(dive.track[1:], angle))
     return replace(
         dive,

@@ -138,8 +138,8 @@ def check_weeks(dives: Iterable[Dive]) -> None:
     """
     for early, dive in pairwise(dives):
         off = abs(dive.t_gps2 - early.t_gpse - ROLLOVER)
-        position = dive.lat_gps2, dive.lon_gps2
-        in_one_region = distance(early.lat_gpse, early.lon_gpse, *position) < REGION
+        position = dive.start
+        in_one_region = distance(*early.end, *position) < REGION
         if off < MISSION_LENGTH and in_one_region:
             dated = [
                 f"dive {d.number} of {datetime.fromtimestamp(d.t_gpse, UTC):%Y-%m-%d}"
@@ -165,15 +165,15 @@ def _fault(dive: Dive, least_duration: float) -> str:
         return (
             f"its number is {dive.number:.6g}; must be a whole number below {NUMBERS}"
         )
-    why = _fix_fault("before", dive.t_gps2, dive.lat_gps2, dive.lon_gps2)
-    why = why or _fix_fault("after", dive.t_gpse, dive.lat_gpse, dive.lon_gpse)
+    why = _fix_fault("before", dive.t_gps2, *dive.start)
+    why = why or _fix_fault("after", dive.t_gpse, *dive.end)
     if why:
         return why
     if abs(dive.duration + ROLLOVER) < MISSION_LENGTH:
         return f"the fix after the dive is 1024 weeks before its start: {ADD_WEEKS}"
     if dive.duration <= 0:
         return f"the fix after the dive is {-dive.duration:.0f} s before its start: swapped times"
-    if (dive.lat_gpse, dive.lon_gpse) == (dive.lat_gps2, dive.lon_gps2):
+    if dive.end == dive.start:
         return "no fix after the dive: its place is exactly that of the fix before the dive"
     if not (isfinite(dive.dr_east) and isfinite(dive.dr_north)):
         return "the displacement through the water is not finite"
@@ -188,8 +188,8 @@ def _fault(dive: Dive, least_duration: float) -> str:
         least = f"{least_duration:g} s (--least-duration)"
         return f"lasts {dive.duration:.6g} s; must last longer than {least}"
     for name, length in (
-        ("between the fixes", hypot(dive.gps_east, dive.gps_north)),
-        ("through the water", hypot(dive.dr_east, dive.dr_north)),
+        ("between the fixes", hypot(*dive.over_ground)),
+        ("through the water", hypot(*dive.through_water)),
     ):
         if length > FASTEST * dive.duration:
             return (
@@ -223,10 +223,7 @@ def _with_a_repeated_start(dives: list[Dive]) -> set[int]:
     return {
         id(dive)
         for before, dive in pairwise(timed)
-        if dive.t_gps2 >= before.t_gpse
-        and (before.lat_gps2, before.lon_gps2)
-        == (before.lat_gpse, before.lon_gpse)
-        == (dive.lat_gps2, dive.lon_gps2)
+        if dive.t_gps2 >= before.t_gpse and before.start == before.end == dive.start
     }
 
 
@@ -270,7 +267,7 @@ def _in_minutes(lat: float, lon: float) -> str:
 
 def _by_time(dive: Dive) -> tuple:
     """Return the key that puts dives in one order: end, start, number, then all else."""
-    through_water = (dive.dr_east, dive.dr_north)
+    through_water = dive.through_water
     all_fields = repr(vars(dive))
     return (
         dive.t_gpse,
@@ -296,7 +293,7 @@ def _overlap(dive: Dive, before: Dive) -> str:
 
 def is_other_at_once(dive: Dive, other: Dive) -> bool:
     """Return whether the next dive by start time starts during a dive, and is no copy of it."""
-    apart = distance(dive.lat_gpse, dive.lon_gpse, other.lat_gpse, other.lon_gpse)
+    apart = distance(*dive.end, *other.end)
     is_copy = abs(dive.t_gpse - other.t_gpse) < OVERLAP and apart < COPY
     return other.t_gps2 < dive.t_gpse - OVERLAP and not is_copy
 
@@ -306,9 +303,7 @@ def _break_before(dive: Dive, before: Dive) -> str:
     since = dive.t_gps2 - before.t_gpse
     if since <= DAY and _reaches(dive, before):
         return ""
-    separation = distance(
-        before.lat_gpse, before.lon_gpse, dive.lat_gps2, dive.lon_gps2
-    )
+    separation = distance(*before.end, *dive.start)
     return (
         f"{separation / 1000:.1f} km and {max(since, 0.0) / 3600:.1f} h from the end of "
         f"dive {before.number}"
@@ -320,11 +315,8 @@ def _reaches(dive: Dive, before: Dive) -> bool:
 
     By the fixes between the two dives, or by dead reckoning past one of them, which may be wrong.
     """
-    before_start, end = (
-        (before.lat_gps2, before.lon_gps2),
-        (before.lat_gpse, before.lon_gpse),
-    )
-    start, after_end = (dive.lat_gps2, dive.lon_gps2), (dive.lat_gpse, dive.lon_gpse)
+    before_start, end = (before.start, before.end)
+    start, after_end = dive.start, dive.end
     since = dive.t_gps2 - before.t_gpse
 
     def carried(
@@ -347,13 +339,10 @@ def _too_far(dive: Dive, before: Dive) -> str:
     Also empty after a day, when another record begins.
     """
     since = dive.t_gps2 - before.t_gpse
-    start = dive.lat_gps2, dive.lon_gps2
-    separation = distance(before.lat_gpse, before.lon_gpse, *start)
+    start = dive.start
+    separation = distance(*before.end, *start)
     most = max(FASTEST * since, ASTRAY)
-    if (
-        since > DAY
-        or min(separation, distance(before.lat_gps2, before.lon_gps2, *start)) <= most
-    ):
+    if since > DAY or min(separation, distance(*before.start, *start)) <= most:
         return ""
     return (
         f"starts {separation / 1000:.0f} km from where dive {before.number} ended "

@@ -10,7 +10,6 @@ from scipy.integrate import quad
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import further, vehicle
 
-from clpt_control.ocean.estimation.dive import mid_time, miss
 from clpt_control.ocean.estimation.dive_regression import (
     LENGTH,
     integral_covariance,
@@ -77,7 +76,7 @@ def test_covariances_of_positions_are_those_of_quadrature():
 
 def direct(model, sea, dives):
     """Forecast of the last miss by one regression: mean (2,) and covariance (2, 2)."""
-    H, times = [model.regressor(d) for d in dives], [mid_time(d) for d in dives]
+    H, times = [model.regressor(d) for d in dives], [d.mid_time for d in dives]
     spans = [np.array([d.t_gps2, d.t_gpse]) for d in dives]
     memory = model.priors.inertial_fading
     w = inertial_frequency(dives[0].lat_gps2)
@@ -96,7 +95,7 @@ def direct(model, sea, dives):
     count = len(dives)
     K = np.block([[covariance(j, k) for k in range(count)] for j in range(count)])
     K += np.diag(np.repeat([model.noise(dive, sea.scatter) for dive in dives], 2))
-    y = np.concatenate([miss(dive) for dive in dives])
+    y = np.concatenate([dive.miss for dive in dives])
     gain = np.linalg.solve(K[:-2, :-2], K[:-2, -2:]).T
     return gain @ y[:-2], K[-2:, -2:] - gain @ K[:-2, -2:]
 
@@ -146,7 +145,7 @@ def test_weights_are_those_of_the_density_before_the_fix():
     last = further(dives[11], 60e3)
     nu, before = mixture.priors.degrees_of_freedom, mixture.weights
     density = [
-        multivariate_t.pdf(miss(last), mean, (nu - 2) / nu * S, nu)
+        multivariate_t.pdf(last.miss, mean, (nu - 2) / nu * S, nu)
         for mean, S in zip(*mixture.forecast(last), strict=True)
     ]
     mixture.priors = mixture.priors._replace(weight_memory=1e15)
@@ -165,7 +164,7 @@ def test_the_probability_of_a_speed_factor_is_that_of_its_evidence(factor):
     mixture = taught(model, dives)
     H = np.vstack([model.regressor(dive) for dive in dives])
     noise = np.diag(np.repeat([model.noise(dive, 0.01) for dive in dives], 2))
-    y = np.concatenate([miss(dive) for dive in dives])
+    y = np.concatenate([dive.miss for dive in dives])
     with_factor, without = (
         multivariate_normal.logpdf(y, cov=H @ np.diag(sd**2) @ H.T + noise)
         for sd in (model.prior_sd, model.prior_sd * (np.array(model.parts) != "speed"))
