@@ -11,7 +11,7 @@ least-squares   theta = theta_0 + (sum y~ h^T/r^2) P,  P^-1 = P_0^-1 + sum h h^T
                 y~ = y - theta_0 h
 kalman          the same segment by segment, by `least_squares_step` of the law fix-regression
 
-P is N x N and serves both axes.  The filter ends at least squares, which is computed so.
+P is N x N and serves both axes.  The filter ends at least squares.
 
 Neighbouring segments share a fix: n_s = r_s (a_s + m_s - m_{s-1}), with a_s the noise of this
 segment alone and m_s that of the fix at its end; `Segments.shares` are their variances.  The n_s
@@ -30,6 +30,7 @@ import numpy as np
 from scipy.integrate import simpson
 
 from ...engine.model.block import Block, evaluate
+from ...paper.currents.least_squares import regularised
 from ...paper.laws.memory_laws import least_squares_step
 
 GRADIENT_STEP = 1e-4  # of the track's size: step of the differences of phi
@@ -159,23 +160,14 @@ Estimate = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def kalman(
-    segments: Segments,
-    basis: Block,
-    theta: np.ndarray,
-    sd: np.ndarray,
-    r: np.ndarray,
-    known: tuple[np.ndarray, np.ndarray] | None = None,
+    segments: Segments, basis: Block, theta: np.ndarray, sd: np.ndarray, r: np.ndarray
 ) -> Estimate:
-    """Return theta after each segment, P after the last one, and h.
-
-    The blur is that of theta and P so far, so that each step is causal, or of `known` ones.
-    """
+    """Return theta after each segment, P after the last one, and h; each step is causal."""
     h, B = segments.integrals(basis), segments.blur(basis)
     P, steps = np.diag(sd**2), []
 
     def blur(k: int) -> float:
-        expected_theta, expected_P = known or (theta, P)
-        return expected_blur(expected_theta, expected_P, B[k])
+        return expected_blur(theta, P, B[k])
 
     for row in whitened(segments, np.hstack([h, segments.error]), r, blur):
         m, y = row[:-2], row[-2:]
@@ -188,12 +180,18 @@ def kalman(
 def batch_least_squares(
     segments: Segments, basis: Block, theta: np.ndarray, sd: np.ndarray, r: np.ndarray
 ) -> Estimate:
-    """Return theta, P and h of least squares, with the blur of the theta and P that it ends at."""
-    known = theta, np.diag(sd**2)
+    """Return theta, P and h of least squares, by singular values: accurate for any prior."""
+    h, B = segments.integrals(basis), segments.blur(basis)
+    prior, P = theta, np.diag(sd**2)
+
+    def blur(k: int) -> float:
+        return expected_blur(theta, P, B[k])
+
     for _ in range(3 if segments.noise_period else 1):
-        steps, P, h = kalman(segments, basis, theta, sd, r, known)
-        known = steps[-1], P
-    return steps[-1:], P, h
+        columns = np.hstack([h, segments.error])
+        rows = np.array([*whitened(segments, columns, r, blur)])
+        theta, P = regularised(rows[:, :-2], rows[:, -2:], prior, sd)
+    return theta[None], P, h
 
 
 METHODS: dict[str, Callable[..., Estimate]] = {

@@ -125,6 +125,15 @@ def test_the_filter_is_causal(lap):
     np.testing.assert_allclose(whole.steps[: len(early.steps)], early.steps, atol=1e-9)
 
 
+def test_a_prior_that_says_nothing_costs_no_accuracy(lap):
+    """Standard deviations are those of least squares without a prior."""
+    plain, wide = estimate(lap, prior=100.0), estimate(lap, prior=1e8)
+    np.testing.assert_allclose(
+        wide.standard_deviation, plain.standard_deviation, rtol=1e-6
+    )
+    refuses("is not finite. Give a smaller prior", estimate, lap, prior=1e300)
+
+
 def test_the_true_parameters_are_not_read(lap):
     text, other = lap.attrs["scenario"], lap.copy()
     true = "[[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]"
