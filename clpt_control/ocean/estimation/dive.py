@@ -151,7 +151,7 @@ class Dive:
 
     @property
     def through_water(self) -> tuple[float, float]:
-        """Dead-reckoned displacement through the water, east and north, m."""
+        """Dead-reckoned displacement, east and north, m."""
         return self.dr_east, self.dr_north
 
     @property
