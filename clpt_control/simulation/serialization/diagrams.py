@@ -78,23 +78,25 @@ def _wires(wiring: Wiring, external: bool) -> list[Entry]:
 def diagram_of(plain: Mapping[str, Any]) -> Diagram:
     """Return the diagram of plain data."""
     blocks = [block_of(block) for block in plain["blocks"]]
-    ninputs, noutputs = (
-        sum(counts)
-        for counts in zip(*((b.ninputs, b.noutputs) for b in blocks), strict=True)
-    )
-    connect_shape = (ninputs, noutputs)
-    input_shape = (ninputs, len(plain["inputs"]))
-    output_shape = (len(plain["outputs"]), noutputs + ninputs)
-    entries = sum(map(prod, (connect_shape, input_shape, output_shape)))
-    if 8 * entries > MOST_BYTES:
+    ninputs = sum(block.ninputs for block in blocks)
+    noutputs = sum(block.noutputs for block in blocks)
+    shapes = {
+        "connections": (ninputs, noutputs),
+        "feeds": (ninputs, len(plain["inputs"])),
+        "shown": (len(plain["outputs"]), noutputs + ninputs),
+    }
+    if 8 * sum(map(prod, shapes.values())) > MOST_BYTES:
         raise DiagramError(
             f"{plain['name']}: is larger than python-control's matrices may be"
         )
     names = {key: plain[key] for key in ("inputs", "outputs", "states", "name", "dt")}
     diagram = control.InterconnectedSystem(blocks, **names)
-    diagram.set_connect_map(_matrix(plain["connections"], connect_shape))
-    diagram.set_input_map(_matrix(plain["feeds"], input_shape))
-    diagram.set_output_map(_matrix(plain["shown"], output_shape))
+    connections, feeds, shown = (
+        _matrix(plain[wires], shape) for wires, shape in shapes.items()
+    )
+    diagram.set_connect_map(connections)
+    diagram.set_input_map(feeds)
+    diagram.set_output_map(shown)
     diagram.__class__ = Diagram
     return diagram
 

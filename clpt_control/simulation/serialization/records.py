@@ -6,6 +6,7 @@ of a record from a file is checked: its arguments, its shape and its indices.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from math import prod
 from typing import Any
 
@@ -71,8 +72,10 @@ def check_record(
     shapes: list[BoundShape] = []
     for line, operation in enumerate(record.operations):
         shape = bound(operation.shape, sizes)
-        arguments = [_argument_shape(ref, shapes) for ref in operation.arguments]
-        valid = _is_valid(operation, shape, arguments, leaves)
+        valid = False
+        with suppress(Exception):  # damaged data can raise anything
+            arguments = [_argument_shape(ref, shapes) for ref in operation.arguments]
+            valid = _is_valid(operation, shape, arguments, leaves)
         if prod(shape) > MAX_VALUE_SIZE or not valid:
             raise BlockError(
                 f"line {line} of a record, {operation.kind!s:.20}, is none"
@@ -83,11 +86,6 @@ def check_record(
         raise BlockError(
             f"a record has {count:.3g} numbers; at most {MAX_RECORD_SIZE:g} are allowed"
         )
-    for outputs in (record.outputs, record.shapes):
-        if len(outputs) != len(ports):
-            raise BlockError(
-                f"a record has {len(outputs)} outputs; must have {len(ports)}"
-            )
     rows = zip(record.outputs, record.shapes, ports.values(), strict=True)
     for ref, shape, port_shape in rows:
         fits = _broadcasts(_argument_shape(ref, shapes), port_shape)
@@ -98,7 +96,7 @@ def check_record(
 def _argument_shape(ref: Any, shapes: Sequence[BoundShape]) -> BoundShape:
     if type(ref) is float:
         return ()
-    if type(ref) is not int or not 0 <= ref < len(shapes):
+    if type(ref) is not int or ref not in range(len(shapes)):
         raise BlockError(
             f"a record refers to its value {ref!r:.20}, which is not defined yet"
         )
@@ -106,35 +104,26 @@ def _argument_shape(ref: Any, shapes: Sequence[BoundShape]) -> BoundShape:
 
 
 def _broadcasts(shape: BoundShape, target: BoundShape) -> bool:
-    """Return whether NumPy broadcasts a shape to a target."""
-    pairs = zip(shape[::-1], target[::-1], strict=False)
-    return len(shape) <= len(target) and all(n in (1, m) for n, m in pairs)
+    """Return True if NumPy broadcasts a shape to a target; raise ValueError or return False."""
+    return shape == target or np.broadcast_shapes(shape, target) == target
 
 
 def _is_valid(
     operation: Operation, shape: BoundShape, arguments: list[BoundShape], leaves: Leaves
 ) -> bool:
-    """Return whether an operation has the arguments, data and shape of its kind."""
-    kind = operation.kind
-    data = operation.at
+    """Return True if an operation has the arguments, data and shape of its kind."""
+    kind, data = operation.kind, operation.at
     if kind == "leaf":
         group, name = data
         return not arguments and leaves[group][name] == shape
-    if kind == "constant":
-        return not arguments and len(data) == 8 * prod(shape)
-    if kind in INDEXED:
-        count = 2 if kind == "search" else 1
-        return len(arguments) == count and INDEXED[kind](data, shape, *arguments)
-    if data is not None:
-        return False
-    if kind in STRUCTURAL:
-        return STRUCTURAL[kind](shape, arguments)
+    if kind in RULES:
+        return RULES[kind](data, shape, *arguments)
     count = 3 if kind == "where" else getattr(ELEMENTWISE[kind], "nin", 1)
     return len(arguments) == count and all(_broadcasts(a, shape) for a in arguments)
 
 
 def _is_sum(axis: Any, shape: BoundShape, array: BoundShape) -> bool:
-    if type(axis) is not int or not 0 <= axis < len(array):
+    if type(axis) is not int or axis not in range(len(array)):
         return False
     return array[:axis] + array[axis + 1 :] == shape
 
@@ -145,14 +134,14 @@ def _is_view(axes: Any, shape: BoundShape, array: BoundShape) -> bool:
 
 
 def _is_inside(mapped: Any, length: int, shape: BoundShape) -> bool:
-    """Return whether the indices of a view on one axis are inside that axis."""
+    """Return True if the indices of a view on one axis are inside that axis."""
     if type(mapped) is int:
-        return 0 <= mapped < length
+        return mapped in range(length)
     axis, start, step = mapped
-    if not all(type(n) is int for n in mapped) or not 0 <= axis < len(shape):
+    if not all(type(n) is int for n in mapped) or axis not in range(len(shape)):
         return False
     ends = (start, start + step * (shape[axis] - 1))
-    return not shape[axis] or all(0 <= end < length for end in ends)
+    return not shape[axis] or all(end in range(length) for end in ends)
 
 
 def _is_slice(offset: Any, shape: BoundShape, array: BoundShape) -> bool:
@@ -161,29 +150,23 @@ def _is_slice(offset: Any, shape: BoundShape, array: BoundShape) -> bool:
     return 0 <= offset <= prod(array) - prod(shape)
 
 
-# operations with data: (data, shape, *arguments) -> validity
-INDEXED: dict[str, Callable[..., bool]] = {
+# operations on whole arrays: (data, shape, *arguments) -> validity
+RULES: dict[str, Callable[..., bool]] = {
+    "constant": lambda numbers, shape: len(numbers) == 8 * prod(shape),
     "sum": _is_sum,
     "view": _is_view,
     "part": _is_slice,
     "search": lambda options, shape, table, values: (
         len(table) == 1 and values == shape and options[0] in ("left", "right")
     ),
-}
-# operations without data: (shape, arguments) -> validity
-STRUCTURAL: dict[str, Callable[..., bool]] = {
-    "fill": lambda shape, arguments: arguments == [()],
-    "stack": lambda shape, arguments: (
-        len(arguments) == shape[0] and all(_broadcasts(a, shape[1:]) for a in arguments)
+    "fill": lambda _, shape, number: number == (),
+    "stack": lambda _, shape, *arrays: (
+        len(arrays) == shape[0] and all(_broadcasts(a, shape[1:]) for a in arrays)
     ),
-    "join": lambda shape, arguments: (
-        sum(a[0] for a in arguments) == shape[0]
-        and all(a[1:] == shape[1:] for a in arguments)
+    "join": lambda _, shape, *arrays: (
+        sum(a[0] for a in arrays) == shape[0]
+        and all(a[1:] == shape[1:] for a in arrays)
     ),
-    "pick": lambda shape, arguments: (
-        len(arguments) == 2 and len(arguments[0]) == 1 and arguments[1] == shape
-    ),
-    "argmin": lambda shape, arguments: (
-        shape == () and [len(a) for a in arguments] == [1] and arguments[0][0] > 0
-    ),
+    "pick": lambda _, shape, row, index: len(row) == 1 and index == shape,
+    "argmin": lambda _, shape, row: shape == () and len(row) == 1 and row[0] > 0,
 }
