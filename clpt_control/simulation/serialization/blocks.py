@@ -19,7 +19,7 @@ from ...engine.model.ports import sized, sizes_of
 from ...engine.model.sampled import Sampled, inner_parameters, other_equations
 from ...engine.record.graph import Record, Shape
 from ...engine.trace.arrays import Unread
-from .records import check_record, plain_record, record_of, shape_of, size_of
+from .records import check_record, record_of, shape_of, size_of
 
 KINDS = ("input", "output", "state")
 
@@ -36,7 +36,7 @@ def plain_block(
 
     `triggered` are its breakpoints, if an input of its diagram makes them.
     """
-    labels = {kind: list(getattr(block, f"{kind}_labels")) for kind in KINDS}
+    labels = {kind: getattr(block, f"{kind}_labels") for kind in KINDS}
     if isinstance(block, Sampled):
         inner_p = inner_parameters(block, p)
         return {
@@ -45,7 +45,6 @@ def plain_block(
             "called": block._inner,
             "labels": labels,
         }
-    records = {role: plain_record(block.array_record(role)) for role in block._roles}
     fixed = {field for fields, _ in block.read_with.values() for field in fields}
     jumps = _plain_jumps(block, p, begin, end, triggered)
     if jumps is not None and "times" in jumps:
@@ -61,7 +60,7 @@ def plain_block(
         "sizes": block.sizes,
         "parameters": parameters,
         "shapes": block.parameter_shapes,
-        "records": records,
+        "records": {role: block.array_record(role) for role in block._roles},
         "fixed": sorted(fixed),
         "jumps": jumps,
         "guard": block.guard and block.guard.policy,
@@ -84,15 +83,15 @@ def _plain_jumps(
         return {"period": jumps.period, "part": jumps.part}
     until = 3 * abs(end) + 1.0  # the engine looks ahead of the end
     if triggered is not None:
-        return {"times": triggered.tolist(), "until": until}
+        return {"times": triggered, "until": until}
     times = [*block.breakpoints(min(begin, 0.0), 0.0, p)]
     times += [*block.breakpoints(0.0, until, p)]
-    return {"times": np.unique(times).tolist(), "until": until}
+    return {"times": np.unique(times), "until": until}
 
 
 def _plain_value(value: Any) -> Any:
     if np.ndim(value):
-        return {"shape": list(np.shape(value)), "numbers": np.ravel(value).tolist()}
+        return {"shape": np.shape(value), "numbers": np.ravel(value)}
     return value if isinstance(value, int) else float(value)
 
 

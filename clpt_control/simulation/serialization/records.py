@@ -23,13 +23,12 @@ Leaves = Mapping[str, Mapping[str, Shape]]  # group -> name -> shape
 BoundShape = tuple[int, ...]
 
 
-def plain_record(record: Record) -> dict[str, Any]:
-    """Return a record as plain data."""
-    lines = []
-    for kind, arguments, shape, data in record.operations:
-        plain = np.frombuffer(data).tolist() if kind == "constant" else data
-        lines.append([kind, arguments, shape, plain])
-    return {"operations": lines, "outputs": record.outputs, "shapes": record.shapes}
+def plain_data(value: Any) -> Any:
+    """Return a record, bytes of numbers or an array as types of JSON."""
+    if isinstance(value, Record):
+        parts = ("operations", "outputs", "shapes")
+        return {name: getattr(value, name) for name in parts}
+    return (np.frombuffer(value) if isinstance(value, bytes) else value).tolist()
 
 
 def record_of(plain: Mapping[str, Any]) -> Record:

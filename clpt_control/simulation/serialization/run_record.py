@@ -18,6 +18,7 @@ from ...engine.solver.schedule import Inputs
 from ...engine.trace.arrays import Unread
 from ...paper.scenario.file import ARGUMENTS, EQUATIONS, TEAM
 from .diagrams import diagram_of, plain_diagram
+from .records import plain_data
 
 if TYPE_CHECKING:
     import xarray
@@ -60,14 +61,14 @@ class RunRecord:
         sweep = runner.sweep
         times, values = self.inputs
         sweep.trigger(Inputs((times, values)))
-        plain = {
+        record = {
             "run": {**self.conditions, "inputs": self.inputs},
             "diagram": plain_diagram(
                 *(self.run.wiring, sweep.parameters, self.run.names),
                 *(begin, end, sweep.triggered),
             ),
         }
-        text = json.dumps(plain, default=lambda array: array.tolist())
+        text = json.dumps(record, default=plain_data)
         try:
             recorded = NativeDiagram(diagram_of_text(text))
         except DataError as error:  # a name that no block of a file has
