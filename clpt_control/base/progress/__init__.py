@@ -12,12 +12,14 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from datetime import timedelta
 from shutil import get_terminal_size
 from traceback import walk_stack
 from typing import TextIO
 
 PATIENCE = 2.0  # seconds before the first line
 LOG_EVERY = 10.0  # seconds between lines without a terminal
+LONGEST = 1e9  # seconds left that are printed
 # clears the rest of a terminal's line and returns to its start
 CLEARED = "\x1b[K\r"
 CONTROLS = (
@@ -62,7 +64,8 @@ def progress_bar(
         )
         if rate > 0:
             state += f", {rate:.4g} a second" if counted else ""
-            state += f", {clock((total - count) / rate)} left"
+            remaining = round(min((total - count) / rate, LONGEST))
+            state += f", {timedelta(seconds=remaining)} left"
         if terminal:
             tell(f"{title}: {state}"[: get_terminal_size().columns - 1], CLEARED)
         else:
@@ -122,18 +125,3 @@ def warn(sentence: str) -> None:
         if frame.f_globals.get("__name__", "").partition(".")[0] == package:
             outside = level
     warnings.warn(sentence, stacklevel=outside)
-
-
-def clock(seconds: float) -> str:
-    """Return seconds in the form h:mm:ss or m:ss.
-
-    >>> clock(200.0), clock(7265.0)
-    ('3:20', '2:01:05')
-    """
-    minutes, remainder = divmod(round(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return (
-        f"{hours}:{minutes:02d}:{remainder:02d}"
-        if hours
-        else f"{minutes}:{remainder:02d}"
-    )

@@ -157,7 +157,6 @@ Points = Annotated[tuple[Pair, ...], Field(min_length=1, max_length=10**6)]
 Row = tuple[Number, ...]
 TwoRows = tuple[Row, Row]
 SHORT = 1e-6  # share of the interval; closer times are treated as equal
-Kernel = Literal[*KERNELS]  # type: ignore[valid-type]
 
 
 class Units(Table):
@@ -170,7 +169,7 @@ class Units(Table):
 class Basis(Table):
     """The flow basis functions of Eq. (5), one entry per function."""
 
-    kernel: Kernel
+    kernel: Literal[*KERNELS]  # type: ignore[valid-type]
     centers: Annotated[tuple[Pair, ...], Field(min_length=1)]
     widths: tuple[Positive, ...]
     periods: tuple[Period, ...] | None = None
