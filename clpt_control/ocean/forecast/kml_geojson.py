@@ -25,7 +25,7 @@ from math import cos, radians, sin
 from typing import Any
 
 from ...base.geodesy import east_of, place_from
-from ...base.map_files import geojson, kml
+from ...base.map_files import BLUE, Feature, geojson, kml
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
 from .geographic import compass, minutes
@@ -37,8 +37,11 @@ AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 def next_geojson(report: dict[str, Any]) -> str:
     """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
-    layers = layers_of(report)
-    return geojson(feature for kind in ("last", *AHEAD) for feature in layers[kind])
+    layers, row = layers_of(report), report["each_dive"][-1]
+    properties = {"dive": row["dive"], "time": row["end"]}
+    last_place = layers["way"][0].places[:1]
+    last = Feature("last fix", "Point", last_place, BLUE, properties=properties)
+    return geojson([last, *(feature for kind in AHEAD for feature in layers[kind])])
 
 
 def track_kml(report: dict[str, Any], name: str) -> str:

@@ -10,9 +10,11 @@ The ring of a forecast, with half axes a and b and the bearing B of the long one
 east and north at the start of the dive, where its covariance is resolved: counter-clockwise.
 """
 
-from collections import defaultdict
+from collections.abc import Callable
+from itertools import pairwise
 from math import cos, pi, radians, sin
-from typing import Any
+from operator import itemgetter
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,17 +25,6 @@ from .geographic import Place, compass, velocity
 from .surfacing import ELLIPSE
 from .table_rows import ellipse_words, is_outside, place_in, within
 
-NAMES = {  # kind of a layer in KML and GeoJSON: its name and its colour
-    "track": ("track", BLUE),
-    "fix": ("dive", BLUE),
-    "last": ("last fix", BLUE),
-    "way": ("way to the next surfacing", PURPLE),
-    "next": ("next surfacing", PURPLE),
-    "ring next": (f"{PERCENT} ellipse", PURPLE),
-    "target": ("waypoint", ORANGE),
-    "made": ("distance made good", ORANGE),
-    "ring aimed": (f"{PERCENT} ellipse, aimed", ORANGE),
-}
 CORNERS = 48
 LAST = 5  # dives whose ellipses are drawn
 
@@ -68,68 +59,77 @@ def words_of_dive(row: dict[str, Any]) -> str:
     return f"surfaced {row['end']}, {error}; current {current}"
 
 
+class Kind(NamedTuple):
+    """A kind of layer: its rows, the prefixes of its places in a row, and its look on maps."""
+
+    rows: str
+    places: tuple[str, ...]
+    name: str = ""
+    colour: str = ""
+    words: Callable[[dict[str, Any]], str] = lambda row: ""
+    time: str = ""
+
+
+WAY, MADE_GOOD = ("from_", ""), ("from_", "end_")
+KINDS = {
+    "miss": Kind("dives", ("reckoned_", "end_")),
+    "track": Kind("dives", ("start_", "end_"), "track", BLUE),
+    "reckoned": Kind("dives", ("reckoned_",)),
+    "fix": Kind("dives", ("end_",), "dive {dive}", BLUE, words_of_dive, "end"),
+    "drift": Kind("stays", ("before_", "start_")),
+    "forecast": Kind("forecasts", ("",)),
+    "ring": Kind("last forecasts", ("start_", "")),
+    "way": Kind("next", WAY, "way to the next surfacing", PURPLE),
+    "next": Kind("next", ("",), "next surfacing", PURPLE, words_of_next, "time"),
+    "ring next": Kind("next", WAY, f"{PERCENT} ellipse", PURPLE, time="time"),
+    "target": Kind("legs", ("",), "waypoint", ORANGE, itemgetter("place")),
+    "aim": Kind("legs", WAY),
+    "made": Kind("legs", MADE_GOOD, "distance made good", ORANGE),
+    "ring aimed": Kind(
+        "legs", MADE_GOOD, f"{PERCENT} ellipse, aimed", ORANGE, time="end"
+    ),
+}
+
+
 def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
     """Return the layers of what `--json` prints by kind, of dives in their order.
 
     The ellipses are those of the last dives with a forecast.
     """
-    layers: dict[str, list[Feature]] = defaultdict(list)
-
-    def add(
-        kind: str,
-        places: list[Place],
-        of: dict[str, Any],
-        words: str = "",
-        when: str = "",
-    ) -> None:
-        layers[kind].append(_feature(kind, places, of, words, when))
-
-    before = None
-    for row in report["each_dive"]:
-        start, end, reckoned = (
-            place_in(row, prefix) for prefix in ("start_", "end_", "reckoned_")
-        )
-        add("miss", [reckoned, end], row)
-        add("track", [start, end], row)
-        add("reckoned", [reckoned], row)
-        add("fix", [end], row, words_of_dive(row), row["end"])
-        if before is not None:
-            add("drift", [before, start], row)
-        if row["forecast"] is not None:
-            goal = place_in(row["forecast"], "")
-            add("forecast", [goal], row)
-            add("ring", ring_of(row["forecast"], start, goal), row)
-        before = end
-    del layers.get("ring", [])[:-LAST]
-    ahead = report.get("next_dive")
-    if ahead is not None:
-        last, goal = (place_in(ahead, prefix) for prefix in ("from_", ""))
-        add("last", [last], {"dive": row["dive"], "time": row["end"]})
-        add("way", [last, goal], ahead)
-        add("next", [goal], ahead, words_of_next(ahead), ahead["time"])
-        add("ring next", ring_of(ahead, last, goal), ahead, when=ahead["time"])
-    for leg in report.get("aim") or ():
-        target, begin, end = (place_in(leg, prefix) for prefix in ("", "from_", "end_"))
-        add("target", [target], leg, leg["place"])
-        add("aim", [begin, target], leg)
-        add("made", [begin, end], leg)
-        add("ring aimed", ring_of(leg, begin, end), leg, when=leg["end"])
-    return layers
+    dives, ahead = report["each_dive"], report.get("next_dive")
+    stays = [
+        {
+            **row,
+            "before_latitude": before["end_latitude"],
+            "before_longitude": before["end_longitude"],
+        }
+        for before, row in pairwise(dives)
+    ]
+    forecasts = [row | row["forecast"] for row in dives if row["forecast"] is not None]
+    rows = {
+        "dives": dives,
+        "stays": stays,
+        "forecasts": forecasts,
+        "last forecasts": forecasts[-LAST:],
+        "next": [] if ahead is None else [ahead],
+        "legs": report.get("aim") or [],
+    }
+    return {
+        kind: [_feature(kind, row) for row in rows[KINDS[kind].rows]] for kind in KINDS
+    }
 
 
-def _feature(
-    kind: str, places: list[Place], of: dict[str, Any], words: str, when: str
-) -> Feature:
-    """Return a feature of a row, next dive or leg; only points have its values."""
-    name, colour = NAMES.get(kind, ("", ""))
-    if len(places) > 1:
-        shape = "Polygon" if kind.startswith("ring") else "LineString"
-        properties = {"time": when} if when else {}
-    else:
+def _feature(kind: str, row: dict[str, Any]) -> Feature:
+    """Return a feature of a row; only points have the values of the row."""
+    _, prefixes, name, colour, words_of, time = KINDS[kind]
+    places = [place_in(row, prefix) for prefix in prefixes]
+    words, when = words_of(row), row[time] if time else ""
+    shape, properties = "LineString", {"time": when} if when else {}
+    if kind.startswith("ring"):
+        shape, places = "Polygon", ring_of(row, *places)
+    if len(places) == 1:
         shape = "Point"
-        properties = {key: value for key, value in of.items() if value is not None}
+        properties = {key: value for key, value in row.items() if value is not None}
     if kind == "next":
         properties = {"description": words, **properties}
-    if kind == "fix":
-        name = f"{name} {of['dive']}"
-    return Feature(name, shape, places, colour, when, words, properties)
+    return Feature(name.format_map(row), shape, places, colour, when, words, properties)

@@ -75,7 +75,7 @@ def replay_page(
 def _legend(report: dict[str, Any]) -> str:
     """Return the legend of what the map shows."""
     drawn = layers_of(report)
-    entries = [(kind, name) for kind, name in KEYS.items() if kind in drawn]
+    entries = [(kind, name) for kind, name in KEYS.items() if drawn[kind]]
     if any(map(table_rows.is_outside, report["each_dive"])):
         entries.append(("outside", f"fix outside its {PERCENT} ellipse"))
     if "route" in report and report["route"]["areas"]:

@@ -137,15 +137,13 @@ def _drawn(
         lat, lon = np.transpose(ends)
         return np.array([angle_near(lon, reference), lat])
 
-    outline = [
-        point for kind in FAR for points_of in of.get(kind, []) for point in points_of
-    ]
+    outline = [point for kind in FAR for points_of in of[kind] for point in points_of]
     points = lines_of([outline])[:, :-1]
     if not (np.abs(points[1]) <= 90.0).all():
         raise ValueError("a latitude is beyond the poles")
     degree = degree_at((points[1].min() + points[1].max()).item() / 2, reference)
     size = max(*np.ptp(points, axis=1) * degree, SHORTEST)
-    for target in of.get("target", []):
+    for target in of["target"]:
         with_it = np.hstack([points, lines_of([target])[:, :1]])
         if max(*np.ptp(with_it, axis=1) * degree) <= LARGER * size:
             points = with_it
@@ -159,7 +157,7 @@ def _drawn(
         ax.fill(*lines_of([area["ring"]])[:, :-1], fc=RED, ec=RED, alpha=0.2)
     few = len(rows) <= FEW
     for kind, mark_or_line, size, small, style in DRAWN:
-        if kind in of:
+        if of[kind]:
             look: dict[str, Any] = {"ls": mark_or_line, "lw": size}
             if small:
                 look = {"ls": "", "marker": mark_or_line, "ms": size if few else small}
