@@ -1,4 +1,4 @@
-"""`{names} ROOM`: a table of public names, and after it what the docstring of each says."""
+"""`{names} ROOM`: a table of public names, and after it the docstring of each."""
 
 import inspect
 from importlib import import_module
@@ -7,17 +7,15 @@ from sphinx.util.docutils import SphinxDirective
 
 
 class Names(SphinxDirective):
-    """The names that stand in the block, a line each, of the room that its argument names."""
+    """The names in the block, a line each, or all names of the room that its argument names."""
 
     required_arguments = 1
     has_content = True
 
     def run(self) -> list:
         """Write the table and what autodoc is asked, and parse both."""
-        values = {
-            name: getattr(import_module(self.arguments[0]), name)
-            for name in self.content
-        }
+        room = import_module(self.arguments[0])
+        values = {name: getattr(room, name) for name in self.content or room.__all__}
         lines = [f".. currentmodule:: {self.arguments[0]}", "", ".. list-table::", ""]
         for name, value in values.items():
             kind = "mod" if inspect.ismodule(value) else "obj"
