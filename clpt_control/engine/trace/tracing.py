@@ -276,10 +276,15 @@ class _Tracing:
         size = sum(map(prod, self.request.out.values()))
         if isinstance(returned, Mapping) or size == 1:
             return returned
-        values = returned if isinstance(returned, list | tuple) else [returned]
-        numbers = [number for value in values for number in objects(value).ravel()]
+        numbers = _flat_numbers(returned)
         self.spreads |= len(numbers) == 1
         return numbers * size if len(numbers) == 1 else returned
+
+
+def _flat_numbers(returned: Any) -> list[Any]:
+    """Return the numbers of a returned value, row by row."""
+    values = returned if isinstance(returned, list | tuple) else [returned]
+    return [number for value in values for number in objects(value).ravel()]
 
 
 def _by_port(
@@ -297,8 +302,7 @@ def _by_port(
         ]
     if len(out) == 1 and getattr(returned, "shape", None) == next(iter(out.values())):
         return [as_number(lifted(tape, returned))]
-    sequence = returned if isinstance(returned, list | tuple) else [returned]
-    numbers = [number for item in sequence for number in objects(item).ravel()]
+    numbers = _flat_numbers(returned)
     size = sum(map(prod, out.values()))
     if len(numbers) != size:
         raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
