@@ -21,9 +21,9 @@ import pytest
 from engine_runs import Unread, reachable
 from scipy import special
 from scipy.interpolate import interp1d
+from traced_calls import traced_calls
 
 import clpt_control as clpt
-from clpt_control.engine.trace import tracing as reading
 from clpt_control.engine.trace.contents import Mutable, restore
 
 LOGGER = logging.getLogger("boat")
@@ -109,43 +109,50 @@ class Boat(Model):
         return [-self.drag(x[0]) * gain / self.size]
 
 
-def count_tracings(monkeypatch):
-    traced, real = [], reading._traced
-    monkeypatch.setattr(
-        reading, "_traced", lambda *given: (traced.append(1), real(*given))[1]
-    )
-    return traced
-
-
-def test_a_class_of_all_that_public_models_hold_is_traced_once(monkeypatch):
-    boat, traced = Boat(), count_tracings(monkeypatch)
+def test_a_class_of_all_that_public_models_hold_is_traced_once():
+    boat = Boat()
     system = control.nlsys(boat.rate, None, inputs=0, outputs=1, states=1, name="boat")
     slope = boat.rate(0.0, [1.0], [], {})[0]
-    for _ in range(4):
-        run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-        assert run.attrs["engine"] == "native"
-        assert run.states[-1].item() == pytest.approx(np.exp(slope), rel=1e-6)
-        clpt.linearize(system)
-    assert len(traced) == 1
-    boat.rudder.angles[0] = -0.5  # is not felt, but could be
-    clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-    assert len(traced) == 2
-    boat.unused = 3.0  # no code names it
-    clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
-    assert len(traced) == 2
+    counts = []
+    with traced_calls("rate") as traced:
+        for _ in range(4):
+            run = clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
+            assert run.attrs["engine"] == "native"
+            assert run.states[-1].item() == pytest.approx(np.exp(slope), rel=1e-6)
+            clpt.linearize(system)
+            counts.append(len(traced))
+        boat.rudder.angles[0] = -0.5  # is not felt, but could be
+        clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
+        counts.append(len(traced))
+        boat.unused = 3.0  # no code names it
+        clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
+    once = counts[0]
+    assert once > 0
+    assert [*counts, len(traced)] == [once] * 4 + [2 * once] * 2
 
 
-def test_a_function_that_is_refused_is_not_traced_again(monkeypatch):
-    log, traced = [], count_tracings(monkeypatch)
-    rate = lambda t, x, u, p: [-x[0] + 0.0 * (log.append(1) is None)]  # noqa: E731
-    system = control.nlsys(rate, None, inputs=0, outputs=1, states=1, name="logs")
+def test_a_function_that_is_refused_is_not_traced_again():
+    log = []
+
+    def logging_rate(t, x, u, p):
+        return [-x[0] + 0.0 * (log.append(1) is None)]
+
+    system = control.nlsys(
+        logging_rate, None, inputs=0, outputs=1, states=1, name="logs"
+    )
+    counts = []
     for _ in range(3):
-        with pytest.warns(
-            UserWarning, match="writes to a list, which outlives the call"
+        with (
+            pytest.warns(
+                UserWarning, match="writes to a list, which outlives the call"
+            ),
+            traced_calls("logging_rate") as traced,
         ):
             clpt.simulate(system, [0.0, 1.0], initial_state=[1.0])
         log.clear()
-    assert len(traced) == 1
+        counts.append(len(traced))
+    assert counts[0] > 0
+    assert counts[1:] == [0, 0]
 
 
 ALIKE = [

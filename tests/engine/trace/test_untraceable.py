@@ -8,10 +8,10 @@ import pytest
 from engine_runs import Unread
 from recorded_blocks import run, static
 from scipy.optimize import brentq
+from traced_calls import traced_calls
 
 import clpt_control as clpt
 from clpt_control import Block, BlockError
-from clpt_control.engine.trace import tracing as reading
 
 
 def counts_by_a_signal(t, x, u, p):
@@ -126,21 +126,18 @@ def test_a_mistake_is_told_where_the_block_is_made(function, words):
         static(function)
 
 
-def test_why_a_function_cannot_be_read_is_kept_as_its_record_is(monkeypatch):
-    asked, trace = [], reading._traced
-    monkeypatch.setattr(
-        reading, "_traced", lambda *given: asked.append(1) or trace(*given)
-    )
-
+def test_why_a_function_cannot_be_read_is_kept_as_its_record_is():
     def waits(t, x, u, params):
         return -params["k"] * waits_for_a_signal(t, x, x, params)
 
     halve = control.nlsys(
         waits, None, inputs=0, states=1, outputs=1, params={"k": 1.0}, name="h"
     )
-    for params, count in ((None, 1), (None, 1), ({"k": 0.7}, 2), ({"k": 0.7}, 2)):
-        with pytest.warns(
-            UserWarning, match="h runs in Python.*no `while` on a signal"
+    new = ((None, True), (None, False), ({"k": 0.7}, True), ({"k": 0.7}, False))
+    for params, is_new in new:
+        with (
+            pytest.warns(UserWarning, match="h runs in Python.*no `while` on a signal"),
+            traced_calls("waits") as traced,
         ):
             run = clpt.simulate(halve, [0.0, 0.1], 0.0, [1.0], params)
-        assert (len(asked), run.attrs["engine"]) == (count, "python")
+        assert (bool(traced), run.attrs["engine"]) == (is_new, "python")
