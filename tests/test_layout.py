@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 import clpt_control
-from clpt_control.base.public_modules import PUBLIC_MODULES
 
 PACKAGE = Path(clpt_control.__file__).parent
+PUBLIC_MODULES = sorted({path.stem for path in PACKAGE.glob("*.pyi")} - {"__init__"})
 # subpackages; a subpackage of one of two parts, such as ocean, has rows of its own
 ROWS = [
     ("app.cli",),

@@ -23,10 +23,8 @@ from types import ModuleType
 from typing import NamedTuple
 
 import pytest
+from command_line import command
 from subprocesses import GUARD, ran
-from typer.main import get_command
-
-from clpt_control.app.cli import application
 
 ROOT = Path(__file__).parent.parent
 # `clpt tune` and `clpt tune --waypoints` look for minutes; cluster, watch, film and reports take
@@ -96,7 +94,7 @@ def test_a_console_that_says_something_else_is_found():
 )
 def test_commands_have_the_words_that_they_need(path):
     """Those of blocks that are not run, too."""
-    clpt = get_command(application())
+    clpt = command()
     shells = "\n".join(
         one.text for one in blocks(path) if one.language in ("sh", "console")
     )
