@@ -310,6 +310,11 @@ def test_the_style_is_that_of_the_packages_own_figures():
 SECTIONS = ROOT / "docs" / "_extensions" / "law_sections.py"
 
 
+def test_the_page_of_laws_names_each():
+    page = (REFERENCE.parent / "laws.md").read_text("utf-8")
+    assert [name for name in LAWS if f"`{name}`" not in page] == []
+
+
 def test_the_page_of_each_law_has_a_section_for_each():
     text = runpy.run_path(str(SECTIONS))["sections"]()
     heads = "".join(re.findall(r"(?m)^## .*", text))

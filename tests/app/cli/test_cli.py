@@ -360,6 +360,8 @@ def test_the_page_lists_every_command_in_one_line(clpt, words):
     for name in CALLED:
         (line,) = re.findall(rf"^  {name} +[A-Z].*", out, re.M)
         assert line.endswith("."), line  # not cut, not broken
+    groups = out.partition("Simulation:\n")[2]
+    assert sorted(re.findall(r"^  (\w+) +[A-Z]", groups, re.M)) == CALLED
     assert "  clpt init mine.toml" in out
 
 
