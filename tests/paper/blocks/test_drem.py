@@ -11,9 +11,9 @@ from law_blocks import HELD, alone, of_law, still
 from scipy.integrate import cumulative_simpson
 
 import clpt_control as clpt
-from clpt_control.paper.laws.memory_laws import DREM as LAW
 from clpt_control.paper.laws.memory_laws import mixing
 
+LAW = clpt.laws()["drem"]
 STARTS = {"learning.parameters": [[0.3, -0.2, 0.1], [0.0, 0.4, -2.0]]}
 
 
