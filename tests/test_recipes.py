@@ -210,7 +210,7 @@ OPERATION = Recipe(
     (
         Step(
             "row and NumPy function",
-            "cbrt",
+            "no cbrt in C",
             (
                 (
                     "clpt_control/engine/record/operations.py",
@@ -219,7 +219,7 @@ OPERATION = Recipe(
                 ),
             ),
         ),
-        part("slopes", "slope", "slopes=(lambda a, f: 1.0 / (3.0 * f * f),)"),
+        part("slopes", "the derivative of `cbrt`", "slopes=(lambda a, f: 1.0 / (3.0 * f * f),)"),
         part(
             "SymPy",
             "the backend 'symbolic'",
@@ -239,7 +239,7 @@ OPERATION = Recipe(
     warnings.simplefilter("error")
     clpt.check(block)
     assert clpt.simulate(block, [0.0, 1.0], 8.0).y.values.tolist() == [2.0, 2.0]
-    assert "cbrt(" in clpt.export(block)
+    assert "cbrt(" in clpt.export(block), "no cbrt in C"
     slope = clpt.linearize(block, [], [8.0]).D[0, 0]
     assert abs(slope - 1 / 12) < 1e-12, f"slope {slope}"
     """,
