@@ -219,7 +219,11 @@ OPERATION = Recipe(
                 ),
             ),
         ),
-        part("slopes", "the derivative of `cbrt`", "slopes=(lambda a, f: 1.0 / (3.0 * f * f),)"),
+        part(
+            "slopes",
+            "the derivative of `cbrt`",
+            "slopes=(lambda a, f: 1.0 / (3.0 * f * f),)",
+        ),
         part(
             "SymPy",
             "the backend 'symbolic'",
