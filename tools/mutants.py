@@ -18,7 +18,7 @@ import tempfile
 import tokenize
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "clpt_control"
@@ -79,17 +79,16 @@ def tests_of(file: Path) -> str:
     return f"tests/{parts[0]}"
 
 
-def passes(copy: Path, folder: str) -> bool:
-    """Run the tests of a folder on a copy of the repository."""
+def failure_of(copy: Path, folder: str) -> str:
+    """Run the tests of a folder on a copy of the repository; return why they fail, or ""."""
     command = [sys.executable, "-m", "pytest", "-x", "-p", "no:cacheprovider", folder]
     environment = {**os.environ, "PYTHONPATH": str(copy), "OPENBLAS_NUM_THREADS": "1"}
+    options: dict[str, Any] = {"capture_output": True, "text": True, "timeout": LONGEST}
     try:
-        done = subprocess.run(
-            command, cwd=copy, env=environment, capture_output=True, timeout=LONGEST
-        )
+        done = subprocess.run(command, cwd=copy, env=environment, **options)
     except subprocess.TimeoutExpired:
-        return False
-    return done.returncode == 0
+        return f"not done in {LONGEST} s"
+    return done.stdout[-2000:] if done.returncode else ""
 
 
 def survives(copy: Path, mutant: Mutant) -> bool:
@@ -102,7 +101,7 @@ def survives(copy: Path, mutant: Mutant) -> bool:
     lines[mutant.line - 1] = line[: mutant.column] + mutant.new + line[end:]
     file.write_text("".join(lines), "utf-8")
     try:
-        return passes(copy, tests_of(mutant.file))
+        return not failure_of(copy, tests_of(mutant.file))
     finally:
         file.write_text(text, "utf-8")
 
@@ -124,8 +123,8 @@ def main() -> None:
         skipped = shutil.ignore_patterns(".git", ".venv", "build", "__pycache__")
         shutil.copytree(ROOT, copy, ignore=skipped)
         for tests in sorted({tests_of(mutant.file) for mutant in drawn}):
-            if not passes(copy, tests):
-                sys.exit(f"{tests}: fails without a mutant. Repair these tests first.")
+            if why := failure_of(copy, tests):
+                sys.exit(f"{why}\n{tests}: fails without a mutant. Repair it first.")
         for mutant in drawn:
             alive = survives(copy, mutant)
             rejected += not alive
