@@ -334,6 +334,7 @@ LINES = [
     ["exp", [0], [3], None],
     ["constant", [], [2], [1.0]],
     ["join", [0, 0], [3], None],
+    ["join", [0, 0], [4, 2], None],
     ["stack", [0], [2, 2], None],
     ["pick", [0, 0], [], None],
 ]

@@ -178,6 +178,8 @@ def test_figures_of_clpt_run_are_those_of_the_page(found, words):
     summary, run = found
     text = words(run)
     assert f"CLPE rms, whole run (m)|{summary['clpe_rms']:.3g}|" in text
+    assert f"|solver steps|{run.attrs['solver_steps']}|" in text
+    assert f"|software|{run.attrs['software']}|" in text
     assert "of the file" not in text
     assert "samples of the file" in words(run.isel(time=slice(10)))
 
