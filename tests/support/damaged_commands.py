@@ -164,9 +164,9 @@ def put(valid, folder, words):
 
 def call(words, folder):
     """Run a command here, which must do its work; return what it prints."""
-    from command_line import command
+    from clpt_control.app.cli import application
 
     said = io.StringIO()
     with redirect_stdout(said), redirect_stderr(io.StringIO()), chdir(folder):
-        assert not command()(args=words.split(), standalone_mode=False), words
+        assert not application()(args=words.split(), standalone_mode=False), words
     return said.getvalue()
