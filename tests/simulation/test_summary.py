@@ -105,6 +105,14 @@ def test_a_run_of_many_cycles_has_fewer_samples_and_the_same_means(reported):
     assert run.sizes["time"] == 301
 
 
+def test_errors_are_those_at_round_times_and_at_the_end(reported):
+    times = (10.0, 20.0, 100.0, 200.0, 250.0)
+    summary, run = reported(PAPER.with_values({"run.duration": 250.0}))
+    errors = abs(run.flow_parameters_estimate - run.flow_parameters)
+    at = {f"{t:g}": float(errors.sel(time=t).max()) for t in times}
+    assert summary["max_flow_parameter_error"] == pytest.approx(at, rel=1e-12)
+
+
 def test_what_misses_a_claim_is_not_rounded_to_what_meets_it(reported):
     """0.1004 of the first cycle is more than 10 %, and 0.0504 more than 0.05."""
     errors = {"200": 0.0504, "2000": 0.0002}
