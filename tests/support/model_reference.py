@@ -81,30 +81,41 @@ def stopped_in_a_box(t, x, u, p):
     return rates
 
 
-def stopped_smoothly(t, x, u, p):
-    """What drives a gain outward fades from kmax to kmax + 1."""
-    rates = gradient(t, x, u, p)
-    return [
-        rate - np.clip(k - p["kmax"], 0.0, 1.0) * np.maximum(rate, 0)
-        for k, rate in zip(x, rates, strict=True)
-    ]
+def stopped_smoothly(sign=1.0, side=1.0, part=np.maximum):
+    """Return a law in which what drives a gain outward fades from kmax to kmax + 1."""
+
+    def law(t, x, u, p):
+        return [
+            rate - sign * np.clip(side * (k - p["kmax"]), 0.0, 1.0) * part(rate, 0)
+            for k, rate in zip(x, gradient(t, x, u, p), strict=True)
+        ]
+
+    return law
 
 
-def stopped_in_a_ball(t, x, u, p):
-    """What drives the gains out of the ball of kmax is taken away."""
-    rates = gradient(t, x, u, p)
-    outward = rates[0] * x[0] + rates[1] * x[1]
-    size = x[0] ** 2 + x[1] ** 2
-    share = np.where(
-        (size >= p["kmax"] ** 2) & (outward > 0), outward / np.maximum(size, 1.0), 0.0
-    )
-    return [rate - share * k for k, rate in zip(x, rates, strict=True)]
+def stopped_in_a_ball(share=1.0, side=1.0, center=0.0, fades=False, root=False):
+    """Return a law that takes away what drives the gains out of the ball of kmax."""
+
+    def law(t, x, u, p):
+        rates = gradient(t, x, u, p)
+        off = [k - center for k in x]
+        outward = rates[0] * off[0] + rates[1] * off[1]
+        size = off[0] ** 2 + off[1] ** 2
+        beyond = np.sqrt(size) - p["kmax"] if root else size - p["kmax"] ** 2
+        if fades:
+            part = np.clip(side * beyond, 0.0, 1.0) * np.maximum(outward, 0)
+        else:
+            part = np.where((side * beyond >= 0) & (outward > 0), outward, 0.0)
+        pull = share * part / np.maximum(size, 1.0)
+        return [rate - pull * d for rate, d in zip(rates, off, strict=True)]
+
+    return law
 
 
 PROJECTIONS = {
     "if": stopped_by_if,
     "where and minimum": stopped_by_where,
     "a box": stopped_in_a_box,
-    "smooth": stopped_smoothly,
-    "a ball": stopped_in_a_ball,
+    "smooth": stopped_smoothly(),
+    "a ball": stopped_in_a_ball(),
 }

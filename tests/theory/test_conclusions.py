@@ -1,9 +1,9 @@
-"""Conclusions and conditions of verdicts: LaSalle, Barbalat, levels, discrete time, projections."""
+"""Conclusions and conditions of verdicts: LaSalle, Barbalat, levels, discrete time."""
 
 import control
 import numpy as np
 import pytest
-from model_reference import PROJECTIONS, V, gradient, leaky, loop
+from model_reference import V, gradient, leaky, loop
 from small_scenarios import paper_of
 from text_systems import signals, written
 
@@ -264,43 +264,6 @@ def test_the_exact_rate_of_a_leak_is_no_wrong_claim():
     assert (found.status, found.conclusion) == ("proved", "ultimately bounded")
 
 
-# --- projections ---------------------------------------------------------------------------------
-
-NOT_YET = {
-    "smooth": "clip(k - kmax, 0, 1) is not read as zero below kmax",
-    "a ball": "(k - k*) k >= 0 outside of a ball is not shown",
-}
-
-
-def marks_of_projection(name):
-    """Mark what takes long, and what is not shown."""
-    marks = [pytest.mark.slow] if name in ("a box", *NOT_YET) else []
-    return [*marks, missing(NOT_YET[name])] if name in NOT_YET else marks
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(k, marks=marks_of_projection(k)) for k in PROJECTIONS]
-)
-def test_a_projection_beyond_the_ideal_gains_is_proved(name):
-    """Each rate is taken away where it leads off both kmax = 5 and the ideal gains."""
-    found = lyapunov(loop(PROJECTIONS[name], kmax=5.0), V, points=POINTS)
-    status, conclusion, conditions = fields_of(found)
-    assert (status, conclusion) == ("proved", "goes to zero")
-    assert "zero inputs" not in conditions
-    assert conditions["outside V, bounded"] == "ym is"
-    assert len(found.claim) < 200
-
-
-@pytest.mark.parametrize(
-    "name",
-    ["if", *(pytest.param(k, marks=pytest.mark.slow) for k in ("a box", "a ball"))],
-)
-def test_a_projection_short_of_the_ideal_gains_is_not_proved(name):
-    """kmax = 1 keeps from 4/3: with r it pushes V up."""
-    found = lyapunov(loop(PROJECTIONS[name], kmax=1.0), V, points=POINTS)
-    assert found.status != "proved" or "zero inputs" in fields_of(found)[2]
-
-
 # --- conditions ----------------------------------------------------------------------------------
 
 
@@ -490,13 +453,6 @@ def test_a_step_that_an_input_makes_too_long_is_refuted():
     for g, status in ((1.0, "proved"), (2.5, "refuted")):
         plant = stepped(rates, "x", ["r"], g=g)
         assert lyapunov(plant, lambda s: s.x**2).status == status
-
-
-@missing("V of discrete time is searched for as if time were continuous")
-def test_a_V_is_searched_for_in_discrete_time():
-    A = [[0.5, 0.1], [0.0, 0.3]]
-    plant = control.ss(A, np.zeros((2, 0)), np.eye(2), np.zeros((2, 0)), dt=0.1)
-    assert lyapunov(plant).conclusion == "asymptotically stable"
 
 
 @pytest.mark.parametrize(

@@ -61,7 +61,7 @@ def never_positive(
         vanishes(expression)
         or any(groups_never_positive(expression, variables, g) for g in groupings)
         or _by_squares(expression, parameters)
-        or _by_common_factors(expression, variables)
+        or without_fading(expression, variables) is not None
         or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
         or without_choices(expression, variables) is not None
@@ -97,8 +97,7 @@ def positive_somewhere(expression: Expr) -> bool:
 
 def _by_squares(expression: Expr, parameters: set) -> bool:
     """Complete squares, also with inputs as coefficients."""
-    calls = filter(is_input, expression.atoms(AppliedUndef))
-    inputs = {call: Dummy(real=True) for call in calls}
+    inputs = {call: Dummy(real=True) for call in _inputs_in(expression)}
     for symbols in ({}, inputs) if inputs else ({},):
         coefficients = {*parameters, *symbols.values()}
         completed = squares(-expression.xreplace(symbols), coefficients)
@@ -107,8 +106,12 @@ def _by_squares(expression: Expr, parameters: set) -> bool:
     return False
 
 
-def _by_common_factors(expression: Expr, variables: set) -> bool:
-    """Write it as sum_k f_k p_k, f_k >= 0 no polynomials, and test each polynomial p_k."""
+def without_fading(expression: Expr, variables: set) -> Expr | None:
+    """Return an upper bound that is never positive, or None: terms that fade are left out.
+
+    The expression is sum_k f_k p_k, p_k polynomials.  Each f_k is never negative, and p_k is never
+    positive where f_k is not zero: clip(s, 0, 1) is not where s >= 0.
+    """
     polynomials: dict[Expr, Expr] = {}
     for term in sympy.Add.make_args(expand(expression)):
         factors = Mul.make_args(term)
@@ -116,32 +119,57 @@ def _by_common_factors(expression: Expr, variables: set) -> bool:
         polynomials.setdefault(common, S.Zero)
         polynomials[common] += term / common
     if [*polynomials] == [S.One]:
-        return False
-    return all(
-        all(map(_is_nonnegative, Mul.make_args(common)))
-        and groups_never_positive(expand(polynomial), variables)
-        for common, polynomial in polynomials.items()
-    )
+        return None
+    kept = S.Zero
+    for common, polynomial in polynomials.items():
+        factors, polynomial = Mul.make_args(common), expand(polynomial)
+        if not all(map(_is_nonnegative, factors)):
+            return None
+        if groups_never_positive(polynomial, variables):
+            kept += common * polynomial
+            continue
+        cases = _where_not_zero(factors)
+        if not all(_in_piece(polynomial, variables, margins) for margins in cases):
+            return None
+    return kept
+
+
+def _where_not_zero(factors: Iterable[Expr]) -> list[tuple[Expr, ...]]:
+    """Return sets of expressions; where no factor is zero, those of one set are not negative."""
+    cases: list[tuple[Expr, ...]] = [()]
+    for call in factors:
+        pieces = pieces_of(call)
+        margins = [margins for margins, values in pieces if values.get(call) != 0]
+        if len(margins) < len(pieces):
+            cases = [(*case, *more) for case in cases for more in margins]
+    return cases
 
 
 def _is_nonnegative(factor: Expr) -> bool:
     """Return whether a factor is never negative; of a power also by the squares in its base."""
-    if factor.is_nonnegative:
+    if factor.is_nonnegative or interval(factor)[0].is_nonnegative:
         return True
     base, _ = factor.as_base_exp()
     completed = squares(base, set()) if base.is_Add else None
-    return completed is not None and bool(completed.constant.is_positive)
+    return completed is not None and bool(completed.constant.is_nonnegative)
+
+
+def _inputs_in(expression: Expr) -> set:
+    """Return the inputs in an expression, and their derivatives."""
+    calls = filter(is_input, expression.atoms(AppliedUndef))
+    return {*calls, *expression.atoms(sympy.Derivative)}
 
 
 @lru_cache(maxsize=10_000)
 def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
     """Write it as -sum g form^2, each function a symbol with what is known of it (`gram`)."""
-    functions = functions_in(sympy.Tuple(expression, *conditions))
+    whole = sympy.Tuple(expression, *conditions)
+    functions = functions_in(whole)
     if len(functions) > MOST_FUNCTIONS:
         return False
     symbols = {
         call: Dummy(f"f_{k}", real=True)
-        for k, call in enumerate(sorted(functions, key=str))
+        for k, call in enumerate(sorted({*functions, *_inputs_in(whole)}, key=str))
     }
     known = *conditions, *facts_of(functions)
     expressions = [e.xreplace(symbols) for e in (expression, *known)]
@@ -149,7 +177,7 @@ def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
     expressions += [s for s in variables if s.is_nonnegative]
     expressions += [-s for s in variables if s.is_nonpositive and not s.is_nonnegative]
     numerator, divisor = sympy.fraction(sympy.together(expressions[0]))
-    if not divisor.is_positive:
+    if not all(map(_is_nonnegative, Mul.make_args(divisor))):
         return False
     given, total = [*map(expand, expressions[1:])], expand(-numerator)
     lifted = 1 + sympy.Add(*(s**2 for s in total.free_symbols))
@@ -320,7 +348,8 @@ def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -
 
 def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) -> bool:
     """Return whether an expression is not positive where conditions are not negative."""
-    conditions = tuple(dict.fromkeys(map(expand, conditions)))
+    conditions = tuple(dict.fromkeys(_without_root(expand(c)) for c in conditions))
+    expression = _without_conditions(expression, conditions)
     if groups_never_positive(expression, variables) or _is_empty(conditions):
         return True
     if any(map(pieces_of, functions_in(expression))):
@@ -333,9 +362,7 @@ def without_choices(expression: Expr, variables: set) -> Expr | None:
 
     So a projection is judged: V' without it, and what V' loses where it acts.
     """
-    inputs = {
-        f: Dummy(real=True) for f in expression.atoms(AppliedUndef) if is_input(f)
-    }
+    inputs = {f: Dummy(real=True) for f in _inputs_in(expression)}
     expression = expand(expression.xreplace(inputs))
     choices = {f for f in functions_in(expression) if f.func == WHERE}
     inner = {f for choice in choices for a in choice.args for f in functions_in(a)}
@@ -360,8 +387,7 @@ def without_choices(expression: Expr, variables: set) -> Expr | None:
         ]
         bound = expand(linear.xreplace(taken))
         if groups_never_positive(bound, variables) and all(
-            _in_piece(_without_conditions(change, margins), variables, margins)
-            for change, margins in pieces
+            _in_piece(change, variables, margins) for change, margins in pieces
         ):
             return bound.xreplace({symbol: f for f, symbol in inputs.items()})
     return None
@@ -400,14 +426,27 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
 
 
 def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
-    """Return an expression without factors that are conditions or even powers."""
-    kept = []
-    for factor in Mul.make_args(factored(e)):
-        base, power = factor.as_base_exp()
-        ratios = [sympy.cancel(base / c) for c in conditions if c != 0]
-        same = next((r for r in ratios if r.is_number), S.Zero)
-        kept.append(sympy.sign(same) if same and power.is_odd else factor)
-    return Mul(*kept)
+    """Return an expression without factors that make a condition, and without even powers."""
+    product = factored(e)
+    for condition in map(factored, conditions):
+        powers = product.as_powers_dict()
+        factors = condition.as_powers_dict().items()
+        excess = [powers[f] - n for f, n in factors if not f.is_number]
+        if excess and all(n.is_nonnegative for n in excess):
+            product /= condition
+    factors = Mul.make_args(product)
+    return Mul(*(f for f in factors if not f.as_base_exp()[1].is_even))
+
+
+def _without_root(condition: Expr) -> Expr:
+    """Return a condition of the same sign without its root: s - c^2 of sqrt(s) - c, c >= 0."""
+    for root in condition.atoms(sympy.Pow):
+        slope = condition.coeff(root)
+        if root.exp == S.Half and slope.is_number and slope != 0:
+            least = expand(root - condition / slope)
+            if least.is_nonnegative:
+                return expand(slope * (root.base - least**2))
+    return condition
 
 
 def in_one_piece(e: Expr, conditions: tuple[Expr, ...] = ()) -> Expr | None:

@@ -26,7 +26,7 @@ from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols, rational
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
-from .decide import in_one_piece, never_positive, without_choices
+from .decide import in_one_piece, never_positive, without_choices, without_fading
 from .exact import factored, normal_form, vanishes, whole_coefficients
 from .facts import along, decided, has_time, is_continuous, meets_smoothly
 from .judge import Candidate, Fall, Refutation, Verdict, judge
@@ -235,8 +235,11 @@ class SystemCandidate(Candidate):
         where = f" where {' = '.join(inputs)} = 0" * bool(zeroed)
         if falls:
             bound = bound.xreplace(zeroed)
-            lower = without_choices(normal_form(bound), {*self.states})
-            if lower is not None:
+            form, states = normal_form(bound), {*self.states}
+            lower = without_choices(form, states)
+            if lower is None:
+                lower = without_fading(form, states) or form
+            if lower != form:
                 bound, claim = lower, f"V' <= {self.text(factored(lower))}"
             bounded = {*(self.least or (f for f in self.forms if f.is_Symbol))}
             variables = (*self.states, *self.inputs)
