@@ -5,9 +5,9 @@
  * ${name}_outputs(t, x, u, p, y): all outputs.
  * ${name}_rates(t, x, u, p, dx): ${rates}.
  * ${name}_step(t, dt, x, u, p): ${step}.
-${begins} * dt must divide the periods at which blocks sample or jump.
+${begins}${levels} * dt must divide the periods at which blocks sample or jump.
  * A parameter that is fixed was asked for its value: it is in the code.
- * Where there are none of these, pass any array. Guards are not in this file.
+ * Where there are none of these, pass any array. Guards that end a run are not in this file.
  */
 //
 #include <math.h>

@@ -29,7 +29,7 @@ from ..engine.diagram.wiring import Wiring
 from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch, Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.filippov import continue_on_switch
+from ..engine.solver.filippov import continue_run, may_continue
 from ..engine.solver.runner import PythonDiagram
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.solver_layout import Status
@@ -217,11 +217,12 @@ class Ensemble:
         if self.native.code.program.decided and len(stuck):
             batch = self._solve(self.native.unlocked(), rows(stuck))
             replace_rows(result, stuck, batch)
-        # 3. members that slide along a switch
-        for m in np.flatnonzero(result[1] == Status.CHATTERING).tolist():
+        # 3. members that slide along switches, or jump at a level
+        ends = [may_continue(self.native, status) for status in result[1]]
+        for m in np.flatnonzero(ends).tolist():
             run = members.P[m], members.x0[m], times, members.schedule(m)
             batch = self._solve_one(self.native, *run)
-            continue_on_switch(self.native, batch, self._solve_one)
+            continue_run(self.native, batch, self._solve_one)
             replace_rows(result, [m], batch)
         return States(*result)
 

@@ -65,11 +65,21 @@ def c_file(
         initial_state = own_arguments.get("initial_state")
     try:
         run = compiled(system, params)
+        if kind is not None:
+            refuse_levels(run)
         start = stacked_state("initial_state", initial_state, run.runner.nstates)
         _check_finite(run, start, params or {})
         return (kind or CFile)(run, start)
     except Uncompiled as error:
         raise DiagramError(f"{system.name}: cannot be written as C: {error}") from None
+
+
+def refuse_levels(run: DiagramRun) -> None:
+    """Raise `DiagramError` if states jump at a level."""
+    for name in run.runner.sweep.resetting:
+        raise DiagramError(
+            f"{name}: jumps at a level, which this file has not. Write the diagram as C"
+        )
 
 
 def _check_finite(
@@ -144,6 +154,7 @@ class CFile:
             "outputs": as_lines(self.outputs()),
             "asked": as_lines(self.jump_tests()),
             "begin": as_lines(self._initial_samples()),
+            "levels": self._level_line(),
             "some": " + ".join(
                 f"after[{self._jump_index(k)}]" for k in self.layout.jumps
             ),
@@ -250,11 +261,28 @@ class CFile:
     def jump_tests(self) -> list[str]:
         """Return assignments that test if a block jumps: its interval has changed."""
         interval_index = {k: j for j, k in enumerate(self.layout.intervals)}
+        levels = [*self.record.levels]
         lines = []
+        if levels:
+            lines.append(f"double level[{len(levels)}];")
+            lines.append("levels_(t + dt, x, u, p, after, level);")
         for k in self.layout.jumps:
-            j = interval_index[k]
-            lines.append(f"after[{self._jump_index(k)}] = after[{j}] != kept[{j}];")
+            tests = []
+            if k in interval_index:
+                j = interval_index[k]
+                tests.append(f"after[{j}] != kept[{j}]")
+            if k in levels:
+                tests.append(f"level[{levels.index(k)}] < 0.0")
+            lines.append(f"after[{self._jump_index(k)}] = {' || '.join(tests)};")
         return lines
+
+    def _level_line(self) -> str:
+        """Return a line of the head on blocks that jump at a level."""
+        names = [self.wiring.nodes[k].name for k in self.record.levels]
+        if not names:
+            return ""
+        listed = _comment(", ".join(names))
+        return f" * States of {listed} jump at the end of the step that passes their level.\n"
 
     def _initial_samples(self) -> Iterator[str]:
         """Yield tests if a sampled block samples at the start of a run."""

@@ -27,7 +27,7 @@ from ..base.html import plain
 from ..base.progress import note
 from ..engine.codegen.c_library import ENDINGS, compiled
 from ..paper.scenario.experiment import Scenario
-from .c_export import FIXED, CFile, as_lines, c_file
+from .c_export import FIXED, CFile, as_lines, c_file, refuse_levels
 
 FUNCTIONS, DOCUMENTS = (
     (resources.files("clpt_control.data") / f"fmi3.{kind}").read_text("utf-8")
@@ -85,6 +85,7 @@ def _packed(file: CFile) -> bytes:
             f"{file.run.name}: is no FMU for model exchange, whose importer integrates: its "
             "time is discrete; clpt.export to C has its step"
         )
+    refuse_levels(file.run)
     text = file.text
     token = hashlib.sha256(text.encode()).hexdigest()[:32]
     text += _fmi_functions(file, token)

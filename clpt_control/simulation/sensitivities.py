@@ -103,6 +103,12 @@ class SensitivityRun:
 
     def _compile(self, params: Mapping[str, Any] | None) -> NativeDiagram:
         """Return the diagram with derivatives by each varied number, ready to run."""
+        for node in self.wiring.nodes:
+            if node.system.jumps_at_level:
+                raise SimulationError(
+                    f"{node.name}: jumps at a level, whose time varies. Compare runs of slightly "
+                    "different numbers instead of `sensitivity`"
+                )
         directions = tuple(map(self._direction, self.varied.values()))
         varied_blocks = {k for direction in directions for k, _, _ in direction}
         self.jumping = [  # names of blocks that may jump

@@ -293,3 +293,26 @@ def in_python(system, t, x, u):
         return np.array(system.updfcn(np.float64(t), x.copy(), u.copy(), system.params))
     except (ArithmeticError, ValueError, IndexError, UnboundLocalError):
         return np.full(len(x), np.nan)
+
+
+@needs_cc
+def test_states_jump_at_the_end_of_the_step_that_passes_their_level(tmp_path):
+    """A falling count restarts at 1 each time it has fallen below 0, up to one step late."""
+    saw = clpt.Block(
+        "saw",
+        update=lambda t, x, u, p: [-1.0, 0.0],
+        states={"left": 1, "turns": 1},
+        jump=lambda t, x, u, p: [1.0, x[1] + 1.0],
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )
+    made = InC(saw, tmp_path, initial_state=[1.0, 0.0])
+    assert (
+        "States of saw jump at the end of the step that passes their level."
+        in made.text
+    )
+    times = 0.003 * np.arange(3500)
+    left, turns = made.run(made.x0, np.zeros(1), 0.003, times).T
+    assert np.all((left > 0.0) & (left <= 1.0))
+    assert turns[-1] == 10.0
+    with pytest.raises(clpt.DiagramError, match="saw: jumps at a level"):
+        clpt.export(saw, tmp_path / "saw.fmu")

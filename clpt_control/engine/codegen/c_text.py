@@ -20,6 +20,7 @@ from .diagram_record import DiagramRecord, Layout
 from .fused_expressions import Components, Write
 from .loop_nests import Body, Key, Location, LoopPrinter
 from .plan import Nest, Planner
+from .switching_conditions import Port
 
 SIGNATURE = (
     "double t, const double *x, const double *u, const double *p, const double *kept"
@@ -47,6 +48,14 @@ class CRecord(DiagramRecord):
         # places in P
         self.set_by_integrator = [*layout.intervals.values(), *layout.jumps.values()]
         super().__init__(wiring, layout, "free")
+        systems = [node.system for node in wiring.nodes]
+        guarded = [k for k, system in enumerate(systems) if system.guard is not None]
+        # distances of guards at which states jump, by block
+        self.levels = {
+            k: margin
+            for k, margin in zip(guarded, self.margins, strict=True)
+            if systems[k].jumps_at_level
+        }
 
     def _inputs(self) -> int:
         return self.load("U", 0, (self.wiring.ninputs,))
@@ -73,6 +82,11 @@ class CProgram:
         ports = {"rates": (record.rates, "D"), "signals": (record.signals, "W")}
         if record.layout.jumps:
             ports["jump"] = record.leaps, "D"
+        if record.levels:
+            levels = [
+                Port(j, (), (), ref) for j, ref in enumerate(record.levels.values())
+            ]
+            ports["levels"] = levels, "D"
         with deep():
             writes = {
                 name: self.components.writes(*arguments)

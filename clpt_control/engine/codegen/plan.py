@@ -7,7 +7,7 @@ of P.  Values that every iteration of a nest reads, or that later levels read, a
 """
 
 from itertools import groupby
-from math import inf, prod
+from math import prod
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,7 +37,7 @@ class Program(NamedTuple):
 
     derivative: D = dx/dt; signals: W = all block outputs; jump: D = states after the jumps that
     P asks for, empty without any; decide: D = decisions, their distances and the rounding of these
-    (`switching_conditions`).  A guard is the last event; its distance is the least margin.
+    (`switching_conditions`).  Guards are the last events.
     """
 
     components: tuple[Component, ...]
@@ -51,7 +51,7 @@ class Program(NamedTuple):
     deciding: tuple[tuple, ...]
     timed: bool = False  # whether steps are short, as time may do much in little of it
     tables: np.ndarray = NO_TABLES  # large constants, behind the parameters in T
-    guarded: int = 0  # 1 if a guard follows the decisions
+    guarded: int = 0  # number of guards, which follow the decisions
 
 
 class Planner:
@@ -253,7 +253,7 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     first_prepared = prepared + 1 + count if count else prepared
     components = Components(record, room, first_prepared)
     # behind the decisions D has their distances, then the rounding errors of these
-    events = count + bool(record.margins)
+    events = count + len(record.margins)
     behind = [port._replace(first=port.first + events) for port in decisions.distances]
     behind += [port._replace(first=port.first + 2 * events) for port in decisions.least]
     with deep():
@@ -265,15 +265,8 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
             "decide": components.writes([*decisions.now, *behind], "D"),
         }
-        if record.margins:
-            writes["decide"].append(_least(components, events + count))
+        for k, margin in enumerate(record.margins, events + count):
+            value = components.as_number(components.at(margin, ()))
+            writes["decide"].append(Write("D", k, (), (), value))
     program = Planner(components).program(writes, decisions)
     return program._replace(guarded=events - count)
-
-
-def _least(components: Components, to: int) -> Write:
-    least: Any = inf
-    for margin in components.record.margins:
-        value = components.at(margin, ())
-        least = components.add("minimum", least, value)
-    return Write("D", to, (), (), least)

@@ -129,6 +129,8 @@ class Decisions:
         """
         record = self.record
         locked = dict[int, Ref]()
+        # entries with fixed decisions on their side, and others as they are
+        settled = dict[int, Ref]()
         again = self.count > 0
         self._block = self.count
         operation = -1  # of those that decide
@@ -159,6 +161,9 @@ class Decisions:
             depends_on_moving = bool(moving.intersection(refs))
             moves = array in ("X", "t") or depends_on_moving
             arguments = tuple(map(current, exact))
+            exact_settled = tuple(
+                settled.get(a, a) if type(a) is int else a for a in exact
+            )
             is_shared = again and all(
                 locked.get(ref) == self._first.get(ref) for ref in refs
             )
@@ -167,7 +172,9 @@ class Decisions:
             if decides and operation not in passed:
                 self.operations.append(self.count)
                 self.timed |= k not in fed
-                locked[k] = self._lock(k, arguments, fixed, flipped, is_shared)
+                locked[k], settled[k] = self._lock(
+                    k, arguments, exact_settled, fixed, flipped, is_shared
+                )
                 moves = kind not in (*COMPARED, *WHOLE, *PLACES, "sign")
             elif not locked.keys().isdisjoint(refs):
                 owner = record.owners[k]
@@ -175,6 +182,9 @@ class Decisions:
                     locked[k] = self._first[k]
                 else:
                     locked[k] = record.add(kind, arguments, shape, at, owner)
+            if k not in settled and exact_settled != exact:
+                owner = record.owners[k]
+                settled[k] = record.add(kind, exact_settled, shape, at, owner)
             if moves:
                 moving.add(k)
         if again:
@@ -196,12 +206,14 @@ class Decisions:
         self,
         k: int,
         arguments: tuple[Ref, ...],
+        settled: tuple[Ref, ...],
         fixed: Sequence[int],
         flipped: Sequence[int],
         is_shared: bool,
-    ) -> Ref:
-        """Note what an operation decides; return its locked value, of locked arguments.
+    ) -> tuple[Ref, Ref]:
+        """Note what an operation decides of `settled` arguments, with fixed decisions.
 
+        Return its locked value, of locked arguments, and its value with fixed decisions.
         `is_shared` says that the arguments are those of the first rates.
         """
         record = self.record
@@ -211,6 +223,7 @@ class Decisions:
         outcomes = list[Ref]()
         size = prod(shape)
         flips = False
+        stays = np.zeros(shape, dtype=bool)
 
         def add(kind: str, *refs: Ref, shape: Any = shape) -> Ref:
             side = at if kind == "search" else None
@@ -225,16 +238,16 @@ class Decisions:
             # the decision now, and its distance from the decision in force
             now, distance, least = H, 1.0, 0.0
             if not is_shared:
-                now = add(name, *operands(kind, name, exact))
+                now = add(name, *operands(kind, name, settled))
                 if name in COMPARED:
                     now = add("where", now, 1.0, -1.0)
                 compared = operands(kind, name, arguments)
                 distance, least = self._distance(name, compared, H, add)
                 self._true.append(Port(number, shape, long, distance))
                 # fixed decisions stay as they are
-                stays = np.isin(numbers, fixed)
-                now = self._chosen(stays, H, now, add)
-                distance = self._chosen(stays, 1.0, distance, add)
+                now = self._chosen(np.isin(numbers, fixed), H, now, add)
+                distance = self._chosen(np.isin(numbers, fixed), 1.0, distance, add)
+            stays |= np.isin(numbers, fixed)
             self.now.append(Port(number, shape, long, now))
             self.distances.append(Port(number, shape, long, distance))
             self.least.append(Port(number, shape, long, least))
@@ -248,9 +261,13 @@ class Decisions:
                 self.count += size
             outcome = add("gt", H, 0.0) if name in COMPARED else H
             outcomes.append(outcome)
+        value = k if settled == exact else record.add(kind, settled, shape, at, owner)
+        if stays.any():
+            held = _locked_value(kind, settled, outcomes, add)
+            value = self._chosen(stays, held, value, add)
         if is_shared and not flips:
-            return self._first[k]
-        return _locked_value(kind, arguments, outcomes, add)
+            return self._first[k], value
+        return _locked_value(kind, arguments, outcomes, add), value
 
     def _chosen(self, mask: np.ndarray, value: Ref, other: Ref, add: Add) -> Ref:
         """Return a value where a constant mask is true, and another elsewhere."""

@@ -23,6 +23,7 @@ from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
+from ..model.declaration import ON_EDGE
 from ..model.ports import bare_labels, ports_of
 from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
@@ -257,8 +258,8 @@ def linearize(
     Raises
     ------
     DiagramError
-        If a signal or a rate jumps at the point or has no finite slope there, a function cannot
-        be traced, or sampled blocks have no small common period.
+        If a state, a signal or a rate jumps at the point or has no finite slope there, a function
+        cannot be traced, or sampled blocks have no small common period.
 
     Warns
     -----
@@ -328,6 +329,12 @@ def _linearized(
         for path, rate in zip(about.states, rates, strict=True):
             checked[f"the rate of {'.'.join(path)}"] = rate
         about.check(checked)
+        for (name, _), level in about.record.levels.items():
+            if abs(about.numbers([level], [()], about.values, 1).item()) <= ON_EDGE:
+                raise DiagramError(
+                    f"{system.name}: the states of {name} jump at this point. Linearize at a point "
+                    "inside its guard"
+                )
     except Unread as error:
         raise DiagramError(f"{error}") from None
     all_slopes = np.vstack([Y, about.unit_vectors[n:]])

@@ -191,6 +191,7 @@ class TapeRecord(RecordMerger):
         self.signals: Values = {}  # outputs of blocks
         self.rates: Values = {}
         self.jumps: Values = {}  # states after a jump
+        self.levels: Values = {}  # distances of guards at which states jump
         self.fields = {
             node.name: self._parameter_shapes(node.system) for node in wiring.nodes
         }
@@ -209,6 +210,8 @@ class TapeRecord(RecordMerger):
                 self._write_states(k, "update", u, self.rates)
             if node.system.jump_function is not None:
                 self._write_states(k, "jump", u, self.jumps)
+            if node.system.jumps_at_level:
+                self._write_states(k, "guard", u, self.levels)
 
     def _write_states(
         self, k: int, role: str, u: dict[str, Any], results: Values
@@ -321,8 +324,9 @@ class TapeRecord(RecordMerger):
         fed = {port: operand(value) for port, value in u.items()}
         refs = self.run(k, role, fed)
         kind = "outputs" if role == "output" else "states"
+        ports = {"distance": ()} if role == "guard" else block.declared[kind]
         results = {}
-        for (port, shape), ref in zip(block.declared[kind].items(), refs, strict=True):
+        for (port, shape), ref in zip(ports.items(), refs, strict=True):
             shape = self.shape(block, shape)
             value = self.tape.value(ref)
             results[port] = spread(self.tape, value, shape)

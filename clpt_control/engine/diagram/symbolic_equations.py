@@ -53,7 +53,7 @@ class Equations:
     inputs : dict of ndarray
         Functions of time.
     jumps : dict of dict
-        Block -> state -> its value after a jump at a breakpoint.
+        Block -> state -> its value after a jump at a breakpoint or level.
     parameters : dict of Parameters
         Block -> its parameters.
     fields : dict of ndarray
@@ -68,6 +68,8 @@ class Equations:
         True for discrete time.
     periods : dict
         Sampled block -> its period; its `jumps` are its updates and its samples.
+    levels : dict
+        Block -> distance of its guard; its states jump where the distance falls to 0.
 
     Examples
     --------
@@ -91,6 +93,7 @@ class Equations:
     pinned: list[tuple[str, str]] = field(default_factory=list)
     discrete: bool = False
     periods: dict[str, float] = field(default_factory=dict)
+    levels: dict[str, Any] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Any:
         if name not in self.named:
@@ -141,34 +144,38 @@ class Equations:
 
     # --- text and LaTeX ---------------------------------------------------------------------
 
-    def _rows(self) -> Iterator[tuple[str, str, Any, Any]]:
-        """Yield mark, period, symbol and value: of rates, signals that are no states, jumps."""
+    def _rows(self) -> Iterator[tuple[str, str, Any, Any, Any]]:
+        """Yield mark, period, symbol, value, level: of rates, signals that are no states, jumps."""
         sampled = {s for block in self.periods for s in self.jumps[block]}
         for s, value in self.motion.items():
             if s not in sampled:
-                yield "+" if self.discrete else "'", "", s, value
+                yield "+" if self.discrete else "'", "", s, value, None
         inputs = {s for symbols in self.inputs.values() for s in symbols.flat}
         for port, values in self.signals.items():
             for index, value in np.ndenumerate(values):
                 if value not in self.motion and value not in inputs:
                     name = element_name(port, values.shape, index)
-                    yield "", "", sympy.Symbol(name), value
+                    yield "", "", sympy.Symbol(name), value, None
         for block, changes in self.jumps.items():
             period = f" (each {self.periods[block]:g})" if block in self.periods else ""
             for s, value in changes.items():
                 if value != s:
-                    yield "+", period, s, value
+                    yield "+", period, s, value, self.levels.get(block)
 
     def _lines(
-        self, print_as: Callable[[Any], str], left_side: Callable[[Any, str], str]
+        self,
+        print_as: Callable[[Any], str],
+        left_side: Callable[[Any, str], str],
+        at: str = "at",
     ) -> Iterator[str]:
         """Yield the equations as text."""
         rows = [*self._rows()]
-        for mark, period, s, value in rows[:MOST_EQUATIONS]:
+        for mark, period, s, value, level in rows[:MOST_EQUATIONS]:
             size, _ = extent(sympy.sympify(value))
             if size > LONG:
                 value = sympy.Symbol(f"({size} parts)")
-            yield f"{left_side(s, mark)}{period} = {print_as(value)}"
+            where = "" if level is None else f" {at} {print_as(level)} = 0"
+            yield f"{left_side(s, mark)}{period} = {print_as(value)}{where}"
         if len(rows) > MOST_EQUATIONS:
             yield f"... {len(rows) - MOST_EQUATIONS} more"
 
@@ -186,7 +193,7 @@ class Equations:
         \begin{aligned}\dot{x} &= u - x\end{aligned}
         """
         lines = []
-        for line in self._lines(typeset, _left_side):
+        for line in self._lines(typeset, _left_side, r"\text{ at }"):
             is_equation = " = " in line
             lines.append(
                 line.replace(" = ", " &= ", 1) if is_equation else r"\dots &= "
@@ -385,6 +392,9 @@ class _SymbolicRecord:
                 self.record.jumps, node, system.declared["states"]
             )
             result.jumps[block] = dict(zip(symbols, elements, strict=True))
+        if system.jumps_at_level:
+            (level,) = self._elements_of(self.record.levels, node, ["distance"])
+            result.levels[block] = level
         if isinstance(system, Sampled):
             result.periods[block] = system.period
 

@@ -2,7 +2,8 @@
 
     dx/dt = update(t, x, u, p),    y = output(t, x, u, p)
 
-and x = jump(t, x, u, p) after the block's own breakpoints, if the block has a jump.
+and x = jump(t, x, u, p) after the block's own breakpoints or at its guard's edge, if the block
+has a jump.
 The functions return a mapping by port, or numbers in the order of the ports, and have no side
 effects.  Each function is traced into a record of array operations; machine code, SymPy expressions
 and derivatives are made from the record.  A block also has what a diagram needs: ports with their
@@ -22,6 +23,8 @@ from ...base.arguments import brief, has, numbers, public
 from ...base.errors import ArgumentError, BlockError
 from ..trace.tracing import RAISED
 from .declaration import (
+    ON_EDGE,
+    POLICIES,
     Each,
     Equations,
     Guard,
@@ -41,8 +44,8 @@ class Call(local):
 
     def __init__(self, parameters: Any) -> None:
         self.parameters = parameters
-        # time and interval of the first rate
-        self.start: tuple[float, float] | None = None
+        # time, interval and distance of the guard of the first rate
+        self.start: tuple[float, float, float] | None = None
 
 
 @public
@@ -73,8 +76,9 @@ class Block(ReadBlock):
         jumps. Interval k ends at breakpoint k + 1, counted from time 0.
     jump : callable, optional
         ``jump(t, x, u, p)`` returns all states after a breakpoint, from the states x and
-        the inputs u before it; ``p.interval`` is the interval that begins. `clpt.simulate`
-        runs the jump, python-control does not.
+        the inputs u before it; ``p.interval`` is the interval that begins. With
+        ``guard=Guard(distance, "jump")`` the states jump where the distance falls to 0.
+        `clpt.simulate` runs the jump, python-control does not.
     guard : Guard, optional
         The domain of the block.
     units : mapping, optional
@@ -152,10 +156,13 @@ class Block(ReadBlock):
             and shapes_of(outputs) != declared["states"],
             "without `output` the outputs are the states. Leave them out",
         )
+        at_level = guard is not None and guard.policy == "jump"
         refuse(
-            jump is not None and (breakpoints is None or not states),
-            "a jump sets states at the block's own breakpoints. Give `breakpoints` and `states`",
+            jump is not None and not (states and (breakpoints is not None or at_level)),
+            "a jump sets states at the block's own breakpoints or at the edge of its guard. Give "
+            '`states`, and `breakpoints` or `guard=Guard(distance, "jump")`',
         )
+        refuse(at_level and jump is None, 'a guard with policy "jump" needs a `jump`')
         refuse(
             not 0 <= dt < np.inf, f"dt = {dt}: must be a time, or 0 in continuous time"
         )
@@ -164,8 +171,9 @@ class Block(ReadBlock):
             "a block of discrete time has no breakpoints and no guard. Leave them out",
         )
         refuse(
-            guard is not None and guard.policy not in ("raise", "stop"),
-            f'a guard\'s policy {guard and guard.policy!r} must be "raise" or "stop"',
+            guard is not None and guard.policy not in POLICIES,
+            f"a guard's policy {guard and guard.policy!r} must be one of "
+            f"{', '.join(POLICIES)}",
         )
         self.update_function, self.output_function, self.jump_function = (
             update,
@@ -316,7 +324,12 @@ class Block(ReadBlock):
     def _update_params(self, params: Mapping[str, Any] | None) -> None:
         self._call.parameters, self._call.start = self.with_params(params), None
 
-    # --- jumps in time ----------------------------------------------------------------
+    # --- jumps ------------------------------------------------------------------------
+
+    @property
+    def jumps_at_level(self) -> bool:
+        """True if the states jump where the block's guard is left."""
+        return self.guard is not None and self.guard.policy == "jump"
 
     @public
     def breakpoints(self, t0: float, t1: float, p: Any = None) -> np.ndarray:
@@ -401,14 +414,21 @@ class Block(ReadBlock):
         if self.update_function is None:
             return np.zeros(0)
         p = self.parameters_at(t)
-        if self.jump_function is not None and not self._call.parameters.interval >= 0:
-            self._refuse_jumps(float(t), float(p.interval))
+        if self.jump_function is not None:
+            self._refuse_jumps(float(t), x, u, p)
         return self.values("update", self.nstates, t, x, u, p)
 
-    def _refuse_jumps(self, t: float, interval: float) -> None:
+    def _refuse_jumps(self, t: float, x: Any, u: Any, p: Any) -> None:
         """Refuse rates on both sides of a jump, which only an integration evaluates."""
-        start, start_interval = self._call.start = self._call.start or (t, interval)
-        if interval != start_interval:
+        interval, distance = 0.0, 0.0
+        if self.breakpoints_function is not None:
+            fixed = self._call.parameters.interval >= 0
+            interval = 0.0 if fixed else float(p.interval)
+        if self.jumps_at_level:
+            distance = float(self.values("guard", 1, t, x, u, p)[0])
+        now = t, interval, distance
+        start, first, above = self._call.start = self._call.start or now
+        if interval != first or (distance < -ON_EDGE and above >= -ON_EDGE):
             raise BlockError(
                 f"{self.name}: its states jump between t = {start:.9g} and t = {t:.9g}, and "
                 "python-control ignores the jumps. Run the diagram with "

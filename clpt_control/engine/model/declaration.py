@@ -25,9 +25,15 @@ MOST_JUMPS = 2 * 10**7  # breakpoints in a list
 Equations = Callable[[float, Any, Any, Any], Any]
 
 
+ON_EDGE = (
+    1e-9  # distance beyond the edge of a guard that is not outside, as for the solver
+)
+POLICIES = ("raise", "stop", "jump")
+
+
 @public
 class Guard(NamedTuple):
-    """Domain of a block, and the action outside.
+    """Domain of a block, and the action where a run leaves it.
 
     Attributes
     ----------
@@ -35,9 +41,11 @@ class Guard(NamedTuple):
         ``distance(t, x, u, p)``, an equation like a block's own: a number,
         positive inside, negative outside.
     policy : str
-        ``"raise"`` fails the run, ``"stop"`` ends it without an error.
-    sentence : callable
-        ``sentence(t, u, p)``: position, time and bounds, for the message.
+        ``"raise"`` fails the run, ``"stop"`` ends it without an error,
+        ``"jump"`` sets the states to those of the block's `jump`.
+    sentence : callable, optional
+        ``sentence(t, u, p)``: position, time and bounds, for the message of
+        a run that ends.
     advice : str
         Remedy for a failed run, for the message.
 
@@ -52,14 +60,17 @@ class Guard(NamedTuple):
 
     distance: Equations
     policy: str
-    sentence: Callable[[float, np.ndarray, Any], str]
+    sentence: Callable[[float, np.ndarray, Any], str] | None = None
     advice: str = ""
 
     @public
     def message(self, t: float, u: np.ndarray, p: Any) -> str:
         """Return the sentence, with the advice if the run fails."""
         has_advice = self.policy == "raise" and self.advice
-        return self.sentence(t, u, p) + (f"; {self.advice}" if has_advice else "")
+        sentence = f"a guard was left at t = {t:.9g}"
+        if self.sentence is not None:
+            sentence = self.sentence(t, u, p)
+        return sentence + (f"; {self.advice}" if has_advice else "")
 
 
 def check_names(name: str, *ports: Mapping[str, Any]) -> None:

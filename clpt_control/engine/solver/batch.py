@@ -23,6 +23,7 @@ from .jacobian_pattern import NO_LINEAR, Jacobian
 from .schedule import Schedule
 from .solver_layout import (
     DECIDE,
+    DECISION,
     FIRST_STEP,
     MAX_STEP,
     OUTSIDE,
@@ -67,7 +68,8 @@ class Callee(NamedTuple):
     lanes: int  # runs that are taken at once
     nstates: int
     method: Method
-    guarded: int  # 1 if the last event is a guard
+    guarded: int  # number of guards
+    levels: tuple  # of each guard: `LEVEL` if states jump there, else 0
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
     decided: int  # their number
@@ -205,7 +207,8 @@ class Batch:
         self.tolerance_share = (
             1.0  # of the tolerances of a run that this batch continues
         )
-        self.refusal = ""  # why it does not slide
+        self.refusal = ""  # why it does not slide, or jumps without end
+        self.level_jumps: list[float] = []  # their times
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
@@ -229,6 +232,7 @@ class Batch:
         # 5. events at the sample points of a step
         self.points = D[:at_points].reshape(POINTS, 3, callee.events)
         self.points[:, ROUNDING, callee.decided :] = OUTSIDE
+        self.points[0, DECISION, callee.decided :] = callee.levels
         self.signs = D[at_points : at_points + callee.events]
         # 6. the solver's argument
         self._tolerances = np.zeros(2)

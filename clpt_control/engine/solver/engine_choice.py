@@ -23,7 +23,7 @@ from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
 from .schedule import JUMPS, Inputs, Schedule, inputs_at
-from .solver_layout import DERIVATIVE, JUMP, SIGNALS, Status
+from .solver_layout import DERIVATIVE, DISTANCE, JUMP, SIGNALS, Status
 from .termination import Solution
 
 ENGINES = ("native", "python")
@@ -187,8 +187,9 @@ def _agrees(
 ) -> ndarray:
     """Return at which times and states Python and machine code give the same.
 
-    That is the same signals, which machine code may have given before, the same rates, and the
-    same states after all jumps.  Derivatives along directions, behind them, are not compared.
+    That is the same signals, which machine code may have given before, the same rates, the same
+    states after all jumps, and the same distances of guards.  Derivatives along directions, behind
+    them, are not compared.
     """
     sweep = runner.sweep
     callee = runner.callee(1, inputs)
@@ -207,6 +208,9 @@ def _agrees(
         values[:, requests] = JUMPS
         all_jump = segments._replace(values=values)
         machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
+    if sweep.guarded:
+        events = callee.events_at(times, x, segments, P)
+        machine.append(events[:, DISTANCE, callee.decided :])
     # 2. results of the functions in Python
     python: list[list[ndarray]] = [[] for _ in machine]
     for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):
@@ -218,6 +222,9 @@ def _agrees(
             results.append(rates)
         if sweep.jumping:
             results.append(sweep.jump(t, state, u, sweep.jumping))
+        if sweep.guarded:
+            distances = sweep.distances(t, state, u)
+            results.append(np.array([*distances.values()]))
         for rows, row in zip(python, results, strict=True):
             rows.append(row)
     # 3. rows in which all of them are equal
@@ -248,9 +255,7 @@ def misread_function(runner: PythonDiagram, t: float, x: ndarray) -> str | None:
     for k, node in enumerate(runner.wiring.nodes):
         block = node.system
         arguments = x[node.states], sweep.fed(k), sweep.parameters[k]
-        for role in ("output", "update", "jump"):
-            if getattr(block, f"{role}_function") is None:
-                continue
+        for role in block._roles:
             with suppress(Unread):
                 values = on_arrays(block, role, t, *arguments)
                 expected = block.values(role, len(values), t, *arguments)

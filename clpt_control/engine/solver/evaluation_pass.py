@@ -59,6 +59,10 @@ class Sweep:
         jumping = [system.jump_function is not None for system in systems]
         self.jumping = np.flatnonzero(jumping).tolist()
         self.guarded = any(system.guard is not None for system in systems)
+        # names of blocks that jump at a level
+        self.resetting = [
+            node.name for node in self.nodes if node.system.jumps_at_level
+        ]
         # block -> its breakpoints, of blocks that an input of the diagram triggers
         self.triggered: dict[int, ndarray] = {}
         self.enter(0.0)
@@ -215,23 +219,29 @@ class Sweep:
         self, t: float, x: ndarray, u: External = None
     ) -> tuple[float, str, str]:
         """Return the least distance to the edge of a guard, the guard's policy and its sentence."""
-        self.evaluate(t, x, u)
         least = np.inf
         policy = ""
         sentence = ""
-        for k, node in enumerate(self.nodes):
-            guard = node.system.guard
-            if guard is None:
-                continue
-            inputs = self._inputs[node.inputs]
-            p = self._current[k]
-            states = x[node.states]
-            (distance,) = node.system.values("guard", 1, t, states, inputs, p)
+        for k, distance in self.distances(t, x, u).items():
             if not distance >= least:
-                least = float(distance)
+                node = self.nodes[k]
+                guard: Any = node.system.guard
+                least = distance
                 policy = guard.policy
-                sentence = guard.message(t, inputs, p)
+                sentence = guard.message(t, self._inputs[node.inputs], self._current[k])
         return least, policy, sentence
+
+    def distances(self, t: float, x: ndarray, u: External = None) -> dict[int, float]:
+        """Return the distances to the edges of guards, by block."""
+        self.evaluate(t, x, u)
+        distances = {}
+        for k, node in enumerate(self.nodes):
+            if node.system.guard is not None:
+                inputs = self._gather(k)
+                arguments = x[node.states], inputs, self._current[k]
+                (distance,) = node.system.values("guard", 1, t, *arguments)
+                distances[k] = float(distance)
+        return distances
 
     def first_trouble(
         self, t: float, x: ndarray, u: External = None, advice: str = ""

@@ -1,8 +1,8 @@
 """Event checks: does a step cross a switching condition or a guard, or may it do so unseen?
 
 Events are evaluated at `SAMPLE_POINTS` points of a step, at states of the step's interpolant.  All
-but the last are switching conditions (`switching_conditions`).  If the diagram has guards, the last
-event stops the run; its distance is the least margin.  Diagrams with events run in one lane.
+but the guards are switching conditions (`switching_conditions`).  Guards are the last events, and
+stop the run.  Diagrams with events run in one lane.
 
     points[point, DISTANCE, j]   distance of event j: below 0 behind the event
     points[point, ROUNDING, j]   rounding error of that distance
@@ -19,7 +19,10 @@ from .solver_layout import (
     EVENT_INDEX,
     FRESH,
     HIGH,
+    LEVEL,
     LOW,
+    OUTSIDE,
+    POINTS,
     ROUNDING,
     RUN_INDEX,
     SAMPLE_POINTS,
@@ -90,7 +93,22 @@ def check_events(solver):
     for point in range(SAMPLE_POINTS + 1):
         put_state_within(solver, SHARES[point])
         decide(solver, lane[STAGE_TIME], row_of(point), point)
+    set_edges(solver)
     return find_crossing(solver)
+
+
+def set_edges(solver):
+    """Set how far beyond its edge each guard is left in this step.
+
+    A level is passed at 0 if the step begins above it.
+    """
+    points, shape = solver.points, solver.shape
+    for guard in range(shape.decisions, shape.decisions + shape.guarded):
+        is_level = points[0, DECISION, guard] == LEVEL
+        is_above = points[0, DISTANCE, guard] > 0.0
+        for point in range(1, POINTS):
+            edge = 0.0 if is_level and is_above else OUTSIDE
+            points[point, ROUNDING, guard] = edge
 
 
 def row_of(point):

@@ -56,7 +56,7 @@ from .solver_layout import (
     decide,
     derivative,
     fail,
-    is_outside,
+    first_outside,
     prepare,
     put_state_within,
     retry,
@@ -109,24 +109,31 @@ def locate_events(solver):
 def stops_run(solver, low):
     """Stop the run if the event in the bracket is a guard; return whether it is.
 
-    The run stops at the guard's edge, which lies between `low` and the bracket.
+    The run stops at the guard's edge, which lies between `low` and the bracket, or before `low` if
+    the edge is passed there by less than `OUTSIDE`; at the step's beginning if no point is inside.
     """
     lane, points = solver.lane, solver.points
-    guard = solver.shape.decisions
     decide_within(solver, lane[HIGH, 0])
-    # a guard is the last event: a switching condition in the same bracket comes first
-    if first_crossed(points, BEHIND) != guard:
+    # guards are the last events: a switching condition in the same bracket comes first
+    guard = first_crossed(points, BEHIND)
+    if guard < solver.shape.decisions:
         return False
     lane[DISTANCE_HIGH, 0] = points[BEHIND, DISTANCE, guard]
-    decide_within(solver, low)
-    lane[DISTANCE_LOW, 0] = points[BEHIND, DISTANCE, guard]
-    lane[LOW, 0] = low
+    share = low
+    for trial in range(MOST_TRIALS):
+        decide_within(solver, share)
+        lane[LOW, 0] = share
+        lane[DISTANCE_LOW, 0] = points[BEHIND, DISTANCE, guard]
+        if lane[DISTANCE_LOW, 0] > 0.0:
+            break
+        share = 0.5 * (share if trial > 0 else lane[HIGH, 0])
     if lane[DISTANCE_LOW, 0] > 0.0:
         points[BEHIND, ROUNDING, guard] = 0.0
         narrow(solver, STOP_WIDTH)
         points[BEHIND, ROUNDING, guard] = OUTSIDE
     else:
-        lane[HIGH, 0] = low
+        lane[HIGH, 0] = 0.0
+    solver.integers[EVENT_INDEX, 0] = guard
     fail(solver, 0, Status.GUARD_LEFT)
     lane[ACCEPTED, 0] = 0.0
     return True
@@ -165,7 +172,7 @@ def measure_effect(solver, point):
         return
     if first_crossed(solver.points, point) < 0:
         return
-    if is_outside(solver, point):  # of a guard
+    if first_outside(solver, point) >= 0:  # of a guard
         lane[EVENT_EFFECT, 0] = math.inf
         return
     # rates with the decisions held, which are in P; then with those of the point

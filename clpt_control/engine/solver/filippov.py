@@ -30,18 +30,25 @@ from .active_switches import (
     Sides,
     active_set,
     crossing_at,
-    shares_of,
     sides_of,
 )
 from .batch import Batch
+from .evaluation_pass import rounding
+from .level_jumps import MOST_SOON, SHORT, jump_at_level, left_guard
 from .schedule import Schedule
 from .sliding_rates import NEGLIGIBLE, HeldSwitches
-from .solver_layout import DECISION, DISTANCE, SAMPLE_POINTS, STATE, TRIAL_SIZE, Status
+from .solver_layout import (
+    DECISION,
+    DISTANCE,
+    EVENT_INDEX,
+    SAMPLE_POINTS,
+    STATE,
+    TRIAL_SIZE,
+    Status,
+)
 from .termination import decision_name, state_within, stopped_at
 
 MOST_IN_VAIN = 50  # batches of a run in a row, each shorter than SHORT of the run
-SHORT = 1e-7
-AT_BOUND = 1e-3  # distance of a share from 0 or 1 at which its switch leaves
 
 
 class Sliding(NamedTuple):
@@ -58,8 +65,14 @@ Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
 # --- runs that slide ------------------------------------------------------------------------------
 
 
-def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
-    """Continue a batch of one run of a `NativeDiagram` that ended on a switch.
+def may_continue(diagram: Any, status: int) -> bool:
+    """Return whether a run that ended may go on: on switches, or behind a level."""
+    at_level = status == Status.GUARD_LEFT and diagram.sweep.resetting
+    return status == Status.CHATTERING or bool(at_level)
+
+
+def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
+    """Continue a batch of one run of a `NativeDiagram` that ended on a switch or at a level.
 
     ``begin(diagram, parameters, state, times, segments)`` runs a batch up to its end.
     """
@@ -69,40 +82,67 @@ def continue_on_switch(diagram: Any, batch: Batch, begin: Begin) -> None:
     sliding: Sliding | None = None
     while True:
         last = current.continuations.get(0, current)
-        status = last.status[0]
-        t = last.now
-        x = last.states[STATE, :, 0].copy()
-        # 1. enter or leave the switch, or end
-        if status == Status.CHATTERING and in_vain < MOST_IN_VAIN:
-            sliding, batch.refusal = enter(diagram, last, sliding)
-            if sliding is None:
-                break
-            batch.slides.append(t)
-        elif sliding is not None and status == Status.GUARD_LEFT:
-            t, x = stopped_at(last)
-            with suppress(Refused):
-                left, sliding = sliding, None
-                sliding = leave(diagram, last, left)
-        elif sliding is not None and status == Status.FINISHED and last.now < times[-1]:
-            sliding = None
-            x = last.out[0, -1].copy()
-        elif sliding is not None and status == Status.NOT_FINITE:
-            sliding = None  # another decision has made both sides the same
-        else:
+        following = _following(diagram, batch, last, sliding, in_vain)
+        if following is None:
             break
-        # 2. samples within the step that was not taken
+        sliding, t, x = following
+        # samples within the step that was not taken
         for k in np.flatnonzero((times > last.now) & (times <= t)):
             share = (times[k] - last.now) / last.lane[TRIAL_SIZE, 0]
             batch.out[0, k] = state_within(last, share)
-        span = times[-1] - times[0]
-        short = t - current.times[0] <= SHORT * span
+        if batch.level_jumps[-1:] == [t]:  # a sample at a jump is after it
+            batch.out[0, (times >= t - rounding(t)) & (times <= t)] = x
+        short = t - current.times[0] <= SHORT * (times[-1] - times[0])
         in_vain = in_vain + 1 if short else 0
-        # 3. the next batch, and its samples
         current = _next_batch(diagram, batch, begin, sliding, t, x)
     if current is not batch:
         batch.continuations[0] = last
         batch.status[0] = last.status[0]
         batch.reached[0] = np.searchsorted(times, last.now, "right")
+    at_level = last.status[0] == Status.GUARD_LEFT and _jumps(diagram, last)
+    too_small = last.status[0] == Status.STEP_TOO_SMALL and in_vain
+    if at_level or (too_small and batch.level_jumps):
+        batch.status[0] = Status.ACCUMULATING
+
+
+def _jumps(diagram: Any, batch: Batch) -> bool:
+    """Return whether states jump where a batch stopped."""
+    block = left_guard(diagram, batch)
+    return block is not None and diagram.wiring.nodes[block].system.jumps_at_level
+
+
+def _following(
+    diagram: Any, batch: Batch, last: Batch, sliding: Sliding | None, in_vain: int
+) -> tuple[Sliding | None, float, ndarray] | None:
+    """Return how a run goes on: on which switches, when and with which state; None at its end."""
+    status = last.status[0]
+    t = last.now
+    x = last.states[STATE, :, 0].copy()
+    if status == Status.CHATTERING and in_vain < MOST_IN_VAIN:
+        sliding, batch.refusal = enter(diagram, last, sliding)
+        if sliding is None:
+            return None
+        batch.slides.append(t)
+        return sliding, t, x
+    if status == Status.GUARD_LEFT:
+        block = left_guard(diagram, last)
+        if block is None:
+            t, x = stopped_at(last)
+            return leave(diagram, last, sliding), t, x
+        if _jumps(diagram, last) and in_vain < MOST_SOON:
+            is_again = batch.level_jumps[-1:] == [last.times[0]]
+            jumped = jump_at_level(diagram, last, block, is_again)
+            if jumped is None:
+                return None
+            batch.level_jumps.append(jumped[0])
+            return None, *jumped
+    if sliding is None:
+        return None
+    if status == Status.FINISHED and last.now < batch.times[-1]:
+        return None, t, last.out[0, -1].copy()
+    if status == Status.NOT_FINITE:  # another decision has made both sides the same
+        return None, t, x
+    return None
 
 
 def _next_batch(
@@ -177,20 +217,22 @@ def enter(
     return _sliding_on(diagram, batch, crossing, sides, state_of), ""
 
 
-def leave(diagram: Any, batch: Batch, sliding: Sliding) -> Sliding | None:
-    """Return the run on the switches that a batch, which left one of several, stays on."""
-    if len(sliding.held.switches) < 2:
+def leave(diagram: Any, batch: Batch, sliding: Sliding | None) -> Sliding | None:
+    """Return the run on the switches that a batch, which left one of several, stays on.
+
+    The guards of a share w are behind those of the diagram: w itself, then 1 - w.
+    """
+    k = int(batch.integers[EVENT_INDEX, 0]) - batch.callee.decided
+    k -= diagram.code.program.guarded
+    if sliding is None or not k < 2 * len(sliding.held.switches) > 2:
         return None
     t, state = stopped_at(batch)
     crossing = _crossing(diagram, batch, t, state)
-    sides = sides_of(crossing, [*sliding.held.switches])
-    w = shares_of(sides, np.full(len(sides.switches), SLIDES))
-    at_bound = np.minimum(w, 1.0 - w)
-    k = int(np.argmin(at_bound))
-    if at_bound[k] > AT_BOUND:
-        return None
-    state_of = active_set(sides, {k: int(w[k] > 0.5)})
-    return _sliding_on(diagram, batch, crossing, sides, state_of)
+    with suppress(Refused):
+        sides = sides_of(crossing, [*sliding.held.switches])
+        state_of = active_set(sides, {k // 2: k % 2})
+        return _sliding_on(diagram, batch, crossing, sides, state_of)
+    return None
 
 
 def _crossing(diagram: Any, batch: Batch, t: float, state: ndarray) -> Crossing:
@@ -232,7 +274,7 @@ def _sliding_on(
     events = runner.callee().events_at(
         [crossing.time], crossing.state[None], crossing.segments, parameters
     )
-    if not events[0, DISTANCE, -1] > -NEGLIGIBLE:
+    if not events[0, DISTANCE, diagram.code.program.decided :].min() > -NEGLIGIBLE:
         return None
     return Sliding(runner, parameters, held)
 

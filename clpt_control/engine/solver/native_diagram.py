@@ -27,6 +27,7 @@ from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
 from .runner import PythonDiagram
 from .schedule import Inputs
 from .sliding_rates import HeldSwitches, slide
+from .solver_layout import LEVEL
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -254,7 +255,7 @@ class NativeDiagram(PythonDiagram):
 
     def over_kinks(self, rtol: float, atol: float) -> ManyKinks | None:
         """Return what continues a run over many kinks, or None."""
-        if self.code.program.decided < MANY_DECISIONS:
+        if self.sweep.resetting or self.code.program.decided < MANY_DECISIONS:
             return None
         return ManyKinks(self, rtol, atol)
 
@@ -305,6 +306,8 @@ class NativeDiagram(PythonDiagram):
         names = [name for name in FUNCTIONS if called.get(name, True)]
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
+        systems = [node.system for node in self.wiring.nodes]
+        levels = [LEVEL * s.jumps_at_level for s in systems if s.guard is not None]
         callee = Callee(
             engine=self.engine,
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
@@ -312,6 +315,7 @@ class NativeDiagram(PythonDiagram):
             nstates=self.nstates,
             method=method,
             guarded=program.guarded,
+            levels=(*levels, *[0.0] * (program.guarded - len(levels))),
             jumping=jumping,
             decided_at=self.decided_at,
             decided=program.decided,

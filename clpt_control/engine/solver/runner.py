@@ -25,7 +25,7 @@ from ..methods.method import Method
 from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, RK4
 from .batch import ANY, Batch, Callee, pace
 from .evaluation_pass import Sweep, rounding
-from .filippov import continue_on_switch
+from .filippov import continue_run, may_continue
 from .jacobian_pattern import Jacobian, jacobian
 from .kernels import with_formulas
 from .schedule import (
@@ -137,6 +137,7 @@ class PythonDiagram:
             nstates=n,
             method=method,
             guarded=int(self.sweep.guarded),
+            levels=(0.0,) * self.sweep.guarded,
             jumping=int(not method.discrete and bool(self.jumps)),
             decided_at=0,
             decided=0,
@@ -215,6 +216,11 @@ class PythonDiagram:
             progress=progress,
         )
         inputs = self._inputs(inputs, times)
+        if self.sweep.resetting and self.engine == "python":
+            raise SimulationError(
+                f"{', '.join(self.sweep.resetting)}: jumps at a level run as machine code alone, "
+                "and this diagram runs in Python. Write its functions in NumPy"
+            )
         if not self.nstates:
             return without_states(self.sweep, times, inputs, self.engine)
         if self.wiring.dt and self.engine == "python":
@@ -238,7 +244,7 @@ class PythonDiagram:
                 # it slides among kinks that were passed: once more, with all located
                 batch = self._prepare(start, times, inputs, options)
                 self._integrate(batch, inputs, options, times[-1])
-            self._continue_on_switch(batch, inputs, options)
+            self._continue_run(batch, inputs, options)
         except SimulationError as too_slow:
             error = too_slow
         if batch.callee.decided and (error or batch.status[0] in STUCK):
@@ -308,10 +314,10 @@ class PythonDiagram:
         tolerances = options.rtol, options.atol
         batch.adaptive(*tolerances, watch, most, implicit, over_kinks)
 
-    def _continue_on_switch(
+    def _continue_run(
         self, batch: Batch, inputs: Inputs | None, options: "RunOptions"
     ) -> None:
-        """Continue a run that crosses a switch again and again, by sliding on it."""
+        """Continue a run that slides on switches, or that jumps at a level."""
 
         def begin(
             diagram: PythonDiagram,
@@ -324,8 +330,8 @@ class PythonDiagram:
             diagram._integrate(following, inputs, options, batch.times[-1])
             return following
 
-        if batch.status[0] == Status.CHATTERING:
-            continue_on_switch(self, batch, begin)
+        if may_continue(self, batch.status[0]):
+            continue_run(self, batch, begin)
 
     def method_of(self, method: str = "auto", step: float | None = None) -> Method:
         """Return the method of a run."""

@@ -270,6 +270,9 @@ def make_schedule(
     samples_at_start = False
     for k in diagram.jumps:
         block = diagram.sweep.nodes[k].system
+        if block.breakpoints_function is None:  # it jumps at a level
+            columns.append(np.zeros(len(starts)))
+            continue
         request = 0.0
         if block.first_held is not None and block.samples_at(float(times[0])):
             request = BEGINS

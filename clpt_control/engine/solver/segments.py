@@ -16,6 +16,7 @@ from .solver_layout import (
     BURST,
     ENTERED,
     EVALUATIONS,
+    EVENT_INDEX,
     FIRST_STEP,
     FRESH,
     HIGH,
@@ -26,9 +27,11 @@ from .solver_layout import (
     NEXT_STOP,
     NOT_FINITE,
     ON,
+    OUTSIDE,
     REALS,
     REJECTED,
     RESTARTS,
+    ROUNDING,
     RUN_INDEX,
     RUNS_END,
     SAMPLES_DONE,
@@ -42,7 +45,7 @@ from .solver_layout import (
     call,
     decide,
     fail,
-    is_outside,
+    first_outside,
     prepare,
 )
 
@@ -128,7 +131,12 @@ def stop_outside(solver, k, state_row):
     lane = solver.lane
     if solver.shape.guarded > 0:
         decide(solver, lane[TIME], state_row, BEHIND)
-        if is_outside(solver, BEHIND):
+        decisions = solver.shape.decisions
+        for guard in range(decisions, decisions + solver.shape.guarded):
+            solver.points[BEHIND, ROUNDING, guard] = OUTSIDE
+        guard = first_outside(solver, BEHIND)
+        if guard >= 0:
+            solver.integers[EVENT_INDEX, k] = guard
             fail(solver, k, Status.GUARD_LEFT)
             lane[SEGMENT_END, k] = lane[TIME, k]
             lane[HIGH, k] = 0.0

@@ -53,7 +53,13 @@ class Status(IntEnum):
         "switches without end (chattering). Give the switch a hysteresis, a boundary layer "
         "(np.clip in place of np.sign), or sample it",
     )
-    STIFF = 7, "stiff", "left to an implicit method"
+    ACCUMULATING = (
+        7,
+        "accumulates",
+        "jumps at its level without end. End the run before, with a guard that stops it, or let "
+        "the jump hold the states at rest",
+    )
+    STIFF = 8, "stiff", "left to an implicit method"
 
 
 # Real numbers of a lane, by index in `lane`.  The formulas of the methods (`methods`) read and
@@ -115,7 +121,7 @@ class Shape(NamedTuple):
     adaptive: int  # 1 if its steps are chosen by their error
     implicit: int  # 1 if its stages are solved with a matrix
     discrete: int  # 1 if a step leads to the next sample of discrete time
-    guarded: int  # 1 if the last event is a guard, which stops the run
+    guarded: int  # number of guards, which stop the run: the last events
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
     decisions: int
@@ -222,7 +228,8 @@ SAMPLE_POINTS = 8  # of a step, without its beginning
 BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
 POINTS = BEHIND + 1
 DECISION, DISTANCE, ROUNDING = range(3)
-OUTSIDE = 1e-9  # grid steps beyond the edge of a guard that count as outside
+LEVEL = 1.0  # in place of the decision of a guard at which states jump
+OUTSIDE = 1e-9  # distance beyond the edge of a guard that counts as outside
 
 
 def call(address, t, X, first, P, T, W, D, to):
@@ -253,7 +260,7 @@ def prepare(solver, times):
 def decide(solver, times, state_row, point):
     """Write decisions, distances and rounding errors at a row of states into a sample point.
 
-    The rounding error of a guard is not written: it is `OUTSIDE`.
+    The rounding errors of guards are not written: they are `OUTSIDE`, or 0 (`set_edges`).
     """
     Z, P, T, W, D = solver.memory
     shape = solver.shape
@@ -261,12 +268,14 @@ def decide(solver, times, state_row, point):
     call(solver.code[DECIDE], times, Z, state_row * shape.states, P, T, W, D, to)
 
 
-def is_outside(solver, point):
-    """Return whether a sample point is beyond the edge of a guard."""
+def first_outside(solver, point):
+    """Return the first guard beyond whose edge a sample point is, or -1."""
     shape = solver.shape
-    if shape.guarded == 0:
-        return False
-    return solver.points[point, DISTANCE, shape.decisions] < -OUTSIDE
+    for guard in range(shape.decisions, shape.decisions + shape.guarded):
+        edge = solver.points[point, ROUNDING, guard]
+        if solver.points[point, DISTANCE, guard] < -edge:
+            return guard
+    return -1
 
 
 def interpolate(states, i, k, share):

@@ -63,9 +63,11 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         solution.method += f", sliding on a switch from t = {batch.slides[0]:.9g}"
     last = batch
     while 0 in last.continuations:
-        last = last.continuations[0]
-        if not batch.slides:
+        before, last = last, last.continuations[0]
+        if not batch.slides and last.label != before.label:
             solution.method += f", from t = {last.times[0]:.9g} {last.label}"
+    if batch.level_jumps:
+        solution.method += f", {len(batch.level_jumps)} jumps at levels"
     steps, evaluations, restarts, _ = batch.counts[0].tolist()
     solution.statistics = {
         "steps": steps,
@@ -81,7 +83,9 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         times, states = _until(last, solution, t, x, reached)
         return _stopped(solution, policy, sentence, times, states)
     reason = Status(status).sentence
-    if status == Status.CHATTERING:
+    if status == Status.ACCUMULATING:
+        reason = f"{', '.join(sweep.resetting)} {reason}"
+    elif status == Status.CHATTERING:
         reason = batch.refusal or f"{_switch(sweep, last)} {reason}"
     reason = _trouble(sweep, last, inputs) or reason
     work = "run" if batch.callee.method.discrete else "integration"

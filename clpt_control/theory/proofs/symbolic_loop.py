@@ -70,6 +70,7 @@ def symbolic_loop(
     """
     refuse_unproved(wiring_of(diagram), jumps)
     loop = on_symbols(diagram, PaperNames, opaque, no_value)
+    refuse_levels(loop)
     refuse_names(diagram.name, {*loop.states, *loop.inputs})
     refuse_pinned(loop.pinned)
     return SymbolicLoop(**vars(loop), diagram=diagram)
@@ -315,6 +316,15 @@ def refuse_pinned(pinned: Iterable[tuple[str, str]]) -> None:
             f"{name}: asks for the value of its parameter {parameter}, as an `if` does, so a "
             f"proof would not cover other values. Write np.where, or give {parameter} as a whole "
             "number"
+        )
+
+
+def refuse_levels(loop: Equations) -> None:
+    """Reject states that jump at a level."""
+    for name in loop.levels:
+        raise DiagramError(
+            f"{name}: its states jump at a level, and proofs are for jumps in time. Prove the "
+            "block without its `jump`"
         )
 
 

@@ -34,7 +34,7 @@ from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .steps import Step, checked, exact, short
 from .sums_of_squares import lost_forms, squares
-from .symbolic_loop import NO_VALUE, no_value, refuse_names
+from .symbolic_loop import NO_VALUE, no_value, refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
 MOST_TURNS = 360  # pi/360 is a share of pi
@@ -121,6 +121,7 @@ class SystemCandidate(Candidate):
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq
+        refuse_levels(eq)
         if not eq.motion:
             raise DiagramError(f"{name}: has no states, so V' is not defined")
         refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})

@@ -103,6 +103,15 @@ def test_a_question_about_other_questions_follows_them():
     np.testing.assert_allclose(x, right, atol=1e-8)
 
 
+def test_a_question_whose_numbers_differ_on_both_sides_is_asked_on_each():
+    """On x = 0 the mean of z' is 0.2, then 0.6 where 2 z > 1 on one side, then 1 on both."""
+    faster = "where(where(x > 0, z, 2*z) > 1, 1.0, 0.2)"
+    x = rest_of(f"x' = -sign(x); z' = {faster}", [0.1, 0.4])
+    times = [0.0, 0.5, 0.5 + 0.5 / 0.6, 10.0]
+    right = np.interp(T, times, [0.4, 0.5, 1.0, 1.0 + 10.0 - times[2]])
+    np.testing.assert_allclose(x[:, 1], right, atol=1e-7)
+
+
 def test_inputs_that_jump_and_bend_end_what_slides():
     """x follows r where |r'| < 3, and goes to it by 3 where r jumps."""
     times = np.array([0.0, 1.0, 2.0, 2.0 + 1e-9, 3.0, 4.0])

@@ -81,7 +81,7 @@ def test_a_switch_is_located_while_a_run_rests_on_the_edge(engine):
 
 
 NO_GUARDS = [
-    ({"policy": "halt"}, 'policy \'halt\' must be "raise" or "stop"'),
+    ({"policy": "halt"}, "policy 'halt' must be one of raise, stop, jump"),
     ({"sentence": "left"}, "Guard: sentence = .left.: must be a function"),
     ({"distance": lambda t, x, u, p: float(print("side effect")) + x[0]},
      r"stone\.guard: <lambda>, line \d+: TypeError"),

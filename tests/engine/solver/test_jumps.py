@@ -162,7 +162,7 @@ def test_python_control_reads_points_and_the_time_between_jumps():
     "lacking", [{"breakpoints": None}, {"states": None, "update": None}]
 )
 def test_a_jump_needs_states_and_breakpoints(lacking):
-    said = r"^b: a jump sets states at the block's own breakpoints. Give `breakpoints` and `states`"
+    said = r"^b: a jump sets states at the block's own breakpoints or at the edge of its guard"
     own = {
         "update": scale,
         "states": {"s": 1},

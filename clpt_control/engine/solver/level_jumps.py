@@ -1,0 +1,122 @@
+"""Jumps of states at a level: the run continues behind the edge of a guard with policy "jump".
+
+Machine code stops a run at the edge of a guard, where its distance is not below 0 yet.  Blocks
+whose guards are left at one instant jump together and see the values before the jump, as blocks do
+that jump at one time.  Guards that are left by these jumps jump next, in a second round.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy import ndarray
+
+from ...base.errors import SimulationError
+from .batch import Batch
+from .schedule import JUMPS, Schedule
+from .solver_layout import (
+    DERIVATIVE,
+    DISTANCE,
+    EVENT_INDEX,
+    HIGH,
+    JUMP,
+    LOW,
+    OUTSIDE,
+    STATE,
+    TRIAL_SIZE,
+)
+from .termination import state_within
+
+RESOLVED = 1e-13  # times that differ by so much of the run are one instant
+MOST_SOON = 30  # jumps in a row, each sooner after the other than `SHORT` of the run
+SHORT = 1e-7
+
+
+def left_guard(diagram: Any, batch: Batch) -> int | None:
+    """Return the block whose guard a stopped run left; None if it left a switch."""
+    guarded = _guarded(diagram)
+    k = int(batch.integers[EVENT_INDEX, 0]) - batch.callee.decided
+    return guarded[k] if k < len(guarded) else None
+
+
+def jump_at_level(
+    diagram: Any, batch: Batch, block: int, is_again: bool
+) -> tuple[float, ndarray] | None:
+    """Return time and state after the jumps of a run that left the guard of a block.
+
+    Return None if a run that begins at this level (`is_again`) did not rise above it by more than
+    rounding.
+    """
+    guarded = _guarded(diagram)
+    segments = batch.schedules[0]
+    P = batch.runs.parameters[0]
+    callee = diagram.callee()
+
+    def distances(times: Any, states: Any) -> ndarray:
+        events = callee.events_at(times, states, segments, P)
+        return events[:, DISTANCE, callee.decided :]
+
+    # 1. the edge, or the point behind it where the distance itself jumps there
+    times, states = _bracket(batch)
+    behind = distances(times, states)[-1] < -OUTSIDE
+    side = -1 if behind.any() else 0
+    t, x = times[side], states[side]
+    # 2. guards that are left at this instant, by rounding: the distance falls to 0
+    rates = callee.evaluate(DERIVATIVE, [t], x[None], segments, P, len(x))
+    soon = RESOLVED * max(abs(t), batch.times[-1] - batch.times[0])
+    now, later = distances([t, t + soon], np.vstack([x, x + soon * rates]))
+    distance = now[guarded.index(block)]
+    if is_again and batch.lane[HIGH, 0] == 0.0 and -OUTSIDE <= distance < 0.0:
+        return None
+    left = (now < -OUTSIDE) | (later <= 0.0) & (later < now)
+    left[guarded.index(block)] |= distance >= 0.0
+    # 3. their blocks jump, then those whose guards these jumps leave
+    jumped: list[int] = []
+    while left.any():
+        blocks = [k for k, is_left in zip(guarded, left, strict=True) if is_left]
+        jumping = [k for k in blocks if diagram.wiring.nodes[k].system.jumps_at_level]
+        again = sorted({*jumped} & {*jumping})
+        if again:
+            _refuse_outside(diagram, again[0], t)
+        if not jumping:
+            break
+        requests = _requests(diagram, segments, jumping)
+        (x,) = callee.evaluate(JUMP, [t], x[None], requests, P, len(x))
+        jumped += jumping
+        left = distances([t], x[None])[0] < -OUTSIDE
+    if not jumped:
+        name = diagram.wiring.nodes[block].name
+        raise SimulationError(
+            f"at t = {t:.9g}: the level of {name} could not be located. Lower max_step"
+        )
+    return t, x
+
+
+def _guarded(diagram: Any) -> list[int]:
+    """Return the blocks with guards, in the order of the events."""
+    nodes = diagram.wiring.nodes
+    return [k for k, node in enumerate(nodes) if node.system.guard is not None]
+
+
+def _bracket(batch: Batch) -> tuple[list[float], ndarray]:
+    """Return times and states right before and behind an edge, or where a segment begins."""
+    if batch.lane[HIGH, 0] == 0.0:
+        return [batch.now], batch.states[STATE, :, 0][None].copy()
+    shares = batch.lane[[LOW, HIGH], 0].tolist()
+    times = [batch.now + share * float(batch.lane[TRIAL_SIZE, 0]) for share in shares]
+    return times, np.array([state_within(batch, share) for share in shares])
+
+
+def _requests(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:
+    """Return segments in which these blocks jump and no others do."""
+    values = segments.values.copy()
+    for k, place in diagram.jumps.items():
+        values[:, segments.indices == place] = JUMPS if k in jumping else 0.0
+    return segments._replace(values=values)
+
+
+def _refuse_outside(diagram: Any, block: int, t: float) -> None:
+    name = diagram.wiring.nodes[block].name
+    raise SimulationError(
+        f"at t = {t:.9g}: the states after the jump of {name} are outside of its guard. Return "
+        "states with a distance of 0 or more"
+    )

@@ -1,0 +1,253 @@
+"""States that jump where a guard is left, against closed forms and SciPy's events."""
+
+import control
+import numpy as np
+import pytest
+import scipy.integrate
+
+import clpt_control as clpt
+
+G = 9.81
+T = np.linspace(0.0, 3.0, 61)
+
+
+def ball(name="ball", r=0.8):
+    """A ball that bounces on the ground with a coefficient of restitution."""
+    return clpt.Block(
+        name,
+        update=lambda t, x, u, p: [x[1], -G],
+        states={f"{name}_h": 1, f"{name}_v": 1},
+        parameters={"r": r},
+        jump=lambda t, x, u, p: [0.0, -p.r * x[1]],
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )
+
+
+def bouncing(t, h, v, r):
+    """Height and velocity of a ball, flight by flight."""
+    landing = (v + np.sqrt(v * v + 2.0 * G * h)) / G
+    while t >= landing:
+        v = -r * (v - G * landing)
+        t, h, landing = t - landing, 0.0, 2.0 * v / G
+    return h + v * t - 0.5 * G * t * t, v - G * t
+
+
+@pytest.mark.parametrize("method", ["dop853", "rodas5p"])
+@pytest.mark.parametrize("start", [(1.0, 0.0, 0.8), (0.0, 2.5, 0.9), (0.4, -1.0, 1.0)])
+def test_a_ball_bounces(start, method):
+    """From rest, thrown up from the ground itself, and thrown down."""
+    h, v, r = start
+    run = clpt.simulate(ball(r=r), T, None, [h, v], method=method)
+    wanted = [bouncing(t, h, v, r) for t in T]
+    np.testing.assert_allclose(run.states.values, wanted, atol=1e-8)
+    assert run.attrs["method"].endswith(" jumps at levels")
+
+
+def test_a_sample_at_a_jump_is_after_it():
+    saw = clpt.Block(
+        "saw",
+        update=lambda t, x, u, p: [-1.0],
+        states={"s": 1},
+        jump=lambda t, x, u, p: [1.0],
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )
+    run = clpt.simulate(saw, [0.0, 0.5, 1.0, 1.5, 1.75], None, [1.0])
+    np.testing.assert_allclose(run.s.values.ravel(), [1.0, 0.5, 1.0, 0.5, 0.25])
+
+
+def test_many_bounces_keep_the_energy():
+    times = np.linspace(0.0, 200.0, 7)
+    run = clpt.simulate(ball(r=1.0), times, None, [1.0, 0.0])
+    h, v = run.states.values.T
+    np.testing.assert_allclose(G * h + 0.5 * v**2, G, rtol=1e-9)
+    wanted = [bouncing(t, 1.0, 0.0, 1.0) for t in times]
+    np.testing.assert_allclose(run.states.values, wanted, atol=1e-8)
+
+
+@pytest.mark.parametrize("r", [0.0, 0.1, 0.5, 0.9])
+def test_bounces_that_accumulate_end_with_a_sentence(r):
+    """All flights together last sqrt(2 h/g) (1 + r)/(1 - r)."""
+    end = np.sqrt(2.0 / G) * (1.0 + r) / (1.0 - r)
+    sentence = "ball jumps at its level without end. End the run before"
+    with pytest.raises(clpt.SimulationError, match=sentence) as caught:
+        clpt.simulate(ball(r=r), [0.0, 20.0], None, [1.0, 0.0])
+    reached = float(str(caught.value).partition("t = ")[2].partition(":")[0])
+    np.testing.assert_allclose(reached, end, atol=1e-4)
+    run = clpt.simulate(ball(r=r), [0.0, 0.95 * end], None, [1.0, 0.0])
+    assert run.attrs["status"] == "finished"
+
+
+def test_balls_bounce_each_by_itself():
+    """Two that land at one instant, and one that does not."""
+    starts = {"a": (1.0, 0.8), "b": (1.0, 0.9), "c": (0.7, 1.0)}
+    blocks = [ball(name, r) for name, (_, r) in starts.items()]
+    state = [number for h, _ in starts.values() for number in (h, 0.0)]
+    run = clpt.simulate(clpt.connect(blocks), T, None, state)
+    for name, (h, r) in starts.items():
+        wanted = [bouncing(t, h, 0.0, r)[0] for t in T]
+        np.testing.assert_allclose(run[f"{name}_h"].values.ravel(), wanted, atol=1e-8)
+
+
+def particle(name, other, gap, to_wall):
+    """A particle that meets its neighbour, whose velocity it takes, or a wall."""
+
+    def jump(t, x, u, p):
+        at_wall = to_wall(x[0]) < gap(x[0], u[0])
+        return [x[0], np.where(at_wall, -x[1], u[1])]
+
+    def nearest(t, x, u, p):
+        return np.minimum(gap(x[0], u[0]), to_wall(x[0]))
+
+    return clpt.Block(
+        name,
+        update=lambda t, x, u, p: [x[1], 0.0],
+        inputs={f"{other}_q": 1, f"{other}_v": 1},
+        states={f"{name}_q": 1, f"{name}_v": 1},
+        jump=jump,
+        guard=clpt.Guard(nearest, "jump"),
+    )
+
+
+def test_two_particles_exchange_their_velocities():
+    """Equal masses between walls: together they move as two that pass through each other."""
+    left = particle("left", "right", lambda q, other: other - q, lambda q: q)
+    right = particle("right", "left", lambda q, other: q - other, lambda q: 1.0 - q)
+    times = np.linspace(0.0, 12.0, 121)
+    pair = clpt.connect([left, right])
+    run = clpt.simulate(pair, times, None, [0.2, 0.31, 0.6, -0.47])
+    free = np.array([0.2 + 0.31 * times, 0.6 - 0.47 * times])
+    wanted = np.sort(np.abs((free + 1.0) % 2.0 - 1.0), axis=0)
+    found = [run.left_q.values.ravel(), run.right_q.values.ravel()]
+    np.testing.assert_allclose(found, wanted, atol=1e-8)
+
+
+STEP = 7.3  # time at which the reference turns
+
+
+def reference(t):
+    """Return 1, then -0.5."""
+    return np.where(t < STEP, 1.0, -0.5)
+
+
+def clegg_rates(t, x, u, p):
+    """A plant of order 2 with an integrator c of e = r - y, which is reset where e is 0."""
+    e = reference(t) - x[0]
+    return [x[1], 3.0 * x[2] + e - 0.6 * x[1] - x[0], e, 0.0]
+
+
+CLEGG = clpt.Block(
+    "clegg",
+    update=clegg_rates,
+    states={"y": 1, "w": 1, "c": 1, "side": 1},
+    jump=lambda t, x, u, p: [x[0], x[1], 0.0, -x[3]],
+    guard=clpt.Guard(lambda t, x, u, p: x[3] * (reference(t) - x[0]), "jump"),
+)
+
+
+def from_reset_to_reset(times, x):
+    """Integrate the loop by SciPy, from one reset to the next."""
+    states, t = [], 0.0
+    x = np.array(x)
+    for end in (STEP, times[-1]):
+        while True:
+            level = 1.0 if end == STEP else -0.5
+            if x[3] * (level - x[0]) < 1e-12:
+                x = np.array([x[0], x[1], 0.0, -x[3]])
+
+            def passed(t, x, level=level):
+                return x[3] * (level - x[0])
+
+            passed.terminal, passed.direction = True, -1.0
+            found = scipy.integrate.solve_ivp(
+                lambda t, x, end=end: clegg_rates(min(t, end - 1e-9), x, None, None),
+                (t, end),
+                x,
+                "DOP853",
+                times[(times >= t) & (times < end + (end == times[-1]))],
+                rtol=1e-12,
+                atol=1e-13,
+                max_step=0.05,
+                events=passed,
+            )
+            states += [*np.reshape(np.transpose(found.y), (-1, 4))]
+            if found.status == 1:
+                t, x = found.t_events[0][0], found.y_events[0][0]
+                continue
+            last = scipy.integrate.solve_ivp(
+                lambda t, x, end=end: clegg_rates(min(t, end - 1e-9), x, None, None),
+                (t, end),
+                x,
+                "DOP853",
+                rtol=1e-12,
+                atol=1e-13,
+            )
+            t, x = end, last.y[:, -1]
+            break
+    return np.array(states)
+
+
+def test_a_clegg_integrator_is_reset_where_the_error_changes_sign():
+    """By the plant, or by the reference."""
+    times = np.linspace(0.0, 15.0, 101)
+    start = [0.0, 0.0, 0.0, 1.0]
+    run = clpt.simulate(CLEGG, times, None, start)
+    wanted = from_reset_to_reset(times, start)
+    np.testing.assert_allclose(run.states.values, wanted, atol=1e-7)
+    assert int(run.attrs["method"].split()[1]) >= 5
+
+
+def test_members_jump_as_runs_do():
+    r = np.array([0.7, 0.8, 0.9])
+    many = clpt.run_ensemble(
+        ball(), {"ball.r": r}, timepts=[0.0, 1.0, 2.0], initial_state=[1.0, 0.0]
+    )
+    wanted = [bouncing(2.0, 1.0, 0.0, one)[0] for one in r]
+    np.testing.assert_allclose(many.ball_h_final.values.ravel(), wanted, atol=1e-8)
+
+
+def test_equations_name_the_level():
+    found = clpt.equations(ball())
+    assert "ball_v+ = -ball_v*r at ball_h = 0" in str(found)
+    assert r"\text{ at }" in found.latex()
+
+
+OUTSIDE = clpt.Block(
+    "sinking",
+    update=lambda t, x, u, p: [-1.0],
+    states={"h": 1},
+    jump=lambda t, x, u, p: [-0.5],
+    guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+)
+REFUSED = {
+    "machine code alone": lambda: clpt.simulate(
+        ball(), T, None, [1, 0], engine="python"
+    ),
+    "jump at this point": lambda: clpt.linearize(ball(), [0.0, 1.0]),
+    "whose time varies": lambda: clpt.sensitivity(
+        ball(), T, "states", ["ball.r"], None, [1, 0]
+    ),
+    "proofs are for jumps in time": lambda: clpt.lyapunov(ball(), "ball_h"),
+    "outside of its guard": lambda: clpt.simulate(OUTSIDE, T, None, [1.0]),
+    "python-control ignores": lambda: control.input_output_response(
+        ball(), T, 0, [1.0, 0.0]
+    ),
+    "needs a `jump`": lambda: clpt.Block(
+        "b",
+        update=lambda t, x, u, p: [0.0],
+        states={"x": 1},
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    ),
+}
+
+
+@pytest.mark.parametrize("sentence", REFUSED)
+def test_jumps_at_a_level_are_refused_elsewhere(sentence):
+    with pytest.raises(clpt.ClptError, match=sentence):
+        REFUSED[sentence]()
+
+
+def test_a_point_above_the_level_has_a_linear_model():
+    linear = clpt.linearize(ball(), [1.0, 0.0])
+    np.testing.assert_array_equal(linear.A, [[0.0, 1.0], [0.0, 0.0]])
+    with pytest.raises(clpt.BlockError, match=r"1 failure\n.*cannot be pickled"):
+        clpt.check(ball())  # its functions are not at the top of a module
