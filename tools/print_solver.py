@@ -28,7 +28,7 @@ ROOT = Path(__file__).parents[1]
 SOLVER = ROOT / "clpt_control" / "engine" / "solver"
 PAGES = (
     *("solver_layout", "event_checks", "event_location", "implicit", "segments"),
-    *("rate_jumps", "time_stepper"),
+    "time_stepper",
 )
 SOURCES = (*(SOLVER / f"{name}.py" for name in PAGES), Path(__file__))
 TEXT = SOLVER / "solver.ll"
@@ -42,7 +42,7 @@ OPTIONS: dict[str, Any] = {
 # functions that stay functions; the others are inlined
 NOT_INLINED = (
     *("advance", "evaluate", "take_run", "find_crossing", "may_hide", "locate_events"),
-    *("check_events", "locate_jump", "put_rates", "quarter", "halve"),
+    "check_events",
     *(
         "narrow",
         "measure_effect",

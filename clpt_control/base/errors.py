@@ -9,6 +9,7 @@ import types
 from collections.abc import Iterator
 from contextlib import contextmanager
 from importlib import import_module
+from typing import Any
 
 # package -> extra; all other packages: sea
 EXTRA = {"dask": "ensemble", "distributed": "ensemble", "zarr": "ensemble"}
@@ -44,6 +45,10 @@ class DataError(ClptError, ValueError):
 
 class SimulationError(ClptError, RuntimeError):
     """A run failed before its end."""
+
+    status = 0  # the solver's number of the reason; 0 if it has none
+    points: Any = ()  # times and states where the run stopped, and ahead
+    states: Any = ()  # at the samples that the run reached
 
 
 # users catch them as clpt_control.DataError

@@ -16,7 +16,7 @@ import pickle
 import threading
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial
+from functools import cached_property, lru_cache
 from importlib.metadata import version
 from typing import Any
 
@@ -30,10 +30,9 @@ from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch, Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.filippov import continue_run, may_continue
-from ..engine.solver.runner import PythonDiagram
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.solver_layout import Status
-from ..engine.solver.termination import STUCK, sampled_start
+from ..engine.solver.termination import STUCK, Solution, sampled_start
 
 BATCH_BYTES = 64_000_000  # states of a batch, for each thread
 MOST_MEMBERS = 512  # of a batch
@@ -53,7 +52,7 @@ class Members:
     x0: np.ndarray  # (m, nstates)
     group: np.ndarray  # (m,), the number of a member's schedule
     schedules: list[Schedule]
-    runners: list[tuple[PythonDiagram, Any]]  # runner and inputs of each member
+    runners: list[tuple[Any, Any]]  # runner and inputs of each member
 
     def schedule(self, m: int) -> Schedule:
         """Return the integration segments of a member."""
@@ -81,7 +80,7 @@ class Ensemble:
         self.locations = {key: varied.location(key) for key in keys}
         self.native = self._runner(engine)  # machine code, or Python
         self.compiled = self.native.engine == "native"
-        self.lanes = self.native.lanes(LANES)
+        self.lanes = self.native.lanes(LANES) if self.compiled else 1
         one_by_one = varied.one_by_one if self.compiled else lambda key: True
         self.one_by_one = [key for key in self.locations if one_by_one(key)]
         self._lock = threading.Lock()
@@ -147,7 +146,7 @@ class Ensemble:
                 column = self._column(field, location.element)
                 members.P[:, column : column + flat.shape[1]] = flat
             members.x0[:, list(location.states)] = flat[:, : len(location.states)]
-        if members.schedules[0].begins:
+        if self.compiled and members.schedules[0].begins:
             begin = float(varied.state_times[0])
             for m, x0 in enumerate(members.x0):
                 callee = self._callee(members, m)
@@ -204,11 +203,7 @@ class Ensemble:
                 counts=np.zeros((count, 4), dtype=np.int64),
             )
         if not self.compiled:
-            results = [
-                self._solve(runner, rows([m]), inputs=inputs).results
-                for m, (runner, inputs) in enumerate(members.runners)
-            ]
-            return States(*map(np.concatenate, zip(*results, strict=True)))
+            return self._run_in_python(members, times)
         # 1. all members, in lanes
         runs = rows(slice(None))
         result = self._solve(self.native, runs, self.lanes).results
@@ -226,28 +221,53 @@ class Ensemble:
             replace_rows(result, [m], batch)
         return States(*result)
 
-    def _solve(
-        self, runner: PythonDiagram, runs: tuple, lanes: int = 1, inputs: Any = None
-    ) -> Batch:
+    def _run_in_python(self, members: Members, times: np.ndarray) -> States:
+        """Run members one after the other; return their states."""
+        count = len(members.x0)
+        options = {} if self.native.wiring.dt else self.varied.options
+        states = np.full((count, len(times), self.native.nstates), np.nan)
+        status = np.full(count, Status.FINISHED)
+        reached = np.full(count, len(times))
+        counts = np.zeros((count, 4), dtype=np.int64)
+        for m, (runner, inputs) in enumerate(members.runners):
+            try:
+                run = runner.run(members.x0[m], times, inputs=inputs, **options)
+                rows, end = run.x, run.t[-1]
+                if run.status == "stopped":
+                    status[m] = Status.GUARD_LEFT
+                counts[m, :3] = [*run.statistics.values()]
+            except SimulationError as error:
+                status[m] = error.status or Status.NOT_FINITE
+                rows = error.states
+                end = times[len(rows) - 1]
+            reached[m] = np.searchsorted(times, end, side="right")
+            states[m, : reached[m]] = rows[: reached[m]]
+        return States(states, status, reached, counts)
+
+    def _solve(self, runner: Any, runs: tuple, lanes: int = 1) -> Batch:
         """Integrate runs, the arguments of a `Batch`, up to their end."""
         options = self.varied.options
         method = self.native.method_of(options["method"])
         if method.implicit:
             lanes = 1
-        batch = Batch(runner.callee(lanes, inputs, method), *runs)
+        batch = Batch(runner.callee(lanes, None, method), *runs)
         may_switch = options["method"] == "auto"
-        implicit = partial(runner.implicit, inputs) if may_switch else None
+        implicit = runner.implicit if may_switch else None
         batch.adaptive(options["rtol"], options["atol"], implicit=implicit)
         return batch
 
     def _solve_one(
-        self, runner: PythonDiagram, P: Any, start: Any, times: Any, schedule: Schedule
+        self, runner: Any, P: Any, start: Any, times: Any, schedule: Schedule
     ) -> Batch:
         return self._solve(runner, (start[None], P[None], times, [schedule]))
 
     def signals(self, members: Members, run: States, m: int) -> np.ndarray:
         """Return all signals of one member at the times that it reached."""
         reached = slice(run.reached[m])
+        if not self.compiled:
+            runner, inputs = members.runners[m]
+            times, states = self.varied.state_times[reached], run.states[m, reached]
+            return runner.evaluated_signals(Solution(times, states), inputs)
         return self._callee(members, m).evaluate(
             layout.SIGNALS,
             self.varied.state_times[reached],
@@ -274,8 +294,9 @@ class Ensemble:
         varied = self.varied
         with self._lock:  # members use one evaluator; compile it once
             members = self.members(values)
-            for lanes in {self.lanes, 1 if varied.needs_signals else self.lanes}:
-                self.native.callee(lanes)
+            if self.compiled:
+                for lanes in {self.lanes, 1 if varied.needs_signals else self.lanes}:
+                    self.native.callee(lanes)
         states = self.run(members, varied.state_times)
         with np.errstate(all="ignore"):  # failed members may have any values
             return varied.summarise(self, members, values, states)

@@ -53,6 +53,12 @@ ENGINES = {
 }
 
 
+def ways(step):
+    """Return each engine and a step: None for DOP853, a fixed one for RK4, which is compiled."""
+    compiled = [(engine, step) for engine in ENGINES if engine != "python"]
+    return [*((engine, None) for engine in ENGINES), *compiled]
+
+
 def side_by_side(
     runner, lanes, starts, times, step=None, P=None, schedules=None, rtol=1e-8
 ):

@@ -15,7 +15,7 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from ctypes import CFUNCTYPE, addressof, c_char, c_double, c_int64, c_void_p
+from ctypes import CFUNCTYPE, addressof, c_char, c_int64, c_void_p
 from functools import cache, lru_cache
 from importlib.metadata import version
 from pathlib import Path
@@ -222,41 +222,6 @@ def flattened(arguments: tuple, numbers: list[Any]) -> list[Any]:
         else:
             numbers.append(value)
     return numbers
-
-
-POINTERS = CFUNCTYPE(None, *[c_void_p] * 6)
-
-
-def callback(
-    function: Callable,
-    n: int,
-    places: int,
-    array: str,
-    count: int,
-    raised: list[BaseException],
-) -> Any:
-    """Return a function of time, n states and the beginning of P as the solver calls it.
-
-    It writes `count` numbers into D or W.  Once it has raised an error it is not called any more.
-    """
-
-    def call(t: int, X: int, P: int, T: int, W: int, D: int) -> None:
-        if raised:
-            return
-        try:
-            now = float(_numbers_at(t, 1)[0])
-            values = function(now, _numbers_at(X, n), _numbers_at(P, places))
-            _numbers_at(W if array == "W" else D, count)[:] = values
-        except BaseException as error:  # machine code would drop it
-            raised.append(error)
-
-    return POINTERS(call)
-
-
-def _numbers_at(address: int, count: int) -> np.ndarray:
-    """Return the numbers that lie at an address."""
-    buffer: Any = (c_double * count).from_address(address or 0)
-    return np.ndarray(count, buffer=buffer)
 
 
 @once()

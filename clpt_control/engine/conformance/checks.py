@@ -64,6 +64,7 @@ def roles(block: Block) -> list[str]:
     return ["output", *(role for role in ("update", "jump") if role in block._roles)]
 
 
+@np.errstate(all="ignore")
 def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     """Return what Python computes for one sample, whose arguments are copied."""
     size = block.noutputs if role == "output" else block.nstates

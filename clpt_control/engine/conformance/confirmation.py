@@ -159,6 +159,7 @@ class Confirmation:
                 return self._sentence(k, values[k], expected[k], point)
         return ""
 
+    @np.errstate(all="ignore")
     def _in_python(
         self, point: np.ndarray, parameters: Any, size: int
     ) -> np.ndarray | None:

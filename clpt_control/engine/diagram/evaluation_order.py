@@ -134,6 +134,7 @@ def _feedthrough(block: Block) -> list[set[int]]:
     return [{starts[port] + k for port, k in inputs} for inputs in outputs]
 
 
+@np.errstate(all="ignore")
 def _tested_feedthrough(block: Block) -> list[set[int]]:
     """Return for each output the inputs that change it at a few points."""
     random = np.random.default_rng(0)

@@ -204,6 +204,7 @@ class Block(ReadBlock):
         )
         self._try_equations()
 
+    @np.errstate(all="ignore")
     def _try_equations(self) -> None:
         """Run the equations at a few points, to report mistakes when the block is made."""
         for port in (*self.declared["inputs"], *self.declared["states"]):
@@ -402,7 +403,6 @@ class Block(ReadBlock):
         text = ": ".join(filter(None, [type(error).__name__, message]))
         return f"{self.name}.{role}: {located(function, error)}{text}"
 
-    @np.errstate(all="ignore")
     def _evaluate(
         self, role: str, size: int, t: float, x: Any, u: Any, p: Any
     ) -> np.ndarray:
@@ -410,6 +410,7 @@ class Block(ReadBlock):
         returned = function(np.float64(t), vector(x, self._x), vector(u, self._u), p)
         return flattened(f"{self.name}.{role}", returned, ports, size)
 
+    @np.errstate(all="ignore")
     def _rhs(self, t, x, u):
         if self.update_function is None:
             return np.zeros(0)
@@ -435,6 +436,7 @@ class Block(ReadBlock):
                 "clpt.simulate"
             )
 
+    @np.errstate(all="ignore")
     def _out(self, t, x, u):
         return self.values("output", self.noutputs, t, x, u, self.parameters_at(t))
 

@@ -63,7 +63,6 @@ MEMBER_STEPS = 5_000_000  # tries of a run among many
 class Callee(NamedTuple):
     """Functions that the solver calls, and sizes of its arrays; `shape` is the solver's."""
 
-    engine: str  # whose functions they are: "native" or "python"
     functions: Any  # in the solver's order: their addresses, an array
     lanes: int  # runs that are taken at once
     nstates: int
@@ -73,16 +72,12 @@ class Callee(NamedTuple):
     jumping: int  # 1 if states jump
     decided_at: int  # offset of the decisions in P
     decided: int  # their number
-    unannounced: (
-        int  # 1 if rates may jump where no decision says so, 2 if at samples too
-    )
     size: int  # length of P
     room: int  # length of W
     tables: np.ndarray  # T, which is not empty
     linear: Jacobian = Jacobian()  # of Rodas5P
     timed: bool = False  # whether steps are short, as time may do much in little of it
     code: tuple = ()  # objects that must live for as long as addresses are used
-    raised: Any = ()  # errors that functions of Python raised, a list
 
     @property
     def shape(self) -> Shape:
@@ -99,7 +94,6 @@ class Callee(NamedTuple):
             self.jumping,
             self.decided_at,
             self.decided,
-            self.unannounced,
         )
 
     @property
@@ -108,12 +102,9 @@ class Callee(NamedTuple):
         return self.decided + self.guarded
 
     def call(self, name: str, numbers: np.ndarray) -> int:
-        """Call a function of the solver on numbers; raise the error that Python raised within."""
+        """Call a function of the solver on numbers."""
         with np.errstate(all="ignore"):
-            result = getattr(compiled_solver(), name)(numbers)
-        if self.raised:
-            raise self.raised.pop()
-        return result
+            return int(getattr(compiled_solver(), name)(numbers))
 
     def evaluate(
         self,
@@ -268,7 +259,7 @@ class Batch:
         self,
         rtol: float,
         atol: float,
-        watch: Callable[["Batch"], None] = lambda batch: None,
+        watch: Callable[[int, float], None] = lambda tries, now: None,
         most: int = MEMBER_STEPS,
         implicit: Callable[[], Callee] | None = None,
         over_kinks: Any = None,
@@ -285,9 +276,7 @@ class Batch:
             most = ANY
         if self.callee.decided:
             self.runs.parameters[:, self.callee.decided_at - 1] = GRAIN * atol
-        budget = 64
-        if self.callee.engine != "python":
-            budget = max(budget, BEGIN // self.callee.nstates)
+        budget = max(64, BEGIN // self.callee.nstates)
         active = 1
         while active:
             check()
@@ -305,7 +294,7 @@ class Batch:
             share = PAUSE / max(time.perf_counter() - begin, 1e-6)
             wished = max(budget * share, budget / 2 + 1)
             budget = int(min(wished, 4 * budget))
-            watch(self)
+            watch(int(self.counts[0, 0] + self.counts[0, 3]), self.now)
             if over_kinks is not None and active:
                 following = over_kinks.following(self)
                 if following is not None:
@@ -403,16 +392,14 @@ def _stacked(schedules: list[Schedule]) -> Segments:
 
 def pace(
     most: int, begin: float, end: float, progress: Callable[[float], None] | None
-) -> Callable[[Batch], None]:
+) -> Callable[[int, float], None]:
     """Return a watch that reports progress, and refuses a run that cannot reach its end."""
     last_tries = 0  # when the pace was last measured
     last_time = begin
     span = end - begin
 
-    def watch(batch: Batch) -> None:
+    def watch(tries: int, now: float) -> None:
         nonlocal last_tries, last_time
-        tries = int(batch.counts[0, 0] + batch.counts[0, 3])
-        now = batch.now
         if progress is not None:
             progress(now)
         if tries < last_tries:  # the run is continued by another method
@@ -421,13 +408,15 @@ def pace(
         if tries - last_tries < most // 500:
             return
         advance = (now - last_time) / (tries - last_tries)
-        if batch.status[0] == Status.RUNNING and advance * most < span:
+        if now < end and advance * most < span:
             needed_tries = span / advance if advance > 0 else np.inf
-            raise SimulationError(
+            error = SimulationError(
                 f"too many steps: {tries:,} by t = {now:.9g}, at which pace the run would take "
                 f"{needed_tries:.0e}. Rates change too fast there, or a switch chatters. "
                 "Lower the gains, give a switch a hysteresis, or loosen rtol and atol"
             )
+            error.status = Status.TOO_MANY_STEPS
+            raise error
         last_tries = tries
         last_time = now
 

@@ -86,8 +86,7 @@ def run_compared(
         at_start = Solution(np.asarray(times[:1]), states)
         why = difference(runner, at_start, inputs)
         if not why:
-            points = getattr(error, "points", [])
-            why = difference_ahead(runner, points, times, inputs)
+            why = difference_ahead(runner, error.points, times, inputs)
         if not why and Status.NOT_FINITE.sentence in str(error):
             # blocks in Python find nothing
             why = "what was read gives a number that is not finite, where Python gives one"
@@ -155,7 +154,7 @@ def _difference_beside(
 
 
 def difference_ahead(
-    runner: NativeDiagram, points: list, times: Any, inputs: Inputs | None
+    runner: NativeDiagram, points: Any, times: Any, inputs: Inputs | None
 ) -> str:
     """Return where Python gives a number, and machine code none, ahead of a stopped run."""
     if not points or all(node.system.of_package for node in runner.wiring.nodes):

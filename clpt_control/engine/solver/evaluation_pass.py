@@ -215,6 +215,7 @@ class Sweep:
         sources = np.concatenate([self.signals, self._external])
         return self.wiring.output_map @ sources
 
+    @np.errstate(all="ignore")
     def margin(
         self, t: float, x: ndarray, u: External = None
     ) -> tuple[float, str, str]:

@@ -24,7 +24,7 @@ from .batch import Callee
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
-from .runner import PythonDiagram
+from .native_runs import NativeRuns
 from .schedule import Inputs
 from .sliding_rates import HeldSwitches, slide
 from .solver_layout import LEVEL
@@ -194,7 +194,7 @@ def copies_of(form: Form) -> int:
 # --- ready to run ----------------------------------------------------------------------------
 
 
-class NativeDiagram(PythonDiagram):
+class NativeDiagram(NativeRuns):
     """A diagram compiled to machine code.
 
     `params` are call-time parameters by qualified name.  `form` is "unrolled" or "looped" (all
@@ -309,7 +309,6 @@ class NativeDiagram(PythonDiagram):
         systems = [node.system for node in self.wiring.nodes]
         levels = [LEVEL * s.jumps_at_level for s in systems if s.guard is not None]
         callee = Callee(
-            engine=self.engine,
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
             lanes=lanes,
             nstates=self.nstates,
@@ -319,7 +318,6 @@ class NativeDiagram(PythonDiagram):
             jumping=jumping,
             decided_at=self.decided_at,
             decided=program.decided,
-            unannounced=0,
             size=program.parameters,
             room=program.room,
             tables=np.concatenate([self.layout.T, program.tables]),

@@ -1,6 +1,6 @@
 """A diagram that runs block by block in Python.
 
-The solver is machine code, as for any diagram; it calls functions of Python.
+SciPy integrates it (`python_runs`); a compiled diagram overrides the parts that machine code does.
 
 In discrete time x[k+1] = derivative(t_k, x[k], u_k), and the signals of sample k are those of x[k].
 The times are those that python-control takes: `dt` apart, or evenly spaced if dt is True.
@@ -8,9 +8,7 @@ The times are those that python-control takes: `dt` apart, or evenly spaced if d
 
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
-from ctypes import c_void_p, cast
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass
 from typing import Any, Self
 
 import control
@@ -18,19 +16,12 @@ import numpy as np
 
 from ...base.arguments import numbers
 from ...base.errors import SimulationError
-from ..codegen.machine import callback
 from ..diagram.interconnection import changed_parameters
 from ..diagram.wiring import Wiring, read_anew, wiring_of
-from ..methods.method import Method
-from ..methods.table import DISCRETE, EXPLICIT, IMPLICIT, METHODS, RK4
-from .batch import ANY, Batch, Callee, pace
+from ..methods.table import METHODS
 from .evaluation_pass import Sweep, rounding
-from .filippov import continue_run, may_continue
-from .jacobian_pattern import Jacobian, jacobian
-from .kernels import with_formulas
+from .python_runs import integrate
 from .schedule import (
-    BEGINS,
-    JUMPS,
     Inputs,
     Schedule,
     TimeTable,
@@ -40,17 +31,7 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .solver_layout import SIGNALS, Status
-from .termination import (
-    STUCK,
-    Solution,
-    ended,
-    in_discrete_time,
-    sampled_start,
-    without_states,
-)
-
-BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
+from .termination import Solution, in_discrete_time, without_states
 
 
 class PythonDiagram:
@@ -99,61 +80,6 @@ class PythonDiagram:
         return np.zeros(len(self.jumps))
 
     schedule = make_schedule
-
-    def callee(
-        self, lanes: int = 1, inputs: Inputs | None = None, method: Method = EXPLICIT
-    ) -> Callee:
-        """Return the functions that the solver calls, for one of its methods."""
-        n = self.nstates
-        sweep = self.sweep
-        raised = list[BaseException]()
-        u: Any = (lambda t: None) if inputs is None else inputs.at
-
-        def jump(t: float, x: np.ndarray, P: np.ndarray) -> np.ndarray:
-            jumping = [k for k, index in self.jumps.items() if P[index] == JUMPS]
-            beginning = [k for k, index in self.jumps.items() if P[index] == BEGINS]
-            return sweep.jump(t, x, u(t), jumping, beginning)
-
-        # in the solver's order: each function, the array that it writes, and how many numbers
-        functions: list[tuple[Any, str, int]] = [
-            (lambda t, x, P: sweep.derivative(t, x, u(t)), "D", n),
-            (lambda t, x, P: sweep.enter(t + rounding(t)), "D", 0),
-            (lambda t, x, P: sweep.evaluate(t, x, u(t)), "W", self.nsignals),
-            (jump, "D", n),
-            (lambda t, x, P: [0.0, sweep.margin(t, x, u(t))[0]], "D", 2),
-        ]
-        size = len(self.jumps)
-        callbacks = [
-            callback(function, n, size, array, count, raised)
-            for function, array, count in functions
-        ]
-        addresses = [cast(pointer, c_void_p).value for pointer in callbacks]
-        straight = inputs is None or inputs.bends_sharply_only
-        full = np.ones((n, n + 1), dtype=bool)
-        callee = Callee(
-            engine="python",
-            functions=addresses,
-            lanes=1,
-            nstates=n,
-            method=method,
-            guarded=int(self.sweep.guarded),
-            levels=(0.0,) * self.sweep.guarded,
-            jumping=int(not method.discrete and bool(self.jumps)),
-            decided_at=0,
-            decided=0,
-            unannounced=1 if straight else 2,
-            size=size,
-            room=self.nsignals,
-            tables=np.zeros(1),
-            linear=jacobian(full) if method.implicit else Jacobian(),
-            code=(callbacks,),
-            raised=raised,
-        )
-        return with_formulas(callee)
-
-    def implicit(self, inputs: Inputs | None = None) -> Callee:
-        """Return the functions that the solver calls for its implicit method."""
-        return self.callee(1, inputs, IMPLICIT)
 
     # --- runs -----------------------------------------------------------------------------
 
@@ -234,165 +160,12 @@ class PythonDiagram:
         inputs: Inputs | None,
         options: "RunOptions",
     ) -> Solution:
-        """Integrate, and once more without located switches if the first run is stuck on one."""
-        batch = self._prepare(start, times, inputs, options)
-        error = None
-        try:
-            kinks = self.over_kinks(options.rtol, options.atol)
-            self._integrate(batch, inputs, options, times[-1], kinks)
-            if batch.status[0] == Status.CHATTERING and batch.continuations:
-                # it slides among kinks that were passed: once more, with all located
-                batch = self._prepare(start, times, inputs, options)
-                self._integrate(batch, inputs, options, times[-1])
-            self._continue_run(batch, inputs, options)
-        except SimulationError as too_slow:
-            error = too_slow
-        if batch.callee.decided and (error or batch.status[0] in STUCK):
-            try:
-                solution = self.unlocked()._solution(start, times, inputs, options)
-            except SimulationError:
-                pass  # the error is that of the first run
-            else:
-                return replace(
-                    solution, method=f"{solution.method}, switches not located"
-                )
-        if error:
-            raise error
-        solution = ended(self.sweep, batch, inputs)
-        solution.pieces = batch.schedules[0]
-        return solution
-
-    def _prepare(
-        self,
-        start: np.ndarray,
-        times: np.ndarray,
-        inputs: Inputs | None,
-        options: "RunOptions",
-    ) -> Batch:
-        """Return the batch of a run at the first time, after blocks have sampled."""
-        segments = self.schedule(times, inputs, BEND * options.rtol)
-        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
-        P = self.parameters()
-        start = sampled_start(callee, start, float(times[0]), segments, P)
-        return self._batch(inputs, options, P, start, times, segments)
-
-    def _batch(
-        self,
-        inputs: Inputs | None,
-        options: "RunOptions",
-        P: np.ndarray,
-        start: np.ndarray,
-        times: np.ndarray,
-        segments: Schedule,
-    ) -> Batch:
-        """Return a batch of one run at its first time."""
-        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
-        return Batch(
-            callee,
-            start[None],
-            P[None],
-            times,
-            [segments],
-            longest=options.max_step,
-            opening=options.first_step,
-        )
-
-    def _integrate(
-        self,
-        batch: Batch,
-        inputs: Inputs | None,
-        options: "RunOptions",
-        end: float,
-        over_kinks: Any = None,
-    ) -> None:
-        """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
-        most = self.most if batch.callee.method.adaptive else ANY
-        implicit = None
-        if options.method == "auto" and options.step is None:
-            implicit = partial(self.implicit, inputs)
-        watch = pace(most, batch.times[0], end, options.progress)
-        tolerances = options.rtol, options.atol
-        batch.adaptive(*tolerances, watch, most, implicit, over_kinks)
-
-    def _continue_run(
-        self, batch: Batch, inputs: Inputs | None, options: "RunOptions"
-    ) -> None:
-        """Continue a run that slides on switches, or that jumps at a level."""
-
-        def begin(
-            diagram: PythonDiagram,
-            P: np.ndarray,
-            start: np.ndarray,
-            times: np.ndarray,
-            segments: Schedule,
-        ) -> Batch:
-            following = diagram._batch(inputs, options, P, start, times, segments)
-            diagram._integrate(following, inputs, options, batch.times[-1])
-            return following
-
-        if may_continue(self, batch.status[0]):
-            continue_run(self, batch, begin)
-
-    def method_of(self, method: str = "auto", step: float | None = None) -> Method:
-        """Return the method of a run."""
-        if self.wiring.dt:
-            return DISCRETE
-        return METHODS[method] if step is None else RK4
-
-    def over_kinks(self, rtol: float, atol: float) -> Any:
-        """Return what continues a run over many kinks, or None."""
-        return None
-
-    def unlocked(self) -> Self:
-        """Return the diagram with decisions that change within a step.
-
-        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
-        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
-        """
-        return self
-
-    def run_many(
-        self,
-        starts: Sequence[Any] | np.ndarray,
-        times: Sequence[float] | np.ndarray,
-        *,
-        rtol: float | None = None,
-        atol: float | None = None,
-        step: float | None = None,
-    ) -> np.ndarray:
-        """Integrate from many initial states, such as passive particles.
-
-        starts : array_like, shape (m, nstates)
-            Initial states at ``times[0]``.
-        times, rtol, atol, step
-            As for `run`.
-
-        ndarray, shape (m, n, nstates)
-            NaN from where a run could not go on.
-        """
-        times = checked_times("times", times)
-        options = RunOptions.checked(
-            self.wiring.dt, times, step=step, rtol=rtol, atol=atol
-        )
-        states = checked_state("starts", starts, (len(starts), self.nstates))
-        # blocks sample as the runs begin
-        P = self.parameters()
-        segments = self.schedule(times)
-        callee = self.callee()
-        for k, start in enumerate(states):
-            states[k] = sampled_start(callee, start, float(times[0]), segments, P)
-        # all runs as one batch
-        callee = self.callee(self.lanes(len(states)), None, self.method_of(step=step))
-        parameters = np.tile(P, (len(states), 1))
-        batch = Batch(
-            callee, states, parameters, times, [segments], longest=options.max_step
-        )
-        batch.adaptive(options.rtol, options.atol)
-        return batch.out
-
-    def lanes(self, count: int) -> int:
-        """Return how many of `count` runs are taken at once."""
-        return 1
+        """Integrate between the known stops."""
+        if options.step is not None:
+            raise SimulationError(
+                "step: a diagram that runs in Python has no fixed step. Give max_step"
+            )
+        return integrate(self, start, times, inputs, options)
 
     def _inputs(self, inputs: Any, times: np.ndarray) -> Inputs | None:
         return (
@@ -431,10 +204,12 @@ class PythonDiagram:
         """Return all block outputs at a solution's times, finite or not."""
         if solution.signals is not None:
             return solution.signals
-        segments = self.segments_of(solution, inputs)
-        return self.callee(1, inputs).evaluate(
-            SIGNALS, solution.t, solution.x, segments, self.parameters(), self.nsignals
-        )
+        rows = np.empty((len(solution.t), self.nsignals))
+        for k, (t, x) in enumerate(zip(solution.t, solution.x, strict=True)):
+            self.sweep.enter(t + rounding(t))
+            self.sweep.evaluate(t, x, inputs_at(inputs, t))
+            rows[k] = self.sweep.signals
+        return rows
 
     def segments_of(self, solution: Solution, inputs: Inputs | None) -> Schedule:
         """Return the segments of time of a run."""

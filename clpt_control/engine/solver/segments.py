@@ -20,7 +20,6 @@ from .solver_layout import (
     FIRST_STEP,
     FRESH,
     HIGH,
-    JUMP_TIME,
     LAST_EVENT,
     MAX_STEP,
     NEXT_RUN,
@@ -98,7 +97,6 @@ def clear_lane(solver, k):
     lane[FRESH, k] = 1.0
     lane[LAST_EVENT, k] = -math.inf
     lane[STOP_AT, k] = math.inf
-    lane[JUMP_TIME, k] = -math.inf
 
 
 def set_segment(solver, segment, k):

@@ -97,9 +97,7 @@ STOP_AT = 28  # time up to which a step may go, for a sample at its end
 STIFF_STEPS = 29  # checked steps that look stiff; below 0 they do not count
 MAX_STEP = 30
 FIRST_STEP = 31  # to try, or 0
-JUMP_TIME = 32  # right behind a jump of the rates, where the step is to end, or -inf
-USUAL_DEFECT = 33  # mean of the largest defects of the steps before
-REALS = 34
+REALS = 32
 # Whole numbers of a lane, by index in `integers`
 RUN_INDEX = 0  # -1 without a run
 SEGMENT = 1
@@ -125,9 +123,6 @@ class Shape(NamedTuple):
     jumping: int  # 1 if states jump
     first_decision: int  # index of the decisions in the parameters
     decisions: int
-    unannounced: (
-        int  # 1 if rates may jump where no decision says so, 2 if also at samples
-    )
 
 
 class Runs(NamedTuple):

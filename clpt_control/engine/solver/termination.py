@@ -29,6 +29,7 @@ from .solver_layout import (
 # ends that a locked decision may cause
 STUCK = (Status.NOT_FINITE, Status.STEP_TOO_SMALL, Status.TOO_MANY_STEPS)
 ADVICE = "check the parameters of that block"  # where a signal is not finite
+LOOSEN = ", or loosen rtol and atol"
 
 
 @dataclass
@@ -74,14 +75,14 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
         "evaluations": evaluations,
         "restarts": restarts,
     }
-    solution.engine = batch.callee.engine
+    solution.engine = "native"
     if status == Status.FINISHED:
         return solution
     if status == Status.GUARD_LEFT:
         t, x, policy, sentence = _crossing(sweep, last, inputs)
         reached = int(batch.reached[0])
         times, states = _until(last, solution, t, x, reached)
-        return _stopped(solution, policy, sentence, times, states)
+        return stopped(solution, policy, sentence, times, states)
     reason = Status(status).sentence
     if status == Status.ACCUMULATING:
         reason = f"{', '.join(sweep.resetting)} {reason}"
@@ -90,21 +91,25 @@ def ended(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> Solution:
     reason = _trouble(sweep, last, inputs) or reason
     work = "run" if batch.callee.method.discrete else "integration"
     error = SimulationError(f"the {work} stopped at t = {last.now:.9g}: {reason}")
-    error.points = _points_ahead(last)  # type: ignore[attr-defined]
+    error.points = _points_of(last)
     raise error
 
 
-def _points_ahead(batch: Batch) -> list[tuple[float, ndarray]]:
+def _points_of(batch: Batch) -> list[tuple[float, ndarray]]:
     """Return time and state where a run stopped, and points ahead along the rates."""
     t = batch.now
     x = batch.states[STATE, :, 0].copy()
     rate = batch.states[RATE, :, 0].copy()
-    points = [(t, x)]
-    remaining = batch.lane[SEGMENT_END, 0] - t
-    if not batch.callee.method.discrete and remaining:
-        steps = remaining * np.geomspace(1e-12, 1.0, 13)
-        points += [(t + h, x + h * rate) for h in steps]
-    return points
+    is_map = batch.callee.method.discrete
+    return points_ahead(t, x, rate, 0.0 if is_map else batch.lane[SEGMENT_END, 0] - t)
+
+
+def points_ahead(
+    t: float, x: ndarray, rate: ndarray, span: float
+) -> list[tuple[float, ndarray]]:
+    """Return a time and a state, and points of the next span of time along the rates."""
+    steps = span * np.geomspace(1e-12, 1.0, 13) if span else ()
+    return [(t, x), *((t + h, x + h * rate) for h in steps)]
 
 
 def without_states(
@@ -132,7 +137,7 @@ def without_states(
         reached = np.append(times[:k], high)
         states = np.zeros((k + 1, 0))
         _, policy, sentence = guard(high)
-        return _stopped(solution, policy, sentence, reached, states)
+        return stopped(solution, policy, sentence, reached, states)
     return solution
 
 
@@ -159,18 +164,20 @@ def in_discrete_time(
         if k + 1 < len(times) and not np.isfinite(x).all():
             trouble = sweep.first_trouble(t, states[k], u, ADVICE)
             reason = trouble or Status.NOT_FINITE.sentence
-            raise SimulationError(f"the run stopped at t = {t:.9g}: {reason}")
+            error = SimulationError(f"the run stopped at t = {t:.9g}: {reason}")
+            error.states = states[: k + 1]
+            raise error
     steps = len(times) - 1
     statistics = {"steps": steps, "evaluations": steps, "restarts": 0}
     return Solution(times, states, statistics=statistics, signals=signals)
 
 
-def _stopped(
-    solution: Solution, policy: str, sentence: str, t: Any, x: Any
-) -> Solution:
+def stopped(solution: Solution, policy: str, sentence: str, t: Any, x: Any) -> Solution:
     """Return a solution up to where a guard was left, or raise its error."""
     if policy == "raise":
-        raise SimulationError(sentence)
+        error = SimulationError(sentence)
+        error.status, error.states = Status.GUARD_LEFT, x[:-1]
+        raise error
     return replace(solution, t=t, x=x, status="stopped", message=f"stopped: {sentence}")
 
 
@@ -194,8 +201,8 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
     t = batch.now
     advice = ADVICE
     if not batch.callee.method.discrete:
-        advice = f"{ADVICE}, or loosen rtol and atol"
-    points = _points_ahead(batch)
+        advice = f"{ADVICE}{LOOSEN}"
+    points = _points_of(batch)
     # 1. repeat a jump that gave a state that is not finite
     sweep.enter(t)
     for k in sweep.jumping:
@@ -208,12 +215,20 @@ def _trouble(sweep: Sweep, batch: Batch, inputs: Inputs | None) -> str | None:
         u = inputs_at(inputs, t)
         sweep.jump(t, finite[-1, : sweep.nstates], u, sweep.jumping)
     # 2. evaluate all blocks
+    trouble = trouble_at(sweep, points, inputs, advice)
+    return trouble or _derivative_trouble(sweep, batch, advice)
+
+
+def trouble_at(
+    sweep: Sweep, points: Any, inputs: Inputs | None, advice: str
+) -> str | None:
+    """Return a sentence on the first value that is not finite at times and states, or None."""
     for time, state in points:
         u = inputs_at(inputs, time)
         trouble = sweep.first_trouble(time, state[: sweep.nstates], u, advice)
         if trouble is not None:
             return trouble
-    return _derivative_trouble(sweep, batch, advice)
+    return None
 
 
 def _derivative_trouble(sweep: Sweep, batch: Batch, advice: str) -> str | None:

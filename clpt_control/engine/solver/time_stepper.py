@@ -8,7 +8,7 @@ any others.  One pass of `advance`:
 1. `start_segments`: rates, decisions and first step where integration begins anew.
 2. `attempt_step`: the stages, the new state and its error estimate.
 3. `check_lanes`: count steps, fail, find out if an interpolant is needed for samples.
-4. `handle_events`: events in state (`event_checks`, `event_location`, `rate_jumps`); a step that
+4. `handle_events`: events in state (`event_checks`, `event_location`); a step that
    crosses one is rejected, to be tried again up to the event.
 5. `write_samples`, then the state of accepted steps; the restart behind an event.
 6. `end_segments`: jumps of states, the next segment, the next run.
@@ -21,7 +21,6 @@ import math
 from .event_checks import check_events, decisions_changed, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
-from .rate_jumps import locate_jump, pass_jump
 from .segments import (
     begin_segment,
     enter_segment,
@@ -51,7 +50,6 @@ from .solver_layout import (
     INTERPOLANT_ERROR,
     PREPARE,
     RATE,
-    REJECTED,
     REJECTED_COUNT,
     REJECTIONS,
     RUN_INDEX,
@@ -94,7 +92,7 @@ def advance(solver, budget, most):
     """
     lane, integers = solver.lane, solver.integers
     shape = solver.shape
-    watched = shape.guarded > 0 or shape.decisions > 0 or shape.unannounced > 0
+    watched = shape.guarded > 0 or shape.decisions > 0
     active = 0
     for k in range(shape.lanes):
         if integers[RUN_INDEX, k] < 0:
@@ -103,7 +101,6 @@ def advance(solver, budget, most):
     while active > 0 and budget > 0:
         budget -= 1
         started = start_segments(solver)
-        retried = lane[REJECTED, 0] > 0.5
         attempt_step(solver)
         accepted = False
         due = started or watched or shape.implicit > 0
@@ -113,15 +110,13 @@ def advance(solver, budget, most):
         between, stiffness = False, False
         if due:
             between, stiffness = check_lanes(solver)
-        interpolated = handle_events(solver, accepted, retried, between, stiffness)
+        interpolated = handle_events(solver, accepted, between, stiffness)
         if due and accepted:
             write_samples(solver, interpolated)
         if shape.lanes > 1 or lane[ACCEPTED, 0] > 0.5:
             formula(solver, ACCEPT)
         if shape.decisions > 0 and accepted:
             restart_behind_event(solver)
-        if shape.unannounced > 0 and lane[ACCEPTED, 0] > 0.5:
-            pass_jump(solver)
         if shape.jumping and due:
             jump_states(solver)
         if due:
@@ -199,7 +194,7 @@ def check_lanes(solver):
     return between, stiffness
 
 
-def handle_events(solver, accepted, retried, between, stiffness):
+def handle_events(solver, accepted, between, stiffness):
     """Handle events in state within the step; return whether its interpolant was computed.
 
     A step that crosses an event with an effect is rejected here, to be tried again up to the event.
@@ -207,9 +202,8 @@ def handle_events(solver, accepted, retried, between, stiffness):
     lane = solver.lane
     shape = solver.shape
     explicit = shape.adaptive > 0 and shape.implicit == 0
-    # 1. the rate at the new state; where rates may jump it is needed for a step rejected twice, too
-    unannounced = shape.unannounced > 0 and explicit and (accepted or retried)
-    if (accepted and shape.adaptive > 0) or unannounced:
+    # 1. the rate at the new state
+    if accepted and shape.adaptive > 0:
         derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
     if stiffness and explicit:
         formula(solver, STIFFNESS)
@@ -218,7 +212,7 @@ def handle_events(solver, accepted, retried, between, stiffness):
     if shape.decisions > 0 and accepted and not crossed:
         formula(solver, CUBIC)
         crossed = check_events(solver)
-    if not (between or crossed or unannounced):
+    if not (between or crossed):
         return False
     # 3. the interpolant of the method
     if shape.dense_stages > 0:
@@ -229,8 +223,6 @@ def handle_events(solver, accepted, retried, between, stiffness):
     # 4. the events by this interpolant
     if crossed and check_events(solver):
         locate_events(solver)
-    if unannounced:
-        locate_jump(solver)
     return between and explicit
 
 

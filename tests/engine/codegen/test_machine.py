@@ -139,7 +139,7 @@ def test_the_text_of_the_solver_is_of_its_source():
     """`make solver` prints it anew."""
     root, wanted = ROOT, hashlib.sha256()
     pages = ("solver_layout", "event_checks", "event_location", "implicit", "segments")
-    for page in (*pages, "rate_jumps", "time_stepper"):
+    for page in (*pages, "time_stepper"):
         wanted.update(
             (root / "clpt_control" / "engine" / "solver" / f"{page}.py").read_bytes()
         )

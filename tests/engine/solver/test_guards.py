@@ -3,7 +3,15 @@
 import control
 import numpy as np
 import pytest
-from engine_runs import ENGINES, LANES, NativeDiagram, Status, side_by_side, wiring_of
+from engine_runs import (
+    ENGINES,
+    LANES,
+    NativeDiagram,
+    Status,
+    side_by_side,
+    ways,
+    wiring_of,
+)
 from error_sentences import says
 from text_systems import written
 
@@ -45,8 +53,7 @@ def test_a_look_that_meets_the_edge_itself_finds_the_crossing(engine):
     )
 
 
-@every_form
-@pytest.mark.parametrize("step", [None, 0.25], ids=["DOP853", "RK4"])
+@pytest.mark.parametrize(("engine", "step"), ways(0.25))
 @pytest.mark.parametrize(
     ("start", "advice", "said"), [(2, "", 2), (2, "drop it", "2; drop it"), (-1, "", 0)]
 )

@@ -15,6 +15,7 @@ from engine_runs import (
     PythonDiagram,
     Status,
     side_by_side,
+    ways,
 )
 from error_sentences import says
 from hypothesis import given, settings
@@ -52,12 +53,11 @@ def saw(jump=scale, period=1.0, factor=0.0, **more):
 
 
 every_engine = pytest.mark.parametrize("engine", ENGINES)
-every_step = pytest.mark.parametrize("step", [None, 0.1], ids=["DOP853", "RK4"])
+every_way = pytest.mark.parametrize(("engine", "step"), ways(0.1))
 at_the_end_or_on_the_way = pytest.mark.parametrize("end", [2.0, 2.5])
 
 
-@every_engine
-@every_step
+@every_way
 def test_an_integrator_that_is_reset_is_a_saw(engine, step):
     times = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.25, 3.0])
     found = ENGINES[engine](saw()).run([0.0], times, step=step)
@@ -103,8 +103,7 @@ def test_a_given_interval_does_not_end(engine):
 # --- guards, and numbers that are not finite --------------------------------------------------
 
 
-@every_engine
-@every_step
+@every_way
 @at_the_end_or_on_the_way
 def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
     guard = Guard(
@@ -117,8 +116,7 @@ def test_a_guard_sees_a_state_after_its_jump(engine, step, end):
     np.testing.assert_allclose(found.x[:, 0], [0.0, 1.0, -6.0], atol=1e-12)
 
 
-@every_engine
-@every_step
+@every_way
 @at_the_end_or_on_the_way
 def test_a_jump_to_nowhere_is_named(engine, step, end):
     block = saw(lambda t, x, u, p: x[0] / p.factor, period=2.0)

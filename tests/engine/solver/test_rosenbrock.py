@@ -54,10 +54,9 @@ def test_python_runs_them_as_machine_code_does(name):
     assert run_of(PROBLEMS[name], 1e-6, PythonDiagram, method="rodas5p")[1] < 10.0
 
 
-@pytest.mark.parametrize("engine", [NativeDiagram, PythonDiagram])
-def test_runs_show_order_five(engine):
+def test_runs_show_order_five():
     """A pendulum that is pushed."""
-    runner = engine(wired("x' = v; v' = -sin(x) + cos(2*t)*v"))
+    runner = NativeDiagram(wired("x' = v; v' = -sin(x) + cos(2*t)*v"))
     start, ends, errors = [1.0, 0.3], [0.0, 4.0], []
     exact = runner.run(start, ends, rtol=1e-13, atol=1e-14, method="dop853").x
     for count in (16, 32, 64):
@@ -87,7 +86,7 @@ def test_a_run_goes_on_from_where_it_is_stiff():
 def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
     runner = PythonDiagram(wired("x' = -1e5*(x - cos(t))"))
     found = runner.run([0.0], [0.0, 1.0], rtol=1e-4, atol=1e-6)
-    assert found.method.startswith("DOP853, from t = ")
+    assert found.method == "LSODA"
     assert found.statistics["evaluations"] < 20_000
     assert found.x[-1, 0] == pytest.approx(np.cos(1.0), abs=1e-3)
 
@@ -226,7 +225,7 @@ WAYS = [
     (NativeDiagram, "auto"),
     (NativeDiagram, "rodas5p"),
     (PythonDiagram, "rodas5p"),
-    pytest.param(PythonDiagram, "auto", marks=pytest.mark.slow),
+    (PythonDiagram, "auto"),
 ]
 
 
@@ -237,7 +236,7 @@ def test_jumps_of_stiff_states(engine, method):
     block = ticking(rate, lambda t, x, u, p: 2.0 * x)
     times = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 2.5])
     found = engine(block).run([1.0], times, rtol=1e-8, atol=1e-8, method=method)
-    assert "Rodas5P" in found.method
+    assert ("Rodas5P" in found.method) == (engine is NativeDiagram)
     at_jumps = np.array([1.0, 1.0, 2.0, 1.0, 2.0, 1.0])
     np.testing.assert_allclose(found.x[:, 0], at_jumps * np.cos(times), atol=1e-6)
 

@@ -1,0 +1,209 @@
+"""Runs of a compiled diagram, which the solver integrates in machine code."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, Self
+
+import numpy as np
+
+from ...base.errors import SimulationError
+from ..methods.method import Method
+from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4
+from .batch import ANY, Batch, Callee, pace
+from .filippov import continue_run, may_continue
+from .runner import PythonDiagram, RunOptions
+from .schedule import Inputs, Schedule, checked_state, checked_times
+from .solver_layout import SIGNALS, Status
+from .termination import STUCK, Solution, ended, sampled_start
+
+
+class NativeRuns(PythonDiagram):
+    """A compiled diagram whose runs the solver integrates.
+
+    `callee` returns the functions that the solver calls.
+    """
+
+    callee: Any
+
+    def implicit(self, inputs: Inputs | None = None) -> Callee:
+        """Return the functions that the solver calls for its implicit method."""
+        return self.callee(1, inputs, IMPLICIT)
+
+    def _solution(
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: RunOptions,
+    ) -> Solution:
+        """Integrate, and once more without located switches if the first run is stuck on one."""
+        batch = self._prepare(start, times, inputs, options)
+        error = None
+        try:
+            kinks = self.over_kinks(options.rtol, options.atol)
+            self._integrate(batch, inputs, options, times[-1], kinks)
+            if batch.status[0] == Status.CHATTERING and batch.continuations:
+                # it slides among kinks that were passed: once more, with all located
+                batch = self._prepare(start, times, inputs, options)
+                self._integrate(batch, inputs, options, times[-1])
+            self._continue_run(batch, inputs, options)
+        except SimulationError as too_slow:
+            error = too_slow
+        if batch.callee.decided and (error or batch.status[0] in STUCK):
+            try:
+                solution = self.unlocked()._solution(start, times, inputs, options)
+            except SimulationError:
+                pass  # the error is that of the first run
+            else:
+                return replace(
+                    solution, method=f"{solution.method}, switches not located"
+                )
+        if error:
+            raise error
+        solution = ended(self.sweep, batch, inputs)
+        solution.pieces = batch.schedules[0]
+        return solution
+
+    def _prepare(
+        self,
+        start: np.ndarray,
+        times: np.ndarray,
+        inputs: Inputs | None,
+        options: RunOptions,
+    ) -> Batch:
+        """Return the batch of a run at the first time, after blocks have sampled."""
+        segments = self.schedule(times, inputs)
+        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
+        P = self.parameters()
+        start = sampled_start(callee, start, float(times[0]), segments, P)
+        return self._batch(inputs, options, P, start, times, segments)
+
+    def _batch(
+        self,
+        inputs: Inputs | None,
+        options: RunOptions,
+        P: np.ndarray,
+        start: np.ndarray,
+        times: np.ndarray,
+        segments: Schedule,
+    ) -> Batch:
+        """Return a batch of one run at its first time."""
+        callee = self.callee(1, inputs, self.method_of(options.method, options.step))
+        return Batch(
+            callee,
+            start[None],
+            P[None],
+            times,
+            [segments],
+            longest=options.max_step,
+            opening=options.first_step,
+        )
+
+    def _integrate(
+        self,
+        batch: Batch,
+        inputs: Inputs | None,
+        options: RunOptions,
+        end: float,
+        over_kinks: Any = None,
+    ) -> None:
+        """Integrate a batch of one run until it stops; the whole run goes up to `end`."""
+        most = self.most if batch.callee.method.adaptive else ANY
+        implicit = None
+        if options.method == "auto" and options.step is None:
+            implicit = partial(self.implicit, inputs)
+        watch = pace(most, batch.times[0], end, options.progress)
+        tolerances = options.rtol, options.atol
+        batch.adaptive(*tolerances, watch, most, implicit, over_kinks)
+
+    def _continue_run(
+        self, batch: Batch, inputs: Inputs | None, options: RunOptions
+    ) -> None:
+        """Continue a run that slides on switches, or that jumps at a level."""
+
+        def begin(
+            diagram: NativeRuns,
+            P: np.ndarray,
+            start: np.ndarray,
+            times: np.ndarray,
+            segments: Schedule,
+        ) -> Batch:
+            following = diagram._batch(inputs, options, P, start, times, segments)
+            diagram._integrate(following, inputs, options, batch.times[-1])
+            return following
+
+        if may_continue(self, batch.status[0]):
+            continue_run(self, batch, begin)
+
+    def method_of(self, method: str = "auto", step: float | None = None) -> Method:
+        """Return the method of a run."""
+        if self.wiring.dt:
+            return DISCRETE
+        return METHODS[method] if step is None else RK4
+
+    def over_kinks(self, rtol: float, atol: float) -> Any:
+        """Return what continues a run over many kinks, or None."""
+        return None
+
+    def unlocked(self) -> Self:
+        """Return the diagram with decisions that change within a step.
+
+        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
+        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
+        """
+        return self
+
+    def run_many(
+        self,
+        starts: Sequence[Any] | np.ndarray,
+        times: Sequence[float] | np.ndarray,
+        *,
+        rtol: float | None = None,
+        atol: float | None = None,
+        step: float | None = None,
+    ) -> np.ndarray:
+        """Integrate from many initial states, such as passive particles.
+
+        starts : array_like, shape (m, nstates)
+            Initial states at ``times[0]``.
+        times, rtol, atol, step
+            As for `run`.
+
+        ndarray, shape (m, n, nstates)
+            NaN from where a run could not go on.
+        """
+        times = checked_times("times", times)
+        options = RunOptions.checked(
+            self.wiring.dt, times, step=step, rtol=rtol, atol=atol
+        )
+        states = checked_state("starts", starts, (len(starts), self.nstates))
+        # blocks sample as the runs begin
+        P = self.parameters()
+        segments = self.schedule(times)
+        callee = self.callee()
+        for k, start in enumerate(states):
+            states[k] = sampled_start(callee, start, float(times[0]), segments, P)
+        # all runs as one batch
+        callee = self.callee(self.lanes(len(states)), None, self.method_of(step=step))
+        parameters = np.tile(P, (len(states), 1))
+        batch = Batch(
+            callee, states, parameters, times, [segments], longest=options.max_step
+        )
+        batch.adaptive(options.rtol, options.atol)
+        return batch.out
+
+    def lanes(self, count: int) -> int:
+        """Return how many of `count` runs are taken at once."""
+        return 1
+
+    def evaluated_signals(
+        self, solution: Solution, inputs: Inputs | None
+    ) -> np.ndarray:
+        """Return all block outputs at a solution's times, finite or not."""
+        if solution.signals is not None:
+            return solution.signals
+        segments = self.segments_of(solution, inputs)
+        return self.callee(1, inputs).evaluate(
+            SIGNALS, solution.t, solution.x, segments, self.parameters(), self.nsignals
+        )

@@ -1,0 +1,260 @@
+"""Runs of a diagram in Python: SciPy integrates from one known stop to the next.
+
+Known stops are breakpoints and samples of blocks and sharp bends of inputs; guards end a run.
+Jumps of rates elsewhere are left to the step control.  LSODA, which is implicit where equations are
+stiff, integrates with `SHARE` of the tolerances: its error and its evaluations are then at most
+those of RK45 (python-control's method) at the tolerances (`benchmarks/python_models.py`).  DOP853
+takes its place if LSODA fails, meets a rate that is not finite, or is running in the model itself.
+"""
+
+import threading
+import time
+import warnings
+from typing import Any
+
+import numpy as np
+from numpy import ndarray
+from scipy.integrate import DOP853, LSODA
+
+from ...base.errors import SimulationError
+from ...base.progress.interrupt import check
+from .batch import PAUSE, pace
+from .evaluation_pass import rounding
+from .event_checks import CLEAR, FACTORS, SHARES
+from .schedule import BEGINS, JUMPS, Inputs, inputs_at
+from .solver_layout import Status
+from .termination import ADVICE, LOOSEN, Solution, points_ahead, stopped, trouble_at
+
+METHODS = {"auto": LSODA, "dop853": DOP853, "rodas5p": LSODA}
+BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
+SHARE = 1 / 30  # of the tolerances, for LSODA
+LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
+SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
+ROUNDING = 1e-12  # of margins
+FACTORS_OF_QUARTERS = np.reshape(FACTORS, (4, 5))
+_lsoda = threading.RLock()  # not every SciPy runs two of them at once
+_inside = threading.local()  # `lsoda` is True while this thread runs one
+
+
+class NotIntegrated(Exception):
+    """A run that a method cannot continue; the arguments are time, state and `Status`."""
+
+
+def integrate(
+    diagram: Any, start: ndarray, times: ndarray, inputs: Inputs | None, options: Any
+) -> Solution:
+    """Return the solution of a diagram in Python, or raise an error on what stopped it."""
+    method: Any = METHODS[options.method]
+    if method is LSODA and getattr(_inside, "lsoda", False):
+        method = DOP853
+    if method is not DOP853:
+        try:
+            with _lsoda, warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "lsoda")
+                _inside.lsoda = True
+                return PythonRun(diagram, times, inputs, options, method).solution(
+                    start
+                )
+        except NotIntegrated:
+            pass  # DOP853 rejects steps with such rates
+        finally:
+            _inside.lsoda = False
+    run = PythonRun(diagram, times, inputs, options, DOP853)
+    try:
+        return run.solution(start)
+    except NotIntegrated as error:
+        raise run.error(*error.args) from None
+
+
+class PythonRun:
+    """One run of a diagram by one method of SciPy."""
+
+    def __init__(
+        self,
+        diagram: Any,
+        times: ndarray,
+        inputs: Inputs | None,
+        options: Any,
+        method: Any,
+    ):
+        self.sweep, self.times, self.inputs = diagram.sweep, times, inputs
+        self.schedule = diagram.schedule(times, inputs, BEND * options.rtol)
+        self.method, self.options = method, options
+        self.watch = pace(diagram.most, times[0], times[-1], options.progress)
+        self.watched = time.perf_counter()
+        self.states = np.full((len(times), diagram.nstates), np.nan)
+        self.written = 0  # samples
+        self.end: tuple[float, ndarray] | None = None  # where a guard is left
+        self.strict = True  # a rate that is not finite ends the run
+        for k in self.sweep.jumping:  # errors of earlier runs
+            self.sweep.nodes[k].system.raised.pop("jump", None)
+        self.steps = self.evaluations = self.restarts = 0
+
+    def solution(self, start: ndarray) -> Solution:
+        """Integrate all segments; return the solution up to the end or a guard."""
+        edges = self.schedule.edges
+        begins = [self.times[0], *edges[:-1]]
+        x = start
+        for k, t in enumerate(begins):
+            self.sweep.enter(t + rounding(t))
+            x = self._jumped(k, t, x)
+            self._write(t, x)
+            if self.sweep.guarded and self._margin(t, x) < 0.0:
+                self.end = t, x
+            elif k < len(begins) - 1:
+                x = self._segment(t, x, edges[k])
+            if self.end is not None:
+                break
+        solution = Solution(
+            self.times,
+            self.states,
+            statistics={
+                "steps": self.steps,
+                "evaluations": self.evaluations,
+                "restarts": self.restarts,
+            },
+            method=self.method.__name__,
+            pieces=self.schedule,
+        )
+        return solution if self.end is None else self._stopped(solution, *self.end)
+
+    def _rates(self, t: float, x: ndarray) -> ndarray:
+        self.evaluations += 1
+        rates = self.sweep.derivative(t, x, inputs_at(self.inputs, t))
+        if self.strict and not np.isfinite(rates).all():
+            raise NotIntegrated(t, x.copy(), Status.NOT_FINITE)
+        self.strict = self.method is not DOP853
+        return rates
+
+    def _jumped(self, k: int, t: float, x: ndarray) -> ndarray:
+        """Return the state after the jumps with which a segment begins."""
+        requests = self.schedule.values[k]
+        jumping = [
+            b for b, r in zip(self.sweep.jumping, requests, strict=True) if r == JUMPS
+        ]
+        sampling = [
+            b for b, r in zip(self.sweep.jumping, requests, strict=True) if r == BEGINS
+        ]
+        if not jumping and not sampling:
+            return x
+        x = self.sweep.jump(t, x, inputs_at(self.inputs, t), jumping, sampling)
+        if not np.isfinite(x).all():
+            raise self.error(t, x, Status.NOT_FINITE)
+        return x
+
+    def _segment(self, t: float, x: ndarray, end: float) -> ndarray:
+        """Return the state at the end of a segment that begins at t."""
+        if not np.isfinite(x).all():
+            raise NotIntegrated(t, x, Status.NOT_FINITE)
+        options = self.options
+        share = SHARE if self.method is LSODA else 1.0
+        first = options.first_step if self.restarts == 0 else 0.0
+        self.restarts += 1
+        self.strict = True
+        solver = self.method(
+            self._rates,
+            t,
+            x,
+            end,
+            rtol=max(share * options.rtol, LEAST_RTOL),
+            atol=share * options.atol,
+            max_step=options.max_step,
+            first_step=min(first, end - t) or None,
+        )
+        while solver.status == "running" and self.end is None:
+            before = solver.t
+            solver.step()
+            self.steps += 1
+            if solver.status == "failed":
+                raise NotIntegrated(solver.t, solver.y.copy(), Status.STEP_TOO_SMALL)
+            if self.sweep.guarded:
+                self._stop_at_guard(before, solver)
+            reached = solver.t if self.end is None else self.end[0]
+            self._write(reached, solver.y, solver)
+            if time.perf_counter() - self.watched > PAUSE:
+                self._watch(solver.t)
+        return solver.y.copy()
+
+    def _watch(self, t: float) -> None:
+        """Report progress; raise an error if the end is out of reach."""
+        check()
+        try:
+            self.watch(self.steps, t)
+        except SimulationError as error:
+            error.states = self.states[: self.written]
+            raise
+        self.watched = time.perf_counter()
+
+    def _write(self, reached: float, x: ndarray, solver: Any = None) -> None:
+        """Write the states at samples up to a time; a sample at a jump is after the jump."""
+        k = self.written
+        if solver is None and k and self.times[k - 1] == reached:
+            k -= 1
+        last = int(np.searchsorted(self.times, reached, side="right"))
+        if last == k:
+            return
+        times = self.times[k:last]
+        self.states[k:last] = x
+        if solver is not None and times[0] < solver.t:
+            inner = times < solver.t
+            self.states[k:last][inner] = solver.dense_output()(times[inner]).T
+        self.written = last
+
+    # --- guards -----------------------------------------------------------------------------
+
+    def _margin(self, t: float, x: ndarray) -> float:
+        return self.sweep.margin(t, x, inputs_at(self.inputs, t))[0]
+
+    def _stop_at_guard(self, before: float, solver: Any) -> None:
+        """Set the end of the run to the first time of a step at which a guard is left."""
+        within = solver.dense_output()
+        least = SMALLEST * (solver.t - before)
+        parts = [(before, solver.t)]  # the next one last
+        while parts:
+            low, high = parts.pop()
+            times = low + (high - low) * np.array(SHARES)
+            margins = np.array([self._margin(t, within(t)) for t in times])
+            between = FACTORS_OF_QUARTERS @ margins[::2]
+            error = np.abs(between - margins[1::2]).max()
+            outside = int(np.argmax(margins < 0.0))
+            nearest = margins[: outside or None].min()
+            is_smooth = error <= ROUNDING * np.abs(margins).max()
+            hides = not is_smooth and not nearest > CLEAR * error
+            if hides and high - low > least:
+                middle = 0.5 * (low + high)
+                parts += [(middle, high), (low, middle)]
+            elif outside:
+                end = self._edge(within, times[outside - 1], times[outside])
+                self.end = end, within(end)
+                return
+
+    def _edge(self, within: Any, low: float, high: float) -> float:
+        """Return the time between two at which a guard is left."""
+        while low < (middle := 0.5 * (low + high)) < high:
+            if self._margin(middle, within(middle)) < 0.0:
+                high = middle
+            else:
+                low = middle
+        return high
+
+    def _stopped(self, solution: Solution, t: float, x: ndarray) -> Solution:
+        """Return a solution up to the time and state at which a guard is left."""
+        _, policy, sentence = self.sweep.margin(t, x, inputs_at(self.inputs, t))
+        near = abs(self.times - t) <= rounding(t)
+        end = self.times[near][0] if near.any() else t
+        inner = (self.times < t) & ~near
+        times = np.append(self.times[inner], end)
+        states = np.vstack([self.states[inner], x])
+        return stopped(solution, policy, sentence, times, states)
+
+    # --- errors -----------------------------------------------------------------------------
+
+    def error(self, t: float, x: ndarray, status: Status) -> SimulationError:
+        """Return an error that names block and signal, if a value is not finite."""
+        rates = self.sweep.derivative(t, x, inputs_at(self.inputs, t))
+        points = points_ahead(t, x, rates, self.times[-1] - t)
+        trouble = trouble_at(self.sweep, points, self.inputs, f"{ADVICE}{LOOSEN}")
+        reason = trouble or status.sentence
+        error = SimulationError(f"the integration stopped at t = {t:.9g}: {reason}")
+        error.status, error.states = status, self.states[: self.written]
+        return error
