@@ -94,6 +94,11 @@ class Ensemble:
                 keys_of_field[field] = (*keys_of_field.get(field, ()), key)
         system = varied.wiring, varied.params
         runner = make_runner(*system, engine, varied.name, keys_of_field)
+        if runner.hidden_state:
+            raise DiagramError(
+                f"{varied.name}: members of an ensemble would share hidden state: "
+                f"{runner.hidden_state}"
+            )
         if runner.engine != "native":
             return runner
         for (k, name), keys in keys_of_field.items():

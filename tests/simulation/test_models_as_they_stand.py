@@ -230,7 +230,7 @@ NAMES = {  # what may be given, and what no function reads
 
 @pytest.mark.parametrize("looped", [False, True], ids=["alone", "in a loop"])
 @pytest.mark.parametrize("update", NAMES, ids=lambda f: f.__name__)
-@pytest.mark.filterwarnings("ignore:.*runs in Python")
+@pytest.mark.filterwarnings("ignore:.*(runs in Python|hidden state)")
 def test_names_that_functions_read_are_known_and_no_others(update, looped):
     known, unknown = NAMES[update]
     sizes = {

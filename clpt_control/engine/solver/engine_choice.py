@@ -18,7 +18,7 @@ from ...base.progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
-from ..trace.arrays import Unread
+from ..trace.arrays import OUTLIVES, Unread
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
@@ -51,7 +51,22 @@ def make_runner(
             return NativeDiagram(wiring, params, apart=apart)
         except Uncompiled as error:
             warn_python(name, str(error))
-    return PythonDiagram(wiring, params)
+    runner = PythonDiagram(wiring, params)
+    runner.hidden_state = hidden_state(wiring)
+    return runner
+
+
+def hidden_state(wiring: Wiring) -> str:
+    """Return a sentence on a function that writes to what outlives its call, or ""."""
+    for node in wiring.nodes:
+        block = node.system
+        for role in () if block.of_package else ("output", *block._roles):
+            try:
+                block.array_record(role)
+            except Unread as error:
+                if OUTLIVES in str(error):
+                    return str(error)
+    return ""
 
 
 def run_checked(
@@ -71,7 +86,36 @@ def run_checked(
         warn_python(name, why)
         runner = PythonDiagram(runner.wiring, params)
     solution = runner.run(start, times, **options)
-    return solution, runner.signals(solution, inputs)
+    signals = runner.signals(solution, inputs)
+    if runner.hidden_state and runner.nstates and not runner.wiring.dt:
+        _warn_of_order(runner, name, start, times, solution, signals, options)
+    return solution, signals
+
+
+def _warn_of_order(
+    runner: PythonDiagram,
+    name: str,
+    start: Any,
+    times: Any,
+    solution: Solution,
+    signals: ndarray,
+    options: dict[str, Any],
+) -> None:
+    """Run a diagram with hidden state again with a tenth of rtol, and print the difference."""
+    tolerances = {"rtol": 1e-8, "atol": 1e-10}
+    tenth = {key: 0.1 * (options.get(key) or tolerances[key]) for key in tolerances}
+    again = runner.run(start, times, **{**options, **tenth, "progress": None})
+    following = runner.signals(again, options["inputs"])
+    n = min(len(signals), len(following))
+    difference = max(
+        np.abs(solution.x[:n] - again.x[:n]).max(initial=0.0),
+        np.abs(signals[:n] - following[:n]).max(initial=0.0),
+    )
+    warn(
+        f"{name}: a function has hidden state, so the result depends on the order of calls. With "
+        f"rtol / 10 states and signals differ by up to {difference:.2g}. Replace the function by "
+        "parts.backlash, parts.relay or a state"
+    )
 
 
 def run_compared(

@@ -141,17 +141,21 @@ class Sweep:
         Without `u` the inputs of the diagram are zero.  Blocks in `sampling` sample their inputs
         before their outputs are computed.
         """
-        time = np.float64(t)
+        with np.errstate(all="ignore"):
+            self._pass(np.float64(t), x, u, sampling)
+        return self.signals
+
+    def _pass(
+        self, time: Any, x: ndarray, u: External, sampling: Collection[int] = ()
+    ) -> None:
         self._external[:] = 0.0 if u is None else u
         self._states[:] = x
         self.signals.fill(0.0)  # a block that is run twice reads what is not known yet
-        with np.errstate(all="ignore"):
-            for k, out in self._blocks:
-                inputs = self._gather(k)
-                if k in sampling:
-                    self._sample(k)
-                self._call("output", k, time, self._x[k], inputs, out)
-        return self.signals
+        for k, out in self._blocks:
+            inputs = self._gather(k)
+            if k in sampling:
+                self._sample(k)
+            self._call("output", k, time, self._x[k], inputs, out)
 
     def _sample(self, k: int) -> None:
         node = self.nodes[k]
@@ -160,10 +164,10 @@ class Sweep:
 
     def derivative(self, t: float, x: ndarray, u: External = None) -> ndarray:
         """Return the state derivative; NaN where a system could not compute it."""
-        self.evaluate(t, x, u)
         dx = np.empty(self.nstates)
         time = np.float64(t)
         with np.errstate(all="ignore"):
+            self._pass(time, x, u)
             for k in self._moving:  # a block may come before its inputs are known
                 inputs = self._gather(k)
                 rates = dx[self.nodes[k].states]

@@ -80,6 +80,7 @@ class PythonRun:
         self.sweep, self.times, self.inputs = diagram.sweep, times, inputs
         self.schedule = diagram.schedule(times, inputs, BEND * options.rtol)
         self.method, self.options = method, options
+        self.remembers = bool(diagram.hidden_state)
         self.watch = pace(diagram.most, times[0], times[-1], options.progress)
         self.watched = time.perf_counter()
         self.states = np.full((len(times), diagram.nstates), np.nan)
@@ -147,7 +148,7 @@ class PythonRun:
         if not np.isfinite(x).all():
             raise NotIntegrated(t, x, Status.NOT_FINITE)
         options = self.options
-        share = SHARE if self.method is LSODA else 1.0
+        share = 1.0 if self.method is DOP853 or self.remembers else SHARE
         first = options.first_step if self.restarts == 0 else 0.0
         self.restarts += 1
         self.strict = True

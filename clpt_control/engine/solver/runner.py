@@ -43,6 +43,7 @@ class PythonDiagram:
 
     engine = "python"
     most = 10_000_000  # tries of a run
+    hidden_state = ""  # a sentence on a function that has one
     ramp = -1  # offset in P of the diagram's inputs, where they are read from there
 
     def __init__(

@@ -19,8 +19,9 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from ..record.graph import Operation, Record, Ref, Shape, key_of
 from ..record.operations import CONDITIONS, UFUNCS
 
+OUTLIVES = "which outlives the call"  # in each sentence on hidden state
 REMEMBERS = (
-    "writes to {}, which outlives the call, and machine code keeps nothing between calls. "
+    f"writes to {{}}, {OUTLIVES}, and machine code keeps nothing between calls. "
     "Make it a state, set it in a jump, or use parts.relay or parts.backlash"
 )
 LASTING = "an array"  # that outlives the call, for the sentence

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Tape, Unread, active, single, whole
+from .arrays import REMEMBERS, Array, Tape, Unread, active, single, whole
 from .elementwise import (
     all_of,
     as_number,
@@ -448,7 +448,7 @@ class TracerModule(ModuleType):
         return self._tracer_value(getattr(self._real, name))
 
     def __setattr__(self, name: str, *value: Any) -> None:
-        raise Unread(f"changes {self.__name__}.{name}. Make it a state")
+        raise Unread(REMEMBERS.format(f"{self.__name__}.{name}"))
 
     __delattr__ = __setattr__
 

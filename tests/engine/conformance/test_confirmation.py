@@ -143,6 +143,7 @@ class Thermostat:
         return self.heating
 
 
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 def test_a_thermostat_that_remembers_runs_in_python():
     thermostat = Thermostat()
     room = system_of(

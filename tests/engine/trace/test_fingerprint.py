@@ -131,6 +131,7 @@ def test_a_class_of_all_that_public_models_hold_is_traced_once():
     assert [*counts, len(traced)] == [once] * 4 + [2 * once] * 2
 
 
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 def test_a_function_that_is_refused_is_not_traced_again():
     log = []
 

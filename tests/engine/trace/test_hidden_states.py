@@ -236,6 +236,7 @@ def test_a_state_or_chance_that_hides_is_seen_and_all_is_left_as_it_was(function
 
 
 @pytest.mark.filterwarnings("ignore:.*runs in Python")
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 def test_what_hides_in_params_runs_as_python_control_runs_it():
     def rate(t, x, u, params):
         last, params["last"] = params.get("last", 0.0), x[0]
@@ -370,6 +371,7 @@ def test_what_is_kept_and_not_read_or_computed_once_may_be(function):
     assert run(block, "output", 0.0, [], U) == pytest.approx(function(0.0, [], U, None))
 
 
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 def test_a_log_of_numbers_runs_in_python_and_stays_a_log():
     """Also where what it began with are numbers, of runs before."""
     log = [0.0]
