@@ -7,7 +7,7 @@ numbers, have no NumPy function: their values are computed by `graph.picked` and
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
-from math import erf, erfc, pi, sqrt
+from math import copysign, erf, erfc, gamma, inf, nan, pi, sqrt
 from typing import Any
 
 import numpy as np
@@ -95,6 +95,27 @@ def _logical(ufunc: np.ufunc, llvm: str, symbol: str) -> Row:
 def _rounding(ufunc: np.ufunc, name: str) -> Row:
     """Return the row of a function whose values are whole numbers."""
     return Row(ufunc, c=name, llvm="inline", smoothness=STEP, decisions=(name,))
+
+
+def _gamma(a):
+    """Return the gamma function as C does: no error at poles and beyond the largest number."""
+    try:
+        return gamma(a)
+    except OverflowError:
+        return inf
+    except ValueError:
+        return copysign(inf, a) if a == 0 else nan
+
+
+def _digamma(a):
+    """Return the logarithmic derivative of the gamma function (Abramowitz, Stegun: 6.3.18)."""
+    is_left = a < 0.5
+    v = np.where(is_left, 1.0 - a, a)
+    y = v + 8.0
+    w = 1.0 / (y * y)
+    series = w * (1 / 12 - w * (1 / 120 - w * (1 / 252 - w * (1 / 240 - w / 132))))
+    value = np.log(y) - 0.5 / y - series - sum(1.0 / (v + k) for k in range(8))
+    return np.where(is_left, value - pi / np.tan(pi * a), value)
 
 
 TABLE: dict[str, Row] = {
@@ -311,6 +332,13 @@ TABLE: dict[str, Row] = {
         (lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),),
         llvm="libm",
         c="erf",
+    ),
+    "tgamma": Row(
+        np.vectorize(_gamma, otypes=[float]),
+        (lambda a, f: f * _digamma(a),),
+        sympy=lambda s, a: s.gamma(a),
+        llvm="libm",
+        c="tgamma",
     ),
     "erfc": Row(
         np.vectorize(erfc, otypes=[float]),

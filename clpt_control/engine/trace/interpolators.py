@@ -355,6 +355,7 @@ def _of_nearest(f: Any) -> Table:
 
 TABLES: dict[str, Callable[[Any], Table]] = {
     "interp1d": _of_interp1d,
+    "Akima1DInterpolator": _of_polynomials,
     "CubicSpline": _of_polynomials,
     "PPoly": _of_polynomials,
     "PchipInterpolator": _of_polynomials,

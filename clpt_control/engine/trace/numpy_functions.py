@@ -328,9 +328,13 @@ def like(a: Array, value: float, dtype: Any = None, **options: Any) -> Any:
     return filled(a._tape, value, a.shape)
 
 
-def taken(a, indices, axis=None):
+def taken(a, indices, axis=None, mode="raise"):
     """Return np.take(a, indices, axis), which shares no memory with a."""
     rows = np.ravel(a) if axis is None else np.moveaxis(a, axis, 0)
+    if mode == "wrap":
+        indices = indices % len(rows)
+    elif mode == "clip":
+        indices = np.clip(indices, 0, len(rows) - 1)
     return views.copied(rows[indices])
 
 

@@ -224,6 +224,13 @@ def remainder(a, b):
     return double_remainder - b * np.rint(double_remainder / b)
 
 
+def isclose(a, b, *, rel_tol=1e-9, abs_tol=0.0):
+    """Return math.isclose(a, b): two infinite numbers are close if they are equal."""
+    largest = np.maximum(np.fabs(a), np.fabs(b))
+    is_near = np.fabs(a - b) <= np.maximum(rel_tol * largest, abs_tol)
+    return is_near & (largest < np.inf) | (a == b)
+
+
 MATH: dict[str, Callable] = {
     **{
         name: f
@@ -236,6 +243,8 @@ MATH: dict[str, Callable] = {
         np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0)
     ),
     "remainder": remainder,
+    "gamma": functools.partial(elementwise, "tgamma"),
+    "isclose": isclose,
     "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
@@ -264,6 +273,8 @@ def of_math(name: str, tape: Tape, *arguments: Any, **options: Any) -> Any:
         raise_in_a_try(name, *numbers)
     value = MATH[name](*numbers, **options)
     is_int = name in ("floor", "ceil", "trunc") or (name == "prod" and is_whole(value))
+    if isinstance(value, tuple):
+        return tuple(map(of_python, value))
     return of_python(value, is_int)
 
 

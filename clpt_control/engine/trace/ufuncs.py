@@ -205,6 +205,12 @@ def fmod(a, b):
     return where(a < 0, -remainder, remainder)
 
 
+def logaddexp(a, b):
+    """Return log(exp(a) + exp(b)); its derivatives are right for any offset."""
+    offset = np.maximum(a, b)
+    return offset + np.log(np.exp(a - offset) + np.exp(b - offset))
+
+
 BITWISE: dict[Any, Callable] = {  # of truth values
     np.bitwise_and: partial(elementwise, "and"),
     np.bitwise_or: partial(elementwise, "or"),
@@ -237,9 +243,13 @@ COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special
     "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
     "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
+    "modf": lambda a: (a - np.trunc(a), np.trunc(a)),
     "divmod": lambda a, b: (np.floor_divide(a, b), np.remainder(a, b)),
-    **{composed.__name__: composed for composed in (copysign, fmod, signbit)},
+    **{
+        composed.__name__: composed for composed in (copysign, fmod, logaddexp, signbit)
+    },
     **{name: partial(elementwise, name) for name in ("erf", "erfc")},
+    "gamma": partial(elementwise, "tgamma"),
     "expit": lambda a: 1.0 / (1.0 + np.exp(-a)),
 }
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from engine_runs import readings
 from recorded_blocks import static
+from scipy.special import gamma
 
 import clpt_control as clpt
 from clpt_control import lookup
@@ -18,6 +19,7 @@ BY_HAND = {  # rows that no ufunc is traced as
     "where": lambda u: np.where(u[0] > u[1], u[0], 2.0 * u[1]),
     "erf": lambda u: math.erf(u[0]),
     "erfc": lambda u: math.erfc(u[0]),
+    "tgamma": lambda u: gamma(u[0]),
     "pick": lambda u: lookup([3.0, 5.0, 7.0], np.clip(u[0], -3.0, 2.0)),
     "search": lambda u: np.searchsorted([-1.0, 0.4, 2.0], u[0]),
     "argmin": lambda u: np.argmin(np.stack([u[0], u[1], 0.3])),

@@ -6,7 +6,7 @@ import control
 import numpy as np
 import pytest
 from recorded_blocks import as_it_runs, static
-from scipy.interpolate import CubicSpline, interp1d
+from scipy.interpolate import Akima1DInterpolator, CubicSpline, interp1d
 
 import clpt_control as clpt
 from clpt_control import Block
@@ -134,6 +134,14 @@ def test_a_held_table_over_time_jumps_at_its_rows():
         run = clpt.simulate(system(rate), [0.0, 0.5, 1.0, 3.0, 5.0], 0, [0.0], **TIGHT)
         assert run.attrs["engine"] == "native"
         np.testing.assert_allclose(run.states[1:, 0], exact, atol=1e-10)
+
+
+def test_an_akima_spline_is_its_polynomials():
+    spline = Akima1DInterpolator([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 0.0, 2.0, 1.0])
+    run = clpt.simulate(system(lambda t, x, u, p: [spline(t)]), [0.0, 3.7], 0, [0.1])
+    assert run.attrs["engine"] == "native"
+    exact = 0.1 + spline.integrate(0.0, 3.7)
+    assert run.states[-1].item() == pytest.approx(exact, rel=1e-9)
 
 
 def test_a_dense_smooth_table_needs_no_more_steps_than_its_curve():

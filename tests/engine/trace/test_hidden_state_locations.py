@@ -321,6 +321,7 @@ def of_cache(meter):
     return meter.cache[0]
 
 
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 @pytest.mark.parametrize("place", PLACES)
 def test_a_function_that_counts_its_calls_runs_in_python(place, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -343,6 +344,6 @@ def test_a_function_that_counts_its_calls_runs_in_python(place, tmp_path, monkey
                 )
         finally:
             sys.setrecursionlimit(LIMIT)
-    assert len(caught) == 1
+    assert sum("runs in Python" in str(one.message) for one in caught) == 1
     assert run.attrs["engine"] == "python"
     assert run.states[-1].item() > 1.5 * math.exp(-3.0)  # its count counts
