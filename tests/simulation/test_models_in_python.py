@@ -48,6 +48,24 @@ def test_random_models_are_as_exact_as_python_controls(seed):
     assert evaluations[0] < 1.5 * evaluations[1]
 
 
+@pytest.mark.parametrize(("k", "method"), [(1.0, "DOP853"), (1e5, "LSODA")])
+def test_a_lag_behind_a_saw(k, method):
+    """x' = k (u - x): behind a line of slope s, x is u - s/k and a part that fades."""
+    times = np.linspace(0.0, 10.0, 51)
+    saw = np.where(np.arange(51) % 2, 1.0, -1.0)
+    exact = [0.0]
+    for begin, end, span in zip(saw, saw[1:], np.diff(times), strict=False):
+        lag = (end - begin) / span / k
+        exact.append(end - lag + (exact[-1] - begin + lag) * np.exp(-k * span))
+    rate = lambda t, x, u, p: [k * (u[0] - x[0]) + FLOOR(0.5)]  # noqa: E731
+    system = control.nlsys(rate, None, inputs=1, outputs=1, states=1, name="lag")
+    with pytest.warns(UserWarning, match="runs in Python"):
+        found = clpt.simulate(system, times, saw, [0.0])
+    assert found.attrs["method"] == method
+    np.testing.assert_allclose(found.states[:, 0], exact, atol=1e-7)
+    assert found.attrs["solver_evaluations"] < 200 * len(times)
+
+
 def test_a_model_that_calls_lsoda_itself():
     """x' = -x/e, which is itself the end of an integration."""
     from scipy.integrate import odeint

@@ -4,7 +4,8 @@ Known stops are breakpoints and samples of blocks and sharp bends of inputs; gua
 Jumps of rates elsewhere are left to the step control.  LSODA, which is implicit where equations are
 stiff, integrates with `SHARE` of the tolerances: its error and its evaluations are then at most
 those of RK45 (python-control's method) at the tolerances (`benchmarks/python_models.py`).  DOP853
-takes its place if LSODA fails, meets a rate that is not finite, or is running in the model itself.
+takes its place in many short segments, and if LSODA fails, meets a rate that is not finite, or is
+running in the model itself.
 """
 
 import threading
@@ -28,6 +29,10 @@ from .termination import ADVICE, LOOSEN, Solution, points_ahead, stopped, troubl
 METHODS = {"auto": LSODA, "dop853": DOP853, "rodas5p": LSODA}
 BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
 SHARE = 1 / 30  # of the tolerances, for LSODA
+MOST_SEGMENTS = (
+    20  # of LSODA, which begins each in small steps; DOP853 takes shorter ones
+)
+MOST_EVALUATIONS = 200  # of DOP853 in such a segment; LSODA integrates longer ones
 LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
 SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
 ROUNDING = 1e-12  # of margins
@@ -81,6 +86,7 @@ class PythonRun:
         self.schedule = diagram.schedule(times, inputs, BEND * options.rtol)
         self.method, self.options = method, options
         self.remembers = bool(diagram.hidden_state)
+        self.short = method is LSODA and len(self.schedule.edges) > MOST_SEGMENTS
         self.watch = pace(diagram.most, times[0], times[-1], options.progress)
         self.watched = time.perf_counter()
         self.states = np.full((len(times), diagram.nstates), np.nan)
@@ -114,7 +120,7 @@ class PythonRun:
                 "evaluations": self.evaluations,
                 "restarts": self.restarts,
             },
-            method=self.method.__name__,
+            method=(DOP853 if self.short else self.method).__name__,
             pieces=self.schedule,
         )
         return solution if self.end is None else self._stopped(solution, *self.end)
@@ -147,21 +153,10 @@ class PythonRun:
         """Return the state at the end of a segment that begins at t."""
         if not np.isfinite(x).all():
             raise NotIntegrated(t, x, Status.NOT_FINITE)
-        options = self.options
-        share = 1.0 if self.method is DOP853 or self.remembers else SHARE
-        first = options.first_step if self.restarts == 0 else 0.0
-        self.restarts += 1
+        begun = self.evaluations
         self.strict = True
-        solver = self.method(
-            self._rates,
-            t,
-            x,
-            end,
-            rtol=max(share * options.rtol, LEAST_RTOL),
-            atol=share * options.atol,
-            max_step=options.max_step,
-            first_step=min(first, end - t) or None,
-        )
+        solver = self._solver(DOP853 if self.short else self.method, t, x, end)
+        self.restarts += 1
         while solver.status == "running" and self.end is None:
             before = solver.t
             solver.step()
@@ -174,7 +169,27 @@ class PythonRun:
             self._write(reached, solver.y, solver)
             if time.perf_counter() - self.watched > PAUSE:
                 self._watch(solver.t)
+            is_long = self.short and self.evaluations - begun > MOST_EVALUATIONS
+            if is_long and solver.status == "running":
+                self.short = False
+                solver = self._solver(LSODA, solver.t, solver.y, end)
         return solver.y.copy()
+
+    def _solver(self, method: Any, t: float, x: ndarray, end: float) -> Any:
+        """Return a solver of SciPy from one time to another."""
+        options = self.options
+        share = 1.0 if self.method is DOP853 or self.remembers else SHARE
+        first = 0.0 if self.restarts else options.first_step
+        return method(
+            self._rates,
+            t,
+            x,
+            end,
+            rtol=max(share * options.rtol, LEAST_RTOL),
+            atol=share * options.atol,
+            max_step=options.max_step,
+            first_step=min(first, end - t) or None,
+        )
 
     def _watch(self, t: float) -> None:
         """Report progress; raise an error if the end is out of reach."""

@@ -89,43 +89,26 @@ class Inputs:
     def sharp_bends(self, least: float) -> ndarray:
         """Return the times at which the inputs bend sharply.
 
-        A bend that leaves the line before it by `least` of the largest value is sharp, too.
+        A bend that is larger than most, or leaves the line before it by `least` of the largest
+        value, is sharp.
         """
-        sharp, noticeable = self._bends(least)
-        bends = self.samples[0][1:-1][sharp | noticeable]
-        return np.unique(bends) if len(self.jumps) else bends
-
-    @property
-    def bends_sharply_only(self) -> bool:
-        """True if inputs are straight but for bends so sharp that integration restarts there."""
-        sharp, noticeable = self._bends(0.0)
-        return bool(np.all(sharp | ~noticeable))
-
-    def _bends(self, least: float) -> tuple[ndarray, ndarray]:
-        """Return for each inner sample if inputs bend more than elsewhere, and if it matters."""
         times, u = self.samples
-        slopes = self.slopes[:, :-1]
         if len(times) < 3:
-            never = np.zeros(max(len(times) - 2, 0), dtype=bool)
-            return never, never
+            return times[:0]
         # compare each change of slope with the usual one
+        slopes = self.slopes[:, :-1]
         bends = np.abs(np.diff(slopes))
         usual = np.median(bends, axis=1, keepdims=True)
-        steepest = np.max(np.abs(slopes), axis=1, keepdims=True)
-        rounding_error = 1e-12 * steepest
+        rounding_error = 1e-12 * np.max(np.abs(slopes), axis=1, keepdims=True)
         sharp = bends > SHARP * usual + rounding_error
         # compare the departure from the line before with the size of the input
         spans = np.diff(times)
-        shorter = np.minimum(spans[1:], spans[:-1])
-        departure = bends * shorter
-        size = np.max(np.abs(u), axis=1, keepdims=True)
-        allowed = (least + 1e-12) * size
-        noticeable = departure > allowed
-        sharp = np.any(sharp, axis=0)
-        noticeable = np.any(noticeable, axis=0)
+        departure = bends * np.minimum(spans[1:], spans[:-1])
+        sharp |= departure > (least + 1e-12) * np.max(np.abs(u), axis=1, keepdims=True)
+        is_sharp = np.any(sharp, axis=0)
         if len(self.jumps):
-            sharp |= np.isin(times[1:-1], self.jumps)
-        return sharp, noticeable
+            is_sharp |= np.isin(times[1:-1], self.jumps)
+        return np.unique(times[1:-1][is_sharp])
 
     def rises(self, k: int) -> ndarray | None:
         """Return the times at which an input rises above 1/2; None if it is constant."""
