@@ -53,6 +53,13 @@ def leaky(t, x, u, p):
     return [d - p["gamma"] * p["sigma"] * k for d, k in zip(rates, x, strict=True)]
 
 
+def leaky_with_error(t, x, u, p):
+    """A leak to 0 with the share nu |e| of gamma: e-modification."""
+    rates = gradient(t, x, u, p)
+    leak = p["gamma"] * p["nu"] * np.abs(u[1] - u[2])
+    return [d - leak * k for d, k in zip(rates, x, strict=True)]
+
+
 def stopped_by_if(t, x, u, p):
     """The gains stop at kmax, by branches."""
     a, b = gradient(t, x, u, p)

@@ -3,7 +3,7 @@
 import control
 import numpy as np
 import pytest
-from model_reference import V, gradient, leaky, loop
+from model_reference import V, gradient, leaky, leaky_with_error, loop
 from small_scenarios import paper_of
 from text_systems import signals, written
 
@@ -243,6 +243,43 @@ def test_no_run_of_the_leak_stays_above_its_level():
     values = (y - ym) ** 2 / 2 + 0.75 * ((kr - 4 / 3) ** 2 + (ky - 5 / 3) ** 2)
     assert values[0] > level
     assert values[len(t) // 2 :].max() <= level
+
+
+@pytest.mark.parametrize("nu", [0.1, 3.0])
+def test_a_leak_that_e_weighs_has_a_ceiling(nu):
+    """V' <= -|e| (am |e| + nu b |k - k*|^2/2 - c), c = nu b |k*|^2/2: the corners bound V."""
+    found = lyapunov(loop(leaky_with_error, nu=nu), V, points=POINTS)
+    status, conclusion, conditions = fields_of(found)
+    assert (status, conclusion) == ("proved", "bounded")
+    assert "zero inputs" not in conditions
+    b, am, gamma, ideal = 3.0, 4.0, 2.0, (4**2 + 5**2) / 9
+    c = nu * b * ideal / 2
+    level = max(c**2 / (2 * am**2), b * ideal / (2 * gamma))
+    assert level <= float(found.level) == pytest.approx(level, rel=1e-3)
+
+
+def test_where_e_weighs_a_leak_V_falls_above_the_ceiling():
+    plant, level = loop(leaky_with_error, nu=3.0), 13.2
+    random = np.random.default_rng(2)
+    points = random.normal(size=(4000, 5)) * 10 ** random.uniform(-1, 1, (4000, 1))
+    points[::2, 1] = points[::2, 0] + 0.3 * random.normal(size=2000)  # e is small
+    for *x, r in points:
+        y, ym, kr, ky = x
+        dy, dym, dkr, dky = plant.dynamics(0, x, [r])
+        e, off = y - ym, (kr - 4 / 3, ky - 5 / 3)
+        value = e**2 / 2 + 0.75 * (off[0] ** 2 + off[1] ** 2)
+        slope = e * (dy - dym) + 1.5 * (off[0] * dkr + off[1] * dky)
+        assert value < level or slope <= 1e-9 * (1 + value)
+
+
+def test_what_e_adds_to_the_gains_is_refuted():
+    plant = loop(leaky_with_error, nu=-0.1)
+    found = lyapunov(plant, V, points=POINTS)
+    assert found.status == "refuted"
+    (y, ym, kr, ky), (dy, dym, dkr, dky) = found.point.x, plant.dynamics(*found.point)
+    slope = (y - ym) * (dy - dym) + 1.5 * ((kr - 4 / 3) * dkr + (ky - 5 / 3) * dky)
+    assert slope == pytest.approx(found.value, rel=1e-6)
+    assert slope > 0
 
 
 # --- claims --------------------------------------------------------------------------------------

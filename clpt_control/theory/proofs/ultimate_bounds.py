@@ -12,11 +12,11 @@ is read off V', each f a product of words and roots.  The kind of f then bounds 
 
 - **f rises with |s|**, zero up to M and h from R on.  It is h but within R, where the difference
   is at most h w (R^2 + |s*| R): V' <= (V' with f = h) + that, whatever s* is.
-- **f = |e|**.  s^T (s - s*) >= (|s - s*|^2 - |s*|^2)/2, so with c = w |s*|^2/2 + |Delta|
+- **f = |e|**.  -a z^2 + b z <= -a z^2/2 + b^2/(2 a), z = s - s*, so c = sum b^2/(2 a) + |Delta| and
 
-      V' <= -|e| (k |e| + w |s - s*|^2/2 - c)
+      V' <= -|e| (k |e| + sum a z^2/2 - c)
 
-  V falls outside a convex set; V is convex in (|e|, |s - s*|^2), so at most that of its corners.
+  V falls outside a convex set; V is convex in |e| and all z^2, so at most that of its corners.
 - **f takes the outward part of s' away** beyond R: |s| <= R for good.  Where |s*| <= M as well,
   f > 0 only where s^T (s - s*) >= 0, so V' <= -e^T KD e + e^T Delta.
 
@@ -24,6 +24,7 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -283,16 +284,63 @@ def pulled_forms(case: Any) -> Fall | None:
         return None
     V, rate, rest, _ = found
     moving = {TIME, *case.motion, *case.intervals}
-    pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
-    if pull is None or pull.rate == 0 or pull.push == 0:
-        return None
     values = case.eq.values
-    numbers = pull.rate.xreplace(values), (pull.push / pull.rate).xreplace(values)
-    least = V.xreplace(rest).xreplace(values)
-    level = float(at_most(float(numbers[1]))) if numbers[1].is_number else numbers[1]
-    rate, push = bound_text(pull.rate, up=False), bound_text(pull.push)
-    claim = f"V' <= -{rate} V + {push}"
-    return bounded(claim, "pulled", level) if least == 0 else None
+    pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
+    if (
+        pull is None and case.eq.discrete
+    ):  # a step may lead from below a level to above it
+        return None
+    if pull is None:
+        fall = pulled_by_error(V, rate, rest, moving)
+    elif pull.rate == 0 or pull.push == 0:
+        return None
+    else:
+        slowest, push = bound_text(pull.rate, up=False), bound_text(pull.push)
+        claim = f"V' <= -{slowest} V + {push}"
+        fall = bounded(claim, "pulled", pull.push / pull.rate)
+    if fall is None or V.xreplace(rest).xreplace(values) != 0:
+        return None
+    level = fall.level.xreplace(values)
+    fall.level = float(at_most(float(level))) if level.is_number else level
+    return fall
+
+
+def pulled_by_error(
+    V: sympy.Expr,
+    rate: sympy.Expr,
+    rest: Mapping[Any, sympy.Expr],
+    moving: set,
+    push: Any = 0,
+) -> Fall | None:
+    """Return the bound of V where V' = -e^T K e - |e| (z^T A z - b^T z), K and A diagonal."""
+    states = [*rest]
+    H = sympy.hessian(V, states)
+    rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
+    sizes = [f for f in rate.atoms(sympy.Abs, sympy.Pow) if (f**2).is_polynomial()]
+    sizes = [f for f in sizes if not f.is_polynomial() and f.has(*states)]
+    if len(sizes) != 1 or not H.is_diagonal():
+        return None
+    (size,) = sizes
+    decay, leak = rate.as_independent(size, as_Add=True)
+    share = sympy.expand(leak / size)
+    K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
+    A = {s: -share.coeff(s, 2) for s in states if s not in K}
+    b = {s: share.coeff(s, 1) for s in A}
+    left = [size**2, decay, share]
+    left[0] -= sympy.Add(*(e**2 for e in K))
+    left[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
+    left[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
+    numbers = sympy.Tuple(*K.values(), *A.values(), *b.values(), *H)
+    if any(map(sympy.expand, left)) or _moves(numbers, {*rest, *moving}):
+        return None
+    if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
+        return None
+    c = push + sympy.Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
+    weights = dict(zip(states, H.diagonal(), strict=True))
+    corners = [weights[s] * c / a for s, a in A.items()]
+    heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
+    level = sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
+    return bounded("V' <= 0 where V >= level", "ceiling", level)
 
 
 class Bounding:
@@ -321,11 +369,11 @@ class Bounding:
         pull = self.pulled(self.case.rate) if self.case.has_decay() else None
         if pull is not None and (pull.rate != 0 or self.square):
             return self.pulled_to(pull)
-        return (
-            self.rising() or self.by_error() or self.within_balls()
-            if self.leaks
-            else None
-        )
+        if not self.leaks:
+            return None
+        moving = self.case.moving_symbols
+        by_error = partial(pulled_by_error, self.case.V, self.case.rate, self.truth)
+        return self.rising() or by_error(moving, self.push) or self.within_balls()
 
     def pulled(self, rate: sympy.Expr) -> Pull | None:
         """Bound V' by what pulls back and a constant, state by state."""
@@ -364,22 +412,6 @@ class Bounding:
             return None
         more = f"; where {listed(conditions)}, V' <= -e^T KD e without Delta"
         return self.pulled_to(Pull(pull.rate, pull.push + excess), more)
-
-    def by_error(self) -> Fall | None:
-        """Return the bound where the one factor is |e|."""
-        if len(self.leaks) != 1 or not self.all_leak:
-            return None
-        (leak,) = self.leaks
-        square = sympy.Add(*((s - self.truth[s]) ** 2 for s in self.errors))
-        if (
-            leak.factor.func is not sympy.Pow
-            or sympy.expand(leak.factor.base - square) != 0
-        ):
-            return None
-        c = leak.weight * self.size(leak) ** 2 / 2 + self.push
-        slowest = sympy.Max(*(self.weights[s] for s in leak.states))
-        level = sympy.Max(c**2 / (2 * self.k**2), slowest * c / leak.weight)
-        return bounded("V' <= 0 where V >= level", "ceiling", level)
 
     def within_balls(self) -> Fall | None:
         """Return the bound where what is learned stays within balls."""
