@@ -114,6 +114,7 @@ def test_what_is_no_matter_of_numbers(function, engine):
     assert isinstance(caught.value.__cause__, NO_NUMBERS[function])
 
 
+@pytest.mark.filterwarnings("ignore:.*hidden state")
 @ENGINES
 def test_a_step_that_is_tried_and_left(engine):
     """x' = -10 x^(3/2) from 1 is (1 + 5 t)^-2; a first step of 1 leads below 0."""
