@@ -241,7 +241,7 @@ OPERATION = Recipe(
     """,
     ("tests/engine/codegen/test_operations_in_c.py",),
 )
-SHELF = "    yield from [\n        *(\n            parts.saturation"
+FIRST = '    "backlash": ['
 PART = Recipe(
     "Add a block",
     (
@@ -286,10 +286,9 @@ PART = Recipe(
             (
                 (
                     "clpt_control/parts/__init__.pyi",
-                    "from .lags",
-                    "from .flip import flip\nfrom .lags",
+                    "from .lags import delay",
+                    "from .flip import flip as flip\nfrom .lags import delay",
                 ),
-                ("clpt_control/parts/__init__.pyi", '"hold",', '"flip",\n    "hold",'),
             ),
         ),
         Step(
@@ -298,15 +297,10 @@ PART = Recipe(
             (
                 (
                     "tests/support/package_blocks.py",
-                    SHELF,
-                    f"    yield parts.flip()\n{SHELF}",
+                    FIRST,
+                    f'    "flip": [((), {{}})],\n{FIRST}',
                 ),
             ),
-        ),
-        Step(
-            "reference",
-            "parts.flip",
-            (("docs/reference/parts.md", "lag\n", "flip\nlag\n"),),
         ),
     ),
     """

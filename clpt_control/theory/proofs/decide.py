@@ -349,8 +349,10 @@ def _by_pieces(group: Expr, variables: set, conditions: tuple[Expr, ...] = ()) -
 def _in_piece(expression: Expr, variables: set, conditions: tuple[Expr, ...]) -> bool:
     """Return whether an expression is not positive where conditions are not negative."""
     conditions = tuple(dict.fromkeys(_without_root(expand(c)) for c in conditions))
-    expression = _without_conditions(expression, conditions)
     if groups_never_positive(expression, variables) or _is_empty(conditions):
+        return True
+    expression = _without_conditions(expression, conditions)
+    if groups_never_positive(expression, variables):
         return True
     if any(map(pieces_of, functions_in(expression))):
         return _by_pieces(expression, variables, conditions)

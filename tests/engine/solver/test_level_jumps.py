@@ -249,5 +249,5 @@ def test_jumps_at_a_level_are_refused_elsewhere(sentence):
 def test_a_point_above_the_level_has_a_linear_model():
     linear = clpt.linearize(ball(), [1.0, 0.0])
     np.testing.assert_array_equal(linear.A, [[0.0, 1.0], [0.0, 0.0]])
-    with pytest.raises(clpt.BlockError, match=r"1 failure\n.*cannot be pickled"):
-        clpt.check(ball())  # its functions are not at the top of a module
+    (note,) = clpt.check(ball()).notes  # its functions are not at the top of a module
+    assert "cannot be pickled" in note
