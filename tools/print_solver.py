@@ -1,9 +1,9 @@
 """Print the solver as LLVM's text, which the package carries: `make solver`.
 
 Numba reads the solver and prints it for no processor in particular, not optimised: each machine
-makes its own code of it once, without Numba.  The hashes of the sources and of the text stand in
-the first line.  `make solver-check` prints it anew and compares: values are named in their order,
-so that the text is the same on every machine.
+makes its own code of it once, without Numba.  The hashes of the sources and of the text, and what
+printed it, stand in the first line.  `make solver-check` prints it anew and compares: values are
+named in their order, so that the text is the same on every machine.
 """
 
 import hashlib
@@ -12,12 +12,14 @@ import re
 import sys
 from importlib import import_module
 from pathlib import Path
+from sys import version_info
 from types import FunctionType, ModuleType
 from typing import Any
 
 os.environ |= {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": "", "NUMBA_OPT": "0"}
 
 import llvmlite.binding as llvm
+import numba
 import numpy as np
 from llvmlite import ir
 from numba import njit, typeof
@@ -216,7 +218,11 @@ def solver_text() -> str:
     text = re.sub(NEWER, "", re.sub(own, "", str(first), flags=re.M))
     text += "\n" + "\n".join(of_one_array(name, text) for name in arguments())
     text = renamed(text)
-    return f"; sha256 {digest()} {hashlib.sha256(text.encode()).hexdigest()}\n{text}"
+    printer = (
+        f"Python {version_info.major}.{version_info.minor}, numba {numba.__version__}"
+    )
+    hashes = f"{digest()} {hashlib.sha256(text.encode()).hexdigest()}"
+    return f"; sha256 {hashes}, {printer}\n{text}"
 
 
 def main(arguments: list[str]) -> None:

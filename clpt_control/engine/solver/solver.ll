@@ -1,4 +1,4 @@
-; sha256 e163a858dd1dc0f5dd11211f4f2ce3d9c8082fa19d78f9cd0109f1fdfe785807 8662074f6e039d5265dd94fd9a88a9612cef8c1d5dcaa0035386c76ef1801b3a
+; sha256 f620fa8512d7c115ea2444bfa6843ca4f28d81fb82317ced096283fba3c36c35 8662074f6e039d5265dd94fd9a88a9612cef8c1d5dcaa0035386c76ef1801b3a, Python 3.11, numba 0.68.1
 
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28 = internal constant [70 x i8] c"\80\04\95;\00\00\00\00\00\00\00\8C\08builtins\94\8C\0AIndexError\94\93\94\8C\18tuple index out of range\94\85\94N\87\94."
 @.const.pickledata.a832a7f8175c2530692ab82e581e246bf5646a28.sha1 = internal constant [20 x i8] c"\A82\A7\F8\17\\%0i*\B8.X\1E$k\F5dj("
