@@ -6,7 +6,8 @@ h_k are the functions of one state that stand in the rates: sin, tanh, odd power
 the coefficients, and so is the condition that V and -V' are diagonally dominant sums of squares: a
 linear program, of few terms that hold as many states as they can.  What it finds is rounded such
 that what cancels in V' cancels exactly.  Where it finds nothing that is proved, V is that of the
-linear part, A^T P + P A = -I.
+linear part, A^T P + P A = -I.  In discrete time V is of squares and products alone, V' stands for
+V(x+) - V(x), and the linear part has A^T P A - P = -I.
 
 Source: Ahmadi, A. A., Majumdar, A. (2019), DSOS and SDSOS optimization, SIAM Journal on Applied
 Algebra and Geometry 3(2), 193-230; Khalil, H. K. (2002), Nonlinear Systems, Theorem 4.6.
@@ -43,33 +44,34 @@ def candidates(case: SystemCandidate) -> Iterator[sympy.Expr]:
     First for any inputs, then for inputs of 0.
     """
     rest_state = case.rest or dict.fromkeys(case.states, sympy.S.Zero)
-    zero = dict.fromkeys(case.inputs, sympy.S.Zero)
+    zero, discrete = dict.fromkeys(case.inputs, sympy.S.Zero), case.eq.discrete
     rates: Rates = {}
     for s, rate in case.eq.motion.items():
         number = rate.xreplace(case.eq.values)
-        slope = number.xreplace(rest_state).xreplace(zero)
-        if slope.is_number and not vanishes(slope):
-            value = f"= {short(slope)}" if slope.is_finite else "has no value"
+        kept, mark = (rest_state[s], "+") if discrete else (sympy.S.Zero, "'")
+        value = number.xreplace(rest_state).xreplace(zero)
+        if value.is_number and not vanishes(value - kept):
+            text = f"= {short(value)}" if value.is_finite else "has no value"
             raise DiagramError(
-                f"{case.system.name}: {s}' {value} at the rest: give it (at=)"
+                f"{case.system.name}: {s}{mark} {text} at the rest: give it (at=)"
             )
-        rates[s] = sympy.expand(
-            number.xreplace({q: q + rest_state[q] for q in rest_state})
-        )
+        shifted = number.xreplace({q: q + rest_state[q] for q in rest_state})
+        rates[s] = sympy.expand(shifted - kept)
     if len(rates) > MOST:
         raise DiagramError(
             f"{case.system.name}: has {len(rates)} states; a V is searched for of at most {MOST}: "
             "give one"
         )
     still = {s: rate.xreplace(zero) for s, rate in rates.items()}
-    programs = [_of_program(rates), *[_of_program(still)] * bool(case.inputs)]
-    functions = chain(*programs, _of_linear_part(still))
+    tried = [rates, still] if case.inputs else [rates]
+    programs = [_of_program(each, discrete) for each in tried]
+    functions = chain(*programs, _of_linear_part(still, discrete))
     for V in dict.fromkeys(functions):
         yield V.xreplace({s: s - rest_state[s] for s in rest_state})
 
 
-def _of_linear_part(rates: Rates) -> Iterator[sympy.Expr]:
-    """Yield z^T P z with A^T P + P A = -I where A is Hurwitz."""
+def _of_linear_part(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
+    """Yield z^T P z with A^T P + P A = -I, or A^T P A - P = -I, of a stable linear part."""
     states = list(rates)
     zero = dict.fromkeys(states, sympy.S.Zero)
     A = sympy.Matrix(
@@ -78,30 +80,29 @@ def _of_linear_part(rates: Rates) -> Iterator[sympy.Expr]:
     A = A.xreplace(zero).applyfunc(decided)
     if not all(entry.is_Rational for entry in A):
         return
-    if np.linalg.eigvals(np.array(A, dtype=float)).real.max() < -1e-9:
+    modes = np.linalg.eigvals(np.array(A, dtype=float))
+    margin = 1.0 - np.abs(modes) if discrete else -modes.real
+    if margin.min() > 1e-9:
         n = len(states)
         indices = list(combinations_with_replacement(range(n), 2))
         unknowns = {index: sympy.Symbol("p_{}_{}".format(*index)) for index in indices}
         P = sympy.Matrix(n, n, lambda i, j: unknowns[min(i, j), max(i, j)])
-        (solution,) = sympy.linsolve(
-            list(A.T * P + P * A + sympy.eye(n)), *unknowns.values()
-        )
+        change = A.T * P * A - P if discrete else A.T * P + P * A
+        (solution,) = sympy.linsolve(list(change + sympy.eye(n)), *unknowns.values())
         shares = zip(indices, solution, strict=True)
         yield sympy.Add(
             *(p * states[i] * states[j] * (1 + (i < j)) for (i, j), p in shares)
         )
 
 
-def _terms(rates: Rates) -> dict[sympy.Expr, tuple]:
+def _terms(rates: Rates, discrete: bool) -> dict[sympy.Expr, tuple]:
     """Return what V may be made of: term -> its two states, or the one of an integral."""
     states = list(rates)
     terms: dict[sympy.Expr, tuple] = {
         a * b: (a, b) for a, b in combinations_with_replacement(states, 2)
     }
-    rates_tuple = sympy.Tuple(*rates.values())
-    for h in sorted(
-        rates_tuple.atoms(sympy.sin, *ODD) | rates_tuple.atoms(sympy.Pow), key=str
-    ):
+    functions = sympy.Tuple(*rates.values()).atoms(sympy.sin, *ODD, sympy.Pow)
+    for h in [] if discrete else sorted(functions, key=str):
         inner, power = (h.base, h.exp) if h.is_Pow else (h.args[0], sympy.S.One)
         for state in (state for state in states if inner.has(state)):
             odd = power.is_Integer and power > 0 and power % 2
@@ -131,15 +132,19 @@ def _roots(monomials: dict, gens: list) -> dict[Monomial, Monomial | None]:
     return roots
 
 
-def _of_program(rates: Rates) -> Iterator[sympy.Expr]:
+def _of_program(rates: Rates, discrete: bool) -> Iterator[sympy.Expr]:
     """Yield the V of few terms that holds as many states as it can.
 
     Unknown are the coefficients c of V and the cross terms q of -V', each the difference of two
     numbers that are not negative, and how far V holds each state: beside half of its cross terms,
     or else by a square alone.
     """
-    terms, states = _terms(rates), [*rates]
-    slopes = [sympy.expand(along(term, dict(rates))) for term in terms]
+    terms, states = _terms(rates, discrete), [*rates]
+    changes = [
+        term.xreplace(rates) - term if discrete else along(term, rates)
+        for term in terms
+    ]
+    slopes = [*map(sympy.expand, changes)]
     exponentials = {  # exp(1e8 x) is no power of exp(x)
         e: sympy.Dummy(str(e), positive=True)
         for e in sympy.Tuple(*slopes).atoms(sympy.exp)

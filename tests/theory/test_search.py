@@ -118,6 +118,77 @@ def test_a_stable_linear_system_always_has_one_and_no_other_does(seed):
     assert lyapunov(control.ss(A + 0.6 * np.eye(n), *none)).status == "open"
 
 
+# --- discrete time ------------------------------------------------------------------------------
+
+
+def in_steps(A):
+    """The linear system x+ = A x."""
+    n = len(A)
+    return control.ss(A, np.zeros((n, 0)), np.eye(n), np.zeros((n, 0)), dt=0.1)
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [0, 1, 2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(3, 12))],
+)
+def test_a_linear_system_of_discrete_time_has_one_within_the_unit_circle(seed):
+    random = np.random.default_rng(seed)
+    n = int(random.integers(2, 5))
+    A = random.standard_normal((n, n))
+    A = np.round(A * 0.9 / np.abs(np.linalg.eigvals(A)).max(), 2)
+    found = lyapunov(in_steps(A))
+    assert (found.status, found.conclusion) == ("proved", "asymptotically stable")
+    states = sorted(found.V.free_symbols, key=str)
+    P = np.array(sympy.hessian(found.V, states), dtype=float)
+    assert np.linalg.eigvalsh(P).min() > 0
+    assert np.linalg.eigvalsh(A.T @ P @ A - P).max() < 0
+    assert lyapunov(in_steps(A * 1.2)).status == "open"
+
+
+STEPS = {  # of one step: the matrix, the conclusion
+    "a shear within": ([[0.5, 1.0], [0.0, 0.5]], "asymptotically stable"),
+    "a turn": ([[0.0, 1.0], [-1.0, 0.0]], "stable"),
+    "growth on the circle": ([[1.0, 1.0], [0.0, 1.0]], ""),
+    "a mode of -1.01": ([[-1.01, 0.0], [0.0, 0.5]], ""),
+    "stable as rates alone": ([[-2.0, 0.0], [0.0, -0.5]], ""),
+}
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_a_step_is_no_rate(name):
+    A, conclusion = STEPS[name]
+    found = lyapunov(in_steps(A))
+    assert (found.status == "proved", found.conclusion) == (
+        bool(conclusion),
+        conclusion,
+    )
+
+
+def step_of(update, **more):
+    """A nonlinear system of discrete time of one state."""
+    names = {"states": ["x"], "outputs": ["x"], "dt": 0.1, "name": "steps"}
+    return control.nlsys(lambda t, x, u, p: [update(x[0], u)], **names, **more)
+
+
+def test_a_V_of_discrete_time_is_searched_for_about_the_rest():
+    """x+ = x/2 + 1 rests at 2: V falls by 3/4 of itself."""
+    plant = step_of(lambda x, u: x / 2 + 1, inputs=0)
+    found = lyapunov(plant, at={"x": 2.0})
+    assert (found.status, found.conclusion) == ("proved", "asymptotically stable")
+    assert sympy.expand(found.rate + 3 * found.V / 4) == 0
+    with pytest.raises(clpt.DiagramError, match=r"x\+ = 1 at the rest"):
+        lyapunov(plant)
+
+
+@pytest.mark.parametrize(("gain", "status"), [(0.5, "proved"), (2.5, "open")])
+def test_a_normalised_step_of_a_gain_has_a_V_for_each_regressor(gain, status):
+    """|1 - g r^2/(1 + r^2)| <= 1 for every r where g <= 2."""
+    normalised = lambda x, u: x - gain * u[0] ** 2 / (1 + u[0] ** 2) * x  # noqa: E731
+    found = lyapunov(step_of(normalised, inputs=["r"]))
+    zeroed = any(condition.name == "zero inputs" for condition in found.conditions)
+    assert (status, zeroed) == (found.status, False) or (status == "open" and zeroed)
+
+
 FOUND = {
     "x' = -(1 + t)*x": "asymptotically stable",
     "x' = -x*exp(-t)": "stable",  # x comes to x(0)/e
