@@ -23,11 +23,6 @@ SLOW = (  # a refuting point is searched for: some by `make test`, all by `make 
     "discrete: a turn that gains",
     "Rayleigh's friction",
 )
-FALSE = {  # what is said that is not true
-    "a leak that grows with e": "V' > 0 near the truth; V has a level, which is not found"
-}
-
-
 WITHOUT_INPUTS = ("stable", "square-integrable", "V does not increase")
 
 
@@ -35,8 +30,6 @@ def cases(table):
     """Names of loops with their marks."""
     for name in table:
         marks = [pytest.mark.slow] if name in SLOW else []
-        if name in FALSE:
-            marks.append(pytest.mark.xfail(strict=True, reason=FALSE[name]))
         yield pytest.param(name, marks=marks)
 
 

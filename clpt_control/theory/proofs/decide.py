@@ -429,13 +429,18 @@ def _margins(conditions: Iterable[tuple[Expr, bool]]) -> list[tuple[Expr, ...]]:
 
 def _without_conditions(e: Expr, conditions: tuple[Expr, ...]) -> Expr:
     """Return an expression without factors that make a condition, and without even powers."""
-    product = factored(e)
+    product = _without_even_powers(factored(e))
     for condition in map(factored, conditions):
         powers = product.as_powers_dict()
         factors = condition.as_powers_dict().items()
         excess = [powers[f] - n for f, n in factors if not f.is_number]
         if excess and all(n.is_nonnegative for n in excess):
             product /= condition
+    return _without_even_powers(product)
+
+
+def _without_even_powers(product: Expr) -> Expr:
+    """Return a product without the factors that are even powers."""
     factors = Mul.make_args(product)
     return Mul(*(f for f in factors if not f.as_base_exp()[1].is_even))
 

@@ -72,6 +72,7 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
     target, *known = map(_terms, polynomials)
     if not target or polynomials[0].total_degree() > MOST_DEGREE:
         return None
+    known = [*filter(None, known)]
     known += [_times(a, b) for a, b in combinations(known, 2)]
     blocks = _blocks(target, [{(0,) * len(symbols): Fraction(1)}, *known])
     for _ in range(3):
