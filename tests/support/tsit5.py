@@ -77,7 +77,7 @@ def dense(s):
 def formulas():
     """Return the formulas in the solver's order."""
     stages = [partial(stage, np.array(A[k]), TIMES[k]) for k in range(1, 7)]
-    return in_order(control, dense, stages, order=5)
+    return in_order(control, dense, stages, first_step_order=5)
 
 
 TSIT5 = Method("Tsit5", stages=7, order=5, formulas=formulas)

@@ -23,11 +23,11 @@ from ...base.errors import ArgumentError, DiagramError
 from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
-from ..model.declaration import ON_EDGE
 from ..model.ports import bare_labels, ports_of
 from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
+from ..solver.solver_layout import OUTSIDE
 from ..trace.arrays import Tape, Unread, operand
 from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
@@ -330,7 +330,7 @@ def _linearized(
             checked[f"the rate of {'.'.join(path)}"] = rate
         about.check(checked)
         for (name, _), level in about.record.levels.items():
-            if abs(about.numbers([level], [()], about.values, 1).item()) <= ON_EDGE:
+            if abs(about.numbers([level], [()], about.values, 1).item()) <= OUTSIDE:
                 raise DiagramError(
                     f"{system.name}: the states of {name} jump at this point. Linearize at a point "
                     "inside its guard"

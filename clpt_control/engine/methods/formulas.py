@@ -268,18 +268,21 @@ def in_order(
     dense: Formula,
     stages: list[Formula],
     *,
-    order: int = 8,
+    first_step_order: int = 8,
     attempt: Formula = attempt,
     accept: Formula = accept,
     stiffness: Formula = never_stiff,
 ) -> dict[str, Formula]:
-    """Return the formulas of a method in the solver's order; those it does not give are shared."""
+    """Return the formulas of a method in the solver's order; those it does not give are shared.
+
+    The first step is that of a method of `first_step_order`; Rodas5P has that of DOP853.
+    """
     named: dict[str, Formula] = {
         "attempt": attempt,
         "control": control,
         "sizes": trial_size,
         "trial": partial(stage, [0.0, 1.0], 1.0),
-        "first": partial(first_step, order),
+        "first": partial(first_step, first_step_order),
         "accept": accept,
         "dense": dense,
         "cubic": dense_cubic,

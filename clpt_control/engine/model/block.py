@@ -21,9 +21,9 @@ from numpy.typing import ArrayLike
 
 from ...base.arguments import brief, has, numbers, public
 from ...base.errors import ArgumentError, BlockError
+from ..solver.solver_layout import OUTSIDE
 from ..trace.tracing import RAISED
 from .declaration import (
-    ON_EDGE,
     POLICIES,
     Each,
     Equations,
@@ -429,7 +429,7 @@ class Block(ReadBlock):
             distance = float(self.values("guard", 1, t, x, u, p)[0])
         now = t, interval, distance
         start, first, above = self._call.start = self._call.start or now
-        if interval != first or (distance < -ON_EDGE and above >= -ON_EDGE):
+        if interval != first or (distance < -OUTSIDE and above >= -OUTSIDE):
             raise BlockError(
                 f"{self.name}: its states jump between t = {start:.9g} and t = {t:.9g}, and "
                 "python-control ignores the jumps. Run the diagram with "

@@ -25,9 +25,6 @@ MOST_JUMPS = 2 * 10**7  # breakpoints in a list
 Equations = Callable[[float, Any, Any, Any], Any]
 
 
-ON_EDGE = (
-    1e-9  # distance beyond the edge of a guard that is not outside, as for the solver
-)
 POLICIES = ("raise", "stop", "jump")
 
 

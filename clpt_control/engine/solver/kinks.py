@@ -2,10 +2,11 @@
 
 A kink (max, abs, a slope limiter) changes no rate where it is passed, so the estimate of the error
 sees it.  It is located as long as kinks are few.  In a large model they are many: then the run goes
-on with smaller tolerances and with kinks evaluated at every stage.  Jumps are located as before.
+on with smaller tolerances and with kinks evaluated at every stage.
 
 An operation counts as a kink if it was passed in some of the last events, and the rates were the
-same on both sides each time.
+same on both sides each time.  Other operations are located as before.  What was a kink and jumps
+later is left to the estimate of the error, at the smaller tolerances.
 """
 
 from typing import Any, NamedTuple

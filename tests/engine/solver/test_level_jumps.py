@@ -1,5 +1,7 @@
 """States that jump where a guard is left, against closed forms and SciPy's events."""
 
+from itertools import pairwise
+
 import control
 import numpy as np
 import pytest
@@ -86,6 +88,71 @@ def test_balls_bounce_each_by_itself():
     for name, (h, r) in starts.items():
         wanted = [bouncing(t, h, 0.0, r)[0] for t in T]
         np.testing.assert_allclose(run[f"{name}_h"].values.ravel(), wanted, atol=1e-8)
+
+
+def hopper(seed):
+    """A mass on a spring that hits the ground, with a kink, an input that bends, and a memory.
+
+    Return rates of (t, x, u), the jump, start, samples of the input.
+    """
+    random = np.random.default_rng(seed)
+    stiff, damp, rest, lift = random.uniform([4, 0.0, 0.05, 0.1], [16, 0.2, 0.3, 1.0])
+    pull, turn, r, kick = random.uniform([0.2, 1, 0.5, -0.5], [1.0, 4, 1.0, 0.5])
+
+    def rates(t, x, u, p):
+        spring = -stiff * (x[0] - rest) - damp * x[1]
+        memory = -x[2] + pull * x[0] + np.sin(turn * t)
+        return [x[1], spring + lift * np.abs(x[2]) + u[0], memory]
+
+    def jump(t, x, u, p):
+        return [0.0, -r * x[1], x[2] + kick]
+
+    start = [random.uniform(0.5, 1.5), random.uniform(-1, 1), random.uniform(-1, 1)]
+    return rates, jump, start, random.uniform(-2, 2, 7)
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [0, 1, 2, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(3, 30))],
+)
+def test_random_hoppers_are_those_of_scipys_events(seed):
+    rates, jump, start, samples = hopper(seed)
+    times = np.linspace(0.0, 6.0, 7)
+    block = clpt.Block(
+        "hopper",
+        update=rates,
+        inputs={"force": 1},
+        states={"x": 3},
+        jump=jump,
+        guard=clpt.Guard(lambda t, x, u, p: x[0], "jump"),
+    )
+    run = clpt.simulate(block, times, samples, start)
+
+    def landing(t, x, *force):
+        return x[0]
+
+    landing.terminal, landing.direction = True, -1.0
+    x, wanted, jumps = np.array(start), [start], 0
+    for k, (begin, end) in enumerate(pairwise(times)):
+        line = lambda t, k=k: [np.interp(t, times[k : k + 2], samples[k : k + 2])]  # noqa: E731
+        t = begin
+        while t < end:
+            part = scipy.integrate.solve_ivp(
+                lambda t, x, line=line: rates(t, x, line(t), None),
+                (t, end),
+                x,
+                "DOP853",
+                rtol=1e-12,
+                atol=1e-13,
+                max_step=0.01,
+                events=landing,
+            )
+            t, x = part.t[-1], part.y[:, -1]
+            if part.status == 1:
+                x, jumps = np.array(jump(t, x, None, None)), jumps + 1
+        wanted.append(x)
+    assert jumps > 0
+    np.testing.assert_allclose(run.states.values, wanted, atol=2e-7)
 
 
 def particle(name, other, gap, to_wall):

@@ -82,3 +82,74 @@ def test_few_kinks_of_a_large_model_are_located():
     run = clpt.simulate(system(springs, 80), np.linspace(0, 1.0, 5), None, start)
     assert run.attrs["method"] == "DOP853"
     assert run.states.values[-1, 0] == pytest.approx(np.cos(np.sqrt(1.5)), abs=1e-8)
+
+
+def test_what_was_a_kink_and_jumps_later_is_left_to_small_tolerances():
+    """One `where` chooses slopes of the cells, and a speed that falls from 3 to 1 at 0.5."""
+
+    def rates(t, x, u, p):
+        ahead = np.roll(x[:CELLS], -1) - x[:CELLS]
+        behind = np.roll(ahead, 1)
+        smaller = np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
+        product = np.concatenate([ahead * behind, [0.5 - x[CELLS]]])
+        chosen = np.where(
+            product > 0,
+            np.concatenate([smaller, [3.0]]),
+            np.concatenate([0.0 * smaller, [1.0]]),
+        )
+        slope = chosen[:CELLS]
+        flux = 0.5 * (x[:CELLS] + 0.5 * slope) ** 2
+        rate = -(flux - np.roll(flux, 1)) * CELLS
+        return np.concatenate([rate, [chosen[CELLS]]])
+
+    run = clpt.simulate(system(rates, CELLS + 1), TIMES, None, [*WAVE, 0.0])
+    assert "without locating kinks" in run.attrs["method"]
+    closed_form = np.minimum(3.0 * TIMES, 0.5 + (TIMES - 0.5 / 3.0))
+    assert np.abs(run.states.values[:, CELLS] - closed_form).max() < 1e-7
+
+
+def random_network(random):
+    """Return rates of 40 states: a stable matrix, and kinks of random sums of them."""
+    A = random.standard_normal((40, 40)) / 8.0 - 5.0 * np.eye(40)
+    B, C = random.standard_normal((2, 40, 40)) / 3.0
+    bias = random.standard_normal(40)
+    kinds = random.permutation(5)[:3]
+    drive = 3.0 + 4.0 * random.random(40)
+
+    def rates(t, x, u, p):
+        a, b = B @ x + bias, C @ x
+        bends = (
+            np.maximum(a, b),
+            np.abs(a),
+            np.clip(a, -0.5, 0.5),
+            np.where(a * b > 0, np.where(np.abs(a) < np.abs(b), a, b), 0.0),
+            np.minimum(np.abs(a), 0.3),
+        )
+        return A @ x + sum(bends[k] for k in kinds) + 4.0 * np.sin(drive * t)
+
+    return rates
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [0, 1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 20))],
+)
+def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
+    random = np.random.default_rng(seed)
+    rates = random_network(random)
+    start, times = random.standard_normal(40), np.linspace(0.0, 4.0, 9)
+    run = clpt.simulate(system(rates, 40), times, None, start)
+    exact = solve_ivp(
+        lambda t, x: rates(t, x, None, None),
+        (0, 4),
+        start,
+        "DOP853",
+        times,
+        rtol=1e-12,
+        atol=1e-13,
+        max_step=2e-3,
+    )
+    assert "without locating kinks" in run.attrs["method"]
+    size = np.abs(exact.y).max()
+    assert 0.1 < size < 100.0
+    assert np.abs(run.states.values - exact.y.T).max() < 1e-7 * size
