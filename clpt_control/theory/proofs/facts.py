@@ -345,8 +345,6 @@ def sector_of(call: Any, by_slope: bool = False) -> Sector | None:
         _, low, high = call.args
         if low.is_nonpositive and high.is_nonnegative:
             return Sector(s, 0, 1, bool(low.is_negative and high.is_positive))
-    if name in ("maximum", "minimum") and 0 in call.args:
-        return Sector(Add(*call.args), 0, 1)
     low, high = interval(call)
     return None if low == -inf else Sector(S.One, low, high)
 
@@ -369,8 +367,6 @@ def interval(e: Expr) -> Interval:
         bounds = Add(*lows), Add(*highs)
     elif e.is_Mul:
         bounds = _product_range(ends)
-    elif e.is_Pow and e.exp == 2:
-        bounds = _product_range([ends[0], ends[0]])
     elif e.is_Pow and e.exp.is_negative and _power_falls(e.exp, *ends[0]):
         return ends[0][1] ** e.exp, ends[0][0] ** e.exp
     return Max(low, bounds[0]), Min(high, bounds[1])
