@@ -35,17 +35,10 @@ from ..base.arguments import check_holds, numbers
 from ..base.errors import DiagramError
 from ..engine.diagram.symbol_names import TIME
 from ..engine.record.symbolic import ON_NUMBERS
+from .proofs.decided import decided
 from .proofs.exact import normal_form, vanishes
-from .proofs.facts import (
-    COMPARISONS,
-    along,
-    decided,
-    functions_in,
-    is_continuous,
-    is_smooth,
-    meets_smoothly,
-    pieces_of,
-)
+from .proofs.facts import COMPARISONS, functions_in, is_continuous, is_smooth, pieces_of
+from .proofs.slopes import along, meets_smoothly
 from .proofs.steps import short
 from .proofs.system_candidate import SystemCandidate
 

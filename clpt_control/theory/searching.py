@@ -25,8 +25,10 @@ import sympy
 
 from ..base.errors import DiagramError
 from ..engine.diagram.symbol_names import TIME
+from .proofs.decided import decided
 from .proofs.exact import vanishes
-from .proofs.facts import ODD, along, decided
+from .proofs.facts import ODD
+from .proofs.slopes import along
 from .proofs.steps import short
 from .proofs.system_candidate import SystemCandidate
 

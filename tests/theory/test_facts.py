@@ -6,17 +6,16 @@ import numpy as np
 import pytest
 import sympy
 
+from clpt_control.theory.proofs.decided import decided
 from clpt_control.theory.proofs.facts import (
     FACTS,
     NUMPY_OF,
-    along,
-    decided,
-    degree,
     fact_of,
     interval,
     pieces_of,
     sector_of,
 )
+from clpt_control.theory.proofs.slopes import along, degree
 
 S, A, B = sympy.symbols("s a b", real=True)
 # arguments of functions that take more than one, and numbers for them

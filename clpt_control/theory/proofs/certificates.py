@@ -22,8 +22,8 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from .certified import Case, NoCertificate, Term, written
 from .exact import vanishes
-from .facts import along
 from .proof import Proof
+from .slopes import along
 from .steps import short
 from .sums_of_squares import squares
 from .symbolic_loop import SymbolicLoop, symbolic_loop

@@ -18,13 +18,13 @@ from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
+from .decided import decided
 from .exact import HIGHEST, MOST_TERMS, factored, terms_of, vanishes
 from .facts import (
     COMPARISONS,
     LOGIC,
     WHERE,
     Sector,
-    decided,
     facts_of,
     functions_in,
     interval,

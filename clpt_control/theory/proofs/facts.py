@@ -5,21 +5,17 @@
 - **range**: the interval of its values, from those of its arguments;
 - **growth**: bounded, or at most as fast as (one of) its arguments;
 - **kind**: smooth, a kink, a step (constant except where it jumps), or a choice of branches.
-
-Where pieces meet with equal slopes, V' is that of each piece (`meets_smoothly`).  A V with a kink
-decreases too if it does in each piece and rates are continuous.  Where rates jump, a motion may
-slide along the kink, and V rise.
 """
 
 from collections.abc import Callable, Iterable
-from functools import lru_cache, reduce
+from functools import lru_cache
 from itertools import combinations
 from math import inf
 from operator import ge, gt, le, lt
 from typing import Any, Literal, NamedTuple
 
 import sympy
-from sympy import Add, Expr, Function, Max, Min, S, expand, oo
+from sympy import Add, Expr, Function, Max, Min, S, oo
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
@@ -40,8 +36,6 @@ LOGIC: dict[str, Callable[..., Any]] = {
     "or_": lambda a, b: a + b - a * b,
     "not_": lambda a: 1 - a,
 }
-CONNECTIVES = {"and_": sympy.And, "or_": sympy.Or, "not_": sympy.Not}
-MOST_ATOMS = 6  # comparisons in a condition that is simplified
 NUMPY_OF = {**ON_NUMBERS, "inside": lambda s, low, high: (low < s) & (s < high)}
 
 Interval = tuple[Any, Any]
@@ -215,89 +209,6 @@ def has_time(*expressions: Expr) -> bool:
     return bool(total.xreplace(slopes).xreplace(inputs).has(TIME))
 
 
-def decided(expression: Expr) -> Expr:
-    """Return an expression in which comparisons and choices of numbers are evaluated."""
-    return expression.replace(lambda e: isinstance(e, AppliedUndef), _outcome)
-
-
-def _outcome(call: Any) -> Any:
-    """Return the value of a comparison, a choice or a function of numbers, or the call."""
-    name, arguments = call.func.__name__, call.args
-    are_numbers = [a.is_number for a in arguments]
-    if name == "where" and are_numbers[0]:
-        condition, *branches = arguments
-        return branches[0] if condition != 0 else branches[1]
-    if name in COMPARISONS:
-        truth = COMPARISONS[name](*arguments)
-        if truth in (True, False):
-            return sympy.Integer(bool(truth))
-        return _without_size(call)
-    if name in LOGIC:
-        is_known = any(are_numbers) and all(map(_is_truth, arguments))
-        return LOGIC[name](*arguments) if is_known else _simplified(call)
-    number = fact_of(call).number
-    if number is not None and all(are_numbers):
-        return number(*arguments)
-    return call
-
-
-def _simplified(call: Any) -> Any:
-    """Return and_, or_ and not_ of comparisons with as few of them as can be."""
-    atoms: dict[tuple, sympy.Symbol] = {}
-
-    def proposition(e: Any) -> Any:
-        name, arguments = e.func.__name__, e.args
-        if name in CONNECTIVES:
-            return CONNECTIVES[name](*map(proposition, arguments))
-        if name in ("gt", "le"):  # a > b unless b >= a
-            arguments = arguments[::-1]
-        key = arguments if name in COMPARISONS else (e,)
-        atom = atoms.setdefault(key, sympy.Dummy())
-        return ~atom if name in ("lt", "gt") else atom
-
-    def word(e: Any) -> Any:
-        if e in (sympy.true, sympy.false):
-            return sympy.Integer(bool(e))
-        negated = e.func == sympy.Not
-        if e.func in (sympy.And, sympy.Or):
-            name = "and_" if e.func == sympy.And else "or_"
-            return reduce(Function(name, real=True), map(word, e.args))
-        key = keys[e.args[0] if negated else e]
-        name = ("lt" if negated else "ge") if len(key) == 2 else "not_"
-        return (
-            key[0]
-            if name == "not_" and not negated
-            else Function(name, real=True)(*key)
-        )
-
-    statement = proposition(call)
-    if len(atoms) > MOST_ATOMS:
-        return call
-    keys = {atom: key for key, atom in atoms.items()}
-    simplified = word(sympy.simplify_logic(statement, force=True))
-    return min(call, simplified, key=sympy.count_ops)
-
-
-def _without_size(call: Any) -> Any:
-    """Return a comparison of |s| with a number or a parameter as two of s."""
-    (size, c), name = call.args, call.func.__name__
-    is_small = name in ("lt", "le")
-    if isinstance(c, sympy.Abs):
-        size, c, is_small = c, size, not is_small
-        name = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
-    if not isinstance(size, sympy.Abs) or functions_in(c):
-        return call
-    other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
-    (s,), word = size.args, sympy.Function("and_" if is_small else "or_", real=True)
-    two = (sympy.Function(f, real=True) for f in (name, other))
-    return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
-
-
-def _is_truth(e: Expr) -> bool:
-    """Return whether an expression is 0, 1 or a truth value."""
-    return e in (0, 1) or e.func.__name__ in (*COMPARISONS, *LOGIC)
-
-
 def pieces_of(call: Any) -> list[Piece]:
     """Return the pieces of a function; none if no pieces are known."""
     pieces = fact_of(call).pieces
@@ -417,146 +328,3 @@ def facts_of(calls: Iterable[Any]) -> list[Expr]:
             is_flat = fact_of(u).sector == (0, 1)
             facts.append(rise * (run - rise) if is_flat else rise * run)
     return [fact for fact in facts if fact != 1]
-
-
-# --- slopes ---------------------------------------------------------------------------------
-
-
-def slope_of(call: Any, along: Callable[[Expr], Expr]) -> Expr | None:
-    """Return the derivative of a function with pieces, by those of its arguments; or None."""
-    name, arguments = call.func.__name__, call.args
-    rates = [along(a) for a in arguments]
-    if name == "clip" and rates[1:] == [0, 0]:
-        return INSIDE(*arguments) * rates[0]
-    if name == "Abs":
-        return SIGN(arguments[0]) * rates[0]
-    if name in ("where", "pick"):
-        return call.func(arguments[0], *rates[1:])
-    if name == "maximum":
-        return WHERE(GT(*arguments), *rates)
-    if name == "minimum":
-        return WHERE(GT(*arguments[::-1]), *rates)
-    return S.Zero if fact_of(call).kind == "step" else None
-
-
-def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
-    """Return the derivative of an expression along a motion: symbols -> their rates, or 0."""
-    rates = dict(rates)  # of subexpressions as well
-
-    def rate(e: Expr) -> Expr:
-        if e not in rates:
-            rates[e] = chain_rule(e)
-        return rates[e]
-
-    def chain_rule(e: Expr) -> Expr:
-        if e.is_Atom:
-            return S.Zero
-        if e.is_Add:
-            return Add(*map(rate, e.args))
-        if e.is_Mul:
-            moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
-            terms = []
-            for k in moving:
-                constant = sympy.Mul(*e.args[:k], *e.args[k + 1 :])
-                terms.append(rate(e.args[k]) * constant)
-            return Add(*terms)
-        if e.is_Pow and e.exp.is_Number:
-            return e.exp * e.base ** (e.exp - 1) * rate(e.base)
-        if (derivative := slope_of(e, rate)) is not None:
-            return derivative
-        is_of_sympy = isinstance(e, Function) and not isinstance(e, AppliedUndef)
-        if is_of_sympy and len(e.args) == 1:
-            return e.fdiff() * rate(e.args[0])
-        symbols = [s for s in e.free_symbols if rate(s) != 0]
-        return Add(*(sympy.diff(e, s) * rate(s) for s in symbols))
-
-    return rate(expression)
-
-
-def meets_smoothly(V: Expr) -> bool:
-    """Return whether V and its slopes agree where the pieces of its functions meet."""
-    powers = V.atoms(sympy.Pow)
-    if any(not p.exp.is_Integer and not p.base.is_positive for p in powers):
-        return False
-    return all(_call_meets_smoothly(V, call) for call in functions_in(V))
-
-
-def _call_meets_smoothly(V: Expr, call: Any) -> bool:
-    """Return whether V and its slopes agree where the pieces of one function meet."""
-    is_choice = call.func.__name__ in ("where", *LOGIC)
-    if is_choice or fact_of(call).kind == "smooth":
-        return True  # a choice is judged by the comparisons in it
-    pieces = pieces_of(call)
-    is_nested = bool(functions_in(Add(*call.args)))
-    if not pieces or is_nested:
-        return False
-    values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
-    for j, k in combinations(range(len(pieces)), 2):
-        opposite = [expand(-margin) for margin in pieces[k][0]]
-        borders = [margin for margin in pieces[j][0] if expand(margin) in opposite]
-        if not all(_agrees(values[j] - values[k], border) for border in borders):
-            return False
-    return True
-
-
-def _resolved(e: Expr, border: Expr) -> Expr:
-    """Return an expression without the functions that are of one piece where a border is zero."""
-    border = expand(border)
-    for s in sorted(border.free_symbols, key=str):
-        slope = sympy.diff(border, s)
-        if not slope.is_number or slope == 0:
-            continue
-        line = {s: expand(s - border / slope)}
-        for call in sorted(functions_in(e), key=str):
-            for margins, values in pieces_of(call):
-                if all(expand(m.xreplace(line)).is_positive for m in margins):
-                    return _resolved(decided(e.xreplace(values)), border)
-    return e
-
-
-def _agrees(difference: Expr, border: Expr) -> bool:
-    """Return whether a difference vanishes with its slopes where a border is zero."""
-    difference = _resolved(difference, border)
-    square = expand(expand(border) ** 2)
-    symbols = sorted(expand(border).free_symbols, key=str)
-    numerator, _ = sympy.fraction(sympy.together(difference))
-    try:
-        remainder = sympy.rem(expand(numerator), square, *symbols)
-    except sympy.PolynomialError:
-        return False
-    return bool(remainder == 0)
-
-
-# --- growth ---------------------------------------------------------------------------------
-
-
-def degree(expression: Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
-    """Return the power of the states with which an expression grows; inf if not known.
-
-    A state that V does not contain exists for all t if |s'| <= a (1 + |s|), a bounded on bounded
-    times (Gronwall's lemma); s' = 1 + s^2 escapes at t = pi/2.
-    """
-    if not any(map(is_state, expression.free_symbols)):
-        return 0.0
-    if expression.is_Symbol:
-        return 1.0
-    degrees = [degree(argument, is_state) for argument in expression.args]
-    if expression.is_Mul:
-        return sum(degrees)
-    if expression.is_Add:
-        return max(degrees)
-    if isinstance(expression, SUM):
-        return degrees[0]
-    if isinstance(expression, sympy.exp):
-        return 0.0 if expression.args[0].is_nonpositive else inf
-    if expression.is_Pow and expression.exp.is_number:
-        if expression.exp.is_positive:
-            return float(expression.exp) * degrees[0]
-        is_away_from_zero = interval(expression.base)[0].is_positive
-        return 0.0 if is_away_from_zero else inf
-    growth = fact_of(expression).growth
-    if growth == "as all":
-        return max(degrees)
-    if growth == "as branches":  # for any value of the first argument
-        return max(degrees[1:])
-    return 0.0 if growth == "bounded" else inf

@@ -19,8 +19,8 @@ import sympy
 from ...engine.diagram.interconnection import connect
 from ...paper.laws.law import Law
 from ...simulation.loops import ClosedLoop
+from .decided import decided
 from .exact import vanishes
-from .facts import decided
 from .same_as_running import running_step
 from .steps import Step, exact_step
 from .symbolic_loop import equated, symbolic_loop

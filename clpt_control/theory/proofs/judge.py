@@ -30,9 +30,10 @@ from ...engine.diagram.symbolic_equations import Equations
 from .certified import written
 from .conclusions import Condition, Judged, Status, concluded, go
 from .exact import normal_form, vanishes
-from .facts import is_continuous, meets_smoothly
+from .facts import is_continuous
 from .latex import theorem_and_proof
 from .limits import Motion
+from .slopes import meets_smoothly
 from .steps import Step, exact, first_failure, short
 from .sums_of_squares import Squares, contains_all, squares, zero_of
 from .symbolic_loop import Point

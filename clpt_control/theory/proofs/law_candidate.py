@@ -27,11 +27,12 @@ from .decide import never_positive
 from .default_candidate import WEIGHTS, LawV
 from .every_n import base_and_term, reindexed
 from .exact import as_factors, normal_form, vanishes
-from .facts import CLIP, SIGN, along, degree, has_time
+from .facts import CLIP, SIGN, has_time
 from .judge import Candidate, Fall, Refutation, Verdict
 from .limits import CLOCK
 from .point_search import PointSearch
 from .same_as_running import running_step, search_of
+from .slopes import along, degree
 from .steps import Step, checked, exact, short
 from .sums_of_squares import dead_zone, rising_in, squares
 from .symbolic_loop import (

@@ -25,7 +25,8 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from .conclusions import Condition, are
 from .exact import factored, normal_form, vanishes
-from .facts import along, degree, is_input
+from .facts import is_input
+from .slopes import along, degree
 from .steps import How, Step
 from .sums_of_squares import squares
 

@@ -21,8 +21,8 @@ from ...base.errors import DiagramError
 from ...base.progress.interrupt import check
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from .facts import along
 from .running_blocks import RunningBlocks
+from .slopes import along
 from .symbolic_loop import Numbers, Point
 
 SEARCHES = 20  # each from new random points

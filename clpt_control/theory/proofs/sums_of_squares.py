@@ -13,18 +13,11 @@ from sympy import Add, Dummy, Expr, Poly, S, Symbol, expand
 from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
+from .decided import decided
 from .exact import factored, normal_form, vanishes
-from .facts import (
-    CLIP,
-    WHERE,
-    along,
-    decided,
-    functions_in,
-    interval,
-    is_input,
-    sector_of,
-)
+from .facts import CLIP, WHERE, functions_in, interval, is_input, sector_of
 from .gram import sum_of_squares
+from .slopes import along
 
 
 class Squares(NamedTuple):

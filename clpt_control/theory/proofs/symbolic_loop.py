@@ -31,8 +31,9 @@ from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
 from .every_n import EveryN
 from .exact import nonzero_residual
-from .facts import NUMPY_OF, along, is_input
+from .facts import NUMPY_OF, is_input
 from .paper_symbols import PaperNames, parameter_symbol, undefined
+from .slopes import along
 
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 

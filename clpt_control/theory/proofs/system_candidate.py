@@ -27,11 +27,13 @@ from ...engine.record.symbolic import Symbols, rational
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
 from .decide import in_one_piece, never_positive, without_choices, without_fading
+from .decided import decided
 from .exact import factored, normal_form, vanishes, whole_coefficients
-from .facts import along, decided, has_time, is_continuous, meets_smoothly
+from .facts import has_time, is_continuous
 from .judge import Candidate, Fall, Refutation, Verdict, judge
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
+from .slopes import along, meets_smoothly
 from .steps import Step, checked, exact, short
 from .sums_of_squares import lost_forms, squares
 from .symbolic_loop import NO_VALUE, no_value, refuse_levels, refuse_names

@@ -1,0 +1,99 @@
+"""Comparisons, choices and functions of numbers in expressions, evaluated or made shorter.
+
+gt(2, 1)  ->  1        where(1, a, b)  ->  a        lt(|s|, c)  ->  and_(lt(s, c), gt(s, -c))
+"""
+
+from functools import reduce
+from typing import Any
+
+import sympy
+from sympy import Expr, Function
+from sympy.core.function import AppliedUndef
+
+from .facts import COMPARISONS, LOGIC, fact_of, functions_in
+
+CONNECTIVES = {"and_": sympy.And, "or_": sympy.Or, "not_": sympy.Not}
+MOST_ATOMS = 6  # comparisons in a condition that is simplified
+
+
+def decided(expression: Expr) -> Expr:
+    """Return an expression in which comparisons and choices of numbers are evaluated."""
+    return expression.replace(lambda e: isinstance(e, AppliedUndef), _outcome)
+
+
+def _outcome(call: Any) -> Any:
+    """Return the value of a comparison, a choice or a function of numbers, or the call."""
+    name, arguments = call.func.__name__, call.args
+    are_numbers = [a.is_number for a in arguments]
+    if name == "where" and are_numbers[0]:
+        condition, *branches = arguments
+        return branches[0] if condition != 0 else branches[1]
+    if name in COMPARISONS:
+        truth = COMPARISONS[name](*arguments)
+        if truth in (True, False):
+            return sympy.Integer(bool(truth))
+        return _without_size(call)
+    if name in LOGIC:
+        is_known = any(are_numbers) and all(map(_is_truth, arguments))
+        return LOGIC[name](*arguments) if is_known else _simplified(call)
+    number = fact_of(call).number
+    if number is not None and all(are_numbers):
+        return number(*arguments)
+    return call
+
+
+def _simplified(call: Any) -> Any:
+    """Return and_, or_ and not_ of comparisons with as few of them as can be."""
+    atoms: dict[tuple, sympy.Symbol] = {}
+
+    def proposition(e: Any) -> Any:
+        name, arguments = e.func.__name__, e.args
+        if name in CONNECTIVES:
+            return CONNECTIVES[name](*map(proposition, arguments))
+        if name in ("gt", "le"):  # a > b unless b >= a
+            arguments = arguments[::-1]
+        key = arguments if name in COMPARISONS else (e,)
+        atom = atoms.setdefault(key, sympy.Dummy())
+        return ~atom if name in ("lt", "gt") else atom
+
+    def word(e: Any) -> Any:
+        if e in (sympy.true, sympy.false):
+            return sympy.Integer(bool(e))
+        negated = e.func == sympy.Not
+        if e.func in (sympy.And, sympy.Or):
+            name = "and_" if e.func == sympy.And else "or_"
+            return reduce(Function(name, real=True), map(word, e.args))
+        key = keys[e.args[0] if negated else e]
+        name = ("lt" if negated else "ge") if len(key) == 2 else "not_"
+        return (
+            key[0]
+            if name == "not_" and not negated
+            else Function(name, real=True)(*key)
+        )
+
+    statement = proposition(call)
+    if len(atoms) > MOST_ATOMS:
+        return call
+    keys = {atom: key for key, atom in atoms.items()}
+    simplified = word(sympy.simplify_logic(statement, force=True))
+    return min(call, simplified, key=sympy.count_ops)
+
+
+def _without_size(call: Any) -> Any:
+    """Return a comparison of |s| with a number or a parameter as two of s."""
+    (size, c), name = call.args, call.func.__name__
+    is_small = name in ("lt", "le")
+    if isinstance(c, sympy.Abs):
+        size, c, is_small = c, size, not is_small
+        name = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+    if not isinstance(size, sympy.Abs) or functions_in(c):
+        return call
+    other = {"lt": "gt", "gt": "lt", "le": "ge", "ge": "le"}[name]
+    (s,), word = size.args, sympy.Function("and_" if is_small else "or_", real=True)
+    two = (sympy.Function(f, real=True) for f in (name, other))
+    return word(*(f(s, end) for f, end in zip(two, (c, -c), strict=True)))
+
+
+def _is_truth(e: Expr) -> bool:
+    """Return whether an expression is 0, 1 or a truth value."""
+    return e in (0, 1) or e.func.__name__ in (*COMPARISONS, *LOGIC)

@@ -1,0 +1,166 @@
+"""Derivatives of expressions along a motion, where pieces meet, and growth with the states.
+
+Where pieces meet with equal slopes, V' is that of each piece (`meets_smoothly`).  A V with a kink
+decreases too if it does in each piece and rates are continuous.  Where rates jump, a motion may
+slide along the kink, and V rise.
+"""
+
+from collections.abc import Callable
+from itertools import combinations
+from math import inf
+from typing import Any
+
+import sympy
+from sympy import Add, Expr, Function, S, expand
+from sympy.core.function import AppliedUndef
+
+from .decided import decided
+from .every_n import SUM
+from .facts import (
+    GT,
+    INSIDE,
+    LOGIC,
+    SIGN,
+    WHERE,
+    fact_of,
+    functions_in,
+    interval,
+    pieces_of,
+)
+
+
+def slope_of(call: Any, along: Callable[[Expr], Expr]) -> Expr | None:
+    """Return the derivative of a function with pieces, by those of its arguments; or None."""
+    name, arguments = call.func.__name__, call.args
+    rates = [along(a) for a in arguments]
+    if name == "clip" and rates[1:] == [0, 0]:
+        return INSIDE(*arguments) * rates[0]
+    if name == "Abs":
+        return SIGN(arguments[0]) * rates[0]
+    if name in ("where", "pick"):
+        return call.func(arguments[0], *rates[1:])
+    if name == "maximum":
+        return WHERE(GT(*arguments), *rates)
+    if name == "minimum":
+        return WHERE(GT(*arguments[::-1]), *rates)
+    return S.Zero if fact_of(call).kind == "step" else None
+
+
+def along(expression: Expr, rates: dict[Any, Expr]) -> Expr:
+    """Return the derivative of an expression along a motion: symbols -> their rates, or 0."""
+    rates = dict(rates)  # of subexpressions as well
+
+    def rate(e: Expr) -> Expr:
+        if e not in rates:
+            rates[e] = chain_rule(e)
+        return rates[e]
+
+    def chain_rule(e: Expr) -> Expr:
+        if e.is_Atom:
+            return S.Zero
+        if e.is_Add:
+            return Add(*map(rate, e.args))
+        if e.is_Mul:
+            moving = [k for k, a in enumerate(e.args) if rate(a) != 0]
+            terms = []
+            for k in moving:
+                constant = sympy.Mul(*e.args[:k], *e.args[k + 1 :])
+                terms.append(rate(e.args[k]) * constant)
+            return Add(*terms)
+        if e.is_Pow and e.exp.is_Number:
+            return e.exp * e.base ** (e.exp - 1) * rate(e.base)
+        if (derivative := slope_of(e, rate)) is not None:
+            return derivative
+        is_of_sympy = isinstance(e, Function) and not isinstance(e, AppliedUndef)
+        if is_of_sympy and len(e.args) == 1:
+            return e.fdiff() * rate(e.args[0])
+        symbols = [s for s in e.free_symbols if rate(s) != 0]
+        return Add(*(sympy.diff(e, s) * rate(s) for s in symbols))
+
+    return rate(expression)
+
+
+def meets_smoothly(V: Expr) -> bool:
+    """Return whether V and its slopes agree where the pieces of its functions meet."""
+    powers = V.atoms(sympy.Pow)
+    if any(not p.exp.is_Integer and not p.base.is_positive for p in powers):
+        return False
+    return all(_call_meets_smoothly(V, call) for call in functions_in(V))
+
+
+def _call_meets_smoothly(V: Expr, call: Any) -> bool:
+    """Return whether V and its slopes agree where the pieces of one function meet."""
+    is_choice = call.func.__name__ in ("where", *LOGIC)
+    if is_choice or fact_of(call).kind == "smooth":
+        return True  # a choice is judged by the comparisons in it
+    pieces = pieces_of(call)
+    is_nested = bool(functions_in(Add(*call.args)))
+    if not pieces or is_nested:
+        return False
+    values = [decided(V.xreplace(replaced)) for _, replaced in pieces]
+    for j, k in combinations(range(len(pieces)), 2):
+        opposite = [expand(-margin) for margin in pieces[k][0]]
+        borders = [margin for margin in pieces[j][0] if expand(margin) in opposite]
+        if not all(_agrees(values[j] - values[k], border) for border in borders):
+            return False
+    return True
+
+
+def _resolved(e: Expr, border: Expr) -> Expr:
+    """Return an expression without the functions that are of one piece where a border is zero."""
+    border = expand(border)
+    for s in sorted(border.free_symbols, key=str):
+        slope = sympy.diff(border, s)
+        if not slope.is_number or slope == 0:
+            continue
+        line = {s: expand(s - border / slope)}
+        for call in sorted(functions_in(e), key=str):
+            for margins, values in pieces_of(call):
+                if all(expand(m.xreplace(line)).is_positive for m in margins):
+                    return _resolved(decided(e.xreplace(values)), border)
+    return e
+
+
+def _agrees(difference: Expr, border: Expr) -> bool:
+    """Return whether a difference vanishes with its slopes where a border is zero."""
+    difference = _resolved(difference, border)
+    square = expand(expand(border) ** 2)
+    symbols = sorted(expand(border).free_symbols, key=str)
+    numerator, _ = sympy.fraction(sympy.together(difference))
+    try:
+        remainder = sympy.rem(expand(numerator), square, *symbols)
+    except sympy.PolynomialError:
+        return False
+    return bool(remainder == 0)
+
+
+def degree(expression: Expr, is_state: Callable[[sympy.Symbol], bool]) -> float:
+    """Return the power of the states with which an expression grows; inf if not known.
+
+    A state that V does not contain exists for all t if |s'| <= a (1 + |s|), a bounded on bounded
+    times (Gronwall's lemma); s' = 1 + s^2 escapes at t = pi/2.
+    """
+    if not any(map(is_state, expression.free_symbols)):
+        return 0.0
+    if expression.is_Symbol:
+        return 1.0
+    degrees = [degree(argument, is_state) for argument in expression.args]
+    if expression.is_Mul:
+        return sum(degrees)
+    if expression.is_Add:
+        return max(degrees)
+    if isinstance(expression, SUM):
+        return degrees[0]
+    if isinstance(expression, sympy.exp):
+        return 0.0 if expression.args[0].is_nonpositive else inf
+    if expression.is_Pow and expression.exp.is_number:
+        if expression.exp.is_positive:
+            return float(expression.exp) * degrees[0]
+        is_away_from_zero = interval(expression.base)[0].is_positive
+        return 0.0 if is_away_from_zero else inf
+    growth = fact_of(expression).growth
+    if growth == "as all":
+        return max(degrees)
+    if growth == "as branches":  # for any value of the first argument
+        return max(degrees[1:])
+    return 0.0 if growth == "bounded" else inf
