@@ -300,8 +300,7 @@ def _power_falls(exponent: Expr, low: Any, high: Any) -> bool:
 
 def is_positive_maximum(e: Expr) -> bool:
     """Return whether an expression is maximum(a, b) with a > 0 or b > 0."""
-    is_maximum = isinstance(e, AppliedUndef) and str(e.func) == "maximum"
-    return is_maximum and any(bool(a.is_positive) for a in e.args)
+    return e.func == MAXIMUM and any(bool(a.is_positive) for a in e.args)
 
 
 def facts_of(calls: Iterable[Any]) -> list[Expr]:

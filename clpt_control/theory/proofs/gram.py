@@ -15,11 +15,14 @@ coefficients, Theoretical Computer Science 409(2), 269-281.
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement, product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import sympy
-from sympy import Expr, Poly
+from sympy import QQ, Expr
+from sympy.polys.matrices import DomainMatrix
+from sympy.polys.polyerrors import CoercionFailed
+from sympy.polys.rings import PolyElement, PolyRing
 
 MOST_MONOMIALS = 40  # of a matrix
 MOST_SYMBOLS = 8
@@ -29,22 +32,19 @@ CLOSE = 1e-7  # of the coefficients: the equations hold in floating point
 MARGIN = 1e-3  # the least eigenvalue that is looked for
 SINGULAR = 1e-4  # of the largest eigenvalue
 DENOMINATOR = 10**5
-Terms = dict[tuple[int, ...], Fraction]  # exponents -> coefficient
 
 
 class Block(NamedTuple):
     """A condition g >= 0, and polynomials m of which g m^T G m is made."""
 
-    condition: Terms
-    basis: list[Terms]
+    condition: PolyElement
+    basis: list[PolyElement]
 
-    def products(self) -> list[Terms]:
+    def products(self) -> list[PolyElement]:
         """Return g m_i m_j, i <= j, twice where they differ."""
-        pairs = combinations_with_replacement(range(len(self.basis)), 2)
-        factor = {True: Fraction(1), False: Fraction(2)}
         return [
-            _times(_times(self.basis[i], self.basis[j], factor[i == j]), self.condition)
-            for i, j in pairs
+            self.condition * a * b * (1 if a == b else 2)
+            for a, b in combinations_with_replacement(self.basis, 2)
         ]
 
 
@@ -60,21 +60,20 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
 
     Conditions are polynomials that are not negative; each g is one, a product of two, or 1.
     """
-    symbols = sorted(sympy.Tuple(p, *conditions).free_symbols, key=str)
-    expressions = [sympy.expand(e) for e in (p, *conditions)]
-    if not 0 < len(symbols) <= MOST_SYMBOLS:
+    expressions = sympy.Tuple(p, *conditions)
+    symbols = sorted(expressions.free_symbols, key=str)
+    if not 0 < len(symbols) <= MOST_SYMBOLS or expressions.has(sympy.Float):
         return None
-    if not all(e.is_polynomial(*symbols) for e in expressions):
+    ring = PolyRing(symbols, QQ)
+    try:
+        target, *given = (ring.from_expr(sympy.expand(e)) for e in expressions)
+    except (ValueError, CoercionFailed):  # no polynomial with rational numbers
         return None
-    polynomials = [Poly(e, *symbols) for e in expressions]
-    if not all(q.domain.is_ZZ or q.domain.is_QQ for q in polynomials):
+    if not target or max(map(sum, target)) > MOST_DEGREE:
         return None
-    target, *known = map(_terms, polynomials)
-    if not target or polynomials[0].total_degree() > MOST_DEGREE:
-        return None
-    known = [*filter(None, known)]
-    known += [_times(a, b) for a, b in combinations(known, 2)]
-    blocks = _blocks(target, [{(0,) * len(symbols): Fraction(1)}, *known])
+    known = [g for g in given if g]
+    known += [a * b for a, b in combinations(known, 2)]
+    blocks = _blocks(target, [ring.one, *known])
     for _ in range(3):
         if any(len(block.basis) > MOST_MONOMIALS for block in blocks):
             return None
@@ -84,13 +83,12 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
         squares = _exact(target, blocks, matrices)
         if squares is not None:
             terms = [
-                (sympy.Rational(weight.numerator, weight.denominator), *pair)
-                for weight, *two in squares
-                for pair in [tuple(_expr(q, symbols) for q in two)]
+                (QQ.to_sympy(weight), condition.as_expr(), form.as_expr())
+                for weight, condition, form in squares
             ]
             basis = blocks[0].basis
             is_definite = sum(g == sympy.S.One for _, g, _ in terms) == len(basis)
-            forms = [_expr(m, symbols) for m in basis] if is_definite else []
+            forms = [m.as_expr() for m in basis] if is_definite else []
             return Sum(terms, [form.as_base_exp()[0] for form in forms])
         blocks = _regular(blocks, matrices)
     return None
@@ -99,31 +97,7 @@ def sum_of_squares(p: Expr, conditions: Sequence[Expr] = ()) -> Sum | None:
 # --- polynomials ----------------------------------------------------------------------------
 
 
-def _terms(polynomial: Poly) -> Terms:
-    return {
-        powers: Fraction(int(c.p), int(c.q)) for powers, c in polynomial.terms() if c
-    }
-
-
-def _times(a: Terms, b: Terms, factor: Fraction = Fraction(1)) -> Terms:
-    total: Terms = {}
-    for (m, c), (n, d) in product(a.items(), b.items()):
-        powers = tuple(map(int.__add__, m, n))
-        total[powers] = total.get(powers, Fraction(0)) + factor * c * d
-    return total
-
-
-def _expr(terms: Terms, symbols: list) -> Expr:
-    return sympy.Add(
-        *(
-            sympy.Rational(c.numerator, c.denominator)
-            * sympy.Mul(*(s**n for s, n in zip(symbols, powers, strict=True)))
-            for powers, c in terms.items()
-        )
-    )
-
-
-def _blocks(target: Terms, conditions: list[Terms]) -> list[Block]:
+def _blocks(target: PolyElement, conditions: list[PolyElement]) -> list[Block]:
     """Return for each condition the monomials that may stand in its squares."""
     powers = np.array([*target])
     most, total = powers.max(axis=0), powers.sum(axis=1)
@@ -139,37 +113,36 @@ def _blocks(target: Terms, conditions: list[Terms]) -> list[Block]:
             if 2 * sum(m) <= total.max() - min(map(sum, condition))
             and (len(conditions) > 1 or 2 * sum(m) >= total.min())
         ]
-        blocks.append(Block(condition, [{m: Fraction(1)} for m in monomials]))
+        basis = [target.ring.from_dict({m: QQ(1)}) for m in monomials]
+        blocks.append(Block(condition, basis))
     return _pruned(target, blocks)
 
 
-def _pruned(target: Terms, blocks: list[Block]) -> list[Block]:
+def _pruned(target: PolyElement, blocks: list[Block]) -> list[Block]:
     """Drop monomials of the first block whose square nothing else can make or take away."""
     first, *others = blocks
     reached = {m for block in others for p in block.products() for m in p} | {*target}
-    basis = [next(iter(m)) for m in first.basis]
-    while True:
-        sums = [tuple(map(int.__add__, a, b)) for a, b in combinations(basis, 2)]
-        fixed = reached | {*sums}
-        kept = [m for m in basis if tuple(2 * n for n in m) in fixed]
-        if len(kept) == len(basis):
-            return [first._replace(basis=[{m: Fraction(1)} for m in kept]), *others]
-        basis = kept
+    basis, before = first.basis, None
+    while basis != before:
+        before = basis
+        fixed = reached.union(*(a * b for a, b in combinations(basis, 2)))
+        basis = [m for m in basis if {*m**2} <= fixed]
+    return [first._replace(basis=basis), *others]
 
 
 # --- floating point -------------------------------------------------------------------------
 
 
-def _meeting(target: Terms, blocks: list[Block]) -> list[np.ndarray] | None:
+def _meeting(target: PolyElement, blocks: list[Block]) -> list[np.ndarray] | None:
     """Return matrices near both the equations of the coefficients and the positive ones."""
     products = [p for block in blocks for p in block.products()]
     rows = {m: k for k, m in enumerate({m for p in products for m in p} | {*target})}
     A, b = np.zeros((len(rows), len(products))), np.zeros(len(rows))
     for column, p in enumerate(products):
         for m, c in p.items():
-            A[rows[m], column] = c
+            A[rows[m], column] = float(c)
     for m, c in target.items():
-        b[rows[m]] = c
+        b[rows[m]] = float(c)
     scale = np.abs(b).max()
     sizes = [len(block.basis) for block in blocks]
     off = np.concatenate([_off_diagonal(n) for n in sizes])
@@ -242,7 +215,7 @@ def _regular(blocks: list[Block], matrices: list[np.ndarray]) -> list[Block]:
     return smaller
 
 
-def _echelon(rows: np.ndarray) -> list[list[Fraction]]:
+def _echelon(rows: np.ndarray) -> list[list[Any]]:
     """Return rows that span the same space, reduced and rounded to plain numbers."""
     rows, pivot = rows.copy(), 0
     for column in range(rows.shape[1] if len(rows) else 0):
@@ -257,42 +230,39 @@ def _echelon(rows: np.ndarray) -> list[list[Fraction]]:
             if j != pivot:
                 rows[j] -= rows[j, column] * rows[pivot]
         pivot += 1
-    return [[Fraction(float(v)).limit_denominator(1000) for v in row] for row in rows]
+    return [[_rounded(v, 1000) for v in row] for row in rows]
 
 
-def _combined(row: list[Fraction], basis: list[Terms]) -> Terms:
-    total: Terms = {}
-    for share, terms in zip(row, basis, strict=True):
-        for m, c in terms.items():
-            total[m] = total.get(m, Fraction(0)) + share * c
-    return {m: c for m, c in total.items() if c}
+def _rounded(number: float, denominator: int) -> Any:
+    """Return a rational number near a float."""
+    fraction = Fraction(float(number)).limit_denominator(denominator)
+    return QQ(fraction.numerator, fraction.denominator)
+
+
+def _combined(row: list[Any], basis: list[PolyElement]) -> PolyElement:
+    return sum(share * m for share, m in zip(row, basis, strict=True))
 
 
 # --- exact ----------------------------------------------------------------------------------
 
 
 def _exact(
-    target: Terms, blocks: list[Block], matrices: list[np.ndarray]
-) -> list[tuple[Fraction, Terms, Terms]] | None:
+    target: PolyElement, blocks: list[Block], matrices: list[np.ndarray]
+) -> list[tuple[Any, PolyElement, PolyElement]] | None:
     """Round matrices to rational ones that meet the equations; None if one is not positive."""
     products = [p for block in blocks for p in block.products()]
     numbers = np.concatenate([G[np.triu_indices(len(G))] for G in matrices])
-    y = [Fraction(float(v)).limit_denominator(DENOMINATOR) for v in numbers]
-    left = dict(target)
-    for share, p in zip(y, products, strict=True):
-        for m, c in p.items():
-            left[m] = left.get(m, Fraction(0)) - share * c
-    change = _solved(products, left)
+    y = [_rounded(number, DENOMINATOR) for number in numbers]
+    change = _solved(products, target - _combined(y, products))
     if change is None:
         return None
-    y = [a + b for a, b in zip(y, change, strict=True)]
-    squares, start = [], 0
+    corrected = (a + b for a, b in zip(y, change, strict=True))
+    squares = []
     for block in blocks:
         n = len(block.basis)
-        count = n * (n + 1) // 2
-        pairs = combinations_with_replacement(range(n), 2)
-        G = dict(zip(pairs, y[start : start + count], strict=True))
-        start += count
+        G = {
+            pair: next(corrected) for pair in combinations_with_replacement(range(n), 2)
+        }
         rows = _factors(G, n)
         if rows is None:
             return None
@@ -303,39 +273,24 @@ def _exact(
     return squares
 
 
-def _solved(products: list[Terms], left: Terms) -> list[Fraction] | None:
-    """Return small changes of the matrices that make up for what is left of each coefficient."""
-    change = [Fraction(0)] * len(products)
-    rows: dict[tuple, dict[int, Fraction]] = {m: {} for m in left}
-    for column, p in enumerate(products):
+def _solved(products: list[PolyElement], left: PolyElement) -> list[Any] | None:
+    """Return changes of the matrices that make up for what is left of each coefficient."""
+    rows = {m: k for k, m in enumerate({*left}.union(*products))}
+    entries: dict[int, dict[int, Any]] = {}
+    for column, p in enumerate([*products, left]):
         for m, c in p.items():
-            rows.setdefault(m, {})[column] = c
-    equations = [(row, left.get(m, Fraction(0))) for m, row in rows.items()]
-    solved: list[tuple[int, dict[int, Fraction], Fraction]] = []
-    for row, value in equations:
-        row = dict(row)
-        for pivot, known, known_value in solved:
-            share = row.pop(pivot, Fraction(0))
-            if share:
-                for column, c in known.items():
-                    row[column] = row.get(column, Fraction(0)) - share * c
-                value -= share * known_value
-        row = {column: c for column, c in row.items() if c}
-        if not row:
-            if value:
-                return None
-            continue
-        pivot = max(row, key=lambda column: abs(row[column]))
-        scale = row.pop(pivot)
-        solved.append(
-            (pivot, {column: c / scale for column, c in row.items()}, value / scale)
-        )
-    for pivot, row, value in reversed(solved):
-        change[pivot] = value - sum(c * change[column] for column, c in row.items())
+            entries.setdefault(rows[m], {})[column] = c
+    last = len(products)
+    reduced, pivots = DomainMatrix(entries, (len(rows), last + 1), QQ).rref()
+    if last in pivots:
+        return None
+    change = [QQ(0)] * last
+    for row, pivot in enumerate(pivots):
+        change[pivot] = reduced[row, last].element
     return change
 
 
-def _factors(G: dict[tuple[int, int], Fraction], n: int) -> list | None:
+def _factors(G: dict[tuple[int, int], Any], n: int) -> list | None:
     """Return weights > 0 and rows with G = sum weight row^T row, or None."""
     M = [[G[min(i, j), max(i, j)] for j in range(n)] for i in range(n)]
     rows = []
