@@ -264,7 +264,7 @@ class WithRelations(LawLoop):
     """A law's loop where its relations hold."""
 
     def __init__(self, inv: Any):
-        law = self.law = inv.case
+        law = self.law = inv
         super().__init__(
             inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed
         )

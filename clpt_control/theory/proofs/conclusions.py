@@ -146,6 +146,11 @@ class Condition:
         return CONDITIONS[self.name].format(self.of)
 
 
+def for_sizes(sizes: Iterable[int]) -> Condition:
+    """Return the condition of some numbers of basis functions: N = 1, 2."""
+    return Condition("N", "N = " + ", ".join(map(str, sizes)))
+
+
 def are(names: Iterable[Any]) -> str:
     """Return "x is" or "x, y are"."""
     names = [*map(str, names)]

@@ -26,7 +26,7 @@ from .steps import Step, exact_step
 from .symbolic_loop import equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
 
-SIZES = (1, 2)  # numbers of functions; 3 takes half a minute, in a slow test
+SIZES = (1, 2)  # numbers of functions; 3 takes half a minute
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 # what comes from blocks that are left out
 OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")

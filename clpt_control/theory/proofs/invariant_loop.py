@@ -227,14 +227,6 @@ class InvariantLoop:
                     return False
         return True
 
-    def V_rises_by(self) -> str:
-        """Return what V may rise by where states jump, or nothing."""
-        for after in self.loop.jumps_at_once():
-            rise = sympy.expand(self.reduced(self.V.xreplace(after) - self.V))
-            if not vanishes(rise) and not self.not_negative(-rise):
-                return short(rise)
-        return ""
-
     def estimate_grows(self) -> str:
         """Return what (d M^-1 d^T)' = error_growth <= 0 fails by, or nothing.
 

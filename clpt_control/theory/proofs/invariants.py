@@ -38,7 +38,8 @@ and where CLPE does not drive alpha, tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - 
 With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import chain, combinations, filterfalse
 from typing import Any
@@ -48,55 +49,57 @@ import sympy
 
 from ...paper.laws.law import Law
 from .certificates import Ways, of_invariants
-from .conclusions import Condition
+from .conclusions import Condition, for_sizes
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
-from .invariant_loop import InvariantLoop
-from .judge import Fall
+from .invariant_loop import NOTHING, SIZES, InvariantLoop
+from .judge import Fall, Verdict, judge
 from .law_candidate import LoopCandidate
-from .steps import Step, exact_step
+from .steps import Step, exact, exact_step, first_failure
 from .theorem_loop import decay, rate_of_V
 from .theorems import mean_square
 
 Claims = dict[str, tuple[str, Callable[[InvariantLoop], bool | str]]]
+MIDDLE = 2  # of `SIZES`: the running blocks are compared for it
 IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
 
 
-class Invariants(LoopCandidate):
-    """A law with invariants, on its loops: of its row N = 1, 2, 3, of your own law one N."""
+class Invariants(InvariantLoop, LoopCandidate):
+    """A law with invariants, on its loop for one N: a law of the table, or your own."""
 
     def __init__(
-        self, law: Law, cases: list[InvariantLoop], points: int, seed: int = 0
+        self,
+        law: Law,
+        N: int,
+        points: int,
+        seed: int = 0,
+        blocks: tuple | None = None,
+        start: Mapping[str, Any] = NOTHING,
     ):
-        self.law, self.cases, self.points, self.seed = law, cases, points, seed
-        self.case = cases[len(cases) // 2]
-        self.eq = self.loop = self.case.loop
-        self.V, self.residual = self.case.V, self.case.beside
-        self.fixed = {*self.loop.values}
-        self.sizes = "N = " + ", ".join(str(case.N) for case in cases)
-        self.rate = rate_of_V(self.loop).xreplace(self.case.tied)
-        self.motion = self.loop.motion
-        self.undefined = [s for case in self.cases for s in case.loop.undefined]
-        bounded, self.exist, self.grown = self.case.held()
+        InvariantLoop.__init__(self, law, N, blocks=blocks, start=start)
+        self.points, self.seed = points, seed
+        self.eq, self.motion = self.loop, self.loop.motion
+        self.fixed, self.residual = {*self.loop.values}, self.beside
+        self.sizes = f"N = {N}"
+        self.rate = rate_of_V(self.loop).xreplace(self.tied)
+        self.undefined = self.loop.undefined
+        bounded, self.exist, self.grown = self.held()
         self.forms = [*bounded]
 
     def is_definite(self) -> Step:
         """Return the step that V and what V' loses are not negative."""
         names = ", ".join(self.law.semidefinite)
         premise = f"with {names} >= 0 " * bool(names)
-
-        def holds(case: InvariantLoop) -> bool:
-            terms = {case.V, *chain.from_iterable(case.losses)}
-            return all(map(case.not_negative, terms))
-
+        terms = {self.V, *chain.from_iterable(self.losses)}
+        holds = all(map(self.not_negative, terms))
         claim = f"{premise}V and what V' loses are not negative"
-        return exact_step(self.cases, claim, holds, "definite")
+        return exact(claim, holds, "", "definite")
 
     def fall(self) -> Fall:
         """Return what is shown of the relations, and of V' where they hold."""
         steps = [
-            exact_step(self.cases, claim, check, shows)
-            for claim, (shows, check) in claims_of(self.law, self.case).items()
+            exact_step([self], claim, check, shows)
+            for claim, (shows, check) in claims_of(self).items()
         ]
         fall = Fall(steps, f"V' = {self.law.V_rate}")
         if self.law.perturbation is not None:
@@ -106,17 +109,22 @@ class Invariants(LoopCandidate):
             e = self.loop.states["x"] - self.loop.states["z"]
             fall.losses, fall.bound, fall.of = [*e], "e^T KD e", "CLPE goes"
         positive = f"{' and '.join(self.grown)} > 0" * bool(self.grown)
-        kept = "the relations hold" * (not self.case.is_row)
+        kept = "the relations hold" * (not self.is_row)
         fall.conditions = [
             Condition("start", text) for text in (kept, positive) if text
         ]
         return fall
 
-    def jumps(self) -> tuple[Step, sympy.Expr]:
-        """Return the step that V does not rise where states jump."""
-        claim = "V does not rise where they jump"
-        step = exact_step(self.cases, claim, InvariantLoop.V_rises_by, "jumps")
-        return step, sympy.S.Zero
+    def exact_steps(self) -> list[Step]:
+        """Return the steps on V, V' and jumps."""
+        jumps = [self.jumps()[0]] if self.eq.jumps else []
+        return [self.has_values(), self.is_definite(), *self.fall().steps, *jumps]
+
+    def rises_at_jumps(self) -> list[sympy.Expr]:
+        """Return by how much V rises at each set of jumps, where the relations hold."""
+        after = self.loop.jumps_at_once()
+        rises = (self.V.xreplace(change) - self.V for change in after)
+        return [sympy.expand(self.reduced(rise)) for rise in rises]
 
     def ways(self, fall: Fall) -> Ways:
         """Return the ways to write V' as a sum, for a certificate."""
@@ -124,17 +132,33 @@ class Invariants(LoopCandidate):
 
     def never_positive(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is known never to be positive where M >= 0."""
-        return self.case.not_negative(-expression)
+        return vanishes(expression) or self.not_negative(-expression)
 
 
-def claims_of(law: Law, case: InvariantLoop) -> Claims:
+def judged_row(law: Law, points: int, seed: int) -> Verdict:
+    """Return the verdict on a law of the table, of which each step holds for each N."""
+    verdict = judge(Invariants(law, MIDDLE, points, seed))
+    if verdict.status != "proved":
+        return verdict
+    others = [Invariants(law, N, points, seed) for N in SIZES if N != MIDDLE]
+    claim = "each exact step holds for " + " and ".join(case.sizes for case in others)
+    step = exact_step(others, claim, lambda case: first_failure(case.exact_steps()))
+    if not step.holds:
+        return replace(others[0].verdict("open", first_failure([step])), steps=(step,))
+    of_N = for_sizes(SIZES)
+    conditions = (of_N if c.name == "N" else c for c in verdict.conditions)
+    steps = *verdict.steps, step
+    return replace(verdict, conditions=tuple(conditions), steps=steps)
+
+
+def claims_of(case: InvariantLoop) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
-    names = law.semidefinite
-    kept, sizes = "what the law's states keep is kept", "N = 1, 2, 3"
+    law, names = case.law, case.law.semidefinite
+    kept, sizes = "what the law's states keep is kept", f"N = {case.N}"
     start = InvariantLoop.off_at_the_start
     if not case.is_row:
         kept += " where it begins so"
-        sizes = f"N = {case.N} and the parameters as they are"
+        sizes += " and the parameters as they are"
         start = InvariantLoop.off_at_zero
     claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
     if not case.is_row:

@@ -10,7 +10,7 @@ from typing import Any
 
 from ...base.errors import ClptError
 from ...engine.trace.arrays import Unread
-from .conclusions import Condition, Judged, Status, concluded
+from .conclusions import Condition, Judged, Status, concluded, for_sizes
 from .steps import Step, first_failure
 
 
@@ -71,20 +71,28 @@ def theorem(
 
 
 def where_all_hold(
-    claim: str, steps: Iterable[Step], given: str, conditions: Any = (), **more: Any
+    claim: str,
+    steps: Iterable[Step],
+    given: str,
+    conditions: Any = (),
+    sizes: Iterable[int] = (),
+    **more: Any,
 ) -> Proof:
-    """Return a proof with what follows from the steps if each holds; otherwise an open one."""
+    """Return a proof with what follows from the steps if each holds; otherwise an open one.
+
+    `sizes` are the numbers of functions of steps that are not for every N.
+    """
     steps = tuple(steps)
     if failed := first_failure(steps):
         return Proof("open", failed, steps=steps)
     every_N = exact_for_every_N(steps)
     conclusion = concluded(steps, given)
-    conditions = (*conditions, Condition("N", "every N" if every_N else "N = 1, 2, 3"))
+    of_N = Condition("N", "every N") if every_N else for_sizes(sizes)
     return Proof(
         "proved",
         claim,
         conclusion=conclusion,
-        conditions=conditions,
+        conditions=(*conditions, of_N),
         steps=steps,
         for_every_N=every_N,
         **more,

@@ -26,9 +26,8 @@ from ...simulation.user_components import law_block as as_law_block
 from .certificates import Ways, of_theorem, without
 from .conclusions import Condition
 from .default_candidate import default_V, user_V
-from .fixes import fix_steps
-from .invariant_loop import SIZES, InvariantLoop
-from .invariants import Invariants
+from .fixes import SIZES, fix_steps
+from .invariants import Invariants, judged_row
 from .judge import Verdict, judge
 from .law_candidate import LawCandidate
 from .paper_loop import PaperLoop
@@ -136,8 +135,7 @@ def prove(
             {"invariants": invariants, "semidefinite": semidefinite, "losses": losses}
         )
         blocks = block, user_V(V, block).make
-        case = InvariantLoop(law, N, blocks=blocks, start=start or {})
-        return judge(Invariants(law, [case], points, seed))
+        return judge(Invariants(law, N, points, seed, blocks, start or {}))
 
 
 def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdict:
@@ -146,14 +144,14 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
     if law.at_fixes:  # CLPE does not go to zero between fixes
         claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         where = (Condition("phi"), Condition("exact fixes"))
-        proof = where_all_hold(claim, fix_steps(law, points), "definite", where)
+        steps = fix_steps(law, points)
+        proof = where_all_hold(claim, steps, "definite", where, SIZES)
         ways = partial(without, "V falls where states jump, at fixes")
     elif law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
     elif law.invariants is not None:
-        cases = [InvariantLoop(law, N) for N in SIZES]
-        return judge(Invariants(law, cases, points, seed))
+        return judged_row(law, points, seed)
     else:
         return prove(block, lambda truth, p: law.V(p, truth), points, seed)
     return Verdict(**proof.judged, ways=ways)
