@@ -218,7 +218,9 @@ def test_a_jump_at_which_V_rises_leaves_what_is_between_jumps():
     found = proof_of_law(LAW._replace(jump=jump))
     assert (found.status, found.conclusion) == ("proved", "V does not increase")
     assert "; between jumps" in found.sentence
-    assert [step.claim for step in found.failed] == ["V does not rise where they jump"]
+    assert [step.claim for step in found.failed] == [
+        "V does not rise where states of adaptation jump"
+    ]
 
 
 def jumping(text, gain=0.5):

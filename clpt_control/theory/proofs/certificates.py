@@ -27,7 +27,7 @@ from .slopes import along
 from .steps import short
 from .sums_of_squares import squares
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import theorem_loop, truth_in
+from .theorem_loop import ErrorCoordinates, theorem_loop, truth_in
 from .ultimate_bounds import in_forms, pulled_at_once
 
 Ways = list[Callable[[], Case]]
@@ -163,17 +163,15 @@ class LawLoop:
         loop: Any,
         read: Callable[[Expr], Expr] = lambda e: e,
         fixed: Set = frozenset(),
+        coordinates: ErrorCoordinates | None = None,
     ):
-        x, z, N = loop.states["x"], loop.states["z"], len(loop.inputs["phi_x"])
-        self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
-        in_e = {c: a - b for a, b, c in zip(x, self.e, z, strict=True)}
+        self.coordinates = coordinates or ErrorCoordinates(loop)
+        in_e, N = self.coordinates.in_e, len(loop.inputs["phi_x"])
         self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
-        self.fixed, self.truth, self.x = {*loop.values} | fixed, truth_in(loop), [*x]
-        self.pairs = [*zip(self.e, self.truth.KD, strict=True)]
-        motion = {s: self.read(rate) for s, rate in loop.motion.items()}
-        for a, b, c in zip(x, self.e, z, strict=True):
-            motion[b] = motion[a] - motion.pop(c)
+        self.fixed, self.truth = {*loop.values} | fixed, truth_in(loop)
+        self.pairs = [*zip(self.coordinates.e, self.truth.KD, strict=True)]
         self.V = self.read(loop.signals["V"][0])
+        motion = self.coordinates.motion(self.read)
         self.case = Case(motion, self.fixed, [], [], conditions=[f"N = {N}"])
         self.case.functions |= still(loop.jumps, self.V)
 
@@ -194,19 +192,19 @@ class LawLoop:
 
 def of_law(law: Any) -> Ways:
     """Return the ways to write V' of a `LawCandidate`; in the last a disturbance pushes e."""
-    loop = LawLoop(law.loop, lambda e: e.xreplace(law.known))
+    loop = LawLoop(
+        law.loop, lambda e: e.xreplace(law.known), coordinates=law.coordinates
+    )
     case, V = loop.case, loop.V
 
     def loses() -> Case:
         return lost(replace(case, V=terms_of(V, loop.fixed)), along(V, case.motion))
 
     def pulls() -> Case:
-        own = dict(zip(law.e, loop.e, strict=True))
-        rest = {own.get(s, s): true for s, true in (law.least or {}).items()}
-        motion = dict(case.motion)
+        rest, motion = law.least or {}, dict(case.motion)
         deltas = sympy.symbols("Delta_1:3", cls=sympy.Function)
         if law.takes_delta():
-            for s, e, delta in zip(loop.x, loop.e, deltas, strict=True):
+            for s, e, delta in zip(law.coordinates.x, law.e, deltas, strict=True):
                 motion[s], motion[e] = motion[s] + delta(TIME), motion[e] + delta(TIME)
         forms = {s: s - true for s, true in rest.items()}
         disturbed = replace(case, V=terms_of(V, loop.fixed), motion=motion)

@@ -97,7 +97,7 @@ class Case:
     def rates(self) -> dict[str, list]:
         """Return the rates of states; an unknown rate of a state outside V is not written."""
         rates, in_V = {}, {*self.names}
-        for s in self.motion.keys() - self.functions.keys():
+        for s in [s for s in self.motion if s not in self.functions]:
             try:
                 rates[s] = self.polynomial(self.motion[s])
             except NoCertificate:

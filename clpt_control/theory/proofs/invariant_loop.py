@@ -29,6 +29,7 @@ from .steps import short
 from .sums_of_squares import contains_all, squares
 from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, symbolic_loop
 from .theorem_loop import (
+    ErrorCoordinates,
     Hedging,
     law_and_V,
     law_loop,
@@ -120,7 +121,11 @@ class InvariantLoop:
         assert self.law.invariants is not None
         p = self.law.parameters_of(scenario.known_to_law)
         values = self.law.invariants(states, p, truth_of(scenario))
-        off = [s for s, value in values.items() if not np.allclose(value, states[s])]
+        off = [
+            s
+            for s, value in values.items()
+            if not np.allclose(np.ravel(value), np.ravel(states[s]))
+        ]
         return ", ".join(f"{name} at the start" for name in off)
 
     def off_at_zero(self) -> str:
@@ -344,13 +349,12 @@ class InvariantLoop:
             bounded |= {*self.states[law.error_left].flat, *self.states["alpha"].flat}
         if law.error_left or law.weighted_error is not None:
             in_V.remove("alpha")
-        e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
-        x, z = loop.states["x"], loop.states["z"]
-        V = V.xreplace({a: b + c for a, b, c in zip(x, e, z, strict=True)})
+        coordinates = ErrorCoordinates(loop)
+        e, V = coordinates.e, V.xreplace(coordinates.in_e)
         learned = [s for port in in_V for s in loop.states[port].flat]
         total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
         if total and contains_all(total, [*e, *learned]):
-            bounded |= {*x, *z, *learned}
+            bounded |= {*coordinates.x, *coordinates.z, *learned}
             if law.weighted_error is not None:  # tr(eta P^-1 eta^T) bounds eta
                 bounded |= {*self.states["alpha"].flat}
         for s, rate in loop.motion.items():

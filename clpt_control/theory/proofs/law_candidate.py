@@ -44,6 +44,7 @@ from .symbolic_loop import (
     symbolic_loop,
 )
 from .theorem_loop import (
+    ErrorCoordinates,
     decay,
     rate_of_V,
     symbols_of_V,
@@ -106,16 +107,9 @@ class LawCandidate(LoopCandidate):
         self.sizes = f"N = {N}"
         self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
         self.fixed = {*loop.values}
-        # e as symbols of their own, z = x - e; a state of the law may be called e_1 as well
-        self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
-        x, z = loop.states["x"], loop.states["z"]
-        self.in_e = {c: a - e for a, e, c in zip(x, self.e, z, strict=True)}
-        self.in_x = {e: a - c for a, e, c in zip(x, self.e, z, strict=True)}
-        rates = {s: self.of_e(rate) for s, rate in loop.motion.items() if s not in z}
-        self.motion = rates | {
-            e: self.of_e(loop.motion[a] - loop.motion[c])
-            for a, e, c in zip(x, self.e, z, strict=True)
-        }
+        self.coordinates = ErrorCoordinates(loop)
+        self.e = self.coordinates.e
+        self.motion = self.coordinates.motion(self.of_e)
         self.moving_symbols = {TIME, *self.motion}
         of_V = f"{V.name}."  # a V that leaves the range of numbers is a V
         self.undefined = [
@@ -145,7 +139,11 @@ class LawCandidate(LoopCandidate):
 
     def of_e(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in x and e, with the numbers of the law and of V."""
-        return sympy.sympify(expression).xreplace(self.known).xreplace(self.in_e)
+        return (
+            sympy.sympify(expression)
+            .xreplace(self.known)
+            .xreplace(self.coordinates.in_e)
+        )
 
     def _residual(self) -> sympy.Expr:
         """Return V' less its fall."""
@@ -406,7 +404,7 @@ class LawCandidate(LoopCandidate):
 
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the loop."""
-        return expression.xreplace(self.in_x)
+        return expression.xreplace(self.coordinates.in_x)
 
 
 def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:

@@ -14,6 +14,7 @@ from functools import cache
 from typing import Any, Literal
 
 import numpy as np
+import sympy
 
 from ...engine.diagram.interconnection import Diagram, connect
 from ...engine.model.block import Block
@@ -193,6 +194,27 @@ def truth_in(loop: SymbolicLoop) -> Truth:
     vehicle = loop.parameters["vehicle_controller"]
     theta = loop.parameters["true_flow"].theta
     return Truth(theta, vehicle.KD, vehicle.GammaD)
+
+
+class ErrorCoordinates:
+    """e as symbols of their own, in place of z = x - e, in a loop on symbols."""
+
+    def __init__(self, loop: SymbolicLoop):
+        self.loop = loop
+        self.x, self.z = loop.states["x"], loop.states["z"]
+        # a state of the law may be called e_1 as well
+        self.e = sympy.symbols("e_1:3", real=True, cls=sympy.Dummy)
+        triples = [*zip(self.x, self.z, self.e, strict=True)]
+        self.in_e = {z: x - e for x, z, e in triples}
+        self.in_x = {e: x - z for x, z, e in triples}
+
+    def motion(self, read: Callable[[Any], Any]) -> dict[Any, Any]:
+        """Return the rates of all states but z, and of e, each as it is read."""
+        rates = self.loop.motion
+        motion = {s: read(rate) for s, rate in rates.items() if s not in self.z}
+        for e, x, z in zip(self.e, self.x, self.z, strict=True):
+            motion[e] = read(rates[x] - rates[z])
+        return motion
 
 
 Loop = ArrayLoop | SymbolicLoop
