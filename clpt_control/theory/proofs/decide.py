@@ -43,13 +43,10 @@ SAMPLES = 500  # random points at which the sign is computed first
 ROUNDING = 1e-6  # of the largest value; smaller values may be rounding errors
 
 
-def never_positive(
-    expression: Expr, parameters: set, groupings: tuple = (None,)
-) -> bool:
+def never_positive(expression: Expr, parameters: set) -> bool:
     """Return whether an expression is known never to be positive for t >= 0.
 
-    Symbols that are neither `parameters` nor time are variables.  `groupings` are sets of symbols:
-    terms that share none of them are tested separately; None stands for all variables.
+    Symbols that are neither `parameters` nor time are variables.
     """
     if terms_of(expression) > MOST_TERMS or expression.has(*NO_VALUE):
         return False
@@ -59,7 +56,7 @@ def never_positive(
     expression = expression.xreplace({TIME: sympy.Symbol("t", nonnegative=True)})
     return (
         vanishes(expression)
-        or any(groups_never_positive(expression, variables, g) for g in groupings)
+        or groups_never_positive(expression, variables)
         or _by_squares(expression, parameters)
         or without_fading(expression, variables) is not None
         or interval(factored(expression))[1].is_nonpositive
@@ -190,14 +187,9 @@ def by_gram(expression: Expr, conditions: tuple[Expr, ...] = ()) -> bool:
 # --- tests of groups of terms ---------------------------------------------------------------
 
 
-def groups_never_positive(
-    expression: Expr, variables: set, shared: set | None = None
-) -> bool:
-    """Return whether each group of terms that share variables is never positive.
-
-    If `shared` is given, groups are the terms that share a symbol of `shared` instead.
-    """
-    groups = groups_of(expression, variables if shared is None else shared)
+def groups_never_positive(expression: Expr, variables: set) -> bool:
+    """Return whether each group of terms that share variables is never positive."""
+    groups = groups_of(expression, variables)
     return all(_group_never_positive(group, variables) for group in groups)
 
 

@@ -29,6 +29,7 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
 from .certified import written
 from .conclusions import Condition, Judged, Status, concluded, go
+from .decide import never_positive
 from .exact import normal_form, vanishes
 from .facts import is_continuous
 from .latex import theorem_and_proof
@@ -172,6 +173,7 @@ class Candidate(ABC):
     rate: sympy.Expr  # V'
     motion: Mapping[Any, sympy.Expr]  # rates of the states that V is written in
     fixed: set  # symbols of parameters
+    numbers: set | None = None  # those that signs may depend on; None: all
     rest: Mapping[Any, sympy.Expr] | None = (
         None  # where V is to be least, if that is given
     )
@@ -267,9 +269,10 @@ class Candidate(ABC):
         after = self.eq.jumps_at_once()
         return [normal_form(self.V.xreplace(change) - self.V) for change in after]
 
-    @abstractmethod
     def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive."""
+        """Return whether an expression is known never to be positive, for t >= 0."""
+        parameters = self.fixed if self.numbers is None else self.numbers
+        return never_positive(normal_form(expression), parameters)
 
     def refuted(self, steps: list[Step]) -> Refutation | None:
         """Return a point that refutes V, of the steps that fail, if one is searched for."""

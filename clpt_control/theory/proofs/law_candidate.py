@@ -23,7 +23,6 @@ from ...simulation.user_components import functions_of
 from ..promises import truth_of
 from .certificates import Ways, of_law
 from .conclusions import Condition, Status
-from .decide import never_positive
 from .default_candidate import WEIGHTS, LawV
 from .every_n import base_and_term, reindexed
 from .exact import as_factors, normal_form, vanishes
@@ -106,7 +105,7 @@ class LawCandidate(LoopCandidate):
         refuse_no_value(loop, V.name)
         self.sizes = f"N = {N}"
         self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
-        self.fixed = {*loop.values}
+        self.fixed, self.numbers = {*loop.values}, {*self.values}
         self.coordinates = ErrorCoordinates(loop)
         self.e = self.coordinates.e
         self.motion = self.coordinates.motion(self.of_e)
@@ -251,13 +250,6 @@ class LawCandidate(LoopCandidate):
         """True if V rises with each |e_i|, beyond its zone, so that its fall is one."""
         slopes = {e: along(self.V_of_e, {e: sympy.S.One}) for e in self.e}
         return all(rising_in(normal_form(e * slope), e) for e, slope in slopes.items())
-
-    def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive."""
-        free_symbols = expression.free_symbols - {TIME, *self.values, *self.e}
-        free_symbols -= {*self.loop.states["x"]}
-        parameters = {*self.values}
-        return never_positive(expression, parameters, (free_symbols, {*self.e}, None))
 
     def _falls(self) -> tuple[bool, str]:
         """Return whether V' less its fall, or half of it, is never positive, and the fall."""

@@ -312,10 +312,6 @@ class SystemCandidate(Candidate):
 
     # --- V' -------------------------------------------------------------------------------------
 
-    def never_positive(self, expression: sympy.Expr) -> bool:
-        """Return whether an expression is known never to be positive, for t >= 0."""
-        return never_positive(normal_form(expression), self.fixed)
-
     def falls(self, bound: sympy.Expr) -> bool:
         """Return whether V' or a bound is never positive, as it is, reduced, or by states."""
         terms = sympy.Add.make_args(bound)
