@@ -8,9 +8,11 @@ import textwrap
 
 import pytest
 from paths import ROOT
-from recipes import RECIPES
+from recipes import RECIPES as ADDITIONS
+from recipes_of_results import RESULTS
 from subprocesses import GUARD
 
+RECIPES = ADDITIONS | RESULTS
 LEFT_OUT = [
     pytest.param(name, k, id=f"{name} without {step.name}")
     for name, recipe in RECIPES.items()

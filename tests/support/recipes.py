@@ -140,7 +140,7 @@ LAW = Recipe(
 )
 COMMANDS = "clpt_control/app/cli/__init__.py"
 COMMAND = Recipe(
-    "Add a command",
+    "Add a command or an option",
     (
         Step(
             "function",

@@ -38,6 +38,7 @@ from ...base.files.reading import read_text
 from ...base.html import document, safe
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
+from ..estimation.learned_fix import PERCENT
 from .cards import attributes, overdue_marks, unbroken
 from .geographic import clock, date, in_minutes
 from .replay_page import cell_table
@@ -71,7 +72,7 @@ def events(report: dict[str, Any], now: float) -> list[Event]:
     if (running := _running(rows)) > 1:
         first_row = rows[-running]
         since = f"{running} dives running, since dive {first_row['dive']}"
-        why = f"{OUT}: {since}, outside their 90 % ellipses"
+        why = f"{OUT}: {since}, outside their {PERCENT} ellipses"
         happened.append(_event(OUT, first_row, why))
     return happened
 
@@ -148,8 +149,8 @@ FLEET: Columns = {
         lambda row: f"{date(row['next_dive']['time'])} {within(row['next_dive'])}",
     ),
     "half axes (m)": (4, lambda row: half_axes(row["next_dive"])),
-    "90 % so far": (2, lambda row: _record(row["headlines"])),
-    "90 %": (0, lambda row: _out(row["out_running"])),
+    f"{PERCENT} so far": (2, lambda row: _record(row["headlines"])),
+    PERCENT: (0, lambda row: _out(row["out_running"])),
     "pilot": (0, lambda row: ", ".join(row["asks"])),
 }
 
