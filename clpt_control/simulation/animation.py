@@ -47,13 +47,14 @@ SIGNALS = (
     "flow_parameters_estimate",
 )
 ARROWS = 9  # on a side
-LENGTH = 1.8  # longest true arrow, steps of the grid
-MAX_LEARNED = 2.4  # longest learned arrow, steps of the grid
+LENGTH = 1.3  # longest true arrow, steps of the grid
+MAX_LEARNED = 1.7  # longest learned arrow, steps of the grid
 FAINT = "#AAAAAA"
 ARROW = {
     "angles": "xy",
     "scale_units": "xy",
     "minlength": 0,
+    "pivot": "mid",
     "headwidth": 3.2,
     "headlength": 3.6,
     "headaxislength": 3.2,
@@ -193,7 +194,7 @@ def draw_samples(ax: Any, run: "xarray.Dataset", samples: np.ndarray) -> Iterato
     time = run.time.values
     waypoints = waypoints_of(run, scenario)
     points = np.concatenate([waypoints, run.position.values])
-    grid = square_chart(ax, scenario, points, ARROWS)
+    grid = square_chart(ax, scenario, points, ARROWS, MAX_LEARNED / 2)
 
     # flows of all samples, of shape (samples, points of the grid, 2)
     points = np.tile(grid, (len(samples), 1))
@@ -203,7 +204,7 @@ def draw_samples(ax: Any, run: "xarray.Dataset", samples: np.ndarray) -> Iterato
     learned = flow_to_draw(run, scenario, points, times, theta)
     kind = "true" if true.any() else "learned"
     max_speed = np.hypot(*(true if true.any() else learned).T).max() or 1.0
-    arrow_length = LENGTH * np.ptp(ax.get_xlim()) / ARROWS
+    arrow_length = LENGTH * np.ptp(ax.get_xlim()) / (ARROWS - 1 + MAX_LEARNED)
     style: dict[str, Any] = {**ARROW, "scale": max_speed / arrow_length}
     if learned.any() or true.any():
         note = f"longest {kind} arrow {max_speed:.2g} {units.length}/{units.time}"

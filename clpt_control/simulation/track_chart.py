@@ -110,11 +110,11 @@ def draw_first_flow(
 
 
 def square_chart(
-    ax: Any, scenario: Scenario, points: np.ndarray, count: int
+    ax: Any, scenario: Scenario, points: np.ndarray, count: int, edge: float = 0.5
 ) -> np.ndarray:
     """Make axes a square around points; return a grid of `count` flow arrows on a side.
 
-    The grid is inside the field of a measured current.
+    The grid is inside the field of a measured current, `edge` steps away from the border.
     """
     unit = scenario.units.length
     low = points.min(0)
@@ -138,8 +138,9 @@ def square_chart(
         inner = np.clip([low, high], field_low, field_high)
         if np.all(inner[0] < inner[1]):  # the chart may be outside of the field
             low, high = inner
-    step = max(high - low) / count
-    axes = [np.arange(a + step / 2, b, step) for a, b in zip(low, high, strict=True)]
+    step = max(high - low) / (count - 1 + 2 * edge)
+    ends = zip(low + edge * step, high - (edge - 0.5) * step, strict=True)
+    axes = [np.arange(first, end, step) for first, end in ends]
     return np.stack(np.meshgrid(*axes), -1).reshape(-1, 2)
 
 

@@ -165,6 +165,17 @@ def test_what_is_shown_is_the_runs_own(run, scenario):
             np.testing.assert_allclose(along.U * v - along.V * u, 0.0, atol=1e-12)
 
 
+def test_no_arrow_is_cut_at_the_border(run):
+    for k in (0, 7, 20, 40):
+        ax = frame_of(run, k)
+        low, high = np.transpose([ax.get_xlim(), ax.get_ylim()])
+        for arrows in (one for one in ax.collections if isinstance(one, Quiver)):
+            middle = np.column_stack([arrows.X, arrows.Y])
+            half = np.column_stack([arrows.U, arrows.V]) / arrows.scale / 2
+            for end in (middle - half, middle + half):
+                assert np.all((low < end) & (end < high))
+
+
 def test_arrows_stand_within_a_field(scenario, tmp_path):
     uniform_field(tmp_path / "field.nc", half=3.5)
     flow = {"field": str(tmp_path / "field.nc"), "outside": "clip"}
