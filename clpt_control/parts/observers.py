@@ -92,7 +92,7 @@ def observer(
 
 def bucy(t, x, u, p):
     """X' = A X + B u + L (y - C X - D u), P' of Riccati (Kalman and Bucy 1961, section 7)."""
-    P = p.P0 + x.moved
+    P = covariance(x, p)
     L = np.linalg.solve(p.R, p.C @ P).T
     rate = p.A @ x.x_hat + p.B @ u.u + L @ innovation(x.x_hat, u, p)
     return {"x_hat": rate, "moved": p.A @ P + P @ p.A.T + p.Q - L @ p.R @ L.T}
@@ -100,12 +100,18 @@ def bucy(t, x, u, p):
 
 def bucy_estimate(t, x, u, p):
     """x_hat = X, and P (Kalman and Bucy 1961, section 7)."""
-    return {"x_hat": x.x_hat, "P": p.P0 + x.moved}
+    return {"x_hat": x.x_hat, "P": covariance(x, p)}
+
+
+def covariance(x, p):
+    """Return P without its skew part, which is rounding that an unstable plant would amplify."""
+    P = p.P0 + x.moved
+    return (P + P.T) / 2
 
 
 def corrected(x, u, p):
     """Return x_hat and P after the measurement."""
-    P = p.P0 + x.moved
+    P = covariance(x, p)
     K = np.linalg.solve(p.C @ P @ p.C.T + p.R, p.C @ P).T
     return x.predicted + K @ innovation(x.predicted, u, p), P - K @ p.C @ P
 

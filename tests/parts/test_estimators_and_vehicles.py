@@ -71,6 +71,28 @@ def test_a_sampled_kalman_filter_settles_at_dare():
     np.testing.assert_allclose(F @ K, L, atol=1e-10)
 
 
+@pytest.mark.parametrize("dt", [0, 0.02])
+def test_the_covariance_stays_symmetric_over_a_long_run_of_an_unstable_plant(dt):
+    """A cart with an inverted pendulum; a skew part of P would grow by exp(2.2 t)."""
+    A, B, C = np.zeros((4, 4)), np.array([[0.0], [0], [1], [2]]), np.eye(2, 4)
+    A[0, 2] = A[1, 3] = 1.0
+    A[2:, 1] = 1.962, 23.544
+    plant = control.ss(A, B, C, 0)
+    model = control.c2d(plant, dt) if dt else plant
+    R, Q = np.diag([4e-6, 2.5e-5]), model.B @ model.B.T
+    times = np.linspace(0, 40, 2001)
+    found = clpt.simulate(
+        parts.kalman_filter(model, Q, R, 1e-4 * np.eye(4)), times, np.zeros((3, 2001))
+    )
+    solve = control.dare if dt else control.care
+    settled = solve(model.A.T, C.T, Q, R)[0]
+    if dt:
+        K = settled @ C.T @ np.linalg.inv(C @ settled @ C.T + R)
+        settled = settled - K @ C @ settled
+    last = found.P[-1].values.reshape(4, 4)
+    np.testing.assert_allclose(last, settled, atol=1e-9)
+
+
 @pytest.mark.parametrize("limited", [False, True])
 def test_a_sampled_kalman_filter_closes_an_lqg_loop(limited):
     """A plant with D = 0 against the recursion of the sampled loop, written out."""
