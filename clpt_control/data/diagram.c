@@ -6,7 +6,7 @@
  * ${name}_rates(t, x, u, p, dx): ${rates}.
  * ${name}_step(t, dt, x, u, p): ${step}.
 ${begins}${levels} * dt must divide the periods at which blocks sample or jump.
- * A parameter that is fixed was asked for its value: it is in the code.
+ * A parameter marked fixed sets a size, an index or a branch: it is a constant of the code.
  * Where there are none of these, pass any array. Guards that end a run are not in this file.
  */
 //

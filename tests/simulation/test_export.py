@@ -167,7 +167,7 @@ def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     for said in (
         "a_p_a_k,  /* a.k */",
         "a_p_a_n_fixed,  /* a.n fixed */",
-        "it is in the code",
+        "it is a constant of the code",
     ):
         assert said in text
     lags = [

@@ -75,6 +75,7 @@ def fit(
     if out is None:
         raise ScenarioError("--out: is missing. Give the scenario file to write")
     names = tuple(name.strip() for name in (constituents or "steady,M2").split(","))
+    from ...paper.currents.fit import report_label
     from ...theory.excitation.gramian import not_learned
 
     fitted = clpt.currents.fit_current(
@@ -93,7 +94,7 @@ def fit(
     unit_of = dict.fromkeys(("track_radius", "width"), f" {length}")
     unit_of |= dict.fromkeys(("residual_rms", "residual_max"), f" {speed}")
     lines = [
-        [key.replace("_", " "), cell_text(value) + unit_of.get(key, "")]
+        [report_label(key), cell_text(value) + unit_of.get(key, "")]
         for key, value in fitted.report.items()
         if key not in ("theta", "width_units", "speed_units", "notes")
     ]

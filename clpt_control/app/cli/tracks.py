@@ -147,7 +147,7 @@ def tune_waypoints(
 
 DESIGNED = {  # what of a track is said, by key
     "smallest_eigenvalue": "smallest eigenvalue",
-    "ceiling": "its ceiling where the vehicle moves so",
+    "ceiling": "its upper bound for this motion of the vehicle",
     "of_the_run": "of the run with {law} (clpt excitation)",
     "closed_length": "closed length ({length})",
     "largest_speed": "largest speed through the water ({length}/{time})",

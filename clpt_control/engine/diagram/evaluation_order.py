@@ -103,7 +103,7 @@ def _without_zero_entries(
     loop = " <- ".join(nodes[k].name for k in path[begin:])
     raise DiagramError(
         f"algebraic loop: {loop} depend on each other without a state. "
-        "Break the loop with a block that has states"
+        "Insert a block whose outputs depend on its states alone, such as clpt.parts.lag"
     )
 
 

@@ -16,8 +16,8 @@ from .table_rows import (
 )
 
 BASES = {  # what the next dive is guessed by
-    "planned": "as the last dives went along the plan in the files",
-    "repeated": "as the last dives went, with their spread",
+    "planned": "duration and speed of the last dives, along the plan in the files",
+    "repeated": "mean of the last dives, with their spread",
     "given": "as given or aimed, with the spread of the last dives",
 }
 

@@ -335,5 +335,12 @@ def _header(report: dict) -> str:
         "The learner does not know theta of the fit, which the field's fit_report has.",
     ]
     keys = [key for key in report if key != "theta"]
-    lines += [f"{key.replace('_', ' ')}: {report[key]}" for key in keys]
+    lines += [f"{report_label(key)}: {report[key]}" for key in keys]
     return "".join(f"# {line}\n" for line in lines) + "\n"
+
+
+def report_label(key: str) -> str:
+    """Return the name of an entry of `fit_report` for a reader."""
+    if key == "functions_felt_on_the_track":
+        return "functions wide enough to reach the track"
+    return key.replace("_", " ")

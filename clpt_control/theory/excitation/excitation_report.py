@@ -71,7 +71,9 @@ def result_of(excitation: Any) -> Result:
     """Return a `gramian.Excitation` as a table: each vehicle of a team alone, and all together."""
     team = "team" if excitation.vehicles else ""
     columns = ["", "smallest eigenvalue", "largest", "excited"]
-    columns += [] if team else ["ceiling of the smallest", "least excited direction"]
+    columns += (
+        [] if team else ["upper bound of the smallest", "least excited direction"]
+    )
     rows, sentences = [], [f"measured: {SHARED}"] if team else []
     for name, one in {**excitation.vehicles, team: excitation}.items():
         for axis, values in one.eigenvalues.items():
@@ -98,7 +100,7 @@ def learned_text(excitation: Any) -> str:
 
 
 def _direction(excitation: Any, axis: str) -> list[str]:
-    """Return the ceiling of the smallest eigenvalue, and the least excited direction."""
+    """Return the upper bound of the smallest eigenvalue, and the least excited direction."""
     ceiling = excitation.ceilings.get(axis)
     parts = excitation.least_excited[axis].items()
     largest = sorted(parts, key=lambda part: -abs(part[1]))[:4]
@@ -128,6 +130,6 @@ def _how_fast(excitation: Any) -> Iterator[str]:
         )
     if excitation.ceilings:
         yield (
-            "the ceiling of an axis is int (x' + KD e)^2 dt / (|theta - alpha_M|^2 + KD^2 + "
-            "GammaD^2): a vehicle that waits teaches nothing"
+            "the upper bound, for this motion of the vehicle, is int (x' + KD e)^2 dt / "
+            "(|theta - alpha_M|^2 + KD^2 + GammaD^2): a vehicle that does not move learns nothing"
         )

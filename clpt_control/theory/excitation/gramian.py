@@ -229,10 +229,11 @@ class Excitation(Regressor):
         if not names:
             return ""
         text = (
-            "parameters that this track does not teach (combinations that it excites: "
-            f"{self.counted()}): {', '.join(names)}"
+            "parameters that this run cannot tell apart (it excites so many combinations of "
+            f"them: {self.counted()}): {', '.join(names)}"
         )
-        return shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
+        text = shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
+        return f"{text}. Use fewer functions, a longer run, or other waypoints"
 
     @cached_property
     def _svd(self) -> dict[str, Any]:

@@ -71,7 +71,7 @@ UNFIT = [
     (
         [through("a", "u", "v"), through("b", "v", "u")],
         (),
-        "loop: .*[ab].* Break .* has states",
+        "loop: .*[ab].* Insert a block .* states alone",
     ),
     ([through("mine", "u", "u")], (), "algebraic loop: mine"),
     (["vehicle"], (), "'vehicle' is not a block. Give"),

@@ -103,7 +103,10 @@ def test_width_and_radius_follow_the_box(known, tmp_path):
     narrow = fit_current(known[0], BOX, width_km=6.0, radius_km=1.0)
     assert narrow.report["functions_felt_on_the_track"] == 3
     narrow.save(tmp_path / "fit.toml")
-    assert "# functions felt on the track: 3\n" in (tmp_path / "fit.toml").read_text()
+    assert (
+        "# functions wide enough to reach the track: 3\n"
+        in (tmp_path / "fit.toml").read_text()
+    )
 
 
 def test_the_share_explained_is_about_the_mean(known, tmp_path):
@@ -261,7 +264,7 @@ def test_fit_and_run_say_what_the_track_does_not_teach(clpt, printed, known, tmp
     scenario = tmp_path / "s.toml"
     words = (known[0], "--out", scenario, "--width-km", "6")
     said = printed("fit", *words)["not_learnable"]
-    assert said.startswith("parameters that this track does not teach")
+    assert said.startswith("parameters that this run cannot tell apart")
     _, out, _ = clpt("fit", *words)
     assert "along x2): theta_1[1]" in out
     of_run = printed("run", scenario, "--out", tmp_path / "run.nc")["not_learnable"]
