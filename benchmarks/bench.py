@@ -13,12 +13,12 @@ from pathlib import Path
 
 import numpy as np
 
-from . import cases, ensemble, report, single
+from . import cases, ensemble, models, report, single
 from .advection import PARTICLE_ENGINES
 from .engines import ENGINES
 from .measure import FAILURES, ROOT, in_turn, machine
 
-SECTIONS = ("paper", "basis", "ensemble", "particles")
+SECTIONS = ("paper", "basis", "ensemble", "models", "particles")
 
 
 def particles(chosen: list[str], count: int, rounds: int, say) -> list[dict]:
@@ -79,6 +79,8 @@ def main(arguments: list[str] | None = None) -> int:
         longest = 2.0 if quick else 90.0
         results["ensemble"] = ensemble.compare(chosen, 1024, 1 if quick else 5, say)
         results["growth"] = ensemble.grow(chosen, sizes, longest, say)
+    if "models" in sections:
+        results["models"] = models.measure(chosen, rounds, budget, say)
     if "particles" in sections:
         able = [n for n in wanted if n == "parcels" or n in chosen]
         results["particles"] = particles(

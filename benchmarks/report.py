@@ -33,6 +33,15 @@ Each run differs in parameters and initial states; t = 0 to 200, 1024 runs, one 
 final states against C at 1e-12. Memory: the peak of a process of its own.
 
 """
+MODELS = """
+## Small models
+
+rtol 1e-8, atol 1e-10, median time of a run in ms. Taylor series (heyoka) are 3 to 5 times quicker
+on small smooth models, with a smaller error. clpt-control is quicker from about 100 states, with
+switches, and in ensembles, here on all cores. `python -m benchmarks.bench --sections models` runs
+these rows with the engines that are installed.
+
+"""
 PARTICLES = """
 ## Passive particles in a gridded current
 
@@ -96,6 +105,27 @@ def _ensemble(rows: list[dict]) -> str:
     return ENSEMBLE + _table(header, [_cells(row, patterns) for row in rows])
 
 
+def _models(rows: list[dict]) -> str:
+    def cell(row: dict) -> str:
+        error = f", {row['error']:.0e}" if "error" in row else ""
+        return f"{_number(1e3 * row['median'], '.3g')}{error}"
+
+    found = {(row["model"], row["engine"]): cell(row) for row in rows}
+    engines = {
+        "native": "compiled diagram",
+        "simulate": "`simulate`, `run_ensemble`",
+        "heyoka": "heyoka",
+        "diffrax": "diffrax",
+    }
+    table = [
+        [model, *(found.get((model, engine), "") for engine in engines)]
+        for model in dict.fromkeys(model for model, _ in found)
+    ]
+    notes = {row["note"]: "" for row in rows if "note" in row}
+    text = MODELS + _table(["model", *engines.values()], table)
+    return text + "".join(f"\n{note}\n" for note in notes)
+
+
 def _particles(rows: list[dict]) -> str:
     patterns = {"rate": ".3g", "ratio": ".3g", "difference": ".0e", "peak_mb": ".0f"}
     header = ["engine", "particle-steps/s", "ratio to C", "difference", "peak, MB"]
@@ -120,7 +150,11 @@ def markdown(results: dict) -> str:
         text += _paper(results["paper"])
     if any(results.get("basis", {}).values()):
         text += _basis(results)
-    for name, write in (("ensemble", _ensemble), ("particles", _particles)):
+    for name, write in (
+        ("ensemble", _ensemble),
+        ("models", _models),
+        ("particles", _particles),
+    ):
         if results.get(name):
             text += write(results[name])
     return (

@@ -15,7 +15,7 @@ import clpt_control as clpt
 
 sys.path.insert(0, str(ROOT))  # benchmarks/ is no installed package
 
-from benchmarks import build, cases, report, traced
+from benchmarks import build, cases, models, report, traced
 from benchmarks.c_engine import Program
 
 pytestmark = pytest.mark.skipif(
@@ -66,6 +66,13 @@ def test_the_quick_run_leaves_its_tables(tmp_path):
     text = (tmp_path / "performance.md").read_text()
     assert all(words in text for words in ("## The paper's run", "| C [1] |"))
     assert inked(tmp_path / "performance.png") > 0.01
+
+
+def test_small_models_end_where_scipy_does():
+    rows = models.measure(["native", "simulate"], 1, 1.0, lambda text: None)
+    found = {(row["model"], row["engine"]) for row in rows}
+    assert len(found) == len(rows) == 8
+    assert max(row["error"] for row in rows) < 1e-6
 
 
 def test_the_page_is_made_of_the_figures_beside_it():

@@ -1,0 +1,211 @@
+"""Small smooth models: the compiled diagram and `simulate` beside heyoka and diffrax.
+
+A model is one function of (sin, x) that every engine traces.  Each run has its error at the end
+against SciPy's DOP853 at 1e-13.  1,000 runs of Lorenz's equations differ in x(0).
+"""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any, NamedTuple
+
+import control
+import numpy as np
+from scipy.integrate import solve_ivp
+
+import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import compile
+
+from .engines import ENGINES, timed
+from .measure import interleave
+
+RTOL, ATOL = 1e-8, 1e-10
+MEMBERS = 1000
+Run = Callable[[], tuple[np.ndarray, float]]
+
+
+class Model(NamedTuple):
+    """Rates, start and end of a model."""
+
+    name: str
+    rates: Callable[[Callable, Any], list]
+    start: list[float]
+    end: float
+
+
+def van_der_pol(sin: Callable, x: Any) -> list:
+    """Return the rates of van der Pol."""
+    return [x[1], (1.0 - x[0] * x[0]) * x[1] - x[0]]
+
+
+def lorenz(sin: Callable, x: Any) -> list:
+    """Return the rates of Lorenz."""
+    return [
+        10.0 * (x[1] - x[0]),
+        x[0] * (28.0 - x[2]) - x[1],
+        x[0] * x[1] - 8.0 / 3.0 * x[2],
+    ]
+
+
+def pendulums(sin: Callable, x: Any) -> list:
+    """Return the rates of 50 pendulums, each with a spring to the next."""
+    angles = [0.0, *(x[k] for k in range(50)), 0.0]
+    pulls = [angles[k] - 2.0 * angles[k + 1] + angles[k + 2] for k in range(50)]
+    return [x[50 + k] for k in range(50)] + [pulls[k] - sin(x[k]) for k in range(50)]
+
+
+MODELS = (
+    Model("van der Pol, 2 states", van_der_pol, [1.0, 0.0], 20.0),
+    Model("Lorenz, 3 states", lorenz, [1.0, 1.0, 1.0], 5.0),
+    Model("pendulums, 100 states", pendulums, [1.0, *[0.0] * 99], 5.0),
+)
+
+
+def system(model: Model) -> control.NonlinearIOSystem:
+    """Return a model of python-control."""
+    return control.nlsys(
+        lambda t, x, u, p: model.rates(np.sin, x),
+        inputs=0,
+        states=[f"x{k}" for k in range(len(model.start))],
+        name="model",
+    )
+
+
+def exact(model: Model, start: Any) -> np.ndarray:
+    """Return the state at the end by SciPy."""
+    rates = lambda t, x: model.rates(np.sin, x)  # noqa: E731
+    tight = {"method": "DOP853", "rtol": 1e-13, "atol": 1e-14}
+    return solve_ivp(rates, (0.0, model.end), start, **tight).y[:, -1]
+
+
+def compiled(model: Model) -> Run:
+    """Prepare the compiled diagram."""
+    native = compile(system(model))
+    times = [0.0, model.end]
+    run = lambda: native.run(model.start, times, rtol=RTOL, atol=ATOL).x[-1]  # noqa: E731
+    return lambda: timed(run)
+
+
+def simulated(model: Model) -> Run:
+    """Prepare `simulate`."""
+    made, times = system(model), [0.0, model.end]
+    given = {"initial_state": model.start, "rtol": RTOL, "atol": ATOL}
+    run = lambda: clpt.simulate(made, times, **given).states.values[-1]  # noqa: E731
+    return lambda: timed(run)
+
+
+def by_heyoka(model: Model) -> Run:
+    """Prepare Taylor series of heyoka."""
+    import heyoka as hy
+
+    states = hy.make_vars(*[f"s{k}" for k in range(len(model.start))])
+    rates = [hy.expression(0.0) + rate for rate in model.rates(hy.sin, states)]
+    pairs = list(zip(states, rates, strict=True))
+    compact = len(states) > 10
+    solver = hy.taylor_adaptive(pairs, model.start, tol=RTOL, compact_mode=compact)
+
+    def run() -> np.ndarray:
+        solver.time, solver.state[:] = 0.0, model.start
+        solver.propagate_until(model.end)
+        return solver.state.copy()
+
+    return lambda: timed(run)
+
+
+def by_diffrax(model: Model, starts: np.ndarray | None = None) -> Run:
+    """Prepare Dopri8 of diffrax, of one run or of one for each start."""
+    import diffrax
+    import jax
+    import jax.numpy as jnp
+
+    jax.config.update("jax_enable_x64", True)
+
+    def one(start):
+        return diffrax.diffeqsolve(
+            diffrax.ODETerm(lambda t, x, _: jnp.stack(model.rates(jnp.sin, x))),
+            diffrax.Dopri8(),
+            0.0,
+            model.end,
+            None,
+            start,
+            saveat=diffrax.SaveAt(t1=True),
+            stepsize_controller=diffrax.PIDController(rtol=RTOL, atol=ATOL),
+            max_steps=None,
+        ).ys[0]
+
+    begin = jnp.asarray(np.array(model.start) if starts is None else starts)
+    function = jax.jit(one if starts is None else jax.vmap(one))
+    return lambda: timed(lambda: np.asarray(function(begin)))
+
+
+def ensemble(model: Model, first: np.ndarray) -> Run:
+    """Prepare `run_ensemble` over the first state."""
+    made, vary = system(model), {"x0": first.tolist()}
+    given = {"timepts": [0.0, model.end], "initial_state": model.start}
+    finals = [f"x{k}_final" for k in range(len(model.start))]
+
+    def run() -> np.ndarray:
+        data = clpt.run_ensemble(made, vary, **given, rtol=RTOL, atol=ATOL)
+        return np.column_stack([data[name].values for name in finals])
+
+    return lambda: timed(run)
+
+
+def in_lanes(model: Model, first: np.ndarray) -> Run:
+    """Prepare members of the compiled diagram in SIMD lanes."""
+    from clpt_control.ensemble.members import Ensemble
+    from clpt_control.ensemble.sampled_parameters import read_vary
+    from clpt_control.ensemble.varied_diagram import VariedDiagram
+
+    times = np.array([0.0, model.end])
+    varied = VariedDiagram(
+        system(model),
+        [read_vary("x0=0:1")],
+        times,
+        initial_state=model.start,
+        rtol=RTOL,
+        atol=ATOL,
+    )
+    many = Ensemble(varied, ["x0"])
+    members = many.members({"x0": first})
+    return lambda: timed(lambda: many.run(members, times).states[:, -1])
+
+
+def cases() -> Iterator[tuple[str, np.ndarray, dict[str, Callable[[], Run]]]]:
+    """Yield the name of each row, its exact end, and what prepares each engine."""
+    for model in MODELS:
+        prepare = {
+            "native": compiled,
+            "simulate": simulated,
+            "heyoka": by_heyoka,
+            "diffrax": by_diffrax,
+        }
+        runs = {name: partial(made, model) for name, made in prepare.items()}
+        yield model.name, exact(model, model.start), runs
+    model, first = MODELS[1], np.linspace(0.5, 1.5, MEMBERS)
+    starts = np.tile(model.start, (MEMBERS, 1))
+    starts[:, 0] = first
+    runs = {
+        "native": partial(in_lanes, model, first),
+        "simulate": partial(ensemble, model, first),
+        "diffrax": partial(by_diffrax, model, starts),
+    }
+    ends = np.array([exact(model, start) for start in starts[:: MEMBERS // 20]])
+    yield f"Lorenz, {MEMBERS:,} runs", ends, runs
+
+
+def measure(chosen: list[str], rounds: int, budget: float, say: Callable) -> list[dict]:
+    """Time each row's engines in turn; return model, engine, seconds and error of each."""
+    rows = []
+    for model, ends, prepare in cases():
+        runs, errors = {}, {}
+        for name in [name for name in prepare if name in chosen]:
+            say(f"{model}: {ENGINES[name].title}")
+            run = prepare[name]()
+            found = run()[0]
+            found = found[:: len(found) // len(ends)] if ends.ndim == 2 else found
+            errors[name] = float(np.max(np.abs(found - ends)))
+            runs[name] = lambda run=run: run()[1]
+        for name, figures in interleave(runs, rounds, budget, say).items():
+            own = {"model": model, "engine": name, "error": errors[name]}
+            rows.append(own | figures)
+    return rows
