@@ -1,9 +1,14 @@
-"""Formulas as MathML, which browsers draw by themselves: no script, no font, no network."""
+"""Formulas as MathML, which browsers draw by themselves: no script, no font, no network.
+
+Rates have a prime, not a dot: without a math font a dot lies on its letter.
+"""
 
 import re
 
 from docutils import nodes
 from docutils.utils.math import MathError, latex2mathml
+
+DOT = re.compile(r"\\dot(?:\{((?:\\\w+\{\w*\}|[^{}])*)\}|\s+(\\?\w+))")
 
 
 def setup(app):
@@ -26,7 +31,7 @@ def block(translator, node):
 
 def mathml(node, as_block):
     """MathML of a node's LaTeX; what cannot be read fails the build with its place."""
-    source = node.astext().strip()
+    source = DOT.sub(r"{\1\2}'", node.astext().strip())
     if as_block and r"\\" in source and r"\begin" not in source:
         source = rf"\begin{{aligned}}{source}\end{{aligned}}"
     try:
