@@ -23,7 +23,11 @@ GAINS = {"feedback": "K", "feedforward": r"\Gamma"}
 MANY = 100  # samples of an interval, for its mean square
 LEGEND_COLUMNS = 3
 LEGEND_ROW = 0.25  # of the height of the data
-MAX_FUNCTIONS = 6  # basis functions in a legend
+MAX_FUNCTIONS = (
+    6  # basis functions in a legend; more are numbered where their lines end
+)
+MAX_NUMBERED = 60
+END_GAP = 0.024  # of the height of the axes, between these numbers
 OVERVIEW = [
     ["track", "clpe"],
     ["track", "size"],
@@ -74,8 +78,9 @@ def clpe_plot(
             _draw_rms(bottom, time, size, scenario)
         bottom.set(xlabel=f"time ({units.time})", ylabel=f"|CLPE| ({units.length})")
         bottom.set_xlim(0, time[-1])
-        for panel in axes:
-            panel.legend(frameon=False, fontsize=8)
+        if label is None:
+            for panel in axes:
+                _draw_legend_above_data(panel)
     if has_waypoints and not (top.child_axes or bottom.child_axes):
         _draw_cycles(axes, cycle)
     return axes
@@ -126,7 +131,7 @@ def learning_plot(
     scenario = scenario_with(run, *names)
     axes = axes_for(ax, 6.4, 5.4, nrows=2, sharex=True)
     with run_style(axes, label, color):
-        _draw_estimates(axes[0], run, scenario, axis)
+        _draw_estimates(axes[0], run, scenario, axis, is_single=label is None)
         _draw_gains(axes[1], run, scenario, axis)
         if label is None:  # the legend of one of several runs stands beside the axes
             for panel in axes:
@@ -136,29 +141,66 @@ def learning_plot(
 
 
 def _draw_estimates(
-    ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int
+    ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int, is_single: bool
 ) -> None:
     """Draw the estimates of one axis' flow parameters, and the true values."""
     i = axis - 1
     estimates = run.flow_parameters_estimate.values[:, i].T
     is_few = len(estimates) <= MAX_FUNCTIONS
+    is_numbered = is_single and not is_few and len(estimates) <= MAX_NUMBERED
     for k, estimate in enumerate(estimates):
         label = rf"$\hat\theta_{axis}^{{{k + 1}}}$"
         if not is_few:
-            label = "_" if k else "estimates"
+            label = "_" if k or is_numbered else "estimates"
         linewidth = 1.2 if is_few else 0.6
         style = line_style(k)
         ax.plot(run.time.values, estimate, linewidth=linewidth, label=label, **style)
         if "flow_parameters" in run:
             _draw_truth(ax, run.flow_parameters.values[i][k], style)
     row = scenario.learning.row
+    if is_numbered:
+        _number_ends(ax, np.nan_to_num(estimates[:, -1]))
     source = "estimate = $-\\alpha$"
     if row.alpha_is_constant:
         source = "given estimate" if row.given_estimate else "estimate of the filter"
     truth = ", true values thin" if "flow_parameters" in run else ""
-    ax.set_title(f"Flow to the {DIRECTIONS[i]}, {source}{truth}", **TITLE)
+    count = "" if is_few else f" of {len(estimates)} functions"
+    count += ", numbered" if is_numbered else ""
+    ax.set_title(f"Flow to the {DIRECTIONS[i]}, {source}{count}{truth}", **TITLE)
     units = scenario.units
     ax.set_ylabel(f"flow parameter ({units.length}/{units.time})")
+
+
+def _number_ends(ax: Any, ends: np.ndarray) -> None:
+    """Write the number of each line right of its end, in two columns.
+
+    Places are the nearest to the ends, by least squares, that are a gap apart.
+    """
+    from scipy.optimize import isotonic_regression
+
+    ax.autoscale(axis="y")
+    low, high = ax.get_ylim()
+    order = np.argsort(ends)
+    heights = (ends[order] - low) / (high - low)
+    steps = min(END_GAP, 1 / len(ends)) * np.arange(len(ends))
+    places = isotonic_regression(heights - steps).x + steps
+    for k, (number, height, place) in enumerate(
+        zip(order, heights, places, strict=True)
+    ):
+        color = line_style(number)["color"]
+        ax.annotate(
+            str(number + 1),
+            (1, height),
+            (1.02 + 0.03 * (k % 2), place),
+            "axes fraction",
+            "axes fraction",
+            {"arrowstyle": "-", "linewidth": 0.3, "color": color, "shrinkA": 0},
+            fontsize=6,
+            va="center",
+            color=color,
+            annotation_clip=False,
+        )
+    ax.set_ylim(low, high)
 
 
 def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -> None:
@@ -178,10 +220,14 @@ def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -
 
 def _draw_legend_above_data(ax: Any) -> None:
     """Draw a legend of three columns in room that is added above the data."""
-    ax.autoscale(axis="y")
-    low, high = ax.get_ylim()
     rows = -(-len(ax.get_legend_handles_labels()[0]) // LEGEND_COLUMNS)
-    ax.set_ylim(low, high + LEGEND_ROW * rows * (high - low))
+    if not rows:
+        return
+    ax.autoscale(axis="y")
+    scale = ax.yaxis.get_transform()
+    low, high = scale.transform(np.array(ax.get_ylim()))
+    high += LEGEND_ROW * rows * (high - low)
+    ax.set_ylim(scale.inverted().transform([low, high]))
     ax.legend(frameon=False, fontsize=9, ncols=LEGEND_COLUMNS, loc="upper right")
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 LEAST = 1e-16  # smallest value on a logarithmic axis
 MAX_NUMBERED = 40  # waypoints with a number
+NUMBER_DISTANCE = 0.035  # of the chart's width
 MARKERS = dict(zip(COLOURS, ("", *"osD^v"), strict=True))
 
 
@@ -57,7 +58,7 @@ def track_plot(
         title = ["Waypoints", "track"] if len(waypoints) else ["Track"]
         if label is None:
             if len(waypoints) <= MAX_NUMBERED:
-                _number(ax, waypoints)
+                _number(ax, waypoints, track)
             ax.plot(*track[0], "s", color="black", markersize=5, label="start")
             if draw_first_flow(ax, run, scenario, grid):
                 title.append("flow at t = 0")
@@ -66,11 +67,17 @@ def track_plot(
     return ax
 
 
-def _number(ax: Any, points: np.ndarray) -> None:
+def _number(ax: Any, points: np.ndarray, track: np.ndarray) -> None:
+    """Write the numbers of waypoints, each on the side that is furthest from the track."""
+    angles = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+    sides = np.column_stack([np.cos(angles), np.sin(angles)])
+    reach = NUMBER_DISTANCE * np.ptp(ax.get_xlim())
+    drawn = np.concatenate([track[:: max(1, len(track) // 2000)], points])
     for k, point in enumerate(points, 1):
-        ax.annotate(
-            str(k), point, xytext=(5, 5), textcoords="offset points", fontsize=8
-        )
+        near = drawn[np.hypot(*(drawn - point).T) < 3 * reach]
+        away = np.hypot(*np.moveaxis(point + reach * sides[:, None] - near, -1, 0))
+        x, y = point + reach * sides[away.min(axis=1).argmax()]
+        ax.text(x, y, str(k), fontsize=8, ha="center", va="center")
 
 
 def draw_track(

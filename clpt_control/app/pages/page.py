@@ -113,11 +113,12 @@ def _section(section: Section) -> str:
 
 
 def _figure(drawn: Drawn) -> str:
-    svg = inline_svg(drawn.figure, drawn.name, drawn.caption)
+    svg, hint = inline_svg(drawn.figure, drawn.name, drawn.caption), ""
     if drawn.wide:
         caption = safe(drawn.caption)
         svg = f'<div class="wide" role="region" aria-label="{caption}" tabindex="0">{svg}</div>'
-    return f"<figure>{svg}<figcaption>{safe(drawn.caption)}</figcaption></figure>"
+        hint = ' <span class="hint">Scroll sideways to see all of it.</span>'
+    return f"<figure>{svg}<figcaption>{safe(drawn.caption)}{hint}</figcaption></figure>"
 
 
 def versions_section(attrs: Mapping[Any, Any]) -> Section:

@@ -147,13 +147,28 @@ def page_of(data: "xarray.Dataset", title: str | None = None) -> "Page":
         return ensemble_page(data, title)
     if kind_of(data) == "fixes":
         return fixes_page(data, title)
-    of_run = title or str(data.attrs.get("title") or "A run without a title")
+    of_run = title or _title_of(data)
     if is_response(data):
         check_response(data)
         return diagram_page(data, of_run)
     system = system_of_run(data)
     check_run(data, system, *NEEDED)
     return run_page(data, system, of_run)
+
+
+def _title_of(run: "xarray.Dataset") -> str:
+    """Return the title of a run; a changed run of the paper's scenario has a title of its own."""
+    from ...paper.scenario.file import BEYOND, paper_scenario
+
+    title = str(run.attrs.get("title") or "A run without a title")
+    changes = [
+        f"{change}, {run.attrs[name]}"
+        for name, (change, _) in BEYOND.items()
+        if name in run.attrs
+    ]
+    if changes and title == paper_scenario().title:
+        return f"The paper's loop with {'; '.join(changes)}"
+    return title
 
 
 def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:

@@ -103,6 +103,52 @@ def test_texts_of_figures_are_no_latex_whatever_the_users_style(made, tmp_path):
     assert ">CLPE (m)<" in (tmp_path / "run.html").read_text("utf-8")
 
 
+def test_numbers_of_waypoints_are_off_the_track(made):
+    ax = made["run"].clpt.plot("track")
+    track = made["run"].position.values
+    numbers = {text.get_text(): text.get_position() for text in ax.texts}
+    assert list(numbers) == [str(k) for k in range(1, 11)]
+    nearest = [np.hypot(*(track - place).T).min() for place in numbers.values()]
+    assert min(nearest) > 0.02 * np.ptp(ax.get_xlim())
+    plt.close("all")
+
+
+def test_a_legend_is_off_the_curves(made):
+    for name in ("clpe", "learning"):
+        for ax in made["run"].clpt.plot(name):
+            ax.figure.draw_without_rendering()
+            box = (
+                ax.get_legend().get_window_extent().transformed(ax.transAxes.inverted())
+            )
+            for line in ax.lines:
+                if len(line.get_xydata()) > 2:
+                    drawn = (line.get_transform() - ax.transAxes).transform(
+                        line.get_xydata()
+                    )
+                    inside = (drawn[:, 0] > box.x0) & (drawn[:, 0] < box.x1)
+                    assert drawn[inside, 1].max(initial=0.0) < box.y0
+    plt.close("all")
+
+
+def test_more_functions_than_a_legend_has_are_numbered_at_their_ends(scenario):
+    values = {
+        "basis.centers": [[k, 0] for k in range(9)],
+        "basis.widths": [3.0] * 9,
+        "basis.periods": [20.0] * 9,
+        "basis.phases": [0.0] * 9,
+        "flow.parameters": [[0.1] * 9] * 2,
+        "model.parameters": [[0.0] * 9] * 2,
+        "learning.parameters": [[0.0] * 9] * 2,
+    }
+    run = clpt.simulate(scenario.with_values(values))
+    estimates, _ = run.clpt.plot("learning")
+    assert sorted(text.get_text() for text in estimates.texts) == list("123456789")
+    assert estimates.get_legend() is None
+    places = [text.get_position()[1] for text in estimates.texts]
+    assert np.diff(places).min() > 0.02
+    plt.close("all")
+
+
 # --- films ---------------------------------------------------------------------------------------
 
 

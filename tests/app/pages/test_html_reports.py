@@ -166,6 +166,16 @@ def test_what_the_scenario_does_not_hold_is_said(run, words):
         assert said in words(data)
 
 
+def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
+    scenario = clpt.paper_scenario().with_values({"run.duration": 40})
+    lag = control.tf(1, [0.5, 1], name="lag")
+    loop = clpt.closed_loop(scenario, insert={("v_x", "vehicle"): lag})
+    page = tmp_path / "page.html"
+    changed = clpt.report(clpt.simulate(loop), page)["title"]
+    assert changed == "The paper's loop with parts given in Python, v_x to vehicle: lag"
+    assert "section IV" in clpt.report(clpt.simulate(scenario), page)["title"]
+
+
 @pytest.fixture
 def found(printed, tmp_path):
     """The figures that `clpt run` prints of a run, and the run."""
