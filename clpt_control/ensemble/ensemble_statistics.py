@@ -13,7 +13,7 @@ import numpy as np
 
 from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
-from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, literal
+from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, legend_above_data, literal
 from ..simulation.comparison import named, panels_for
 from .summaries import STATUS
 
@@ -225,7 +225,7 @@ def _draw_panel(
     ax.set(**labels)
     if np.nanmin(bands) > 0:
         ax.set_yscale("log")
-    ax.legend(frameon=False, fontsize=8)
+    legend_above_data(ax)
 
 
 def _draw_bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> bool:
@@ -261,7 +261,7 @@ def _diagram_plot(data: "xarray.Dataset", ax: Any) -> Any:
     count = f"{data.sizes['member']:,}".replace(",", " ")
     panels[0].set_title(f"{count} members", **TITLE)
     if stored and panels[0].lines:
-        panels[0].legend(frameon=False, fontsize=8)
+        legend_above_data(panels[0])
     panels[-1].set_xlabel(literal(named(str(x.name), x.attrs.get("units"))))
     return axes
 

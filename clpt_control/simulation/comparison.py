@@ -12,7 +12,7 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import ClptError, DataError
-from ..base.figures import COLOURS, axes_for, line_style, literal
+from ..base.figures import COLOURS, axes_for, legend_above_data, line_style, literal
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
 from .run_plots import clpe_plot, learning_plot, run_plot
@@ -76,7 +76,7 @@ def _draw_port(ax: Any, run: "xarray.Dataset", port: str) -> None:
         ax.plot(time, values, label=label, linewidth=1.1, **line_style(k))
     ax.set_ylabel(literal(named(port, run[port].attrs.get("units"))))
     if len(signals) > 1 and is_labelled:
-        ax.legend(frameon=False, fontsize=8, loc="upper right", ncols=MAX_LABELS)
+        legend_above_data(ax)
 
 
 @public

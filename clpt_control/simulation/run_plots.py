@@ -10,7 +10,7 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.errors import ClptError
-from ..base.figures import BLUE, GREY, TITLE, axes_for, line_style
+from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, line_style
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts, waypoints_of
 from .track_chart import positive, run_style, scenario_with, track_plot
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 DIRECTIONS = "east", "north"  # of x1 and x2
 GAINS = {"feedback": "K", "feedforward": r"\Gamma"}
 MANY = 100  # samples of an interval, for its mean square
-LEGEND_COLUMNS = 3
-LEGEND_ROW = 0.25  # of the height of the data
 MAX_FUNCTIONS = (
     6  # basis functions in a legend; more are numbered where their lines end
 )
@@ -80,7 +78,7 @@ def clpe_plot(
         bottom.set_xlim(0, time[-1])
         if label is None:
             for panel in axes:
-                _draw_legend_above_data(panel)
+                legend_above_data(panel)
     if has_waypoints and not (top.child_axes or bottom.child_axes):
         _draw_cycles(axes, cycle)
     return axes
@@ -135,7 +133,7 @@ def learning_plot(
         _draw_gains(axes[1], run, scenario, axis)
         if label is None:  # the legend of one of several runs stands beside the axes
             for panel in axes:
-                _draw_legend_above_data(panel)
+                legend_above_data(panel)
         _set_learning_time(axes, run, scenario)
     return axes
 
@@ -216,19 +214,6 @@ def _draw_gains(ax: Any, run: "xarray.Dataset", scenario: Scenario, axis: int) -
             _draw_truth(ax, getattr(scenario.vehicle, name)[i], style)
     ax.set_title(f"Gains{', true values thin' if has_truth else ''}", **TITLE)
     ax.set_ylabel(f"gain (1/{scenario.units.time})")
-
-
-def _draw_legend_above_data(ax: Any) -> None:
-    """Draw a legend of three columns in room that is added above the data."""
-    rows = -(-len(ax.get_legend_handles_labels()[0]) // LEGEND_COLUMNS)
-    if not rows:
-        return
-    ax.autoscale(axis="y")
-    scale = ax.yaxis.get_transform()
-    low, high = scale.transform(np.array(ax.get_ylim()))
-    high += LEGEND_ROW * rows * (high - low)
-    ax.set_ylim(scale.inverted().transform([low, high]))
-    ax.legend(frameon=False, fontsize=9, ncols=LEGEND_COLUMNS, loc="upper right")
 
 
 def _draw_truth(ax: Any, value: float, style: dict[str, Any]) -> None:

@@ -35,6 +35,9 @@ COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, "#56B4E9")
 TITLE: dict[str, Any] = {"loc": "left", "fontsize": 10}
 STYLES = ("-", "--", "-.", (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2)))
 
+LEGEND_COLUMNS = 3
+LEGEND_ROW = 0.25  # of the height of the data
+
 FORMATS = ("png", "pdf", "svg")
 SAME: dict[Any, Any] = {  # whatever the user's matplotlibrc says
     "svg.hashsalt": "clpt-control",
@@ -206,6 +209,19 @@ def legend_below(ax: Any, columns: int, points: float = 34.0) -> None:
         "bbox_transform": below,
     }
     ax.legend(ncols=columns, fontsize=8, frameon=False, **position)
+
+
+def legend_above_data(ax: Any) -> None:
+    """Draw a legend of three columns in room that is added above the data."""
+    rows = -(-len(ax.get_legend_handles_labels()[0]) // LEGEND_COLUMNS)
+    if not rows:
+        return
+    ax.autoscale(axis="y")
+    scale = ax.yaxis.get_transform()
+    low, high = scale.transform(np.array(ax.get_ylim()))
+    high += LEGEND_ROW * rows * (high - low)
+    ax.set_ylim(scale.inverted().transform([low, high]))
+    ax.legend(frameon=False, fontsize=8, ncols=LEGEND_COLUMNS, loc="upper right")
 
 
 def checked_formats(formats: Sequence[str]) -> tuple[str, ...]:
