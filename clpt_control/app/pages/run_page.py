@@ -40,6 +40,7 @@ ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
 EACH = 5  # ports of a figure
 MOST_SIGNALS = 60  # in the table
 MOST_SAMPLES = 6000  # in a figure
+ROUNDING = 1e-12  # share of a signal's largest value below which the table has 0
 PAPERS_LOOP = (
     "The loop as it ran. The number under a name is the equation of the paper."
 )
@@ -211,6 +212,7 @@ def figure_sections(run: Dataset, system: Scenario | Team) -> list[Section]:
 def _learned(run: Dataset, scenario: Scenario) -> Section:
     """Return the section of learned and true parameters, without figures."""
     unit, last, car = scenario.units, run.isel(time=-1), scenario.vehicle
+    atol = scenario.run.atol
     theta = run.flow_parameters.values if "flow_parameters" in run else None
     gains_known = "vehicle_controller" not in unknown_parts(run)
     rate = f"1/{unit.time}"
@@ -232,7 +234,7 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
     rows = [
         [
             f"{name}_{axis + 1}{''.join(f'[{k + 1}]' for k in index)} ({per})",
-            f"{learned.values[axis, *index]:.4g}",
+            _learned_value(learned.values[axis, *index], atol),
             "not known" if true is None else f"{true[axis, *index]:.4g}",
         ]
         for axis in range(2)
@@ -240,8 +242,15 @@ def _learned(run: Dataset, scenario: Scenario) -> Section:
         for index in np.ndindex(learned.shape[1:])
     ]
     title = f"Learned by t = {float(last.time):g} {unit.time}"
-    result = Result(title, ["", "learned", "true"], rows)
+    said = [f"0 stands for less than the tolerance, {atol:g}"]
+    said *= any(row[1] == "0" for row in rows)
+    result = Result(title, ["", "learned", "true"], rows, said)
     return Section("learning", "Learned parameters", result)
+
+
+def _learned_value(value: float, atol: float) -> str:
+    """Return a learned number; 0 below the tolerance of the run."""
+    return "0" if abs(value) < atol else f"{value:.4g}"
 
 
 def end_plot(run: Dataset) -> Any:
@@ -308,13 +317,17 @@ def extent_of(run: Dataset) -> dict[str, dict[str, float]]:
 
 def response_result(run: Dataset) -> Result:
     """Return where the signals of a diagram's run began and ended, and how far they went."""
-    rows = [
-        [name, *(f"{v:.6g}" for v in extent.values())]
-        for name, extent in extent_of(run).items()
-    ]
-    sentences = (
-        [f"{hidden} more signals"] if (hidden := len(rows) - MOST_SIGNALS) > 0 else []
-    )
+    rows, has_rounding = [], False
+    for name, extent in extent_of(run).items():
+        values = np.array([*extent.values()])
+        is_rounding = np.abs(values) < ROUNDING * np.abs(values).max()
+        has_rounding |= bool(values[is_rounding].any())
+        rows.append([name, *(f"{v:.6g}" for v in np.where(is_rounding, 0.0, values))])
+    hidden = len(rows) - MOST_SIGNALS
+    sentences = [f"{hidden} more signals"] if hidden > 0 else []
+    if has_rounding:
+        share = f"{ROUNDING:g} of the signal's largest value"
+        sentences.append(f"0 stands for less than {share}")
     title = f"{run.attrs.get('title', 'A run')}, {span_of(run)}"
     columns = ["signal", "first", "last", "least", "most"]
     return Result(title, columns, rows[:MOST_SIGNALS], sentences)

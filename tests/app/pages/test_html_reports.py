@@ -176,6 +176,21 @@ def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
     assert "section IV" in clpt.report(clpt.simulate(scenario), page)["title"]
 
 
+def test_rounding_is_printed_as_0_with_its_tolerance(words):
+    size = control.nlsys(
+        lambda t, x, u, p: [0.0],
+        lambda t, x, u, p: [x[0], 1e-15 * np.cos(t) + 3.0 * t],
+        inputs=0,
+        outputs=["small", "far"],
+        states=1,
+        name="size",
+    )
+    text = words(clpt.simulate(size, [0.0, 1.0], initial_state=[1e-15]))
+    assert "small|1e-15|1e-15|1e-15|1e-15" in text  # as large as this signal is
+    assert "far|0|3|0|3" in text
+    assert "0 stands for less than 1e-12 of the signal's largest value." in text
+
+
 @pytest.fixture
 def found(printed, tmp_path):
     """The figures that `clpt run` prints of a run, and the run."""
