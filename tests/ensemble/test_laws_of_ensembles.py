@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from law_blocks import EACH, HELD, papers_law, remembering_law
 from sampled_runs import assert_identical
+from small_scenarios import FIXES
 
 import clpt_control as clpt
 from clpt_control import Block, DataError, DiagramError, ScenarioError
 from clpt_control.ensemble.run import run_ensemble
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 THETA = "flow.parameters~normal:0.1"
 GAIN = "learning.gain=0.2:2.0"
@@ -86,7 +86,7 @@ def test_every_law_makes_ensembles_and_its_settings_vary(quick, name):
         if law.given_estimate
         else None,
         "learning.parameters": None,
-        **(AT_FIXES if law.at_fixes else {"learning.gain": 0.8}),
+        **(FIXES if law.at_fixes else {"learning.gain": 0.8}),
     }
     varied = {"localization.interval" if law.at_fixes else "learning.gain": "0.2:2.0"}
     for setting in [

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from law_blocks import HELD
+from small_scenarios import FIXES
 
 import clpt_control as clpt
 from clpt_control.engine.solver.batch import Batch
@@ -12,7 +13,6 @@ from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.summaries import STATUS
 from clpt_control.ensemble.varied_scenario import VariedScenario
 from clpt_control.simulation.summary import run_and_report
-from clpt_control.theory.proofs.theorem_loop import AT_FIXES
 
 
 def members_of(count):
@@ -55,7 +55,7 @@ VARIED = {  # what is not as in the paper's scenario, and what differs from memb
         },
     ),
     "fixes": (
-        {"learning.law": "fix-regression", **AT_FIXES, "localization.noise": 0.01},
+        {"learning.law": "fix-regression", **FIXES, "localization.noise": 0.01},
         {
             "interval": np.tile([5.0, 7.0, 20.0], 3),
             "latency": np.repeat([0.0, 1.0, 4.5], 3),

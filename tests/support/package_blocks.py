@@ -3,6 +3,7 @@
 import control
 import numpy as np
 import pytest
+from small_scenarios import paper_of
 
 from clpt_control import parts
 from clpt_control.paper.blocks import (
@@ -20,7 +21,6 @@ from clpt_control.paper.currents.plane import GriddedField
 from clpt_control.paper.laws import consensus
 from clpt_control.paper.laws.law import Gains, Truth
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 GAINS = {  # of alpha, K and Gamma, by the number of functions
     1: Gains(0.7, 0.4, 1.3, shared=False),
@@ -83,7 +83,7 @@ def of_size(N):
         lyapunov.lyapunov_candidate(law, weights) for law in lyapunov.CANDIDATES
     )
     for name, law in LAWS.items():
-        scenario = theorem_scenario(N, name)
+        scenario = paper_of(N, name)
         block = law.block(scenario.known_to_law._replace(gains=GAINS[N]))
         yield from (block, law.V(block.parameters, Truth(theta, KD, GammaD)))
         if name == "learned-flow":

@@ -11,6 +11,7 @@ from types import FunctionType
 
 import numpy as np
 import pytest
+from altered_rows import PROOFS
 from mutated_equations import alterations, altered, exchanged
 from package_blocks import BLOCKS
 from small_scenarios import paper_of
@@ -18,7 +19,6 @@ from source_checks import CHECKS
 
 import clpt_control as clpt
 from clpt_control.theory import audit, misprints
-from clpt_control.theory.proofs.all_proofs import PROOFS  # limited speed, and a team
 
 LAWS, Truth = clpt.laws(), namedtuple("Truth", "theta KD GammaD")
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up

@@ -6,6 +6,7 @@ from collections import namedtuple
 import numpy as np
 import pytest
 import sympy
+from altered_rows import judged
 from mutated_equations import altered, exchanged
 from responses import response
 from small_scenarios import FIXES as OF_FIXES
@@ -14,10 +15,6 @@ from user_laws import LEARNED, V_of, beside, formula
 
 import clpt_control as clpt
 from clpt_control import prove
-from clpt_control.paper.laws import regressions
-from clpt_control.theory.proofs.all_proofs import (
-    proof_of_law,  # of a row that is changed
-)
 
 LAWS = clpt.laws()
 LAW = LAWS["concurrent"]
@@ -99,23 +96,22 @@ def test_without_a_relation_nothing_is_proved(law, port):
             if key != port
         }
 
-    assert proof_of_law(law._replace(invariants=fewer)).status == "open"
+    assert judged(law.name, invariants=fewer).status == "open"
 
 
 def test_a_law_is_bounded_only_where_every_error_shrinks():
-    law = LAWS["drem"]
 
     def fewer(s, p, truth):
-        kept = law.invariants(s, p, truth)
+        kept = LAWS["drem"].invariants(s, p, truth)
         return {
             **kept,
             "alpha": [np.ravel(kept["alpha"])[0], *np.ravel(s["alpha"])[1:]],
         }
 
-    found = proof_of_law(law)
+    found = judged("drem")
     assert (found.status, found.conclusion) == ("proved", "bounded in the mean")
     for change in ({"invariants": fewer}, {"readout": "b"}):
-        assert proof_of_law(law._replace(**change)).status == "open"
+        assert judged("drem", **change).status == "open"
 
 
 @pytest.mark.parametrize("law", dearest_slow(KEEPING), ids=name_of)
@@ -125,9 +121,7 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
         return [(2, *first), *others]
 
     growth = {"error_growth": lambda s, p, truth: 2 * law.error_growth(s, p, truth)}
-    found = proof_of_law(
-        law._replace(**(growth if law.makes_estimate else {"losses": twice}))
-    )
+    found = judged(law.name, **(growth if law.makes_estimate else {"losses": twice}))
     assert found.status == "open"
     assert "left over" in found.claim
 
@@ -175,15 +169,18 @@ BOUNDS = (
 
 @pytest.mark.parametrize("law", dearest_slow(WITH_P), ids=name_of)
 def test_the_bounds_of_the_covariance_are_steps_of_the_proof(law):
-    said = " ".join(step.claim for step in proof_of_law(law).steps if step.holds)
+    said = " ".join(step.claim for step in judged(law.name).steps if step.holds)
     assert all(bound in said for bound in BOUNDS)
 
 
 @pytest.mark.parametrize("law", dearest_slow(WITH_P), ids=name_of)
-def test_a_covariance_that_may_pass_its_bound_is_not_proved(law, monkeypatch):
-    unbounded = lambda x, p: p.forgetting  # noqa: E731
-    monkeypatch.setattr(regressions.forgetting, "__code__", unbounded.__code__)
-    found = proof_of_law(law)
+def test_a_covariance_that_may_pass_its_bound_is_not_proved(law):
+    def unbounded(x, p):
+        return p.forgetting
+
+    forgetting = law.rates.__globals__["forgetting"]
+    with exchanged(forgetting, unbounded.__code__):
+        found = judged(law.name)
     assert found.status == "open"
     assert any("tr P <= k_0" in step.claim and not step.holds for step in found.steps)
 
@@ -203,7 +200,7 @@ def test_a_jump_that_breaks_the_proof_leaves_the_law_open(change, said):
         """As Eqs. (21)-(23) have it, but for what is changed."""
         return LAW.jump(t, x, u, p) | change(x)
 
-    found = proof_of_law(LAW._replace(jump=jump))
+    found = judged("concurrent", jump=jump)
     assert found.status == "open"
     assert said in found.claim
 
@@ -215,7 +212,7 @@ def test_a_jump_at_which_V_rises_leaves_what_is_between_jumps():
         """As Eqs. (21)-(23) have it, alpha forgotten."""
         return LAW.jump(t, x, u, p) | {"alpha": 0.0}
 
-    found = proof_of_law(LAW._replace(jump=jump))
+    found = judged("concurrent", jump=jump)
     assert (found.status, found.conclusion) == ("proved", "V does not increase")
     assert "; between jumps" in found.sentence
     assert [step.claim for step in found.failed] == [
@@ -311,7 +308,7 @@ def test_a_law_at_fixes_with_a_sign_turned_is_not_proved(which):
         code = altered(function, which)
         if code is not None:
             with exchanged(function, code):
-                assert proof_of_law(FIXES).status == "open"
+                assert judged(FIXES.name).status == "open"
 
 
 def test_V_never_rises_in_a_uniform_current_whatever_is_missing_or_late():

@@ -5,13 +5,13 @@ K' = -gamma_K z e, Gamma' = gamma_Gamma zc e, Eqs. (22)-(23), by gains of their 
 
 import numpy as np
 import pytest
+from small_scenarios import paper_of
 
 from clpt_control import ScenarioError
 from clpt_control.paper.laws.law import Gains, Truth
 from clpt_control.paper.laws.table import LAWS
 from clpt_control.paper.scenario.quantities import keys_of, keys_of_law
 from clpt_control.simulation.user_components import functions_of
-from clpt_control.theory.proofs.theorem_loop import theorem_scenario
 
 N = 2
 TRUTH = Truth(
@@ -21,7 +21,7 @@ AT_TRUTH = {"alpha": -TRUTH.theta.ravel(), "K": TRUTH.KD, "Gamma": TRUTH.GammaD}
 
 
 def made(name, **gains):
-    known = theorem_scenario(N, name).known_to_law
+    known = paper_of(N, name).known_to_law
     given = {
         "parameters": 0.5,
         "feedback": 0.3,
@@ -54,7 +54,7 @@ def test_a_law_has_the_ports_of_the_diagram_and_starts_of_its_own_and_holds_gain
     law, block = LAWS[name], made(name, feedback=0.0, feedforward=0.0)
     assert (block.name, functions_of(block)) == ("adaptation", N)
     assert not block.feedthrough
-    for port, value in law.starts(theorem_scenario(N, name).known_to_law).items():
+    for port, value in law.starts(paper_of(N, name).known_to_law).items():
         assert np.size(value) == block.state_ports[port]
         assert port not in ("alpha", "K", "Gamma")
     if not law.at_fixes:
@@ -68,7 +68,7 @@ def test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it(name):
     V = LAWS[name].V(block.parameters, TRUTH)
     assert V.output_ports == {"V": 1}
     assert set(V.input_ports) <= {"e", *block.output_ports}
-    at = AT_TRUTH | LAWS[name].starts(theorem_scenario(N, name).known_to_law)
+    at = AT_TRUTH | LAWS[name].starts(paper_of(N, name).known_to_law)
     for e in ([0.0, 0.0],) if LAWS[name].at_fixes else ([0.0, 0.0], [0.3, -0.4]):
         u = np.concatenate([np.ravel(at.get(port, e)) for port in V.input_ports])
         far = np.maximum(np.abs(e) - getattr(block.parameters, "zone", 0.0), 0.0)
@@ -115,7 +115,7 @@ KEYS = {
 @pytest.mark.parametrize("name", LAWS)
 def test_what_a_law_is_made_of_is_what_changes_it(name):
     """A key is in another form in a law where its value changes more than what holds it."""
-    law, scenario = LAWS[name], theorem_scenario(N, name)
+    law, scenario = LAWS[name], paper_of(N, name)
 
     def values(known):
         return {**law.parameters_of(known)._asdict(), **law.starts(known)}
