@@ -17,8 +17,9 @@ from ..base.errors import DiagramError
 from ..base.units import at_least
 from .proofs.conclusions import CONCLUSIONS, concluded, strength
 from .proofs.judge import Verdict, judge, refuted
+from .proofs.signal_functions import function_of_signals
 from .proofs.steps import How, Step, first_failure, short, worked_out
-from .proofs.system_candidate import SystemCandidate, function_of_signals
+from .proofs.system_candidate import SystemCandidate
 from .region import Region
 from .searching import candidates
 

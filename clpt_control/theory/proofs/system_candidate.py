@@ -6,24 +6,20 @@ The equations are those that run; parameters are symbols of the signs that they 
 numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 """
 
-from collections import Counter
 from collections.abc import Callable, Mapping
 from functools import cached_property
 from math import pi
 from typing import Any
 
-import control
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ...base.arguments import check_holds
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
-from ...engine.diagram.symbolic_equations import Equations, on_symbols
+from ...engine.diagram.symbolic_equations import on_symbols
 from ...engine.diagram.wiring import wiring_of
-from ...engine.model.block import Block
-from ...engine.record.symbolic import Symbols, rational
+from ...engine.record.symbolic import rational
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
 from .decide import in_one_piece, never_positive, without_choices, without_fading
@@ -33,60 +29,14 @@ from .facts import has_time, is_continuous
 from .judge import Candidate, Fall, Refutation, Verdict, judge
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
+from .signal_functions import expression_of, undefined_in
 from .slopes import along, meets_smoothly
 from .steps import Step, checked, exact, short
 from .sums_of_squares import lost_forms, squares
-from .symbolic_loop import NO_VALUE, no_value, refuse_levels, refuse_names
+from .symbolic_loop import NO_VALUE, refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
 MOST_TURNS = 360  # pi/360 is a share of pi
-LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
-
-
-def _undefined(owner: str, kind: str, arguments: tuple) -> str | None:
-    """Return where an operation has no value; one whose value may be too large has one."""
-    sentence = no_value(owner, kind, arguments)
-    return None if kind in LARGE else sentence
-
-
-def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
-    """Return the symbols that a function of signals may ask for, by name: s.plant_x, s.t."""
-    names = {name: name.replace(".", "_") for name in eq.named}
-    counts = Counter(names.values())
-    for name, identifier in names.items():
-        if name != identifier and counts[identifier] > 1:
-            clash = f"{name} and {identifier} are both s.{identifier}"
-            raise DiagramError(
-                f"{eq.name}: {clash} in a function of signals. Rename one"
-            )
-    symbols = {names[name]: symbols for name, symbols in eq.named.items()}
-    is_allowed = {
-        name: name.isidentifier() and not hasattr(np.ndarray, name) for name in symbols
-    }
-    allowed = {name: values for name, values in symbols.items() if is_allowed[name]}
-    return allowed | {"t": np.array(TIME)}
-
-
-def function_of_signals(system: Any, V: Any) -> Any:
-    """Return an expression in the symbols of `clpt.equations` as a function of signals."""
-    if not isinstance(V, sympy.Expr):
-        return V
-    signals = signals_by_name(on_symbols(system, with_samples=True))
-    indices = {
-        symbol: (name, k)
-        for name, symbols in signals.items()
-        for k, symbol in enumerate(symbols.flat)
-        if symbol.is_Symbol or isinstance(symbol, AppliedUndef)
-    }
-    if unknown := V.free_symbols - indices.keys():
-        raise DiagramError(
-            f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
-            f"{', '.join(map(str, indices))}"
-        )
-    run = sympy.lambdify([*indices], V, "numpy")
-    return lambda s: run(
-        *(np.ravel(getattr(s, name))[k] for name, k in indices.values())
-    )
 
 
 class SystemCandidate(Candidate):
@@ -104,7 +54,7 @@ class SystemCandidate(Candidate):
     ):
         self.system, self.points, self.seed = system, points, seed
         names = Numbers if numbers else Names
-        self.eq = on_symbols(system, names, watch=_undefined, with_samples=True)
+        self.eq = on_symbols(system, names, watch=undefined_in, with_samples=True)
         self._refuse_what_has_no_rates()
         self.motion = {s: decided(rate) for s, rate in self.eq.motion.items()}
         self.fixed = {*self.eq.values}
@@ -113,10 +63,9 @@ class SystemCandidate(Candidate):
         labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
         outputs = system.output_labels
         self.output = next((name for name in outputs if name in labels), "")
-        self.undefined: list[str] = []
-        self.claim = None if claim is None else self.expression(claim)
-        self.undefined = [*self.eq.undefined]
-        self.V = decided(self.expression(V))
+        self.claim = None if claim is None else expression_of(self.eq, claim)[0]
+        V_of_states, undefined = expression_of(self.eq, V)
+        self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
         self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
         self.rate = self._rate_of_V()
         self.rest = None if rest is None else self._rest_state(rest)
@@ -146,62 +95,6 @@ class SystemCandidate(Candidate):
             map(is_continuous, self.motion.values())
         )
         return (is_smooth and in_one_piece(rate)) or rate
-
-    def expression(self, source: Any) -> sympy.Expr:
-        """Return a name, a function of signals or an expression as an expression.
-
-        Where it may have no value is added to `undefined`.
-        """
-        if callable(source):
-            value = self._traced(source)
-            if value.has(*NO_VALUE):
-                raise DiagramError(
-                    f"{self.system.name}: a function of signals is NaN or infinite. "
-                    "Return a number that is finite"
-                )
-            return value
-        value = sympy.sympify(self.eq[source] if isinstance(source, str) else source)
-        if not isinstance(value, sympy.Expr):
-            raise DiagramError(f"{self.system.name}: {source} is not a single number")
-        return value
-
-    def _traced(self, source: Callable[[Any], Any]) -> sympy.Expr:
-        """Return a function of signals as an expression."""
-        signals = signals_by_name(self.eq)
-
-        def level(u: Any) -> Any:
-            try:
-                value = source(u)
-            except (
-                AttributeError
-            ) as error:  # a V of prove asks the truth for its fields
-                if "_asdict" not in f"{error}":
-                    raise
-                value = None
-            if value is None or isinstance(value, control.InputOutputSystem):
-                raise DiagramError(
-                    f"{self.system.name}: V is a function of signals here, "
-                    "lambda s: s.e @ s.e/2, which returns a number and no block"
-                )
-            return value
-
-        block = Block(
-            "V",
-            output=lambda t, x, u, p: {"V": level(u)},
-            inputs={name: symbols.shape for name, symbols in signals.items()},
-            outputs={"V": 1},
-        )
-        record = block.array_record("output")
-
-        def watch(index: int, kind: str, arguments: tuple) -> None:
-            if sentence := _undefined("V", kind, arguments):
-                self.undefined.append(f"V {sentence}")
-
-        def leaf(key: tuple, shape: tuple, index: tuple) -> Any:
-            return signals[key[1]][index]
-
-        (V,) = Symbols(record.operations, leaf, watch, block.sizes).outputs(record)
-        return V
 
     def _rest_state(self, values: Mapping[str, float]) -> dict[Any, sympy.Expr]:
         """Return each state's value at a rest, a share of pi where a number is that."""

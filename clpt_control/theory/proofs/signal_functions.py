@@ -1,0 +1,123 @@
+"""Functions of a diagram's signals as expressions: `lambda s: s.e @ s.e/2`, a V or a claim."""
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import control
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations, on_symbols
+from ...engine.model.block import Block
+from ...engine.record.symbolic import Symbols
+from .symbolic_loop import NO_VALUE, no_value
+
+LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
+
+
+def undefined_in(owner: str, kind: str, arguments: tuple) -> str | None:
+    """Return where an operation has no value; one whose value may be too large has one."""
+    sentence = no_value(owner, kind, arguments)
+    return None if kind in LARGE else sentence
+
+
+def signals_by_name(eq: Equations) -> dict[str, np.ndarray]:
+    """Return the symbols that a function of signals may ask for, by name: s.plant_x, s.t."""
+    names = {name: name.replace(".", "_") for name in eq.named}
+    counts = Counter(names.values())
+    for name, identifier in names.items():
+        if name != identifier and counts[identifier] > 1:
+            clash = f"{name} and {identifier} are both s.{identifier}"
+            raise DiagramError(
+                f"{eq.name}: {clash} in a function of signals. Rename one"
+            )
+    symbols = {names[name]: symbols for name, symbols in eq.named.items()}
+    is_allowed = {
+        name: name.isidentifier() and not hasattr(np.ndarray, name) for name in symbols
+    }
+    allowed = {name: values for name, values in symbols.items() if is_allowed[name]}
+    return allowed | {"t": np.array(TIME)}
+
+
+def function_of_signals(system: Any, V: Any) -> Any:
+    """Return an expression in the symbols of `clpt.equations` as a function of signals."""
+    if not isinstance(V, sympy.Expr):
+        return V
+    signals = signals_by_name(on_symbols(system, with_samples=True))
+    indices = {
+        symbol: (name, k)
+        for name, symbols in signals.items()
+        for k, symbol in enumerate(symbols.flat)
+        if symbol.is_Symbol or isinstance(symbol, AppliedUndef)
+    }
+    if unknown := V.free_symbols - indices.keys():
+        raise DiagramError(
+            f"{system.name}: has no {unknown.pop()} as clpt.equations has symbols; it has "
+            f"{', '.join(map(str, indices))}"
+        )
+    run = sympy.lambdify([*indices], V, "numpy")
+    return lambda s: run(
+        *(np.ravel(getattr(s, name))[k] for name, k in indices.values())
+    )
+
+
+def expression_of(eq: Equations, source: Any) -> tuple[sympy.Expr, list[str]]:
+    """Return a name, a function of signals or an expression as an expression.
+
+    With it the sentences on where it may have no value.
+    """
+    if callable(source):
+        value, undefined = _traced(eq, source)
+        if value.has(*NO_VALUE):
+            raise DiagramError(
+                f"{eq.name}: a function of signals is NaN or infinite. "
+                "Return a number that is finite"
+            )
+        return value, undefined
+    value = sympy.sympify(eq[source] if isinstance(source, str) else source)
+    if not isinstance(value, sympy.Expr):
+        raise DiagramError(f"{eq.name}: {source} is not a single number")
+    return value, []
+
+
+def _traced(
+    eq: Equations, source: Callable[[Any], Any]
+) -> tuple[sympy.Expr, list[str]]:
+    """Return a function of signals as an expression, and where it may have no value."""
+    signals, undefined = signals_by_name(eq), list[str]()
+
+    def level(u: Any) -> Any:
+        try:
+            value = source(u)
+        except AttributeError as error:  # a V of prove asks the truth for its fields
+            if "_asdict" not in f"{error}":
+                raise
+            value = None
+        if value is None or isinstance(value, control.InputOutputSystem):
+            raise DiagramError(
+                f"{eq.name}: V is a function of signals here, "
+                "lambda s: s.e @ s.e/2, which returns a number and no block"
+            )
+        return value
+
+    block = Block(
+        "V",
+        output=lambda t, x, u, p: {"V": level(u)},
+        inputs={name: symbols.shape for name, symbols in signals.items()},
+        outputs={"V": 1},
+    )
+    record = block.array_record("output")
+
+    def watch(index: int, kind: str, arguments: tuple) -> None:
+        if sentence := undefined_in("V", kind, arguments):
+            undefined.append(f"V {sentence}")
+
+    def leaf(key: tuple, shape: tuple, index: tuple) -> Any:
+        return signals[key[1]][index]
+
+    (V,) = Symbols(record.operations, leaf, watch, block.sizes).outputs(record)
+    return V, undefined
