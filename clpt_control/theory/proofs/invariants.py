@@ -52,19 +52,20 @@ from .certificates import Ways, of_invariants
 from .conclusions import Condition, for_sizes
 from .exact import vanishes
 from .facts import MAXIMUM, WHERE
-from .invariant_loop import NOTHING, SIZES, InvariantLoop
+from .invariant_loop import NOTHING, SIZES
 from .judge import Fall, Verdict, judge
 from .law_candidate import LoopCandidate
+from .semidefinite import SemidefiniteLoop
 from .steps import Step, exact, exact_step, first_failure
 from .theorem_loop import decay, rate_of_V
 from .theorems import mean_square
 
-Claims = dict[str, tuple[str, Callable[[InvariantLoop], bool | str]]]
+Claims = dict[str, tuple[str, Callable[[SemidefiniteLoop], bool | str]]]
 MIDDLE = 2  # of `SIZES`: the running blocks are compared for it
 IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
 
 
-class Invariants(InvariantLoop, LoopCandidate):
+class Invariants(SemidefiniteLoop, LoopCandidate):
     """A law with invariants, on its loop for one N: a law of the table, or your own."""
 
     def __init__(
@@ -76,7 +77,7 @@ class Invariants(InvariantLoop, LoopCandidate):
         blocks: tuple | None = None,
         start: Mapping[str, Any] = NOTHING,
     ):
-        InvariantLoop.__init__(self, law, N, blocks=blocks, start=start)
+        SemidefiniteLoop.__init__(self, law, N, blocks=blocks, start=start)
         self.points, self.seed = points, seed
         self.eq, self.motion = self.loop, self.loop.motion
         self.fixed, self.residual = {*self.loop.values}, self.beside
@@ -156,22 +157,22 @@ def judged_row(law: Law, points: int, seed: int) -> Verdict:
     return replace(verdict, conditions=tuple(conditions), steps=steps)
 
 
-def claims_of(case: InvariantLoop) -> Claims:
+def claims_of(case: SemidefiniteLoop) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     law, names = case.law, case.law.semidefinite
     kept, sizes = "what the law's states keep is kept", f"N = {case.N}"
-    start = InvariantLoop.off_at_the_start
+    start = SemidefiniteLoop.off_at_the_start
     if not case.is_row:
         kept += " where it begins so"
         sizes += " and the parameters as they are"
-        start = InvariantLoop.off_at_zero
+        start = SemidefiniteLoop.off_at_zero
     claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
     if not case.is_row:
-        claims["what is kept does not repel"] = "", InvariantLoop.repels
+        claims["what is kept does not repel"] = "", SemidefiniteLoop.repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
-        claims["and is kept where they jump"] = "", InvariantLoop.broken_at_a_jump
-        claims[claim] = "", InvariantLoop.semidefinite_after_a_jump
+        claims["and is kept where they jump"] = "", SemidefiniteLoop.broken_at_a_jump
+        claims[claim] = "", SemidefiniteLoop.semidefinite_after_a_jump
     if names:
         claims[
             f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
@@ -192,7 +193,7 @@ def claims_of(case: InvariantLoop) -> Claims:
     if law.makes_estimate:
         claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
             "",
-            InvariantLoop.estimate_grows,
+            SemidefiniteLoop.estimate_grows,
         )
     if law.readout:
         claims[
@@ -201,7 +202,7 @@ def claims_of(case: InvariantLoop) -> Claims:
     return claims
 
 
-def _reads(case: InvariantLoop) -> bool:
+def _reads(case: SemidefiniteLoop) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[case.law.error_left]
     read, truth = (
@@ -240,14 +241,14 @@ BOUNDED_BY_V = (
 )
 
 
-def _moves(case: InvariantLoop, index: int) -> bool:
+def _moves(case: SemidefiniteLoop, index: int) -> bool:
     pairs = zip(*map(np.ravel, covariance_rates(case)[index]), strict=True)
     return bool(case.parameters.forgetting.is_nonnegative) and all(
         vanishes(case.reduced(case.loop.derivative(a) - rate)) for a, rate in pairs
     )
 
 
-def covariance_rates(case: InvariantLoop) -> tuple[tuple[Any, Any], ...]:
+def covariance_rates(case: SemidefiniteLoop) -> tuple[tuple[Any, Any], ...]:
     """Return quantities of P and eta, each with its rate; lambda is 0 where tr P = k_0."""
     P, p, rho, error = (
         case.states["P"],
@@ -265,7 +266,7 @@ def covariance_rates(case: InvariantLoop) -> tuple[tuple[Any, Any], ...]:
     )
 
 
-def _cauchy(case: InvariantLoop) -> bool:
+def _cauchy(case: SemidefiniteLoop) -> bool:
     """Return whether tr P p P p^T - |p P|^2 is a sum of squares for P = sum of v v^T."""
     n = len(case.matrices["P"])
     p = np.array(sympy.symbols(f"p_1:{n + 1}", real=True))

@@ -8,8 +8,7 @@ If the residual is never positive, V falls and e goes to zero as in Theorem 3.2;
 but for a constant, V is bounded (`ultimate_bounds`).  States are x and e, z = x - e.
 """
 
-from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -18,33 +17,23 @@ from sympy.core.function import AppliedUndef
 
 from ...base.units import at_least, at_most
 from ...engine.model.block import Block
-from ...engine.record.scalar_graph import Index
 from ...simulation.user_components import functions_of
 from ..promises import truth_of
 from .certificates import Ways, of_law
 from .conclusions import Condition, Status
 from .default_candidate import WEIGHTS, LawV
-from .every_n import base_and_term, reindexed
 from .exact import as_factors, normal_form, vanishes
 from .facts import CLIP, SIGN, has_time
 from .judge import Candidate, Fall, Refutation, Verdict
-from .limits import CLOCK
+from .law_for_every_n import holds_for_every_N
 from .point_search import PointSearch
 from .same_as_running import running_step, search_of
-from .slopes import along, degree
+from .slopes import along
 from .steps import Step, checked, exact, short
-from .sums_of_squares import dead_zone, rising_in, squares
-from .symbolic_loop import (
-    TIME,
-    ArrayLoop,
-    SymbolicLoop,
-    flat,
-    refuse_no_value,
-    symbolic_loop,
-)
+from .sums_of_squares import dead_zone, rising_in
+from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
 from .theorem_loop import (
     ErrorCoordinates,
-    decay,
     rate_of_V,
     symbols_of_V,
     theorem_loop,
@@ -208,7 +197,9 @@ class LawCandidate(LoopCandidate):
         if fall is None:
             fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
             if falls:
-                every_N = checked("the same for every N", self._holds_for_every_N)
+                every_N = checked(
+                    "the same for every N", partial(holds_for_every_N, self)
+                )
                 self.for_every_N = every_N.holds
                 fall.remarks = [every_N]
         read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
@@ -289,59 +280,6 @@ class LawCandidate(LoopCandidate):
         fields = {"losses": self.e, "of": ends, "conditions": where}
         return bounded(claim, "zone falls", **fields)
 
-    # --- every N --------------------------------------------------------------------------------
-
-    def _holds_for_every_N(self) -> tuple[bool, str]:
-        loop = ArrayLoop(self.loop.diagram, substitute=self._of_every_N)
-        residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
-        if loop.undefined:
-            return False, loop.undefined[0]
-        V = loop.elements.of(loop.signals["V"][0])
-        if not all(squares(summand, self.fixed) for summand in base_and_term(V)):
-            return False, "V is not known to be definite"
-        # what no equation reads exists as long as what drives it
-        ports = [port for port in self._outside_V() if port in loop.states]
-        rates = {port: loop.elements.of(loop.rates[port]) for port in ports}
-        states = {port: loop.elements.of(loop.states[port]) for port in ports}
-        if faster := faster_than(1, rates, states):
-            return False, f"{faster} may grow faster than linearly"
-        of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
-        states["t"] = [TIME]
-        if faster := faster_than(0, of_e, states):
-            return False, f"{faster} is not known to be bounded"
-        base, term = summands = [
-            normal_form(summand) for summand in base_and_term(residual)
-        ]
-        # for all gains, or for those that it has
-        for values in ({}, self.values):
-            if all(
-                self.never_positive(summand.xreplace(values)) for summand in summands
-            ):
-                return True, ""
-        return False, f"left over: {short(base)}; summand {short(term)}"
-
-    def _outside_V(self) -> list[str]:
-        """Return the ports of states that V need not contain."""
-        held = set().union(*(form.free_symbols for form in self.forms))
-        held |= {*self.loop.states["z"], *self.loop.states["x"]}
-        states = self.loop.states
-        return [port for port in states if {*states[port].flat} - held]
-
-    def _of_every_N(self, symbol: sympy.Expr, index: Index) -> sympy.Expr:
-        """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
-        generic = [name for name in index if isinstance(name, str)]
-        weight = self.of_V.get(symbol, symbol)
-        if weight != symbol or len(generic) != 1:
-            return weight
-        names = [{generic[0]: str(k + 1)} for k in range(self.N)]
-        members = [reindexed(symbol, name) for name in names]
-        members = [self.of_V.get(s, s) for s in members]
-        # one for all, or one each
-        for gain in (members[0], reindexed(members[0], {"1": generic[0]})):
-            if [reindexed(gain, name) for name in names] == members:
-                return gain
-        return symbol
-
     # --- what refutes, and what is said ---------------------------------------------------------
 
     def refuted(self, steps: list[Step]) -> Refutation | None:
@@ -397,18 +335,3 @@ class LawCandidate(LoopCandidate):
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the loop."""
         return expression.xreplace(self.coordinates.in_x)
-
-
-def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:
-    """Return which rate may grow with a higher power of the states, and its value; or ""."""
-    elements = [s for symbols in states.values() for s in np.ravel(symbols)]
-    names = {str(s).split("[")[0] for s in elements}
-
-    def is_state(symbol: sympy.Symbol) -> bool:
-        return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
-
-    for port, values in rates.items():
-        for rate in np.ravel(values):
-            if degree(sympy.sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
-                return f"{port} = {short(rate)}"
-    return ""
