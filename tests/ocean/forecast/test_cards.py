@@ -4,6 +4,7 @@ import json
 import re
 import time
 from dataclasses import replace
+from datetime import datetime
 
 import pytest
 from html_parser import Reader
@@ -17,12 +18,16 @@ from synthetic_vehicle import (
     vehicle,
 )
 
-from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import sample_dives, write_dive_table
 from clpt_control.replay import aims, replay_dives
 
 HOUR = 3600.0
 DAY = 24 * HOUR
+
+
+def seconds(date):
+    """Seconds since 1970 of a date with its offset."""
+    return datetime.fromisoformat(date).timestamp()
 
 
 def recent(count, hours, **more):
@@ -72,11 +77,9 @@ def test_the_script_knows_when_a_vehicle_becomes_overdue():
     text, section = card_of(found, "Next surfacing")
     assert text.endswith(f"in {ahead['hours_from_now']:.1f} h")
     assert section["class"] == "card first"
-    due = seconds_since_1970(ahead["time"])
+    due = seconds(ahead["time"])
     assert section["data-time"] == ahead["time"]
-    overdue, until = (
-        seconds_since_1970(section[f"data-{one}"]) for one in ("overdue", "until")
-    )
+    overdue, until = (seconds(section[f"data-{one}"]) for one in ("overdue", "until"))
     assert overdue == pytest.approx(due + ahead["time_half_width"], abs=1)
     assert until == pytest.approx(last["end_time"] + 30 * DAY, abs=1)
 
@@ -104,7 +107,7 @@ def test_the_fleet_counts_on(command, tmp_path):
     marks = [
         tag for name, tag in Reader(page).tags if name == "tr" and "data-end" in tag
     ]
-    found = [seconds_since_1970(tag["data-end"]) for tag in marks]
+    found = [seconds(tag["data-end"]) for tag in marks]
     assert found == pytest.approx([ends["late"], ends["soon"]], abs=0.51)
     assert marks[1]["data-words"].startswith(
         "overdue after dive 6: should have surfaced at"

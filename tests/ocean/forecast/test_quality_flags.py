@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from geodesics import displacement, place_from
 from synthetic_vehicle import along, chained, clpe_rms
 
-from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import read_dives
 from clpt_control.replay import Replay, replay_dives, summary
 

@@ -10,17 +10,22 @@ from datetime import UTC, datetime
 import numpy as np
 import pytest
 import xarray
+from geodesics import displacement, place_from
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from refusals import refuses
 from synthetic_vehicle import vehicle
 
 from clpt_control import ArgumentError, ScenarioError
-from clpt_control.base.files import write_file
-from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, sample_dives
-from clpt_control.ocean.forecast.geographic import in_minutes
-from clpt_control.replay import Replay, next_dive, replay_dataset, replay_dives, summary
+from clpt_control.replay import (
+    Replay,
+    aims,
+    next_dive,
+    replay_dataset,
+    replay_dives,
+    summary,
+)
 
 DIVES = sample_dives()
 
@@ -97,10 +102,14 @@ def test_a_speed_far_from_one_is_a_sentence(factor, said):
     assert "flight model" not in summary(replay)["said"]
 
 
-@settings(derandomize=True, max_examples=200)
+ONE = replay_dives(DIVES[:1])
+
+
+@settings(derandomize=True, max_examples=200, deadline=None)
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
-    words = in_minutes(lat, lon).split()
+    """In the row of a waypoint, wherever it is."""
+    words = aims(ONE, [(lat, lon)])[0].as_dict()["place"].split()
     found = [
         (int(whole) + float(minutes) / 60) * (-1 if name in "SW" else 1)
         for whole, minutes, name in (words[:3], words[3:])
@@ -177,7 +186,7 @@ def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
 
 def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
     rows, ahead = summary(sg542)["each_dive"], next_dive(sg542)
-    write_file(tmp_path / "replay.nc", replay_dataset(sg542))
+    replay_dataset(sg542).to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
         assert (data.trajectory.attrs["cf_role"], data.sizes["dive"]) == (
@@ -220,33 +229,31 @@ def tracked(dive):
     return replace(dive, track=track, dac_east=float("nan"))
 
 
-@pytest.fixture
-def steps(monkeypatch):
-    """The numbers of the dives that are learned."""
-    numbers, step = [], Replay.step
+class Counted(Replay):
+    """A replay that lists the numbers of the dives that it learns."""
 
-    def counted(self, dive):
-        numbers.append(dive.number)
-        return step(self, dive)
+    def __init__(self):
+        super().__init__()
+        self.learned = []
 
-    monkeypatch.setattr(Replay, "step", counted)
-    return numbers
+    def step(self, dive):
+        self.learned.append(dive.number)
+        return super().step(dive)
 
 
-def test_dive_by_dive_is_all_at_once(steps):
+def test_dive_by_dive_is_all_at_once():
     growing = Replay()
     for count in (1, 2, 5, 5, 9, 14):
         assert said(growing.feed(DIVES[:count])) == said(replay_dives(DIVES[:count]))
     for more, once in (({"dac_east": 0.1}, True), ({}, False)):
         # NaN is never taken as the same
-        steps.clear()
-        growing = Replay()
+        growing = Counted()
         for count in range(1, 15):
             growing.feed([replace(tracked(dive), **more) for dive in DIVES[:count]])
-        assert (steps == [dive.number for dive in DIVES]) == once
+        assert (growing.learned == [dive.number for dive in DIVES]) == once
 
 
-def test_what_changed_is_learned_anew(steps):
+def test_what_changed_is_learned_anew():
     eight = vehicle(2, 8)
     fourth = eight[3]
     for others in (
@@ -258,17 +265,17 @@ def test_what_changed_is_learned_anew(steps):
         None,
     ):
         changed = eight[:4] if others is None else [*eight[:3], *others, *eight[4:]]
-        growing = Replay().feed(eight)
-        steps.clear()
+        growing = Counted().feed(eight)
+        growing.learned.clear()
         growing.feed(changed)
-        assert (len(steps), said(growing)) == (
+        assert (len(growing.learned), said(growing)) == (
             len(changed),
             said(replay_dives(changed)),
         )
 
 
-def test_an_interrupt_leaves_what_was_learned(steps):
-    growing = Replay()
+def test_an_interrupt_leaves_what_was_learned():
+    growing = Counted()
 
     def cut(done):
         if done == 6:
@@ -277,4 +284,4 @@ def test_an_interrupt_leaves_what_was_learned(steps):
     with pytest.raises(KeyboardInterrupt):
         growing.feed(DIVES, cut)
     assert said(growing.feed(DIVES)) == said(replay_dives(DIVES))
-    assert steps[:14] == [dive.number for dive in DIVES]
+    assert growing.learned[:14] == [dive.number for dive in DIVES]

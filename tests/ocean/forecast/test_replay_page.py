@@ -10,17 +10,14 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from geodesics import WGS84, place_from
 from html_parser import Reader, fetching_nothing
 from matplotlib.path import Path
-from pyproj import Geod
 from refusals import refuses
 from synthetic_vehicle import fixes_of, map_of, page_and_sentence, told
 
-from clpt_control.base.geodesy import angle_near, place_from
-from clpt_control.base.html import plain
 from clpt_control.gliders import sample_dives, write_dive_table
 
-GEOD = Geod(ellps="WGS84")
 EVIL = "</title></script><script>alert(1)</script><img src=x onerror='alert(2)'>\x00\udc80\"&amp;"
 
 
@@ -119,12 +116,11 @@ def test_a_chart_is_true_to_scale_and_angle(lat, lon):
     low, high = ax.get_ylim()
     middle = (low + high) / 2
     # in a degree of longitude
-    metres = GEOD.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
+    metres = WGS84.inv(lon, low, lon, high)[2] / (ax.get_aspect() * (high - low))
     for bearing in (0, 45, 90, 200):
-        x, y, _ = GEOD.fwd(lon, middle, bearing, 100.0)
-        away = (
-            complex(angle_near(x - lon, 0.0), ax.get_aspect() * (y - middle)) * metres
-        )
+        x, y, _ = WGS84.fwd(lon, middle, bearing, 100.0)
+        east = (x - lon + 180) % 360 - 180
+        away = complex(east, ax.get_aspect() * (y - middle)) * metres
         assert abs(away) == pytest.approx(100, rel=2e-3)
         turned = math.degrees(math.atan2(away.real, away.imag))
         assert turned % 360 == pytest.approx(bearing, abs=0.5)
@@ -141,7 +137,7 @@ def test_a_far_waypoint_leaves_the_chart_as_it_is():
     *_, last = dives = fixes_of(6)
     found, edges = told(dives), {}
     for bearing, away in ((0.0, 5e5), (90.0, 5e5), (225.0, 5e5), (300.0, 100.0)):
-        place = GEOD.fwd(last.lon_gpse, last.lat_gpse, bearing, away)
+        place = WGS84.fwd(last.lon_gpse, last.lat_gpse, bearing, away)
         aimed = found | {"aim": told(dives, (place[1], place[0]))["aim"]}
         ax = map_of(aimed)
         edges[bearing] = *ax.get_xlim(), *ax.get_ylim()
@@ -175,10 +171,10 @@ def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
     forecast, ring = found["next_dive"], shapes_of(places)["90 % ellipse"][0]
     centre = forecast["longitude"], forecast["latitude"]
     assert ring[0] == ring[-1]
-    far = [GEOD.inv(*centre, *point)[2] for point in ring]
+    far = [WGS84.inv(*centre, *point)[2] for point in ring]
     assert max(far) == pytest.approx(forecast["ellipse_long"], rel=2e-3)
     assert min(far) == pytest.approx(forecast["ellipse_short"], rel=5e-3)
-    bearing = GEOD.inv(*centre, *ring[0])[0]
+    bearing = WGS84.inv(*centre, *ring[0])[0]
     # meridians turn
     assert abs((bearing - forecast["ellipse_bearing"] + 90) % 180 - 90) < 1.0
 
@@ -229,12 +225,13 @@ def test_kml_is_read_back(replayed):
     assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
 
 
-def test_plain_text_can_be_written_and_parsed():
-    text = plain("".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600")
-    assert text.encode().decode() == text
-    made = ElementTree.Element("a")
-    made.text = text.replace("\r", "")
-    assert ElementTree.fromstring(ElementTree.tostring(made)).text == made.text
+def test_any_character_of_a_name_is_in_a_page_that_xml_can_hold():
+    name = "".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600"
+    page = page_and_sentence(told(fixes_of(1)) | {"vehicle": name})[0]
+    title = re.search(r"<h1>.*?</h1>", page, re.DOTALL)[0]
+    shown = ElementTree.fromstring(title).text
+    assert {*map(chr, range(0x20, 0x7F)), "\u00e9", "\U0001f600"} <= {*shown}
+    assert not {"\x00", "\x1f", "\ud800", "\ufffe"} & {*shown}
 
 
 TARGETS = [(-42.8, 8.4), (-42.0, -351.75), (-42.0, -0.5)]
@@ -301,7 +298,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
     ((lat, lon),) = waypoints_of(found["paste"]["text"])
     leg = found["aim"][0]
     start = leg["from_longitude"], leg["from_latitude"]
-    heading, _, far = GEOD.inv(*start, lon, lat)
+    heading, _, far = WGS84.inv(*start, lon, lat)
     assert heading % 360 == pytest.approx(leg["heading"], abs=0.01)
     assert far == pytest.approx(20_000, abs=20)
     time = leg["duration"]  # by the current alone, and a kilometre to the north
@@ -309,7 +306,7 @@ def test_a_slocum_that_does_not_correct_gets_a_waypoint_along_the_heading():
     near = report_of("Slocum", targets=[place_from(*reversed(start), *way)])
     assert near["aim"][0]["state"] == "reached"
     ((lat, lon),) = waypoints_of(near["paste"]["text"])
-    far = GEOD.inv(*start, lon, lat)[2]
+    far = WGS84.inv(*start, lon, lat)[2]
     assert far == pytest.approx(near["aim"][0]["through_water"], abs=1)
 
 

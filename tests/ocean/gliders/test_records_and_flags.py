@@ -7,11 +7,11 @@ east and 0.08 m/s to the north, and drifts for 600 s between dives.
 import glider_files as made
 import numpy as np
 import pytest
+from geodesics import place_from
 from glider_files import basestation3, og1, og1_rows
 from refusals import refuses
 
 import clpt_control as clpt
-from clpt_control.base.geodesy import place_from
 from clpt_control.gliders import make_dive, read_dives, write_dive_table
 
 CURRENT, DURATION, STAY = np.array([0.10, 0.08]), 9000.0, 600.0
