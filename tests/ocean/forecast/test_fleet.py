@@ -9,18 +9,17 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
+from datetime import datetime
+from functools import partial
 from urllib.parse import unquote
 
 import pytest
+from geodesics import place_from
 from html_parser import Reader
 from subprocesses import CLPT, kill_while_it_writes, ran, started
-from synthetic_vehicle import fixes_of, one_file_each, told
+from synthetic_vehicle import fixes_of, one_file_each
 
-from clpt_control.base.geodesy import place_from
-from clpt_control.base.units import seconds_since_1970
 from clpt_control.gliders import make_dive, read_dives, write_dive_table
-from clpt_control.ocean.forecast import fleet
-from clpt_control.ocean.forecast.fleet import events, standing
 
 HOUR = 3600.0
 TELL = "import sys; open(sys.argv[1], 'a').write(sys.stdin.read())"
@@ -51,26 +50,42 @@ def strayed(dives, last=2):
     return found
 
 
-def test_what_asks_for_a_pilot():
+@pytest.fixture
+def look(command, tmp_path, monkeypatch, undrawn):
+    """Look once at the folder `glider` with these files of dives; return its row, and errors."""
+    top, clock = tmp_path / "top", time.time
+
+    def run(dives=(), *words, now=None, name="glider"):
+        (top / name).mkdir(parents=True, exist_ok=True)
+        one_file_each(top / name, dives)
+        monkeypatch.setattr(time, "time", clock if now is None else lambda: now)
+        done = command("watch", top, "--fleet", "--json", *words)
+        assert done.exit_code == 0, done.output
+        rows = {row["vehicle"]: row for row in json.loads(done.stdout)["vehicles"]}
+        return rows[name], done.stderr
+
+    return run
+
+
+def test_what_asks_for_a_pilot(look):
     dives = recent(12, 1.0)
-    calm, end = told(dives), dives[-1].t_gpse
-    assert events(calm, end) == []
-    due = (
-        seconds_since_1970(calm["next_dive"]["time"])
-        + calm["next_dive"]["time_half_width"]
-    )
-    assert events(calm, due - 60) == []
-    (event,) = events(calm, due + 60)
-    assert (event.name, event.dive) == ("overdue", 12)
-    assert events(calm, end + 40 * 24 * HOUR) == []  # an old record
+    end = dives[-1].t_gpse
+    calm, _ = look(dives, now=end)
+    assert calm["asks"] == []
+    ahead = calm["next_dive"]
+    due = datetime.fromisoformat(ahead["time"]).timestamp() + ahead["time_half_width"]
+    assert look(now=due - 60)[0]["asks"] == []
+    late, _ = look(now=due + 60)
+    assert late["asks"] == ["overdue"]
+    assert late["said"][0].startswith("overdue after dive 12: ")
+    assert look(now=end + 40 * 24 * HOUR)[0]["asks"] == []  # an old record
     for last, asks in ((1, []), (2, ["OUT"])):
-        wild = told(strayed(dives, last))
-        assert [row["forecast"]["inside"] for row in wild["each_dive"][-last:]] == [
-            False
-        ] * last
-        row = standing(wild, "page", end)
-        assert (row["asks"], row["out_running"]) == (asks, last)
-    assert events(wild, end)[0].dive == 11  # the first of those that run: one event
+        name = f"strayed {last}"
+        wild, _ = look(strayed(dives, last), now=end, name=name)
+        assert (wild["asks"], wild["out_running"]) == (asks, last)
+    # the first of those that run: one event
+    (said,) = wild["said"]
+    assert said.startswith("OUT: 2 dives running, since dive 11, ")
 
 
 @pytest.fixture
@@ -148,15 +163,7 @@ def told_in(path):
     return [(data["vehicle"], data["event"], data["dive"]) for _, data in told]
 
 
-@pytest.fixture(scope="module")
-def out():
-    """What `--json` prints of a vehicle that is OUT twice."""
-    return told(strayed(recent(6, 1.0)))
-
-
-def alerts(folder, *words):
-    (folder / "state").mkdir(exist_ok=True)
-    return fleet.Alerts(words, folder)
+TWICE_OUT = strayed(recent(6, 1.0))  # the last two of six
 
 
 LEFT = """import subprocess as s, sys
@@ -166,37 +173,43 @@ open(sys.argv[2], 'w').write(sys.argv[3])
 """
 
 
+def python(code, *words):
+    """Return the option that runs a program of Python."""
+    return "--alert", shlex.join([sys.executable, "-c", code, *map(str, words)])
+
+
 def test_a_command_has_the_sentence_and_what_it_leaves_behind_is_not_waited_for(
-    tmp_path, out
+    tmp_path, look
 ):
     number, said = tmp_path / "number", tmp_path / "said"
-    seen = alerts(tmp_path, sys.executable, "-c", LEFT, str(number), str(said), "{}")
-    seen.tell(out)
+    alert = python(LEFT, number, said, "{}")
+    look(TWICE_OUT, *alert)
     os.kill(int(number.read_text()), signal.SIGKILL)  # it still waits
-    assert seen.told == [f"glider OUT {out['each_dive'][4]['end']}"]
     assert said.read_text().startswith("glider: OUT: 2 dives running, since dive 5")
+    said.unlink()
+    look((), *alert)
+    assert not said.exists()  # it was told
 
 
 FAILING = [
     ("raise SystemExit(3)", 60.0, "ended with status 3; is run again"),
-    ("import time; time.sleep(60)", 0.5, "takes longer than 0.5 s"),
+    ("import time; time.sleep(60)", 0.3, "takes longer than "),
 ]
 
 
 @pytest.mark.parametrize(("code", "longest", "says"), FAILING)
 def test_a_command_that_fails_is_one_sentence_and_is_run_again(
-    code, longest, says, tmp_path, capsys, monkeypatch, out
+    code, longest, says, tmp_path, monkeypatch, look
 ):
-    monkeypatch.setattr(fleet, "LONGEST", longest)
-    seen = alerts(tmp_path, sys.executable, "-c", code)
-    for _ in range(2):
-        seen.tell(out)
-    said = capsys.readouterr().err
-    assert (said.count(says), said.count("\n")) == (1, 1)
-    monkeypatch.setattr(fleet, "LONGEST", 60.0)
+    ran_for_long = subprocess.run
+    with monkeypatch.context() as patch:  # the time that it waits for a process
+        hurried = partial(ran_for_long, timeout=longest)
+        patch.setattr(subprocess, "run", lambda *a, timeout, **k: hurried(*a, **k))
+        _, said = look(strayed(recent(6, 30.0)), *python(code))
+    assert (said.count(says), said.count("\n")) == (1, 1)  # of both events
     heard = tmp_path / "told"
-    alerts(tmp_path, *shlex.split(teller(heard))).tell(out)
-    assert told_in(heard) == [("glider", "OUT", 5)]
+    look((), "--alert", teller(heard))
+    assert told_in(heard) == [("glider", "overdue", 6), ("glider", "OUT", 5)]
 
 
 @pytest.mark.processes
@@ -267,45 +280,51 @@ def test_a_vehicle_that_cannot_be_read_hides_no_other_of_its_folder(tmp_path, co
     )
 
 
-def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path):
+def test_the_same_dive_number_of_another_mission_is_another_event(tmp_path, look):
     heard = tmp_path / "told"
-    second = told(recent(6, 24.0))
-    for mission in (told(recent(6, 20 * 24.0)), second, second):
-        alerts(tmp_path, *shlex.split(teller(heard))).tell(mission)
+    second = recent(6, 24.0)
+    for mission in (recent(6, 20 * 24.0), second, second):
+        look(mission, "--alert", teller(heard))
     assert told_in(heard) == [("glider", "overdue", 6)] * 2
 
 
 @pytest.mark.parametrize("name", ["-oProxyCommand=touch x", "--help", "@file", ">x"])
-def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, out, name):
+def test_a_vehicles_name_is_no_option_of_the_command(tmp_path, look, name):
     named = replace(fixes_of(1)[0], vehicle=name)
     write_dive_table([named], tmp_path / "dives.csv")
     (read,), _ = read_dives(tmp_path / "dives.csv")
     assert read.vehicle is None
     said = tmp_path / "said"
     save = "import sys; open(sys.argv[1], 'w').write(sys.argv[2])"
-    alerts(tmp_path, sys.executable, "-c", save, str(said), "{}").tell(
-        dict(out, vehicle=name)
-    )
+    look(TWICE_OUT, *python(save, said, "{}"), name=name)
     assert said.read_text().startswith(f"vehicle {name}: OUT")
 
 
-def test_two_spells_of_dives_with_one_number_are_two_events(out):
-    rows = [dict(row, dive=42) for row in out["each_dive"]]
-    far = [row["end"] for row in rows]
-    again = [dict(row, end="2099" + row["end"][4:]) for row in rows]
-    first, second = (
-        events(dict(out, each_dive=each), 0.0) for each in (rows, rows + again)
-    )
-    assert [event.dive for event in (*first, *second)] == [42, 42]
-    assert (first[0].fix, second[0].fix) == (far[4], again[4]["end"])
+def test_two_spells_of_dives_with_one_number_are_two_events(tmp_path, look):
+    heard, since = tmp_path / "told", TWICE_OUT[-1].t_gpse - TWICE_OUT[0].t_gps2
+    again = [
+        replace(one, t_gps2=one.t_gps2 - since - 600, t_gpse=one.t_gpse - since - 600)
+        for one in TWICE_OUT
+    ]
+    for spells in (again, [*again, *TWICE_OUT]):
+        files = tmp_path / "top" / "glider"
+        files.mkdir(parents=True, exist_ok=True)
+        for k, one in enumerate(spells):
+            write_dive_table([replace(one, number=42)], files / f"{k}.csv")
+        look((), "--alert", teller(heard), now=spells[-1].t_gpse)
+    assert told_in(heard) == [("glider", "OUT", 42)] * 2
 
 
 @pytest.mark.parametrize("kept", ["5", '{"a": 1}', "[", "a pipe"])
-def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, kept):
-    place = tmp_path / "state" / fleet.TOLD
-    place.parent.mkdir()
+def test_what_was_told_and_cannot_be_read_is_told_again(tmp_path, look, kept):
+    heard, results = tmp_path / "told", tmp_path / "top" / "replay"
+    look(TWICE_OUT, "--alert", teller(heard))
+    look((), "--alert", teller(heard))
+    (place,) = results.rglob("*told*")
+    place.unlink()
     if kept == "a pipe":
         os.mkfifo(place)
     else:
         place.write_text(kept)
-    assert fleet.Alerts([sys.executable], tmp_path).told == []
+    look((), "--alert", teller(heard))
+    assert told_in(heard) == [("glider", "OUT", 5)] * 2

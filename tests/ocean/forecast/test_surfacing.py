@@ -6,13 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from geodesics import WGS84, displacement, place_from
 from glider_files import basestation3
-from pyproj import Geod
 from synthetic_vehicle import along, chained
 
-from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
-from clpt_control.ocean.forecast.dive_statistics import DiveStatistics
 from clpt_control.replay import next_dive, replay_dives, summary
 
 DIVES = sample_dives()
@@ -61,26 +59,19 @@ def test_a_plan_tells_the_course():
     assert half(with_plan) < 0.4 * half(without)
 
 
+STILL = {"estimator": "gradient", "flow": ("steady",)}  # the fastest
+
+
 @pytest.mark.parametrize("wild", [False, True])
 def test_in_the_long_run_nine_of_ten_hold(wild):
     """Whatever a vehicle does, the width follows its record."""
     rng = np.random.default_rng(5)
     turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
-    habits, before, held = DiveStatistics(), None, []
-    for dive in flown(np.cumsum(turns)):
-        dive = replace(dive, t_gpse=dive.t_gps2 + dive.duration * rng.uniform(0.6, 1.4))
-        if before is not None:
-            guess = habits.guess()
-            off = np.array([dive.dr_east, dive.dr_north]) - guess.way
-            wide = guess.scatter[:2, :2] * guess.tails * habits.width[0] ** 2
-            late = (
-                1.645 * math.sqrt(guess.scatter[2, 2] * guess.tails) * habits.width[1]
-            )
-            away = abs(math.log(dive.duration / guess.duration))
-            held.append((off @ np.linalg.solve(wide, off) <= 4.605, away <= late))
-        habits.learn(dive, None, held[-1] if held else ())
-        before = dive
-    assert np.mean(held, axis=0) == pytest.approx([0.9, 0.9], abs=0.03)
+    ways = [along(course, 3000.0) for course in np.cumsum(turns)]
+    dives = [(way, way, 14400.0 * rng.uniform(0.6, 1.4)) for way in ways]
+    _, *steps = replay_dives(chained(dives, stay=900.0), **STILL).steps
+    held = np.mean([step.headline_held for step in steps], axis=0)
+    assert held == pytest.approx([0.9, 0.9], abs=0.04)
 
 
 def test_the_record_is_of_what_was_said_before_each_dive(sg542, tmp_path):
@@ -148,22 +139,20 @@ def seaglider(path, target=b"-4200.000,900.000", heading=-1.0, radius=1000.0):
 
 def test_a_hopeless_plan_is_not_followed():
     """Always wrong by far, whatever the length of the record."""
-    habits = DiveStatistics()
-    for k, dive in enumerate(flown([90.0] * 400)):
-        wrong = {"dr_east": 3000.0 * (1.0 + 1e-4 * (k % 3)), "dr_north": 1e-3}
-        habits.learn(replace(dive, **wrong, next_course=(137.0 * k) % 360), None)
-    guess = habits.guess()
-    assert (guess.basis, guess.way) == (
-        "repeated",
-        pytest.approx([3000.0, 0.0], abs=1.0),
-    )
+    dives = [
+        replace(dive, next_course=(137.0 * k) % 360)
+        for k, dive in enumerate(flown([90.0] * 300))
+    ]
+    ahead = next_dive(replay_dives(dives, **STILL)).as_dict()
+    assert (ahead["plan_in_files"], ahead["basis"]) == (True, "repeated")
+    way = ahead["dr_east"], ahead["dr_north"]
+    assert way == pytest.approx((3000.0, 0.0), abs=1.0)
 
 
 def test_the_plan_of_a_seaglider(tmp_path):
     path = tmp_path / "p5420007.nc"
     dive = seaglider(path)
-    geodesic = Geod(ellps="WGS84")
-    bearing = geodesic.inv(dive.lon_gpse, dive.lat_gpse, 9.0, -42.0)[0] % 360
+    bearing = WGS84.inv(dive.lon_gpse, dive.lat_gpse, 9.0, -42.0)[0] % 360
     assert dive.next_course == pytest.approx(bearing, abs=1e-6)
     assert seaglider(path, heading=270.0).next_course == 270.0
     assert seaglider(path, radius=1e7).next_course is None
