@@ -8,16 +8,13 @@ from datetime import UTC, datetime
 import netCDF4
 import numpy as np
 import pytest
+from geodesics import place_from
 from gridded_currents import as_it_is, gridded_current, saying
 from refusals import refuses
 from synthetic_vehicle import Made
 
-from clpt_control.base.geodesy import place_from
 from clpt_control.currents import fit_current, read_currents
 from clpt_control.gliders import make_dive
-from clpt_control.ocean.forecast.advected_dives import carried
-from clpt_control.ocean.forecast.flow_models import depth_mean
-from clpt_control.paper.currents.current_grid import missing_steps
 from clpt_control.replay import read_flow_model, replay_dives, summary
 
 nan = math.nan
@@ -30,10 +27,9 @@ W = 2 * math.pi / (12.42 * 3600)  # rad/s
 
 
 def dive_at(hour=3.0, hours=6.0, way=(4000.0, 2500.0), lat=41.0, lon=-69.3, **more):
-    """A dive whose end fix is not a number: nothing may read it."""
+    """A dive that ended where it began."""
     t = START + 3600 * hour
-    dive = make_dive(1, (t, lat, lon), (t + 3600 * hours, lat, lon), way, **more)
-    return replace(dive, lat_gpse=nan, lon_gpse=nan, gps_east=nan, gps_north=nan)
+    return make_dive(1, (t, lat, lon), (t + 3600 * hours, lat, lon), way, **more)
 
 
 def ended(dive, east, north):
@@ -67,6 +63,16 @@ def turned(dive, speed=0.3):
     """Its way over a dive, integrated by hand, m."""
     a, b = W * (dive.t_gps2 - START), W * (dive.t_gpse - START)
     return speed / W * np.array([math.sin(b) - math.sin(a), math.cos(a) - math.cos(b)])
+
+
+def carried(dive, model):
+    """A dive as a replay of it alone has it, wherever it surfaced."""
+    ways = []
+    for east, north in ((0.0, 0.0), (3000.0, -2000.0)):
+        (step,) = replay_dives([ended(dive, east, north)], flow_model=model).steps
+        ways.append((step.dive.model_east, step.dive.model_north))
+    assert ways[0] == ways[1]
+    return step.dive
 
 
 def model_way(dive, model):
@@ -162,16 +168,25 @@ def test_the_column_is_averaged(tmp_path):
     assert np.array_equal(one.u, two.u, equal_nan=True)
 
 
-def test_profiles_with_holes():
-    depth = np.array([5.0, 20.0, 60.0])
+def test_profiles_with_holes(tmp_path):
+    depth, hours = np.array([5.0, 20.0, 60.0]), np.array([0.0, 12.0, 24.0])
+
+    def eastward(k, deepest):
+        """The mean of a profile down to a depth, by a dive in it."""
+        shape = len(hours), len(depth), len(LAT), len(LON)
+        whole = np.broadcast_to(u[k][:, None, None], shape)
+        v, path = np.zeros(shape), tmp_path / f"{k}.nc"
+        model = model_of(path, whole, v, hours=hours, depth=depth)
+        dive = dive_at(way=(0.0, 0.0), depth_max=deepest)
+        way = carried(dive, model).model_east
+        return nan if way is None else way / dive.duration
+
     u = np.array([[0.2, 0.5, nan], [nan, 0.5, 0.1], [nan, nan, 0.1], [0.2, nan, 0.6]])
     # 5 m of 0.2 and 15 of 0.35 | 20 of 0.5 and 10 of 0.45 | none | 5 of 0.2 and 25 to 0.2 + 2/11
     expected = [6.25 / 20, 14.5 / 30, nan, (1 + 25 * (0.2 + 1 / 11)) / 30]
-    means = [depth_mean(depth, profile, 30.0).real for profile in u]
-    assert (means, depth_mean(depth, u[0], 2.0)) == (
-        pytest.approx(expected, nan_ok=True),
-        0.2,
-    )
+    means = [eastward(k, 30.0) for k in range(4)]
+    assert means == pytest.approx(expected, abs=1e-4, nan_ok=True)
+    assert eastward(0, 2.0) == pytest.approx(0.2, abs=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -210,11 +225,11 @@ def test_what_is_not_covered(tmp_path):
             dive_at(lat=LAT[12] - 0.01, lon=LON[15] - 0.08, hours=2.0, way=(9e3, 0.0)),
             "in a gap",
         ),
-        (dive_at(way=(nan, 0.0)), "not finite"),
     ):
         found = carried(dive, model)
         assert (found.model_east, found.model_north) == (None, None), why
         assert why in found.uncovered
+    refuses("must be finite", carried, dive_at(way=(nan, 0.0)), model)
     assert carried(dive_at(), Made(lambda t, x, y: (nan, 0.0))).model_east is None
 
 
@@ -239,14 +254,13 @@ def test_a_gap_of_the_steps_is_not_bridged(tmp_path):
         assert (
             carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east is not None
         ), hour
-    assert missing_steps(6 * np.array([0.0, 1, 2, 8, 15, 16, 17])).tolist() == [
-        0,
-        0,
-        5,
-        6,
-        0,
-        0,
-    ]
+    # two gaps, of 36 and 42 hours
+    hours = 6 * np.array([0.0, 1, 2, 8, 15, 16, 17])
+    u = np.full((len(hours), len(LAT), len(LON)), 0.2)
+    model = model_of(tmp_path / "holes.nc", u, 0 * u, hours=hours)
+    for hour in (0.0, 5.9, 12.1, 40.0, 48.1, 70.0, 90.0, 95.9):
+        way = carried(dive_at(hour=hour, way=(0.0, 0.0)), model).model_east
+        assert (way is not None) == (hour < 6 or hour >= 90), hour
 
 
 def test_units_of_a_forecast_that_has_none_are_given(tmp_path):
