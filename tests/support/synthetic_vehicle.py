@@ -6,18 +6,18 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+from geodesics import place_from
 from scipy.integrate import trapezoid
 
 import clpt_control as clpt
 from clpt_control.app.cli.replay_report import Job
-from clpt_control.base.geodesy import place_from
 from clpt_control.gliders import Dive, make_dive, write_dive_table
-from clpt_control.ocean.estimation.fix_model import inertial_frequency
 from clpt_control.ocean.forecast.advected_dives import FlowModel
-from clpt_control.paper.scenario.tidal_periods import period
 from clpt_control.replay import replay_dataset, replay_dives
 
 STEADY = (0.1, -0.05)
+M2 = 2 * math.pi / (12.4206012 * 3600)  # rad/s
+EARTH = 7.292115e-5  # rad/s, of the rotation
 
 
 class Made(FlowModel):
@@ -50,7 +50,7 @@ def vehicle(
     rng = np.random.default_rng(seed)
     time, dives, current = 1.6e9, [], np.array(STEADY)
     phase, inertial = rng.uniform(0, 2 * math.pi), flow == "inertial"
-    w = inertial_frequency(latitude) if inertial else 2 * math.pi / period("M2", "s")
+    w = 2 * EARTH * math.sin(math.radians(latitude)) if inertial else M2
     for k in range(count):
         T = 3600 * hours * rng.uniform(0.8, 1.2)
         t = np.linspace(time + 600, time + 600 + T, 101)

@@ -5,16 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from geodesics import place_from
 from refusals import refuses
-from scipy.integrate import trapezoid
 from synthetic_vehicle import STEADY, clpe_rms, further, turned, vehicle
 
 from clpt_control import ScenarioError
-from clpt_control.base.geodesy import place_from
 from clpt_control.gliders import Dive
-from clpt_control.ocean.estimation.fix_model import FixModel, inertial_frequency
-from clpt_control.ocean.estimation.priors import Priors
-from clpt_control.paper.scenario.tidal_periods import period
 from clpt_control.replay import replay_dataset, replay_dives
 
 ESTIMATORS = ("gaussian-process", "gradient")
@@ -79,33 +75,20 @@ def test_what_is_not_excited_is_held():
     assert "current_east" not in last.not_learned
 
 
-def test_the_coriolis_turn_is_right():
-    stays = Priors(inertial_fading=math.inf)
-    model, dive = (
-        FixModel(("steady", "inertial"), False, priors=stays),
-        vehicle(1, 1)[0],
-    )
-    dt, w = 7200.0, inertial_frequency(dive.lat_gps2)
-    for latitude, to_the_right in ((40.0, 1), (-40.0, -1)):  # clockwise in the north
-        east, north = model.rotation(dt, latitude)[2:, 2:] @ [1.0, 0.0]
-        assert (east, north) == pytest.approx(
-            (math.cos(w * dt), -to_the_right * math.sin(w * dt))
-        )
-    assert 2 * math.pi / inertial_frequency(30.0) / 3600 == pytest.approx(
-        23.93, abs=0.005
-    )
-    t = np.linspace(-dive.duration / 2, dive.duration / 2, 10001)
-    whole = trapezoid(np.cos(w * t), t)
-    assert model.regressor(dive)[0, 2] == pytest.approx(whole, rel=1e-6)
+TURNING = [("M2", 40.0, 20.0), ("inertial", 40.0, 120.0), ("inertial", -40.0, 120.0)]
 
 
-def test_the_tides_integral_is_right():
-    model, dive = FixModel(("steady", "M2"), False), vehicle(1, 1)[0]
-    w = 2 * math.pi / period("M2", "s")
-    t = np.linspace(dive.t_gps2, dive.t_gpse, 10001)
-    H = model.regressor(dive)
-    assert H[0, 2] == pytest.approx(trapezoid(np.cos(w * t), t), rel=1e-5)
-    assert H[1, 5] == pytest.approx(trapezoid(np.sin(w * t), t), rel=1e-5)
+@pytest.mark.parametrize(("flow", "latitude", "most"), TURNING)
+def test_a_flow_that_turns_is_forecast(flow, latitude, most):
+    """Of 1300 m in 4 h: the period and the mean over a dive; clockwise in the north."""
+    dives = vehicle(1, 40, flow=flow, latitude=latitude, fix=0.01)
+    replay = replay_dives(dives, flow=("steady", flow), learn_speed=False)
+    assert clpe_rms(replay, 20) < most
+    assert clpe_rms(replay, 20, "previous_dive") > 2000
+    south = [replace(d, lat_gps2=-d.lat_gps2, lat_gpse=-d.lat_gpse) for d in dives]
+    if flow == "inertial":  # the wrong hemisphere
+        other = replay_dives(south, flow=("steady", flow), learn_speed=False)
+        assert clpe_rms(other, 20) > 2000
 
 
 @pytest.mark.parametrize(("factor", "degrees"), [(0.8, 12.0), (1.15, -8.0)])
