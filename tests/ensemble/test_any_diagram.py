@@ -3,11 +3,11 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import Each
 from error_sentences import says
 from sampled_runs import TIMES, lag, spring, springs, system, two_shapes, unread
 
 import clpt_control as clpt
-from clpt_control.engine.model.declaration import Each
 
 LAST = TIMES[-1]
 

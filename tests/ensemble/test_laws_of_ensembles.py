@@ -12,9 +12,9 @@ from sampled_runs import assert_identical
 from small_scenarios import FIXES
 
 import clpt_control as clpt
-from clpt_control import Block, DataError, DiagramError, ScenarioError
-from clpt_control.ensemble.run import run_ensemble
-from clpt_control.paper.laws.table import LAWS
+from clpt_control import Block, DataError, DiagramError, ScenarioError, run_ensemble
+
+LAWS = clpt.laws()
 
 THETA = "flow.parameters~normal:0.1"
 GAIN = "learning.gain=0.2:2.0"

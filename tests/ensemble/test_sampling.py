@@ -2,6 +2,7 @@
 
 import json
 import re
+from operator import attrgetter
 
 import numpy as np
 import pytest
@@ -10,17 +11,15 @@ from paths import REFERENCE
 from sampled_runs import VARY
 
 import clpt_control
-from clpt_control import ClptError
-from clpt_control.ensemble.run import run_ensemble
-from clpt_control.ensemble.sampled_parameters import draw_members, read_varies
-from clpt_control.ensemble.varied_scenario import VariedScenario, variable_values
-from clpt_control.simulation.summary import run_and_report
+from clpt_control import ClptError, run_ensemble
 
 
 def draw(scenario, vary, members, design="lhs", seed=0):
-    return draw_members(
-        VariedScenario(scenario), read_varies(vary), members, design, seed
-    )
+    """Return the values of an ensemble of runs that end at once, by key."""
+    at_once = scenario.with_values({"run.duration": 0.01, "run.output_step": 0.01})
+    data = run_ensemble(at_once, vary, members, design=design, seed=seed)
+    keys = [one.partition("=")[0].partition("~")[0] for one in data.attrs["vary"]]
+    return {key: data[key].values for key in keys}
 
 
 def test_a_latin_hypercube_draws_once_from_each_part(scenario):
@@ -130,8 +129,13 @@ def test_mistakes_are_one_sentence(quick, tmp_path, vary, more, sentence):
 def test_every_key_that_may_vary_can(quick):
     square = {"kind": "square", "amplitude": [0.05, 0.0], "period": 1.8}
     disturbed = quick.with_values({"flow.disturbance": square})
-    for key, base in variable_values(disturbed).items():
-        level = (base * 1.01 + 0.001).tolist()
+    with pytest.raises(ClptError) as refused:
+        run_ensemble(disturbed, "nothing=1:2", 1)
+    keys = str(refused.value).partition("may vary: ")[2].split(", ")
+    assert len(keys) > 15
+    for key in keys:
+        base = attrgetter(key)(disturbed)
+        level = (np.array(base, dtype=float) * 1.01 + 0.001).tolist()
         data = run_ensemble(disturbed, f"{key}={json.dumps([level])}", 1)
         assert data["status"].values.tolist() == [1], key
         one = clpt_control.simulate(disturbed.with_values({key: level}))
@@ -142,14 +146,12 @@ def test_every_key_that_may_vary_can(quick):
 
 
 @pytest.mark.parametrize("number", [0, 17, 39])
-def test_a_member_is_a_run_of_its_own(scenario, whole, number):
+def test_a_member_is_a_run_of_its_own(scenario, whole, number, reported):
     member, keys = (
         whole.isel(member=number),
         [re.split("[=~]", vary)[0] for vary in VARY],
     )
-    run, _, summary = run_and_report(
-        scenario.with_values({k: member[k].values for k in keys})
-    )
+    summary, run = reported(scenario.with_values({k: member[k].values for k in keys}))
     for name in (
         "position",
         "predicted_position",
