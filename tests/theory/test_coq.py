@@ -3,14 +3,17 @@
 import json
 import os
 import re
+from contextlib import ExitStack
 from pathlib import Path
 
 import numpy as np
 import pytest
+from altered_rows import replaced
 from subprocesses import CLPT, ran
 
 import clpt_control
-from clpt_control.paper.laws.table import LAWS
+
+LAWS = clpt_control.laws()
 
 FIXED = Path(clpt_control.__file__).parent / "theory" / "coq"
 STATED = re.compile(r"^ *(?:Lemma|Theorem|Example) [\w']+", re.MULTILINE)
@@ -32,19 +35,19 @@ def no_coqc(monkeypatch):
 
 
 @pytest.fixture
-def own_sigma(monkeypatch):
+def own_sigma():
     """Replace rates of the law `sigma` by a function of its rates and inputs."""
 
-    def replace(change):
-        law = LAWS["sigma"]
+    with ExitStack() as changes:
 
-        def rates(t, x, u, p):
-            own = law.rates(t, x, u, p)
-            return own | change(own, u)
+        def replace(change):
+            def rates(t, x, u, p):
+                own = LAWS["sigma"].rates(t, x, u, p)
+                return own | change(own, u)
 
-        monkeypatch.setitem(LAWS, "sigma", law._replace(rates=rates))
+            changes.enter_context(replaced("sigma", rates=rates))
 
-    return replace
+        yield replace
 
 
 @pytest.fixture(scope="module")
