@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pyproj import Geod
 
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
-from clpt_control.ocean.gliders.samples import variation, with_variation
+from clpt_control.replay import aims, replay_dives
 
 WGS84 = Geod(ellps="WGS84")
 
@@ -209,10 +209,6 @@ def test_an_early_og1_mission_is_read_as_it_was_meant(facts):
             assert (dive.dr_east, dive.dr_north) == pytest.approx(
                 swum_in(data, dive, dive.turned)
             )
-            true = with_variation(dive, 0.0)
-            assert (true.dr_east, true.dr_north) == pytest.approx(
-                swum_in(data, dive, 0.0)
-            )
             said = "; ".join(dive.notes)
             assert "TIME_GPS has no units and is read as nanoseconds" in said
             assert "magnetic, variation -37 degrees (by IGRF" in said
@@ -229,6 +225,11 @@ def test_the_variation_of_the_command_line_turns_magnetic_headings(printed, fact
         assert (f"--variation: turned by {degrees} degrees instead" in said) == bool(
             more
         )
+        with netCDF4.Dataset(path) as data:
+            dives = {dive.number: dive for dive in read_dives(path)[0]}
+            for row in out["each_dive"] if more else ():
+                way = swum_in(data, dives[row["dive"]], degrees)
+                assert (row["dr_east"], row["dr_north"]) == pytest.approx(way)
     assert found[-37] == pytest.approx(found[None], rel=0.01)
     assert found[0] != pytest.approx(found[None], rel=0.01)
 
@@ -295,5 +296,8 @@ PUBLISHED = [
 
 @pytest.mark.parametrize(("lat", "lon", "time", "expected"), PUBLISHED)
 def test_variation_is_that_of_the_makers_of_the_field(lat, lon, time, expected):
-    assert variation(time, lat, lon) == pytest.approx(expected, abs=0.02)
-    assert variation(time, lat, lon) == pytest.approx(variation(time, lat, lon % 360))
+    """As a waypoint's course is turned, where no file has a variation."""
+    replay = replay_dives([replace(sample_dives()[0], magvar=None)])
+    for east in (lon, lon % 360):
+        (leg,) = aims(replay, [(lat, east)], start=(time, lat, east))
+        assert leg.magnetic_variation == pytest.approx(expected, abs=0.02)

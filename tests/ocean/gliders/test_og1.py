@@ -19,8 +19,7 @@ from glider_files import (
 from refusals import refuses
 
 from clpt_control.gliders import read_dives, write_dive_table
-from clpt_control.ocean.gliders.samples import variation, with_variation
-from clpt_control.replay import replay_dives
+from clpt_control.replay import aims, replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
@@ -150,7 +149,16 @@ def test_og1_dives_without_numbers_depth_or_phase(count, tmp_path):
         )
 
 
-def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
+def igrf_at(dive):
+    """The variation in the middle of a dive by IGRF, as a waypoint's course is turned."""
+    replay = replay_dives([replace(dive, magvar=None)])
+    place = dive.lat_gps2, dive.lon_gps2
+    start = 0.5 * (dive.t_gps2 + dive.t_gpse), *place
+    return aims(replay, [place], start=start)[0].magnetic_variation
+
+
+def test_og1_dead_reckoning_of_speed_and_heading(tmp_path, printed, refused):
+    variation = "replay", tmp_path / "og1.nc", "--variation"
     for dive in mission(tmp_path, drop=NO_STEPS, **TURNED):
         assert swam(dive)
         assert "magnetic, variation -15 degrees (of the file" in dive.notes[0]
@@ -160,8 +168,7 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
             "dead reckoning computed from the file's depth-averaged current",
         )
     for dive in mission(tmp_path, drop=NO_STEPS):
-        middle = 0.5 * (dive.t_gps2 + dive.t_gpse)
-        igrf = variation(middle, dive.lat_gps2, dive.lon_gps2)
+        igrf = igrf_at(dive)
         bearing = np.radians(made.BEARING - made.VARIATION + igrf)
         there = (
             made.SPEED
@@ -174,24 +181,28 @@ def test_og1_dead_reckoning_of_speed_and_heading(tmp_path):
             igrf,
         )
         assert f"magnetic, variation {igrf:.0f} degrees (by IGRF" in dive.notes[0]
-        back = with_variation(dive, made.VARIATION)
-        assert swam(back)
-        assert np.hypot(*(end[-1] for end in back.track[1:])) == pytest.approx(
+        assert np.hypot(*(end[-1] for end in dive.track[1:])) == pytest.approx(
             np.hypot(*there)
         )
-        assert "--variation: turned by -15 degrees instead" in back.notes
+    for row in printed(*variation, made.VARIATION)["each_dive"]:
+        way_of_row = row["dr_east"], row["dr_north"]
+        assert way_of_row == pytest.approx(made.SWUM, rel=1e-9)
+        assert "--variation: turned by -15 degrees instead" in row["notes"]
     true = {"HEADING": {"units": "degrees", "comment": "relative to true north"}}
     columns = og1_rows()
     columns["HEADING"] = columns["HEADING"] + made.VARIATION
     for dive in mission(tmp_path, columns, drop=NO_STEPS, units=true):
         assert swam(dive)
-        assert with_variation(dive, 90.0) is dive
+    said = "--variation 90: no dive has dead reckoning from a magnetic heading"
+    assert said in refused(*variation, 90)
     for dive in mission(
         tmp_path, drop=NO_STEPS, units={"HEADING": {"units": "degrees"}}
     ):
         said = "a north that the file does not name, variation 0 degrees (not known; --"
         assert said in dive.notes[0]
-        assert swam(with_variation(dive, made.VARIATION))
+    for row in printed(*variation, made.VARIATION)["each_dive"]:
+        way_of_row = row["dr_east"], row["dr_north"]
+        assert way_of_row == pytest.approx(made.SWUM, rel=1e-9)
 
 
 FILLS = [
