@@ -45,6 +45,7 @@ FLAT = LinearNDInterpolator(PLACES, [0.0, 1, 2, 5, 3], fill_value=-7.0)
 FILLED = interp1d(
     [0, 1], [[0, 1], [2, 3]], axis=0, bounds_error=False, fill_value=[7.0, 9.0]
 )
+ACROSS = CubicSpline([-1.0, 0.0, 1.0], [[0.0, 1.0, 3.0], [2, 0, 1]], axis=1)
 STEPPED = RegularGridInterpolator(GRID, HEIGHTS, "nearest", bounds_error=False)
 
 
@@ -232,7 +233,8 @@ AS_PYTHON_HAS_THEM = """
     math.hypot(1e200 * x[0], 1.0, 2.0) / 1e200 ; [math.remainder(a, 2 * math.pi) for a in x] ;
     [np.copysign(1.0, np.round(0.3 * x[0])), math.copysign(1.0, round(0.3 * x[0]))] ;
     [LEVER.arm(x[0]), math.dist(x[:2], u)] ; [*SPLINE(x), *SLOPE(x)] ;
-    [*TRACK(t), *TRACK(x).ravel(), NEAREST(x[0])] ;
+    [*TRACK(t), *TRACK(x).ravel(), NEAREST(x[0])] ; [*SPLINE(x, 1), *FILLED(x[0])] ;
+    ACROSS(x).ravel() ; x[0] * len(np.shape(SCATTERED(x[0], u[0]))) ;
     [*CHART(x[:2]), CHART((x[1], u[0])), *CHART([[x[0], x[1]], [x[2], u[1]]])] ;
     CHART([[[x[0], x[1]], [x[2], u[1]]], [[u[0], x[1]], [x[1], x[2]]]])[1] ;
     tried(lambda: np.array([1.0, 2.0])[0] / math.sin(x[0])) ;
@@ -250,8 +252,7 @@ WOULD_BE_OTHERS = """
     put(np.asarray(ASKING.table), 0, x[0]) * 0.0 + ASKING.table ;
     [y := np.zeros(3), np.add.at(y, [0, 0], 1.0), y * x][2] ;
     [y := np.array([3.0, 1.0, 2.0]), y.partition(1), y * x][2] ;
-    STEPPED(x[:2]) ; FILLED(x[0]) ; RESCALED(x[0], u[0]) ;
-    SPLINE(x, 1) ; LAP(t + x[0]) ;
+    STEPPED(x[:2]) ; RESCALED(x[0], u[0]) ; LAP(t + x[0]) ;
     np.searchsorted([2.0, 1.0, 0.0], x) ; np.interp(x[0], [2.0, 1.0, 0.0], [5.0, 0.0, 1.0]) ;
     np.einsum("ii->i", np.outer(x, x)) ; np.max(np.outer(x, u), 0, np.zeros(2)) ;
     np.clip(x, -0.5, 0.5, where=x > 0.0, out=x.copy()) ; np.mean(x, where=[True, True, False]) ;

@@ -9,7 +9,8 @@ interpolators run in Python.
 
 from collections.abc import Callable
 from functools import cache, reduce
-from operator import add, and_
+from math import factorial
+from operator import add
 from typing import Any
 
 import numpy as np
@@ -96,9 +97,12 @@ def _horner(coefficients, s):
     return reduce(lambda value, c: value * s + c, coefficients)
 
 
-def _polynomial(points: Any, coefficients: Any, x: Any, side: str = "right") -> Any:
+def _polynomial(
+    points: Any, coefficients: Any, x: Any, side: str = "right", joints: str = ""
+) -> Any:
     """Return a piecewise polynomial at x; its first and last piece extend to infinity."""
-    index = place_in(points[1:-1], x, side, joints_of(points, coefficients))
+    joints = joints or joints_of(points, coefficients)
+    index = place_in(points[1:-1], x, side, joints)
     s = x - lookup(points, index)
     return _horner([lookup(row, index) for row in coefficients], s)
 
@@ -151,12 +155,11 @@ def interpolated(x, xp, fp, left=None, right=None, period=None):
     joints = (
         "kinks" if isinstance(values, Array) else joints_of(xp, [slopes, values[:-1]])
     )
-    index = place_in(xp, x, joints=joints if left is None else "jumps")
     flat = np.zeros(1)
-    slope = lookup(np.concatenate([flat, slopes, flat]), index)
-    start = lookup(np.append(xp[:1], xp), index)
     below = values[:1] if left is None else np.full(1, float(left))
-    value = slope * (x - start) + lookup(np.concatenate([below, values]), index)
+    lines = np.concatenate([flat, slopes, flat]), np.concatenate([below, values])
+    points = np.concatenate([xp[:1], xp, xp[-1:]])
+    value = _polynomial(points, lines, x, joints=joints if left is None else "jumps")
     return _outside(value, x, xp, None, right)
 
 
@@ -166,90 +169,77 @@ def interpolated(x, xp, fp, left=None, right=None, period=None):
 def _of_pieces(
     points: np.ndarray,
     c: np.ndarray,
-    ends: Any,
+    ends: tuple[Any, Any],
     side: str = "right",
-    domain: Any = None,
+    axis: int = 0,
 ) -> Table:
     """Return a piecewise polynomial: coefficients c by power, piece and column."""
-    columns = np.moveaxis(c.reshape(*c.shape[:2], -1), 2, 0)
     shape = c.shape[2:]
-    limits = points if domain is None else domain
+    columns = np.moveaxis(c.reshape(*c.shape[:2], -1), 2, 0)
+    below, above = (np.broadcast_to(np.ravel(end), len(columns)) for end in ends)
 
     def table(tape: Tape, x: Any) -> Any:
         x = lifted(tape, x)
         values = [
-            _outside(_polynomial(points, column, x, side), x, limits, *ends)
-            for column in columns
+            _outside(_polynomial(points, column, x, side), x, points, *limits)
+            for column, *limits in zip(columns, below, above, strict=True)
         ]
-        if not shape:
-            return values[0]
-        return np.moveaxis(np.stack(values), 0, -1).reshape((*x.shape, *shape))
+        rows = np.stack(values, -1).reshape((*x.shape, *shape))
+        return np.moveaxis(rows, range(x.ndim), range(axis, axis + x.ndim))
 
     return table
 
 
-STEPS: dict[
-    str, Callable
-] = {  # points at which interp1d of a kind steps to the next value
-    **dict.fromkeys(
-        ("nearest", "nearest-up"), lambda points: (points[1:] + points[:-1]) / 2.0
-    ),
-    "next": lambda points: points[:-1],
-    **dict.fromkeys(("previous", "zero"), lambda points: points[1:]),
-}
-
-
 def _of_interp1d(f: Any) -> Table:
     """Return scipy.interpolate.interp1d as a function of signals."""
-    from scipy.interpolate import PPoly
-
     points = np.asarray(f.x, dtype=float)
     values = np.moveaxis(np.asarray(f.y, dtype=float), f.axis, 0)
-    ends: Any = (None, None)
-    if not f._extrapolate:
-        fill = f.fill_value if isinstance(f.fill_value, tuple) else (f.fill_value,) * 2
-        if any(np.size(value) > 1 for value in fill):
-            raise Unread("scipy's interp1d with a fill_value for each column")
-        ends = [
-            np.nan if f.bounds_error else float(np.ravel(value)[0]) for value in fill
-        ]
+    if f._extrapolate or f.bounds_error:
+        ends: Any = (None if f._extrapolate else np.nan,) * 2
+    else:
+        ends = f._fill_value_below, f._fill_value_above
+    side = "left" if f._kind in ("linear", "nearest", "next") else "right"
     if f._kind == "linear":
-        return _of_pieces(
-            points, np.stack([_slopes(points, values), values[:-1]]), ends, "left"
-        )
-    if f._kind == "spline":
-        t = f._spline.t
-        k = f._spline.k
-        splines = [PPoly.from_spline((t, column, k)) for column in f._spline.c.T]
-        c = np.stack([spline.c for spline in splines], axis=-1)
-        c = c.reshape(*c.shape[:2], *values.shape[1:])
-        return _of_pieces(splines[0].x, c, ends, domain=points)
-    steps = np.array([0.0, *STEPS[f._kind](points), 0.0])
-    side = "right" if f._kind in ("previous", "zero", "nearest-up") else "left"
-    return _of_pieces(steps, values[None], ends, side, points)
+        c = np.stack([_slopes(points, values), values[:-1]])
+    elif f._kind == "spline":
+        t, _, k = f._spline.tck
+        points = t[k : len(t) - k]
+        powers = [
+            f._spline(points[:-1], order) / factorial(order)
+            for order in range(k, -1, -1)
+        ]
+        c = np.reshape(powers, (k + 1, -1, *values.shape[1:]))
+    else:
+        inner = points[:-1] if f._kind == "next" else points[1:]
+        inner = getattr(f, "x_bds", inner)  # of the nearest point
+        points = np.array([points[0], *inner, points[-1]])
+        c = values[None]
+    return _of_pieces(points, c, ends, side, f.axis)
 
 
 def _of_polynomials(f: Any) -> Table:
     """Return a piecewise polynomial of SciPy, such as CubicSpline, as a function of signals."""
     name = type(f).__name__
-    if f.c.dtype.kind != "f" or f.axis:
-        raise Unread(f"scipy's {name} of complex numbers, or along another axis")
+    if f.c.dtype.kind != "f":
+        raise Unread(f"scipy's {name} of complex numbers")
     if f.extrapolate == "periodic":
         raise Unread(
             f"scipy's {name} that is periodic. Use the remainder of its argument"
         )
-    table = _of_pieces(
-        np.asarray(f.x, float), f.c, (None if f.extrapolate else np.nan,) * 2
+    ends = (None if f.extrapolate else np.nan,) * 2
+    table = _of_pieces(np.asarray(f.x, float), f.c, ends, axis=f.axis)
+    return lambda tape, x, nu=0: (_of_polynomials(f.derivative(nu)) if nu else table)(
+        tape, x
     )
 
-    def of_values(tape: Tape, x: Any, nu: int = 0) -> Any:
-        if nu:
-            raise Unread(
-                f"derivatives of scipy's {name}. Call its `derivative` before the run"
-            )
-        return table(tape, x)
 
-    return of_values
+def _points(tape: Tape, count: int, *coordinates: Any) -> Any:
+    """Return points; the last axis has their coordinates, which may be in a tuple."""
+    point = coordinates[0] if len(coordinates) == 1 else coordinates
+    if isinstance(point, tuple):
+        return np.moveaxis(lifted(tape, list(point)), 0, -1)
+    x = lifted(tape, point)
+    return x if x.ndim > 1 else x.reshape(-1, count)
 
 
 def _of_grid(f: Any) -> Table:
@@ -266,91 +256,68 @@ def _of_grid(f: Any) -> Table:
         )
     end = np.nan if f.bounds_error else f.fill_value
 
-    def table(tape: Tape, arguments: Any) -> Any:
-        # the coordinates of a point are the last axis
-        x = lifted(tape, list(arguments) if isinstance(arguments, tuple) else arguments)
-        if isinstance(arguments, tuple):
-            x = np.moveaxis(x, 0, -1)
-        elif x.ndim < 2:
-            x = x.reshape(-1, len(grid))
-        axes = [(points, x[..., k]) for k, points in enumerate(grid)]
-        indices = [
-            place_in(points[1:-1], coordinate, joints="kinks")
-            for points, coordinate in axes
-        ]
+    def table(tape: Tape, *coordinates: Any) -> Any:
+        x = _points(tape, len(grid), *coordinates)
         # the value is a weighted mean of the corners of the cell
-        total: Any = 0.0
-        for corner in np.ndindex(*[2] * len(grid)):
-            position: Any = 0.0
-            weight: Any = 1.0
-            for (points, coordinate), index, upper in zip(
-                axes, indices, corner, strict=True
-            ):
-                fraction = (coordinate - lookup(points, index)) / lookup(
-                    np.diff(points), index
-                )
-                weight = weight * (fraction if upper else 1.0 - fraction)
-                position = position * len(points) + index + upper
-            total = total + lookup(values.ravel(), position) * weight
-        for points, coordinate in axes:
-            total = _outside(total, coordinate, points, end, end)
+        corners: list[Any] = [(1.0, 0.0)]  # weight and place in the values
+        for k, points in enumerate(grid):
+            index = place_in(points[1:-1], x[..., k], joints="kinks")
+            step = lookup(np.diff(points), index)
+            share = (x[..., k] - lookup(points, index)) / step
+            corners = [
+                (weight * part, place * len(points) + index + upper)
+                for weight, place in corners
+                for upper, part in enumerate((1.0 - share, share))
+            ]
+        total = reduce(
+            add, [lookup(values.ravel(), place) * weight for weight, place in corners]
+        )
+        for k, points in enumerate(grid):
+            total = _outside(total, x[..., k], points, end, end)
         return total
 
     return table
 
 
-def _vector(tape: Tape, *x: Any) -> Any:
-    """Return coordinates, given one by one or as a vector, as a vector."""
-    return lifted(tape, x[0] if len(x) == 1 else list(x)).reshape(-1)
-
-
-def _of_simplices(f: Any) -> Table:
-    """Return scipy.interpolate.LinearNDInterpolator as a function of signals; NaN outside."""
-    simplices = f.tri.simplices
-    shape = tuple(f.values_shape)
-    ys = np.asarray(f.values, dtype=float).reshape(len(f.values), *shape)
-    if len(simplices) > MOST or f.scale is not None:
+def _of_scattered(f: Any, count: int, cells: str, value_at: Callable) -> Table:
+    """Return an interpolator of scattered points by its value at a vector."""
+    if count > MOST or f.scale is not None:
         raise Unread(
-            f"scipy's LinearNDInterpolator of more than {MOST} simplices, or rescaled"
+            f"scipy's {type(f).__name__} of more than {MOST} {cells}, or rescaled"
         )
 
     def table(tape: Tape, *coordinates: Any) -> Any:
-        x = _vector(tape, *coordinates)
-        values: Any = np.full(shape, f.fill_value) if shape else float(f.fill_value)
-        for corners, inverse in zip(
-            simplices[::-1], f.tri.transform[::-1], strict=True
-        ):
-            weights = [row @ (x - inverse[-1]) for row in inverse[:-1]]
-            weights.append(1.0 - reduce(add, weights))
-            inside = reduce(and_, [weight >= -1e-12 for weight in weights])
-            terms = [weight * ys[k] for weight, k in zip(weights, corners, strict=True)]
-            values = where(inside, reduce(add, terms), values)
-        return values[None]
+        x = _points(tape, f.points.shape[1], *coordinates)
+        values = value_at(x.reshape(-1))
+        return np.reshape(values, (*x.shape[:-1], *np.shape(values)))
 
     return table
+
+
+def _of_simplices(f: Any) -> Table:
+    """Return scipy.interpolate.LinearNDInterpolator as a function of signals."""
+    ys = np.asarray(f.values, dtype=float).reshape(-1, *f.values_shape)
+
+    def value_at(x: Any) -> Any:
+        value: Any = np.full(f.values_shape, f.fill_value)[()]
+        cells = zip(f.tri.simplices[::-1], f.tri.transform[::-1], strict=True)
+        for corners, inverse in cells:
+            weights = inverse[:-1] @ (x - inverse[-1])
+            weights = np.append(weights, 1.0 - np.sum(weights))
+            value = where(np.all(weights >= -1e-12), weights @ ys[corners], value)
+        return value
+
+    return _of_scattered(f, len(f.tri.simplices), "simplices", value_at)
 
 
 def _of_nearest(f: Any) -> Table:
     """Return scipy.interpolate.NearestNDInterpolator as a function of signals."""
-    points = np.asarray(f.tree.data, dtype=float)
-    ys = np.asarray(f.values, dtype=float)
-    if len(points) > MOST or f.scale is not None:
-        raise Unread(
-            f"scipy's NearestNDInterpolator of more than {MOST} points, or rescaled"
-        )
 
-    def table(tape: Tape, *coordinates: Any) -> Any:
-        x = _vector(tape, *coordinates)
-        least = np.sum((x - points[0]) ** 2)
-        values = ys[0]
-        for point, y in zip(points[1:], ys[1:], strict=True):
-            distance = np.sum((x - point) ** 2)
-            is_nearer = distance < least
-            least = where(is_nearer, distance, least)
-            values = where(is_nearer, y, values)
-        return values[None]
+    def value_at(x: Any) -> Any:
+        nearest = np.argmin(np.sum((x - f.points) ** 2, axis=-1))
+        return lifted(x._tape, np.asarray(f.values, dtype=float))[nearest]
 
-    return table
+    return _of_scattered(f, len(f.points), "points", value_at)
 
 
 TABLES: dict[str, Callable[[Any], Table]] = {
