@@ -1,28 +1,35 @@
-"""Contents of values that code may change: read, compared and written back.
+"""Contents of values that code reaches: one table of kinds for the readers of these.
+
+`fingerprint` digests contents, `rebinding` makes values of other items, `heaps` joins contents of
+paths, and `Mutable` compares them and writes them back.
 
     list [a, b]            structure list,    keys 0, 1,     items a, b
     dict {"k": a}          structure dict,    keys "k",      items a
     variable               structure cell,    keys 0,        items a; none if it has no value
     object with slots      structure class,   keys names,    items values
     array of numbers       structure its type and shape,  item its bytes
+    method, partial, ...   structure class,   no keys,        items function, object, ...
 
 A content is one level deep: its items are the same objects.
 """
 
+import abc
+import functools
 import pickle
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from math import copysign
 from operator import is_
-from types import CellType, FunctionType, MemberDescriptorType
+from types import CellType, FunctionType, MemberDescriptorType, MethodType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...base.arguments import attribute_of
-from .references import PLAIN_BASES, root_of
+from .arrays import Array, Unread
+from .references import IMMUTABLE, PLAIN_BASES, root_of
 
 UNBOUND = object()  # stands for no value
 
@@ -36,10 +43,14 @@ class Content(NamedTuple):
 
 
 class Kind(NamedTuple):
-    """Reader and writer of a kind of value; no writer if nothing changes such values."""
+    """Reader of a kind of value, its writer, and its maker from other items.
+
+    There is no writer if nothing changes such values.
+    """
 
     read: Callable[[Any], Content]
     write: Callable[[Any, Content], None] | None = None
+    make: Callable[..., Any] | None = None
 
 
 # --- kinds --------------------------------------------------------------------------------------
@@ -121,12 +132,64 @@ def _write_table(value: Any, content: Content) -> None:
     vars(value).update(vars(pickle.loads(content.items[0])))
 
 
+def holding(make: Callable[..., Any] | None, *names: str) -> Kind:
+    """Return the kind of a value that holds others, which never change, in attributes."""
+    return Kind(
+        lambda value: Content(type(value), [], [getattr(value, n) for n in names]),
+        make=make,
+    )
+
+
+def _partial(function: Any, arguments: tuple, keywords: dict) -> Any:
+    return functools.partial(function, *arguments, **keywords)
+
+
+def _cached_property(function: FunctionType, name: str) -> Any:
+    copy = functools.cached_property(fixing_results(function))
+    copy.attrname = name
+    return copy
+
+
+def fixing_results(function: FunctionType) -> Any:
+    """Return a function of which no result may be changed, as cached ones outlive the call."""
+
+    def fixed(value):
+        if isinstance(value, Array):
+            value._fixed = True
+        elif isinstance(value, tuple):
+            deque(map(fixed, value), 0)
+        elif type(value) not in IMMUTABLE and not isinstance(value, float | np.generic):
+            raise Unread(
+                f"caches a {type(value).__name__}; cache numbers, arrays or tuples"
+            )
+        return value
+
+    return functools.wraps(function)(
+        lambda *arguments, **options: fixed(function(*arguments, **options))
+    )
+
+
 LIST = Kind(_read_row, _write_list)
 DICT = Kind(_read_dict, _write_dict)
 CELL = Kind(_read_cell, _write_cell)
 ARRAY = Kind(_read_array, _write_array)
 ATTRIBUTES = Kind(_read_attributes, _write_attributes)
 PANDAS = Kind(_read_table, _write_table)
+HOLDERS: dict[type, Kind] = {  # of functions
+    MethodType: holding(MethodType, "__func__", "__self__"),
+    functools.partial: holding(_partial, "func", "args", "keywords"),
+    functools.cached_property: holding(_cached_property, "func", "attrname"),
+    functools._lru_cache_wrapper: holding(fixing_results, "__wrapped__"),
+    **dict.fromkeys(
+        (property, abc.abstractproperty), holding(property, "fget", "fset", "fdel")
+    ),
+    **dict.fromkeys(
+        (staticmethod, abc.abstractstaticmethod), holding(staticmethod, "__func__")
+    ),
+    **dict.fromkeys(
+        (classmethod, abc.abstractclassmethod), holding(classmethod, "__func__")
+    ),
+}
 BY_BASE = ((list, LIST), (dict, DICT), (np.ndarray, ARRAY), (CellType, CELL))
 
 

@@ -11,7 +11,6 @@ A traced function may change nothing but lists, dicts, arrays and attributes: th
 copied, compared after tracing and put back.
 """
 
-import abc
 import functools
 import importlib
 import logging
@@ -26,7 +25,6 @@ from types import (
     BuiltinFunctionType,
     CellType,
     FunctionType,
-    MethodType,
     MethodWrapperType,
     ModuleType,
 )
@@ -38,7 +36,7 @@ import numpy as np
 from ...base.arguments import attribute_of
 from ..model.declaration import Parameters
 from .arrays import Tape, Unread, reading_on
-from .contents import PANDAS, UNBOUND, Mutable, slot_values, slots_of
+from .contents import HOLDERS, UNBOUND, Content, Mutable, slot_values, slots_of
 from .interpolators import is_table
 from .isolation import isolated
 from .references import (
@@ -84,17 +82,6 @@ NOT_CALLED = ("__repr__", "__del__", "__annotate__", "__annotate_func__", *CONST
 DYNAMIC = words("getattr setattr delattr hasattr attrgetter methodcaller __dict__")
 INTERNALS = words("__code__ __defaults__ __kwdefaults__ __closure__ __globals__")
 BOUND = (BuiltinFunctionType, MethodWrapperType)
-PARTS: dict[type, tuple[str, ...]] = {  # what a value of a type is made of
-    MethodType: ("__func__", "__self__"),
-    functools.partial: ("func", "args", "keywords"),
-    functools.cached_property: ("func",),
-    functools._lru_cache_wrapper: ("__wrapped__",),
-    **dict.fromkeys((property, abc.abstractproperty), ("fget", "fset", "fdel")),
-    **dict.fromkeys(
-        (staticmethod, classmethod, abc.abstractstaticmethod, abc.abstractclassmethod),
-        ("__func__",),
-    ),
-}
 NUMBERS = frozenset((int, float, bool))
 OF_CALLS = frozenset(("_current_params",))  # attributes of a system that each call sets
 
@@ -191,8 +178,8 @@ class _Walk:
             return kind, *self._items(value)
         if kind is np.ndarray:
             return self._array(value)
-        if names := PARTS.get(kind):
-            return kind, *[self.key_of(getattr(value, name)) for name in names]
+        if holder := HOLDERS.get(kind):
+            return kind, *map(self.key_of, holder.read(value).items)
         if isinstance(value, type):
             return self._class(value, constructed=True)
         if isinstance(value, ModuleType):
@@ -229,8 +216,7 @@ class _Walk:
         if root_of(kind) == "numba":
             return kind, self.key_of(value.py_func)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):
-            self._note(value)
-            return kind, PANDAS.read(value).items[0]
+            return kind, *self._note(value).items
         return self._container(kind, value)
 
     def _container(self, kind: type, value: Any) -> Any:
@@ -248,15 +234,10 @@ class _Walk:
             return *key, *self._items(value)
         if isinstance(value, frozenset):
             return *key, frozenset(map(self.key_of, value))
-        if isinstance(value, list):
-            self._note(value)
-            key += ["list", *self._items(value)]
-        elif isinstance(value, dict):
-            self._note(value)
-            key += [
-                "dict",
-                *[(self.key_of(k), self.key_of(v)) for k, v in value.items()],
-            ]
+        if isinstance(value, list | dict):
+            content = self._note(value)
+            keys = content.keys if isinstance(value, dict) else ()
+            key += [*self._items(keys), *self._items(content.items)]
             if isinstance(value, defaultdict):
                 key.append(self.key_of(value.default_factory))
         self._attributes(value)
@@ -274,11 +255,13 @@ class _Walk:
                 self._refuse_object(kind)
             self._note(value, kind, owner.names)
 
-    def _note(self, value: Any, owner: type | None = None, *fields: Any) -> None:
-        """Note a value that a function may change; what is trusted changes none."""
+    def _note(self, value: Any, owner: type | None = None, *fields: Any) -> Content:
+        """Note a value that a function may change, unless it is trusted; return the content."""
+        words = owner.__name__ if owner else f"a {type(value).__name__}"
+        mutable = Mutable(value, words, *fields)
         if not self.trusted:
-            words = owner.__name__ if owner else f"a {type(value).__name__}"
-            self.mutables.append(Mutable(value, words, *fields))
+            self.mutables.append(mutable)
+        return mutable.before
 
     def _items(self, values: Any) -> Iterator[Any]:
         """Yield the keys of items; numbers, or tuples of numbers, are one key."""
@@ -291,12 +274,9 @@ class _Walk:
 
     def _array(self, value: np.ndarray) -> Any:
         """Return the key of an array, by its bytes."""
-        self._note(value)
+        content = self._note(value)
         self._attributes(value)
-        key = type(value), value.dtype.str, value.shape
-        if value.dtype.hasobject:
-            return *key, *map(self.key_of, value.flat)
-        return *key, np.asarray(value).tobytes()
+        return type(value), *content.structure[:2], *map(self.key_of, content.items)
 
     def _system(self, system):
         """Return the key of a system of python-control, by its attributes."""

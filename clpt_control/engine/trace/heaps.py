@@ -37,9 +37,11 @@ from .contents import (
     ATTRIBUTES,
     CELL,
     DICT,
+    HOLDERS,
     LIST,
     Content,
     Kind,
+    holding,
     slot_values,
     slots_of,
 )
@@ -122,13 +124,6 @@ def _write_elements(array: Array, content: Content) -> None:
     array._store[...] = elements  # type: ignore[index]  # in place: views share it
 
 
-def _holding(*names: str) -> Kind:
-    """Return the kind of a value that holds others, which never change, in attributes."""
-    return Kind(
-        lambda value: Content(type(value), [], [getattr(value, n) for n in names])
-    )
-
-
 TUPLE = Kind(LIST.read)
 OBJECT = Kind(_read_object, ATTRIBUTES.write)
 ELEMENTS = Kind(_read_elements, _write_elements)
@@ -140,9 +135,8 @@ KINDS: dict[Any, Kind | None] = {  # None: nothing changes such a value
     CellType: CELL,
     np.ndarray: ARRAY,
     FunctionType: Kind(_read_function),
-    MethodType: _holding("__self__", "__func__"),
-    BuiltinFunctionType: _holding("__self__", "__name__"),
-    functools.partial: _holding("func", "args", "keywords"),
+    BuiltinFunctionType: holding(None, "__self__", "__name__"),
+    **{kind: HOLDERS[kind] for kind in (MethodType, functools.partial)},
     SimpleNamespace: OBJECT,
 }
 UNCHANGING = (

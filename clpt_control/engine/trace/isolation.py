@@ -8,51 +8,18 @@ sees the same calls, but Python calls it for every `id()` of the process: 3 % of
 What a function changes of the values that it reaches is put back (`contents`).
 """
 
-import builtins
-import ctypes
-import io
-import logging
+import importlib
 import os
-import socket
-import sqlite3
-import subprocess
-import sys
 import threading
-import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import reduce
 from typing import Any
 
 from .arrays import Unread, active
 from .references import OUTSIDE, words
 
-OF_OS = words(
-    """
-    remove unlink rename replace mkdir rmdir link symlink chmod chown truncate utime
-    putenv unsetenv chdir umask kill system write fork forkpty posix_spawn posix_spawnp
-    execv execve abort _exit pipe mkfifo mknod nice startfile
-    """
-)
-REFUSED: tuple[
-    tuple[Any, str, str], ...
-] = (  # owner and name of a function, and its name in words
-    *((os, name, f"os.{name}") for name in OF_OS),
-    (builtins, "input", "input"),
-    (subprocess.Popen, "__init__", "subprocess.Popen"),
-    (socket.socket, "__init__", "socket.socket"),
-    (threading.Thread, "start", "threading.Thread.start"),
-    (sqlite3, "connect", "sqlite3.connect"),
-    *((ctypes, name, f"ctypes.{name}") for name in ("memmove", "memset")),
-)
-OPENING = (builtins, "open"), (io, "open"), (os, "open")
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-DROPPED = (
-    (warnings, "warn"),
-    (warnings, "showwarning"),
-    (logging, "basicConfig"),
-    (logging.Logger, "handle"),
-    (logging.Logger, "setLevel"),
-)
 LOCK = threading.RLock()
 _installed: list[
     tuple[Any, str, Any, Any]
@@ -63,7 +30,7 @@ _depth = 0
 class _Silent:
     """A stream that drops what the tracing thread writes, and is the real one for others."""
 
-    def __init__(self, real):
+    def __init__(self, real, path: str):
         self._real = real
 
     def __getattr__(self, name: str) -> Any:
@@ -88,14 +55,16 @@ def _replaced(real: Callable, traced: Callable) -> Callable:
     return replacement
 
 
-def _refusing(real: Callable, label: str) -> Callable:
+def _refusing(real: Callable, path: str) -> Callable:
+    label = path.removeprefix("builtins.").removesuffix(".__init__")
+
     def refuse(*arguments, **options):
         raise Unread(f"calls {label}, {OUTSIDE}")
 
     return _replaced(real, refuse)
 
 
-def _read_only(real: Callable) -> Callable:
+def _read_only(real: Callable, path: str) -> Callable:
     def opened(file, mode="r", *arguments, **options):
         writes = mode & WRITING if isinstance(mode, int) else {*"wax+"} & {*mode}
         if writes:
@@ -105,24 +74,42 @@ def _read_only(real: Callable) -> Callable:
     return _replaced(real, opened)
 
 
+def _dropping(real: Callable, path: str) -> Callable:
+    return _replaced(real, lambda *arguments, **options: None)
+
+
+REFUSED = words(
+    """
+    os.remove os.unlink os.rename os.replace os.mkdir os.rmdir os.link os.symlink
+    os.chmod os.chown os.truncate os.utime os.putenv os.unsetenv os.chdir os.umask
+    os.kill os.system os.write os.fork os.forkpty os.posix_spawn os.posix_spawnp
+    os.execv os.execve os.abort os._exit os.pipe os.mkfifo os.mknod os.nice
+    os.startfile builtins.input subprocess.Popen.__init__ socket.socket.__init__
+    threading.Thread.start sqlite3.connect ctypes.memmove ctypes.memset
+    """
+)
+DROPPED = words(
+    """
+    warnings.warn warnings.showwarning logging.basicConfig logging.Logger.handle
+    logging.Logger.setLevel
+    """
+)
+REPLACED: dict[str, Callable[[Any, str], Any]] = {  # by path
+    **dict.fromkeys(REFUSED, _refusing),
+    **dict.fromkeys(words("builtins.open io.open os.open"), _read_only),
+    **dict.fromkeys(DROPPED, _dropping),
+    **dict.fromkeys(words("sys.stdout sys.stderr"), _Silent),
+    "sys.dont_write_bytecode": lambda real, path: True,
+}
+
+
 def _replacements() -> Iterator[tuple[Any, str, Any, Any]]:
     """Yield owner, name, the real function or stream, and its replacement."""
-    for owner, name, label in REFUSED:
+    for path, replace in REPLACED.items():
+        module, *inner, name = path.split(".")
+        owner = reduce(getattr, inner, importlib.import_module(module))
         if (real := getattr(owner, name, None)) is not None:
-            yield owner, name, real, _refusing(real, label)
-    for owner, name in OPENING:
-        yield owner, name, vars(owner)[name], _read_only(vars(owner)[name])
-    for owner, name in DROPPED:
-        yield (
-            owner,
-            name,
-            vars(owner)[name],
-            _replaced(vars(owner)[name], lambda *arguments, **options: None),
-        )
-    for name in ("stdout", "stderr"):
-        if (stream := getattr(sys, name)) is not None:
-            yield sys, name, stream, _Silent(stream)
-    yield sys, "dont_write_bytecode", sys.dont_write_bytecode, True
+            yield owner, name, real, replace(real, path)
 
 
 @contextmanager

@@ -6,9 +6,7 @@ one execution path, under a lock.  After each path everything is put back, and a
 anything outside of the function is refused: the function has hidden state.
 """
 
-import functools
 import threading
-from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from operator import is_, is_not
@@ -18,19 +16,12 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS
-from .arrays import LASTING, REMEMBERS, Array, Unread
-from .contents import ARRAY, Content, Mutable, restore
+from .arrays import LASTING, REMEMBERS, Unread
+from .contents import ARRAY, HOLDERS, Content, Mutable, restore
 from .elementwise import boxed, constant
 from .execution_paths import merge_calls
 from .fingerprint import Fingerprint
-from .references import (
-    IMMUTABLE,
-    LIBRARIES,
-    code_names,
-    code_texts,
-    is_library,
-    root_of,
-)
+from .references import LIBRARIES, code_names, code_texts, is_library, root_of
 from .rewriting import NAMES, rewritten
 from .tracer_modules import BUILTINS, TracerModule, real_type, tracer_value, type_of
 
@@ -78,17 +69,11 @@ class Rebinding:
             return self._dispatching(value) if single else self._function(value)
         if type(value) is np.ndarray and value.dtype in (float, int) and value.size:
             return self._numbers(value)
-        if isinstance(value, MethodType):
-            return MethodType(self.of(value.__func__), self.of(value.__self__))
-        if isinstance(value, functools.partial):
-            keywords = {name: self.of(item) for name, item in value.keywords.items()}
-            return functools.partial(
-                self.of(value.func), *map(self.of, value.args), **keywords
-            )
+        if holder := HOLDERS.get(type(value)):
+            assert holder.make is not None
+            return holder.make(*map(self._item, holder.read(value).items))
         if root_of(type(value)) == "numba":
             return self.of(value.py_func)
-        if type(value) is functools._lru_cache_wrapper:
-            return _cached(self.of(value.__wrapped__))
         if isinstance(value, tuple):
             items = [self.of(item) for item in value]
             if all(map(is_, items, value)):
@@ -97,6 +82,12 @@ class Rebinding:
         if isinstance(value, ModuleType) and not is_library(root_of(value)):
             return TracerModule(value, self.of)
         return tracer_value(value)
+
+    def _item(self, value):
+        """Return the tracer value of what a function or its holder has, a dict as a copy."""
+        if type(value) is dict:
+            return {name: self.of(item) for name, item in value.items()}
+        return self.of(value)
 
     def _dispatching(self, value: Any) -> Any:
         """Return the tracer function of a `functools.singledispatch`."""
@@ -144,16 +135,9 @@ class Rebinding:
         result = merge_calls(copy) if self.tape.merging else copy
         self._unmerged[id(result)] = copy
         self._known[id(function)] = function, result
-        vars(result).update(
-            {name: self.of(value) for name, value in vars(function).items()}
-        )
-        copy.__defaults__ = function.__defaults__ and tuple(
-            map(self.of, function.__defaults__)
-        )
-        if function.__kwdefaults__:
-            copy.__kwdefaults__ = {
-                k: self.of(v) for k, v in function.__kwdefaults__.items()
-            }
+        vars(result).update(self._item(vars(function)))
+        copy.__defaults__ = self.of(function.__defaults__)
+        copy.__kwdefaults__ = self._item(function.__kwdefaults__)
         for cell, old, name in zip(
             cells, function.__closure__ or (), code.co_freevars, strict=True
         ):
@@ -197,25 +181,10 @@ class Rebinding:
         if mutable.kind is ARRAY:
             return before
         items = [
-            self._attribute(item)
-            if mutable.names is None or key in mutable.names
-            else item
+            self.of(item) if mutable.names is None or key in mutable.names else item
             for key, item in zip(before.keys, before.items, strict=True)
         ]
         return before._replace(items=items)
-
-    def _attribute(self, value):
-        """Return the tracer value of an attribute; a descriptor's functions are copied."""
-        if isinstance(value, staticmethod | classmethod):
-            return type(value)(self.of(value.__func__))
-        if isinstance(value, property):
-            get, put_into, delete = map(self.of, (value.fget, value.fset, value.fdel))
-            return property(get, put_into, delete, value.__doc__)
-        if isinstance(value, functools.cached_property):
-            copy = functools.cached_property(_cached(self.of(value.func)))
-            copy.attrname = value.attrname
-            return copy
-        return self.of(value)
 
     @contextmanager
     def installed(self, name: str) -> Iterator[None]:
@@ -240,22 +209,3 @@ class Rebinding:
                 check()
             finally:
                 restore([*self._copies, *self.reached.mutables])
-
-
-def _cached(function: FunctionType) -> Any:
-    """Return a function of which no result may be changed, as these outlive the call."""
-
-    def fixed(value):
-        if isinstance(value, Array):
-            value._fixed = True
-        elif isinstance(value, tuple):
-            deque(map(fixed, value), 0)
-        elif type(value) not in IMMUTABLE and not isinstance(value, float | np.generic):
-            raise Unread(
-                f"caches a {type(value).__name__}; cache numbers, arrays or tuples"
-            )
-        return value
-
-    return functools.wraps(function)(
-        lambda *arguments, **options: fixed(function(*arguments, **options))
-    )
