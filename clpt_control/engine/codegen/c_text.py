@@ -7,8 +7,9 @@ The diagram is printed without preparation for a whole run and without locked de
 are one array.  Intervals and jumps, which an integrator sets, are another array, `kept`.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from importlib import resources
+from itertools import chain
 from math import copysign, inf, isnan
 from typing import Any
 
@@ -18,7 +19,7 @@ from ..record.graph import deep
 from ..record.operations import CONDITIONS, TABLE
 from .diagram_record import DiagramRecord, Layout
 from .fused_expressions import Components, Write
-from .loop_nests import Body, Key, Location, LoopPrinter
+from .loop_nests import Body, Element, Key, LoopPrinter
 from .plan import Nest, Planner
 from .switching_conditions import Port
 
@@ -93,9 +94,9 @@ class CProgram:
                 for name, arguments in ports.items()
             }
             plan = Planner(self.components)
-            nests = {name: plan.nests(items) for name, items in writes.items()}
             self.functions = {
-                name: CPrinter(self, items).text for name, items in nests.items()
+                name: CPrinter(self, plan.nests(items)).text
+                for name, items in writes.items()
             }
 
     def function(self, name: str) -> str:
@@ -105,11 +106,7 @@ class CProgram:
         room = ""
         if into == "out" and "w[" in text:
             room = f"    double w[{self.components.room}];\n"
-        names = (
-            argument.split()[-1].strip("*")
-            for argument in [*SIGNATURE.split(","), into]
-        )
-        unused = "".join(f" (void){argument};" for argument in names)
+        unused = "".join(f" (void){name};" for name in (*"txup", "kept", into))
         return f"static void {name}_({SIGNATURE}, double *{into}) {{\n   {unused}\n{room}{text}}}\n"
 
     def shared(self, T: Any) -> Iterator[str]:
@@ -145,11 +142,7 @@ class CPrinter(LoopPrinter):
         self.depth = 0
         for nest in nests:
             self.print_nest(nest)
-
-    @property
-    def text(self) -> str:
-        """Lines of the function."""
-        return "".join(line for lines in self.lines for line in lines)
+        self.text = "".join(chain(*self.lines))
 
     def begin_body(self, depth: int) -> None:
         """Begin the statements inside `depth` loops."""
@@ -191,25 +184,21 @@ class CPrinter(LoopPrinter):
         self.statement(f"{total} += {value};")
         return total
 
-    def load(
-        self, location: Location, loops: Iterable[int], vectorized: bool = False
-    ) -> str:
+    def load(self, element: Element) -> str:
         """Return an element of an array."""
-        array, offset, strides = location
+        array, offset, steps, _ = element
         if array == "t":
             return "t"
         terms = [
-            index if stride == 1 else f"{stride} * {index}"
-            for index, stride in self.terms(loops, strides)
+            index if stride == 1 else f"{stride} * {index}" for index, stride in steps
         ]
         if offset or not terms:
             terms.insert(0, str(offset))
         return f"{ARRAYS[array]}[{' + '.join(terms)}]"
 
-    def store(self, value: str, location: Location) -> None:
+    def store(self, value: str, element: Element) -> None:
         """Write an element of an array."""
-        element = self.load(location, range(len(location[2])))
-        self.statement(f"{element} = {value};")
+        self.statement(f"{self.load(element)} = {value};")
 
     def number(self, value: float, vectorized: bool) -> str:
         """Return a constant."""

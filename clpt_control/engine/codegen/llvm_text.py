@@ -9,7 +9,7 @@ iteration is a long chain, such as exp, two are printed at once.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from llvmlite import ir
 
 from ..record.graph import deep
 from .fused_expressions import Write
-from .loop_nests import NO_LOOP, Body, Key, Location, LoopPrinter
+from .loop_nests import NO_LOOP, Body, Element, Key, LoopPrinter
 from .machine import LANES
 from .plan import Nest, Program
 from .vectors import (
@@ -44,7 +44,6 @@ CHAINS = ("exp", "sin", "cos")  # always inlined, where there are few
 # calls of a function; LLVM takes minutes for thousands in one piece of code
 MOST_INLINED = 64
 SLOW = 5  # a root or a quotient takes as long as so many operations
-Terms = Sequence[tuple[Any, int]]  # index and stride of each loop
 
 
 def print_program(program: Program, names: tuple[str, ...], lanes: int) -> ir.Module:
@@ -97,11 +96,10 @@ class LLVMPrinter(LoopPrinter):
         function.attributes.add("nounwind")
         # a register that is saved lies in one line of cache
         function.attributes.alignstack = 64
-        self.arrays: dict[str, Any] = {}
-        for argument, array in zip(function.args, ARRAYS, strict=True):
+        self.arrays: dict[str, Any] = dict(zip(ARRAYS, function.args, strict=True))
+        for array, argument in self.arrays.items():
             argument.add_attribute("noalias")
             argument.name = array
-            self.arrays[array] = argument
         self.builder = ir.IRBuilder(function.append_basic_block())
         if not constants:
             return
@@ -143,8 +141,9 @@ class LLVMPrinter(LoopPrinter):
         """Return how many runs an array holds side by side."""
         return 1 if array in "TK" else self.lanes
 
-    def address(self, array: str, offset: int, terms: Terms = ()) -> Any:
-        """Return the address of array[offset + sum of index * stride]."""
+    def address(self, element: Element) -> Any:
+        """Return the address of an element."""
+        array, offset, terms, _ = element
         builder = self.builder
         position = None
         for index, stride in terms:
@@ -166,66 +165,43 @@ class LLVMPrinter(LoopPrinter):
             position = builder.mul(position, ir.Constant(WORD, columns))
         return builder.gep(self.arrays[array], [position])
 
-    def vector_stride(self, loops: Iterable[int], strides: tuple[int, ...]) -> int:
-        """Return the stride of the loop that does eight iterations at once."""
-        pairs = zip(loops, strides, strict=True)
-        return sum(stride for loop, stride in pairs if loop == self.vector_loop)
-
-    def load(self, location: Location, loops: tuple[int, ...], vectorized: bool) -> Any:
-        """Read an element."""
-        array, offset, strides = location
-        terms = self.terms(loops, strides)
-        stride = self.vector_stride(loops, strides) if vectorized else None
-        return self._load(array, offset, terms, stride)
-
-    def _load(
-        self, array: str, offset: int, terms: Terms = (), stride: int | None = None
-    ) -> Any:
-        """Read a number, or one for each run; or those of eight iterations, a `stride` apart."""
+    def load(self, element: Element) -> Any:
+        """Read a number, or one for each run; or those of eight iterations."""
         builder = self.builder
-        if stride not in (None, 1):
-            scalars = []
-            for k in range(self.active):
-                address = self.address(array, offset + k * stride, terms)
-                scalars.append(builder.load(address))
+        if element.apart not in (None, 1):
+            scalars = [builder.load(address) for address in self._addresses(element)]
             inactive = scalars[:1] * (LANES - self.active)
             return gathered(builder, scalars + inactive)
-        address = self.address(array, offset, terms)
-        width = LANES if stride else self.lanes
-        if stride is None and self.columns(array) == 1:
+        address = self.address(element)
+        width = self.width(element.apart is not None)
+        if element.apart is None and self.columns(element.array) == 1:
             return splat(builder, builder.load(address), width)
-        vector_address = builder.bitcast(address, vector(width).as_pointer())
-        if stride is None or self.active == width:
-            return builder.load(vector_address, align=8)
-        arguments = [
-            vector_address,
-            ir.Constant(INT32, 8),
-            self.mask(),
-            constant(1.0, width),
-        ]
+        address = builder.bitcast(address, vector(width).as_pointer())
+        if element.apart is None or self.active == width:
+            return builder.load(address, align=8)
+        arguments = [address, ir.Constant(INT32, 8), self.mask(), constant(1.0, width)]
         return self._masked("load", vector(width), arguments)
 
-    def store(self, value: Any, location: Location) -> None:
+    def store(self, value: Any, element: Element) -> None:
         """Write a number, or one for each run; or the numbers of eight iterations."""
-        array, offset, strides = location
         builder = self.builder
-        loops = range(len(strides))
-        terms = self.terms(loops, strides)
-        vectorized = self.vector_loop >= 0 and width_of(value) > 1
-        stride = self.vector_stride(loops, strides) if vectorized else None
-        if stride not in (None, 1):
+        if element.apart not in (None, 1):
             scalars = elements(builder, value)[: self.active]
-            for k, scalar in enumerate(scalars):
-                address = self.address(array, offset + k * stride, terms)
+            for scalar, address in zip(scalars, self._addresses(element), strict=True):
                 builder.store(scalar, address)
             return
-        address = self.address(array, offset, terms)
-        address = builder.bitcast(address, value.type.as_pointer())
-        if stride is None or self.active == LANES:
+        address = builder.bitcast(self.address(element), value.type.as_pointer())
+        if element.apart is None or self.active == LANES:
             builder.store(value, address, align=8)
             return
         arguments = [value, address, ir.Constant(INT32, 8), self.mask()]
         self._masked("store", ir.VoidType(), arguments)
+
+    def _addresses(self, element: Element) -> Iterator[Any]:
+        """Yield the address of the element in each active iteration."""
+        for k in range(self.active):
+            offset = element.offset + k * (element.apart or 0)
+            yield self.address(element._replace(offset=offset))
 
     def _masked(self, name: str, result: ir.Type, arguments: list[Any]) -> Any:
         """Read or write the active iterations."""
@@ -249,9 +225,14 @@ class LLVMPrinter(LoopPrinter):
             unrolled = UNROLLED if self.lanes == 1 else UNROLLED_RUNS
             return self._loop(range(count), unrolled, body, [zero] * len(totals))
         # iterations that are masked add zeros
-        zero = constant(0.0, LANES) if count >= LANES else None
+        full = count // LANES * LANES
+        zero = constant(0.0, LANES) if full else None
         unrolled = UNROLLED_RUNS if depth else 1
-        sums = self._vector_loop(count, unrolled, body, [zero] * len(totals))
+        sums = self._loop(range(0, full, LANES), unrolled, body, [zero] * len(totals))
+        if count > full:
+            self.active = count - full
+            sums = body(full, sums)
+            self.active = LANES
         return (horizontal_sum(self.builder, value, count) for value in sums)
 
     def add(self, total, value):
@@ -259,16 +240,6 @@ class LLVMPrinter(LoopPrinter):
         if self.active < LANES:
             value = self.builder.select(self.mask(), value, constant(0.0, LANES))
         return value if total is None else self.builder.fadd(total, value)
-
-    def _vector_loop(self, count: int, unrolled: int, body: Body, sums: list) -> list:
-        """Print a loop of eight iterations at once; return the sums after it."""
-        full = count // LANES * LANES
-        sums = self._loop(range(0, full, LANES), unrolled, body, sums)
-        if count > full:
-            self.active = count - full
-            sums = body(full, sums)
-            self.active = LANES
-        return sums
 
     def _loop(self, indices: range, unrolled: int, body: Body, sums: list) -> list:
         """Print a loop; return the sums after it.  One of at most `unrolled` iterations unrolls."""
@@ -342,31 +313,30 @@ class LLVMPrinter(LoopPrinter):
         if name == "pick":
             return self._lookup(values[0], row)
         builder = self.builder
-        array, _, stride, count = row
+        array, offset, stride, count = row
         columns = self.columns(array)
         scalars = [elements(builder, value) for value in values]
         function = SEARCHES[name](builder.module)
         results = []
         lanes = width_of(values[0]) if values else self.lanes
         for lane in range(lanes):
-            address = self._row_address(row, lane)
+            address = self._row_address(Element(array, offset), lane)
             row_stride = ir.Constant(WORD, stride * columns)
             arguments = [address, row_stride, ir.Constant(WORD, count)]
             arguments += [scalar[lane] for scalar in scalars]
             results.append(builder.call(function, arguments))
         return gathered(builder, results)
 
-    def _row_address(self, row: tuple, lane: int, terms: Terms = ()) -> Any:
+    def _row_address(self, element: Element, lane: int) -> Any:
         """Return the address of an element of a row, in the column of a lane."""
-        array, offset, *_ = row
-        address = self.address(array, offset, terms)
-        if self.columns(array) > 1:
+        address = self.address(element)
+        if self.columns(element.array) > 1:
             address = self.builder.gep(address, [ir.Constant(WORD, lane)])
         return address
 
     def _lookup(self, index: Any, row: tuple) -> Any:
         """Read an element of a row, NaN where there is no such element."""
-        _, _, stride, count = row
+        array, offset, stride, count = row
         builder = self.builder
         width = width_of(index)
 
@@ -379,7 +349,8 @@ class LLVMPrinter(LoopPrinter):
         results = []
         for lane, scalar in enumerate(elements(builder, valid_position)):
             index_in_row = builder.fptosi(scalar, WORD)
-            address = self._row_address(row, lane, [(index_in_row, stride)])
+            element = Element(array, offset, [(index_in_row, stride)])
+            address = self._row_address(element, lane)
             results.append(builder.load(address))
         return number("where", inside, gathered(builder, results), float("nan"))
 

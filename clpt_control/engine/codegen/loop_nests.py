@@ -6,7 +6,7 @@ at the beginning of the innermost loop on which it depends, and once for each lo
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from .fused_expressions import Component, Write, row_strides
 from .plan import Nest
@@ -19,6 +19,15 @@ Body = Callable[[Any, list], list]
 Location = tuple[str, int, tuple[int, ...]]  # array, offset, stride of each axis
 # component, loops of its axes, for eight iterations
 Key = tuple[int, tuple[int, ...], bool]
+
+
+class Element(NamedTuple):
+    """Element of an array: array[offset + sum of index * stride]."""
+
+    array: str
+    offset: int
+    terms: Sequence[tuple[Any, int]] = ()  # index and stride of each loop
+    apart: int | None = None  # stride of eight iterations at once
 
 
 class LoopPrinter(ABC):
@@ -59,12 +68,12 @@ class LoopPrinter(ABC):
         """Return a sum with one more value."""
 
     @abstractmethod
-    def load(self, location: Location, loops: tuple[int, ...], vectorized: bool) -> Any:
+    def load(self, element: Element) -> Any:
         """Read an element of an array."""
 
     @abstractmethod
-    def store(self, value: Any, location: Location) -> None:
-        """Write an element of an array, in an iteration of the outermost loops."""
+    def store(self, value: Any, element: Element) -> None:
+        """Write an element of an array."""
 
     @abstractmethod
     def number(self, value: float, vectorized: bool) -> Any:
@@ -137,16 +146,21 @@ class LoopPrinter(ABC):
 
     def write(self, value: Any, item: Write) -> None:
         """Write a value, in an iteration of the innermost loop or after it."""
-        self.store(value, (item.array, item.first, item.strides))
+        loops = range(len(item.strides))
+        location = item.array, item.first, item.strides
+        self.store(value, self.element(location, loops, self.vector_loop in loops))
 
     # --- values -------------------------------------------------------------------------------
 
-    def terms(
-        self, loops: Iterable[int], strides: tuple[int, ...]
-    ) -> list[tuple[Any, int]]:
-        """Return index and stride of each loop."""
-        indices = [self.indices[loop] for loop in loops]
-        return list(zip(indices, strides, strict=True))
+    def element(
+        self, location: Location, loops: Sequence[int], vectorized: bool
+    ) -> Element:
+        """Return an element, in an iteration of some loops."""
+        array, offset, strides = location
+        steps = [*zip(loops, strides, strict=True)]
+        terms = [(self.indices[loop], stride) for loop, stride in steps]
+        apart = sum(stride for loop, stride in steps if loop == self.vector_loop)
+        return Element(array, offset, terms, apart if vectorized else None)
 
     def argument(self, argument: Any, loops: tuple[int, ...], vectorized: bool) -> Any:
         """Return an argument: a constant or a computed value."""
@@ -177,7 +191,7 @@ class LoopPrinter(ABC):
             return lambda: self.broadcast(scalar)
         location = self.location(component)
         if location is not None:
-            return lambda: self.load(location, loops, vectorized)
+            return lambda: self.load(self.element(location, loops, vectorized))
         name, arguments, _ = self.components[component]
         row_position = ROW_ARGUMENT.get(name)
         values = [
