@@ -190,12 +190,12 @@ HOLDERS: dict[type, Kind] = {  # of functions
         (classmethod, abc.abstractclassmethod), holding(classmethod, "__func__")
     ),
 }
-BY_BASE = ((list, LIST), (dict, DICT), (np.ndarray, ARRAY), (CellType, CELL))
+MUTABLE = {list: LIST, dict: DICT, np.ndarray: ARRAY, CellType: CELL}
 
 
 def kind_of_mutable(value: Any) -> Kind:
     """Return the kind of a list, dict, array, variable, class, table or object with slots."""
-    for base, kind in BY_BASE:
+    for base, kind in MUTABLE.items():
         if isinstance(value, base):
             return kind
     return PANDAS if root_of(type(value)) == "pandas" else ATTRIBUTES

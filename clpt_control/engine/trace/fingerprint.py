@@ -176,7 +176,7 @@ class _Walk:
             return self._function(value)
         if kind is tuple:
             return kind, *self._items(value)
-        if kind is np.ndarray:
+        if isinstance(value, np.ndarray):
             return self._array(value)
         if holder := HOLDERS.get(kind):
             return kind, *map(self.key_of, holder.read(value).items)
@@ -211,8 +211,6 @@ class _Walk:
             ]
         if isinstance(value, control.InputOutputSystem):
             return self._system(value)
-        if isinstance(value, np.ndarray):
-            return self._array(value)
         if root_of(kind) == "numba":
             return kind, self.key_of(value.py_func)
         if root_of(kind) == "pandas" and kind.__name__ in ("Series", "DataFrame"):

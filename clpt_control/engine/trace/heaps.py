@@ -19,7 +19,6 @@ from enum import Enum
 from itertools import zip_longest
 from types import (
     BuiltinFunctionType,
-    CellType,
     FunctionType,
     MethodType,
     ModuleType,
@@ -33,12 +32,9 @@ import numpy as np
 from ..model.params import Params
 from .arrays import Array, Tape, Unread, key_of, operand
 from .contents import (
-    ARRAY,
     ATTRIBUTES,
-    CELL,
-    DICT,
     HOLDERS,
-    LIST,
+    MUTABLE,
     Content,
     Kind,
     holding,
@@ -124,16 +120,14 @@ def _write_elements(array: Array, content: Content) -> None:
     array._store[...] = elements  # type: ignore[index]  # in place: views share it
 
 
-TUPLE = Kind(LIST.read)
+TUPLE = Kind(MUTABLE[list].read)
 OBJECT = Kind(_read_object, ATTRIBUTES.write)
 ELEMENTS = Kind(_read_elements, _write_elements)
 KINDS: dict[Any, Kind | None] = {  # None: nothing changes such a value
     **dict.fromkeys(IMMUTABLE | NUMBERS | {np.int64, type(np.sum)}),
-    list: LIST,
-    **dict.fromkeys((dict, OrderedDict, defaultdict, Counter, Params), DICT),
+    **MUTABLE,
+    **dict.fromkeys((OrderedDict, defaultdict, Counter, Params), MUTABLE[dict]),
     tuple: TUPLE,
-    CellType: CELL,
-    np.ndarray: ARRAY,
     FunctionType: Kind(_read_function),
     BuiltinFunctionType: holding(None, "__self__", "__name__"),
     **{kind: HOLDERS[kind] for kind in (MethodType, functools.partial)},

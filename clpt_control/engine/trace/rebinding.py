@@ -9,6 +9,7 @@ anything outside of the function is refused: the function has hidden state.
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cached_property
 from operator import is_, is_not
 from types import CellType, FunctionType, MethodType, ModuleType
 from typing import Any
@@ -51,8 +52,6 @@ class Rebinding:
         ] = {}  # copies, by those that merge their paths
         self._spaces: dict[int, Mutable] = {}  # copied names of each module
         self._copies: list[Mutable] = []
-        # contents with tracer values
-        self._during: list[tuple[Mutable, Content]] | None = None
 
     def of(self, value):
         """Return the tracer value of a value: a copy of a function, a tracer array, or itself."""
@@ -168,13 +167,10 @@ class Rebinding:
 
     # --- in place ---------------------------------------------------------------------------
 
+    @cached_property
     def _contents(self) -> list[tuple[Mutable, Content]]:
-        """Return the content of every mutable value with tracer values in it."""
-        if self._during is None:
-            self._during = [
-                (mutable, self._content(mutable)) for mutable in self.reached.mutables
-            ]
-        return self._during
+        """The content of every mutable value with tracer values in it."""
+        return [(mutable, self._content(mutable)) for mutable in self.reached.mutables]
 
     def _content(self, mutable: Mutable) -> Content:
         before = mutable.before
@@ -189,7 +185,7 @@ class Rebinding:
     @contextmanager
     def installed(self, name: str) -> Iterator[None]:
         """Have tracer values in place for one execution path; refuse a path that changes any."""
-        contents = self._contents()
+        contents = self._contents
         lasting = [*self._copies, *self.reached.mutables]
         self.tape.persistent |= {id(mutable.value) for mutable in lasting}
 
