@@ -225,6 +225,7 @@ def test_kml_is_read_back(replayed):
     assert {one.text[1:] for one in root.iterfind(".//k:styleUrl", KML)} <= names
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_any_character_of_a_name_is_in_a_page_that_xml_can_hold():
     name = "".join(map(chr, range(0x300))) + "\ud800\udcff\ufffe\U0001f600"
     page = page_and_sentence(told(fixes_of(1)) | {"vehicle": name})[0]
