@@ -246,6 +246,7 @@ def right(tmp_path_factory):
         **{
             "Replay.forecast": {"self": replay},
             "Replay.ahead": {"self": replay},
+            "lyapunov": LINEAR,
             "observer": LINEAR,
             "kalman_filter": LINEAR,
         },

@@ -1,5 +1,6 @@
 """Fixes one by one, as lines of JSON, with a state on disk: the numbers of all at once."""
 
+import io
 import json
 import random
 import subprocess
@@ -59,11 +60,24 @@ def scenario(tmp_path):
     return path
 
 
+@pytest.fixture
+def estimate(clpt, scenario, monkeypatch):
+    """Run `clpt estimate -` in-process on lines of standard input."""
+
+    def run(lines, *words, status=0):
+        monkeypatch.setattr(sys, "stdin", io.StringIO("\n".join(lines)))
+        done = clpt("estimate", "-", "--scenario", scenario, *words)
+        assert done.status == status, done.err
+        return done
+
+    return run
+
+
 def answers(out):
     return [json.loads(line) for line in out.splitlines()]
 
 
-def test_legs_one_by_one_are_legs_at_once(tmp_path, scenario):
+def test_legs_one_by_one_are_legs_at_once(tmp_path, estimate):
     """The table's numbers, to the last bit, from lines of the same legs."""
     rows = straight_mission(legs=10)
     names = ["number", "start", "lat0", "lon0", "end", "lat1", "lon1", "east", "north"]
@@ -75,31 +89,32 @@ def test_legs_one_by_one_are_legs_at_once(tmp_path, scenario):
             {"time": leg["end"], "dr_east_m": leg["east"], "dr_north_m": leg["north"]},
             {"time": leg["end"], "latitude": leg["lat1"], "longitude": leg["lon1"]},
         ]
-    text = "\n".join(map(json.dumps, lines))
-    done = ran(*CLPT, "estimate", "-", "--scenario", scenario, input=text)
+    done = estimate(map(json.dumps, lines))
     head = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m"
     table = tmp_path / "legs.csv"
     table.write_text("\n".join([head, *(",".join(map(repr, row)) for row in rows)]))
     legs, _ = clpt.gliders.read_dives(table)
     data = clpt.currents.flow_estimate(legs, clpt.Scenario(**SCENARIO))
-    live = [a for a in answers(done.stdout) if a.get("error_m") is not None]
+    live = [a for a in answers(done.out) if a.get("error_m") is not None]
     expected = data.flow_parameters_estimate.values.tolist()
     assert [answer["theta_m_s"] for answer in live] == expected
 
 
-def test_a_restarted_learner_has_the_same_numbers(tmp_path, scenario):
+def test_a_restarted_learner_has_the_same_numbers(tmp_path, scenario, estimate):
     """Stopped after any line and started anew with its state: equal to the last bit."""
     lines = stream(25)
-    whole = ran(*CLPT, "estimate", "-", "--scenario", scenario, input="\n".join(lines))
-    expected = answers(whole.stdout)[-1]
+    expected = answers(estimate(lines).out)[-1]
     state = tmp_path / "state.json"
-    words = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
     cuts = sorted(random.Random(2).sample(range(2, len(lines)), 3))
     for begin, end in zip([0, *cuts], [*cuts, len(lines)], strict=True):
         # a sender that is not sure what arrived sends three lines again
         again = lines[max(begin - 3, 0) : end]
-        done = ran(*words, input="\n".join(again))
-    assert answers(done.stdout)[-1] == expected
+        done = estimate(again, "--state", state)
+    assert answers(done.out)[-1] == expected
+    # by a process of its own, too
+    words = [*CLPT, "estimate", "-", "--scenario", scenario]
+    alone = ran(*words, input="\n".join(lines)).stdout
+    assert answers(alone)[-1] == expected
 
 
 def fresh(path):
@@ -138,15 +153,14 @@ def test_a_killed_learner_has_the_same_numbers(tmp_path, scenario):
     assert answers(done.stdout)[-1] == expected
 
 
-def test_a_plan_is_forecast(scenario):
+def test_a_plan_is_forecast(estimate):
     """The next fix: the plan's displacement, drifted by the learned flow."""
     lines = stream(40)
     last = json.loads(lines[-1])
     end = last["time"] + 3600
     plan = {"plan": [{"time": end, "course": 90.0, "speed": 1.0}]}
     lines[-1] = json.dumps(last | plan)
-    done = ran(*CLPT, "estimate", "-", "--scenario", scenario, input="\n".join(lines))
-    ahead = answers(done.stdout)[-1]["next"]
+    ahead = answers(estimate(lines).out)[-1]["next"]
     assert ahead["time"] == end
     way = (ahead["longitude"] - last["longitude"]) * 89.3e3
     assert 3600 < way < 3600 * 1.5  # 1 m/s to the east and a current to the east
@@ -170,39 +184,34 @@ def test_a_plan_is_forecast(scenario):
         ('{"time": 1, "dr_east_m": 1, "dr_north_m": 2}', "no fix yet"),
     ],
 )
-def test_a_wrong_line_is_told_and_left_out(scenario, line, sentence):
+def test_a_wrong_line_is_told_and_left_out(estimate, line, sentence):
     """The others are learned as if it were not there; the status is 2."""
     lines = stream(3)
-    good = ran(*CLPT, "estimate", "-", "--scenario", scenario, input="\n".join(lines))
-    words = [*CLPT, "estimate", "-", "--scenario", scenario]
-    done = ran(*words, input="\n".join([line, *lines]), status=2)
-    assert sentence in done.stderr
-    assert done.stdout == good.stdout
+    good, done = estimate(lines), estimate([line, *lines], status=2)
+    assert sentence in done.err
+    assert done.out == good.out
 
 
-def test_a_gap_begins_a_leg(scenario):
+def test_a_gap_begins_a_leg(estimate):
     """A time of unknown displacement teaches nothing, and is told."""
     first = {"time": 0, "latitude": 36.7, "longitude": -122.1}
     later = {"time": 7200, "latitude": 36.75, "longitude": -122.0}
-    text = "\n".join(map(json.dumps, [first, later]))
-    done = ran(*CLPT, "estimate", "-", "--scenario", scenario, input=text)
-    answer = answers(done.stdout)[-1]
+    answer = answers(estimate(map(json.dumps, [first, later])).out)[-1]
     assert answer["legs"] == 0
     assert "7200 s before it is not known" in answer["note"]
 
 
-def test_the_state_of_another_scenario_is_refused(tmp_path, scenario):
+def test_the_state_of_another_scenario_is_refused(tmp_path, scenario, estimate):
     """So is a file that is no state; nothing is written."""
     state = tmp_path / "state.json"
-    words = [*CLPT, "estimate", "-", "--scenario", scenario, "--state", state]
-    ran(*words, input="\n".join(stream(2)))
+    estimate(stream(2), "--state", state)
     before = state.read_text()
     scenario.write_text(SCENARIO_TEXT.replace("8.0, 8.0, 8.0", "8.0, 8.0, 9.0"))
-    done = ran(*words, input="", status=2)
-    assert "state of another scenario" in done.stderr
+    done = estimate([], "--state", state, status=2)
+    assert "state of another scenario" in done.err
     assert state.read_text() == before
     state.write_text("{}")
-    assert "is not the state" in ran(*words, input="", status=2).stderr
+    assert "is not the state" in estimate([], "--state", state, status=2).err
 
 
 def test_nmea_sentences_become_lines():

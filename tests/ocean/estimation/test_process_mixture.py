@@ -129,8 +129,9 @@ def test_the_oldest_dives_are_dropped_exactly():
         assert found == pytest.approx(expected, rel=1e-6, abs=1e-3)
 
 
-def test_covariances_stay_positive_over_a_thousand_dives():
-    mixture = taught(FixModel(), vehicle(1, 1000, walk=0.03, noise=0.01))
+@pytest.mark.parametrize("count", [200, pytest.param(1000, marks=pytest.mark.slow)])
+def test_covariances_stay_positive_over_many_dives(count):
+    mixture = taught(FixModel(), vehicle(1, count, walk=0.03, noise=0.01))
     size = np.sqrt(np.diagonal(mixture.covariance, axis1=1, axis2=2)) + 1e-12
     correlation = mixture.covariance / size[:, :, None] / size[:, None, :]
     assert np.abs(correlation - correlation.transpose(0, 2, 1)).max() < 1e-8

@@ -186,12 +186,12 @@ def test_a_plan_of_the_next_dive(command):
 
 @pytest.mark.usefixtures("few_draws")
 def test_aiming_by_the_command(command, sample, tmp_path):
-    (tmp_path / "way.txt").write_text("-42.5 8.0\n-43 -7\n")
+    (tmp_path / "way.txt").write_text("-42.5 8.0\n-42.6 -351.9\n")
     words = ("--sample", "--route", tmp_path / "way.txt")
     found = json.loads(command(*words, "--json").stdout)
     assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [
         (-42.5, 8),
-        (-43, -7),
+        (-42.6, -351.9),
     ]
     assert (found["each_dive"], sample.found["aim"]) == (sample.found["each_dive"], [])
     first, words = found["aim"][0], ("--sample", "--aim", "-42.5", "8.0")
