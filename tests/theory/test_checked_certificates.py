@@ -184,14 +184,15 @@ def alterations(data):
     yield new(format="clpt certificate 0")
 
 
-def test_altered_certificates_are_rejected(cases, tmp_path):
+@pytest.mark.parametrize("every", [5, pytest.param(1, marks=pytest.mark.slow)])
+def test_altered_certificates_are_rejected(cases, tmp_path, every):
     files = [
         data for certificates in cases.values() for data in alterations(*certificates)
-    ]
+    ][::every]
     lines, status = checked(written(tmp_path, files))
     accepted = [k for k, line in enumerate(lines) if ": rejected: " not in line]
     assert status == 1
-    assert len(files) > 1000
+    assert len(files) > 1000 / every
     print(f"{len(lines) - len(accepted)} of {len(files)} rejected")
     assert [lines[k] for k in accepted] == []
 

@@ -213,12 +213,10 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
 
 
 @pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=SLOW)])
-def test_no_design_for_a_law_learns_later(paper, law, monkeypatch):
+def test_no_design_for_a_law_learns_later(paper, law):
     """A short search finds little: then the scenario's own track stays, and that is said."""
-    monkeypatch.setattr(search, "SAMPLES", 32)
-    monkeypatch.setattr(search, "STARTS", 4)
     scenario = paper.with_values({"learning.law": law, "run.duration": 200})
-    found = clpt.theory.design_track(scenario, window=60.0, level=0.02)
+    found = quickly(scenario, goal="law", window=60.0, level=0.02)
     first, last = found.tracks
     assert last.cost <= first.cost
     same = found.scenario.waypoints.tolist() == paper.waypoints.tolist()
