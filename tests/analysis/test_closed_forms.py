@@ -7,6 +7,7 @@ import control
 import numpy as np
 import pytest
 from error_sentences import says
+from geodesics import place_from
 from image_checks import inked
 from paths import DATA
 from responses import response
@@ -25,7 +26,6 @@ from analysis.worst_disturbance import (
     regressor_matrices,
     worst_disturbance,
 )
-from clpt_control.base.geodesy import place_from
 from clpt_control.ocean.gliders.usable_dives import usable
 from clpt_control.theory.counterexamples import (
     exact_run,
