@@ -173,15 +173,14 @@ class VariedDiagram:
             raise ScenarioError(f"{key} = {value}: must be finite")
 
     def units(self, key: str) -> dict[str, str]:
-        """Return the unit of an input or a state as an attribute, if known."""
+        """Return the unit of an input, a state or a parameter as an attribute, if known."""
         location = self.locations[key]
         input_units = units_of(self.wiring)[1]
-        state_units: list[str] = []
-        for node in self.wiring.nodes:
-            for port, size in node.system.state_ports.items():
-                state_units += [node.system.units.get(port, "")] * size
+        nodes = self.wiring.nodes
+        state_units = [u for node in nodes for u in node.system.units_of("state")]
         units = {state_units[k] for k in location.states}
         units |= {input_units[k] for k in location.inputs}
+        units |= {nodes[k].system.units.get(name, "") for k, name in location.fields}
         return {"units": units.pop()} if len(units) == 1 and units != {""} else {}
 
     def _check_distinct(self) -> None:

@@ -15,7 +15,7 @@ from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.sampled import Sampled
-from ..engine.model.system import System
+from ..engine.model.system import System, given_units
 from ..engine.trace.arrays import Unread
 from ..engine.trace.fingerprint import reachable
 from ..paper.scenario.experiment import Scenario
@@ -73,7 +73,8 @@ def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:
     if not isinstance(system, control.NonlinearIOSystem):
         raise Unread("cannot be wired")
     labels = *system.input_index, *system.output_index, *(system.state_index or ())
-    identity: tuple = id(system), system.name, system.dt, labels
+    units = tuple(given_units(system).items())
+    identity: tuple = id(system), system.name, system.dt, labels, units
     if isinstance(system, Sampled):
         inner = system.inner
         numbers += inner.params.values() if isinstance(inner, System) else ()

@@ -220,6 +220,36 @@ def test_members_end_as_closed_forms_do(diagram, vary, start, wanted):
 # --- what is not compiled, what fails ---------------------------------------------------------
 
 
+def test_units_given_to_a_system_are_those_of_runs_ensembles_and_files(tmp_path):
+    lag = control.nlsys(
+        lambda t, x, u, p: p["rate"] * (u - x),
+        inputs="u",
+        outputs="y",
+        states="y",
+        params={"rate": 2.0},
+        name="lag",
+    )
+    times = [0.0, 1.0]
+    assert clpt.simulate(lag, times, 1.0).y.attrs == {}
+    lag.units = {"u": "V", "y": "rad", "rate": "1/s"}
+    run = clpt.simulate(lag, times, 1.0)
+    assert (run.y.attrs["units"], run.u.attrs["units"]) == ("rad", "V")
+    clpt.save_run(run, tmp_path / "lag.nc")
+    again = clpt.simulate(clpt.load_diagram(tmp_path / "lag.nc"), times, 1.0)
+    assert again.y.attrs["units"] == "rad"
+    vary = {"rate": [1.0, 2.0], "y": [0.0, 1.0]}
+    data = clpt.run_ensemble(lag, vary, timepts=times, inputs=1.0)
+    found = {name: data[name].attrs["units"] for name in ("rate", "y", "y_rms")}
+    assert found == {"rate": "1/s", "y": "rad", "y_rms": "rad"}
+    lag.units = {"z": "rad"}
+    with pytest.raises(clpt.BlockError, match="'z', which is no port and no param"):
+        clpt.simulate(lag, times, 1.0)
+    with pytest.raises(clpt.DiagramError, match="'u' is in 'm' at source and in 'V'"):
+        source = control.tf(1, [1, 1], name="source", inputs="r", outputs="u")
+        source.units, lag.units = {"u": "m"}, {"u": "V"}
+        clpt.simulate(clpt.connect([source, lag], external="r"), times)
+
+
 def test_what_cannot_be_compiled_says_so():
     with pytest.warns(UserWarning, match="odd runs in Python, not as machine code: "):
         clpt.run_ensemble(ODD, {"a": [1.0, 2.0]}, timepts=TIMES, threads=2)

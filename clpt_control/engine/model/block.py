@@ -82,7 +82,8 @@ class Block(ReadBlock):
     guard : Guard, optional
         The domain of the block.
     units : mapping, optional
-        Port -> unit, ``{"e": "m"}``, for runs, plots and drawings.
+        Port or parameter -> unit, ``{"e": "m"}``, for runs, plots and drawings. A system of
+        python-control has them as an attribute, ``pendulum.units = {"angle": "rad"}``.
     dt : float, optional
         Period of a discrete block, as python-control's: `update` then returns the next states.
         In a continuous diagram the block samples its inputs and holds its outputs.
@@ -140,7 +141,6 @@ class Block(ReadBlock):
             "states": shapes_of(states),
         }
         check_names(name, *declared.values())
-        check_units(name, units or {}, *declared.values())
 
         def refuse(condition: Any, sentence: str) -> None:
             if condition:
@@ -189,6 +189,7 @@ class Block(ReadBlock):
         self._inner = {}
         self._sizes = dict(sizes or {})
         self.parameters = parameters
+        check_units(name, self.units, *declared.values(), self.parameters._asdict())
         refuse(
             breakpoints is not None and "interval" not in self.parameters._fields,
             "a block with breakpoints needs a parameter `interval = -1.0`",

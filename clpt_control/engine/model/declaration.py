@@ -91,12 +91,13 @@ def check_names(name: str, *ports: Mapping[str, Any]) -> None:
 
 
 def check_units(name: str, units: Mapping[str, str], *ports: Mapping[str, Any]) -> None:
-    """Refuse units of names that are no ports, and units that are no text of one line."""
+    """Refuse units of names that are no ports or parameters, and units that are no text."""
     names = dict.fromkeys(port for group in ports for port in group)
     for port, unit in units.items():
         if port not in names:
             raise BlockError(
-                f"{name}: units names {port!r}, which is not a port; it has {', '.join(names)}"
+                f"{name}: units names {port!r}, which is no port and no parameter; it has "
+                f"{', '.join(names)}"
             )
         if not unit.strip() or not unit.isprintable():
             raise BlockError(

@@ -94,7 +94,6 @@ class Sampled(Block):
             sizes=inner.sizes,
             breakpoints=Each(self.period),
             jump=other_equations if states else None,
-            units=inner.units,
         )
         self.first_held = inner.nstates if inner.ninputs else None
         self.raised = inner.raised
@@ -102,6 +101,7 @@ class Sampled(Block):
         self.set_outputs(inner.output_labels)
         if states:
             self.set_states([*inner.state_labels, *self.state_labels[inner.nstates :]])
+        self.units = inner.units
 
     def samples_at(self, t: float) -> bool:
         """Return whether a time is a sample."""

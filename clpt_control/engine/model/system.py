@@ -100,6 +100,7 @@ class System(Block):
                 else {f"{letter}[{k}]": k for k in range(count)}
             )
             setattr(self, f"{kind}_index", dict(labels))
+        self.give_units(given_units(system))
 
     # --- parameters -------------------------------------------------------------------------
 
@@ -288,6 +289,12 @@ def _functions(system: control.NonlinearIOSystem) -> tuple[Callable, Callable | 
     return update, output
 
 
+def given_units(system: Any) -> Mapping[str, str]:
+    """Return the units that a user gave a system of python-control."""
+    units = getattr(system, "units", {})
+    return units if isinstance(units, Mapping) else {}
+
+
 def _size(system: Any, kind: str, declared: int | None, of_run: int | None) -> int:
     size = declared if declared is not None else of_run
     if size is None:
@@ -371,6 +378,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     if isinstance(system, control.StateSpace):
         block.set_states(system.state_labels)
     block.dt = system.dt
+    block.give_units(given_units(system))
     return block
 
 

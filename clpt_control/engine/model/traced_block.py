@@ -18,7 +18,7 @@ from ..conformance.confirmation import Confirmation
 from ..record.graph import Record, Shape, compact
 from ..trace.arrays import Tape, Unread, operand
 from ..trace.tracing import Read, read
-from .declaration import Guard
+from .declaration import Guard, check_units
 from .ports import counts_of, labels, places, port_of, sized, sizes_of
 
 READ = ("_read_records", "feedthrough")  # attributes that cache results of tracing
@@ -101,11 +101,23 @@ class ReadBlock(control.NonlinearIOSystem):
         return sizes_of(self.state_shapes)
 
     def units_of(self, kind: str) -> list[str]:
-        """Return the unit of each "input" or "output", "" for none."""
+        """Return the unit of each "input", "output" or "state", "" for none."""
         return [
             self.units.get(port_of(label), "")
             for label in getattr(self, f"{kind}_labels")
         ]
+
+    def give_units(self, units: Mapping[str, str]) -> None:
+        """Give units to ports, also by their labels, and to parameters."""
+        check_units(self.name, units, self._names_with_units())
+        self.units = dict(units)
+
+    def _names_with_units(self) -> dict[str, None]:
+        """Return the names of ports, of labels and of parameters."""
+        kinds = ("input", "output", "state")
+        labelled = [counts_of(getattr(self, f"{kind}_labels")) for kind in kinds]
+        groups = *labelled, self.parameters._fields
+        return dict.fromkeys(name for group in groups for name in group)
 
     def _name_ports(self, names: Mapping[str, Mapping[str, str]]) -> None:
         """Rename ports, ``{"inputs": {old: new}}``; the equations keep their names."""
@@ -127,10 +139,6 @@ class ReadBlock(control.NonlinearIOSystem):
                 new_names[p]: unit for p, unit in self.units.items() if p in new_names
             }
             self.units = {**self.units, **own_units}
-        ports_now = set().union(*self.declared.values())
-        self.units = {
-            port: unit for port, unit in self.units.items() if port in ports_now
-        }
         self.parameters = self.parameters
         for kind, rename in (("input", self.set_inputs), ("output", self.set_outputs)):
             new_names = names.get(f"{kind}s", {})
@@ -144,6 +152,8 @@ class ReadBlock(control.NonlinearIOSystem):
                 ]
             )
         self.set_states(labels(self.state_ports) or 0)
+        named = self._names_with_units()
+        self.units = {name: unit for name, unit in self.units.items() if name in named}
 
     # --- records ------------------------------------------------------------------------
 

@@ -104,6 +104,8 @@ def block_of(plain: Mapping[str, Any]) -> Block:
         if len(labels) != count or not all(isinstance(n, str) for n in labels):
             raise BlockError(f"{block.name}: the labels of its {kind}s are missing")
         getattr(block, f"set_{kind}s")(list(labels))
+    if "units" in plain:
+        block.give_units(plain["units"])
     return block
 
 
@@ -151,7 +153,6 @@ class RecordedBlock(Block):
             shapes=_shapes(plain["shapes"]),
             sizes=sizes,
             opaque=plain["opaque"],
-            units=plain["units"],
             breakpoints=_breakpoints(plain["jumps"]),
             **functions,
         )
