@@ -244,10 +244,12 @@ def test_units_given_to_a_system_are_those_of_runs_ensembles_and_files(tmp_path)
     lag.units = {"z": "rad"}
     with pytest.raises(clpt.BlockError, match="'z', which is no port and no param"):
         clpt.simulate(lag, times, 1.0)
+    source = control.tf(1, [1, 1], name="source", inputs="r", outputs="u")
+    source.units = {"u": "m"}
+    lag.units = {"u": "V"}
+    loop = [source, lag]
     with pytest.raises(clpt.DiagramError, match="'u' is in 'm' at source and in 'V'"):
-        source = control.tf(1, [1, 1], name="source", inputs="r", outputs="u")
-        source.units, lag.units = {"u": "m"}, {"u": "V"}
-        clpt.simulate(clpt.connect([source, lag], external="r"), times)
+        clpt.simulate(clpt.connect(loop, external="r"), times)
 
 
 def test_what_cannot_be_compiled_says_so():

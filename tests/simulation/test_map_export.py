@@ -45,6 +45,32 @@ def test_waypoints_in_degrees_have_the_geodesic_distance_and_bearing(unit, size)
     np.testing.assert_allclose(scenario.waypoints, expected, rtol=1e-9)
 
 
+@pytest.mark.parametrize(("unit", "size"), [("km", 1.0), ("m", 1000.0)])
+def test_starts_in_degrees_have_the_geodesic_distance_and_bearing(unit, size, tmp_path):
+    starts = {
+        "vehicle.position": None,
+        "vehicle.position_lat_lon": [41.3, -69.55],
+        "learning.position": None,
+        "learning.position_lat_lon": [41.1, -69.4],
+        "units.length": unit,
+    }
+    scenario = at_sea(**starts)
+    x, z = size * geodesic(np.array([41.3, 41.1]), np.array([-69.55, -69.4]))
+    run = clpt.simulate(scenario, [0.0, 1.0])
+    np.testing.assert_allclose(run.position[0], x, rtol=1e-9)
+    np.testing.assert_allclose(run.predicted_position[0], z, rtol=1e-9)
+    np.testing.assert_allclose(
+        [run.latitude[0], run.longitude[0]], [41.3, -69.55], atol=1e-9
+    )
+    clpt.save_scenario(scenario, tmp_path / "sea.toml")
+    assert "position_lat_lon = [41.3, -69.55]" in (tmp_path / "sea.toml").read_text()
+    assert clpt.load_scenario(tmp_path / "sea.toml") == scenario
+    moved = scenario.with_values({"origin": [41.3, -69.55]})
+    np.testing.assert_allclose(moved.vehicle.position, 0.0, atol=1e-9 * size)
+    said = "vehicle.position: give either position"
+    says(clpt.ScenarioError, said, scenario.with_values, {"vehicle.position": [0, 0]})
+
+
 def test_a_run_has_latitude_and_longitude():
     run = clpt.simulate(at_sea(), np.linspace(0, 40, 9))
     expected = geodesic(run.latitude.values, run.longitude.values)
@@ -101,6 +127,18 @@ def test_lengths_of_a_place_near_zero_degrees_are_lengths():
     ("values", "said"),
     [
         ({"origin": None}, "origin: is required with reference.points_lat_lon"),
+        (
+            {"vehicle.position": None, "vehicle.position_lat_lon": [141.2, -69.5]},
+            "must be latitude",
+        ),
+        (
+            {"learning.position": None, "learning.position_lat_lon": [95.0, 1.0]},
+            "must be latitude",
+        ),
+        (
+            {"vehicle.position": None, "vehicle.position_lat_lon": [10.0, 10.0]},
+            "vehicle.position_lat_lon: .* km from the origin",
+        ),
         ({"origin": [91.0, 0.0]}, "must be latitude and longitude in degrees"),
         ({"reference.points_lat_lon": [[-169.5, 41.2]]}, "must be latitude"),
         ({"reference.points_lat_lon": [[10.0, 10.0]]}, "km from the origin"),

@@ -100,7 +100,7 @@ class System(Block):
                 else {f"{letter}[{k}]": k for k in range(count)}
             )
             setattr(self, f"{kind}_index", dict(labels))
-        self.give_units(given_units(system))
+        self.declare_units(given_units(system))
 
     # --- parameters -------------------------------------------------------------------------
 
@@ -378,7 +378,7 @@ def linear(system: control.StateSpace | control.TransferFunction) -> Block:
     if isinstance(system, control.StateSpace):
         block.set_states(system.state_labels)
     block.dt = system.dt
-    block.give_units(given_units(system))
+    block.declare_units(given_units(system))
     return block
 
 

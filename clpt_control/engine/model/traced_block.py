@@ -107,8 +107,8 @@ class ReadBlock(control.NonlinearIOSystem):
             for label in getattr(self, f"{kind}_labels")
         ]
 
-    def give_units(self, units: Mapping[str, str]) -> None:
-        """Give units to ports, also by their labels, and to parameters."""
+    def declare_units(self, units: Mapping[str, str]) -> None:
+        """Declare units of ports, also by their labels, and of parameters."""
         check_units(self.name, units, self._names_with_units())
         self.units = dict(units)
 

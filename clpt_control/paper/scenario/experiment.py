@@ -31,6 +31,7 @@ from .tidal_periods import period
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
 MOST_BYTES = 4 * 10**9  # memory of a run
+STARTING = "vehicle", "learning"  # tables that have a position
 DEGREES = 3.0  # lengths this near to the origin's latitude and longitude are degrees
 FINE = 2000  # samples of a run in addition to those of its output
 SPANS = (  # keys of times from one jump to the next
@@ -96,15 +97,18 @@ class Scenario(tables.Table):
             "origin": () if self.origin is None else (self.origin,),
             "reference.points_lat_lon": points,
         }
+        for name in STARTING:
+            start = getattr(given[name], "position_lat_lon", None)
+            keys[f"{name}.position_lat_lon"] = () if start is None else (start,)
         for key, places in keys.items():
             for lat, lon in places:
                 if not is_place(lat, lon):
                     yield f"{key}: [{lat}, {lon}] must be latitude and longitude in degrees"
                     return
         if self.origin is None:
-            if points:
+            for key in [key for key, places in keys.items() if places][:1]:
                 yield (
-                    "origin: is required with reference.points_lat_lon. Give the latitude and "
+                    f"origin: is required with {key}. Give the latitude and "
                     "longitude of the plane's origin above all tables: origin = [41.2, -69.5]"
                 )
             return
@@ -120,15 +124,33 @@ class Scenario(tables.Table):
             if pairs and all(self._is_near_origin_in_degrees(*pair) for pair in pairs):
                 yield (
                     f"{key} = {list(pairs[0])}: looks like degrees, but is in "
-                    f"{self.units.length} from the origin {list(self.origin)}. Give waypoints in "
-                    "degrees as reference.points_lat_lon"
+                    f"{self.units.length} from the origin {list(self.origin)}. Give degrees as "
+                    "reference.points_lat_lon or as position_lat_lon"
                 )
+        yield from self._place_starts()
         if reference is None:
             return
         try:
             self.waypoints  # noqa: B018 - too far from the origin
         except DataError as error:
             yield f"reference.points_lat_lon: {error}"
+
+    def _place_starts(self) -> Iterator[str]:
+        """Set positions that are given in degrees, in lengths; yield those too far away."""
+        for name in STARTING:
+            left_out = name in self.left_out
+            start = None if left_out else getattr(self, name).position_lat_lon
+            if start is None:
+                continue
+            try:
+                x1, x2 = self.plane.to_plane(*start)
+            except DataError as error:
+                yield f"{name}.position_lat_lon: {error}"
+                return
+            # a copy, as the table may be that of another scenario; the key is not set in it
+            table = getattr(self, name).model_copy()
+            table.__dict__["position"] = float(x1), float(x2)
+            self.__dict__[name] = table
 
     def _is_near_origin_in_degrees(self, first: float, second: float) -> bool:
         """Return True if two lengths are the latitude and longitude of a place at the origin."""

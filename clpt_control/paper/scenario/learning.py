@@ -8,7 +8,7 @@ from pydantic_core import PydanticCustomError
 
 from ..laws.law import Gains, Law
 from ..laws.table import LAWS
-from .tables import NotNegative, Pair, Positive, Table, TwoRows
+from .tables import NotNegative, Pair, Positive, Table, TwoRows, start_mistakes
 
 
 def _square_is_a_number(value: float) -> float:
@@ -82,6 +82,7 @@ class Learning(OwnTables):
     sample: Positive | None = None
     theta_estimate: TwoRows | None = None
     position: Pair = (0.0, 0.0)
+    position_lat_lon: Pair | None = None
     feedback: Pair = (0.0, 0.0)
     feedforward: Pair = (0.0, 0.0)
     parameters: TwoRows | None = None
@@ -137,6 +138,7 @@ class Learning(OwnTables):
         return required + ([] if self.adapt_gains else ["feedback", "feedforward"])
 
     def _mistakes(self) -> Iterator[str]:
+        yield from start_mistakes("learning", self)
         law, adapted = f'law = "{self.law}"', self._adapted
         set_keys = [
             key

@@ -90,6 +90,8 @@ QUANTITIES = {
         axes="axis basis",
         unit="alpha",
     ),
+    "vehicle.position_lat_lon": Quantity(),
+    "learning.position_lat_lon": Quantity(),
     "vehicle.position": Quantity(context="position", state="x"),
     "learning.position": Quantity(state="z"),
     "learning.parameters": Quantity(context="alpha", state="alpha", axes="axis basis"),

@@ -249,7 +249,20 @@ class Vehicle(Table):
     feedback: PositivePair
     feedforward: Pair
     position: Pair = (0.0, 0.0)
+    position_lat_lon: Pair | None = None
     max_speed: Positive | None = None
+
+    def _mistakes(self) -> Iterator[str]:
+        yield from start_mistakes("vehicle", self)
+
+
+def start_mistakes(name: str, table: Table) -> Iterator[str]:
+    """Yield a mistake if the position of a table is given both as lengths and in degrees."""
+    if {"position", "position_lat_lon"} <= table.model_fields_set:
+        yield (
+            f"{name}.position: give either position (lengths) or position_lat_lon (degrees), "
+            "one of the two"
+        )
 
 
 class Circle(Table):

@@ -105,7 +105,7 @@ def block_of(plain: Mapping[str, Any]) -> Block:
             raise BlockError(f"{block.name}: the labels of its {kind}s are missing")
         getattr(block, f"set_{kind}s")(list(labels))
     if "units" in plain:
-        block.give_units(plain["units"])
+        block.declare_units(plain["units"])
     return block
 
 

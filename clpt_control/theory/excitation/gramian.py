@@ -294,6 +294,7 @@ def started_true(scenario: Scenario) -> Scenario:
             "learning.feedback": scenario.vehicle.feedback,
             "learning.feedforward": scenario.vehicle.feedforward,
             "learning.position": scenario.vehicle.position,
+            "learning.position_lat_lon": None,
         }
     )
 
