@@ -310,49 +310,37 @@ class LLVMPrinter(LoopPrinter):
 
     def row_operation(self, name: str, row: tuple, values: list) -> Any:
         """Return the result of an operation on a row, for each number of a value or each lane."""
-        if name == "pick":
-            return self._lookup(values[0], row)
-        builder = self.builder
         array, offset, stride, count = row
+        builder = self.builder
         columns = self.columns(array)
-        scalars = [elements(builder, value) for value in values]
-        function = SEARCHES[name](builder.module)
-        results = []
-        lanes = width_of(values[0]) if values else self.lanes
-        for lane in range(lanes):
-            address = self._row_address(Element(array, offset), lane)
-            row_stride = ir.Constant(WORD, stride * columns)
-            arguments = [address, row_stride, ir.Constant(WORD, count)]
-            arguments += [scalar[lane] for scalar in scalars]
-            results.append(builder.call(function, arguments))
-        return gathered(builder, results)
-
-    def _row_address(self, element: Element, lane: int) -> Any:
-        """Return the address of an element of a row, in the column of a lane."""
-        address = self.address(element)
-        if self.columns(element.array) > 1:
-            address = self.builder.gep(address, [ir.Constant(WORD, lane)])
-        return address
-
-    def _lookup(self, index: Any, row: tuple) -> Any:
-        """Read an element of a row, NaN where there is no such element."""
-        array, offset, stride, count = row
-        builder = self.builder
-        width = width_of(index)
+        width = width_of(values[0]) if values else self.lanes
 
         def number(name: str, *arguments: Any) -> Any:
             return calculate(builder, name, width, arguments)
 
-        position = number("place", index, float(count))
-        inside = number("ge", position, 0.0)
-        valid_position = number("where", inside, position, 0.0)
+        is_pick = name == "pick"
+        if is_pick:
+            place = number("place", values[0], float(count))
+            inside = number("ge", place, 0.0)
+            values = [number("where", inside, place, 0.0)]
+        scalars = [elements(builder, value) for value in values]
         results = []
-        for lane, scalar in enumerate(elements(builder, valid_position)):
-            index_in_row = builder.fptosi(scalar, WORD)
-            element = Element(array, offset, [(index_in_row, stride)])
-            address = self._row_address(element, lane)
-            results.append(builder.load(address))
-        return number("where", inside, gathered(builder, results), float("nan"))
+        for lane in range(width):
+            numbers = [scalar[lane] for scalar in scalars]
+            terms = [(builder.fptosi(numbers[0], WORD), stride)] if is_pick else []
+            address = self.address(Element(array, offset, terms))
+            if columns > 1:
+                address = builder.gep(address, [ir.Constant(WORD, lane)])
+            if is_pick:
+                results.append(builder.load(address))
+                continue
+            sizes = [ir.Constant(WORD, size) for size in (stride * columns, count)]
+            function = SEARCHES[name](builder.module)
+            results.append(builder.call(function, [address, *sizes, *numbers]))
+        result = gathered(builder, results)
+        if is_pick:  # NaN where there is no such element
+            return number("where", inside, result, float("nan"))
+        return result
 
 
 def sort_by_start(block: ir.Block) -> None:
