@@ -24,7 +24,6 @@ from scipy.interpolate import interp1d
 from traced_calls import traced_calls
 
 import clpt_control as clpt
-from clpt_control.engine.trace.contents import Mutable, restore
 
 LOGGER = logging.getLogger("boat")
 Point = namedtuple("Point", "east north")
@@ -235,26 +234,43 @@ def test_a_value_that_may_change_unseen_has_none(value):
 
 def test_contents_are_put_back():
     """A list, a dict, arrays, an object with slots, a class and a series, after any change."""
-    boat = Boat()
-    series = pd.Series({"mass": 2.0})
-    values = [[1, 2], {"a": 1}, np.arange(3.0), np.array([1, None], object), vars(boat)]
-    contents = [Mutable(one) for one in [*values, boat.slotted, Slotted, series]]
-    before = list(boat.__dict__)
-    values[0].append(3)
-    values[1]["b"] = 2
-    values[2][:] = 0.0
-    values[3][1] = "text"
-    boat.mode = boat.new = None
-    boat.slotted.gain = 7.0
-    Slotted.made_up = 1
-    series["mass"] = 3.0
-    assert all(one.changed(one.before) for one in contents)
-    restore(contents)
-    assert not any(one.changed(one.before) for one in contents)
-    assert values[:2] == [[1, 2], {"a": 1}]
-    assert values[2].tolist() == [0.0, 1.0, 2.0]
-    assert values[3].tolist() == [1, None]
-    assert list(boat.__dict__) == before
+    row, table, numbers = [1, 2], {"a": 1}, np.arange(3.0)
+    texts = np.array([1, None], object)
+    boat, series = Boat(), pd.Series({"mass": 2.0})
+    before = dict(vars(boat))
+
+    def write(index, value):
+        texts[index] = value
+
+    def replace():
+        boat.mode = boat.new = None
+
+    def fasten():
+        boat.slotted.gain = 7.0
+
+    def invent():
+        Slotted.made_up = 1
+
+    def load():
+        series["mass"] = 3.0
+
+    for change in (
+        lambda: row.append(3),
+        lambda: table.update(b=2),
+        lambda: numbers.fill(0.0),
+        lambda: write(1, "text"),
+        *(replace, fasten, invent, load),
+    ):
+        system = control.nlsys(
+            lambda t, x, u, p, change=change: [-x[0], change()][:1], states=1, inputs=0
+        )
+        with pytest.raises(clpt.DiagramError, match="outlives the call"):
+            clpt.equations(system)
+    assert (row, table) == ([1, 2], {"a": 1})
+    assert numbers.tolist() == [0.0, 1.0, 2.0]
+    assert texts.tolist() == [1, None]
+    assert vars(boat) == before
+    assert list(vars(boat)) == list(before)
     assert boat.slotted.gain == 0.5
     assert not hasattr(Slotted, "made_up")
     assert series["mass"] == 2.0
