@@ -333,7 +333,7 @@ class Array(NDArrayOperatorsMixin):
         return float(self._tape.numbers(self._ref).item())
 
     def __int__(self) -> int:
-        return int(self._tape.numbers(self._ref).item())
+        return int(float(self))
 
     def __index__(self) -> int:
         return self._tape.whole(self)
@@ -357,7 +357,7 @@ class Array(NDArrayOperatorsMixin):
             raise Unread(
                 "looks a signal up in a dict or set. Write `if`, or lookup of a row"
             )
-        return hash(self._tape.numbers(self._ref).item())
+        return hash(float(self))
 
     def __round__(self, digits=None):
         if digits and self._of_python is not False:

@@ -14,7 +14,6 @@ from .arrays import HOOKS, Array, Tape, Unread, moves, objects
 from .elementwise import (
     as_number,
     boxed,
-    elementwise,
     filled,
     in_a_try,
     is_truth,
@@ -29,7 +28,6 @@ from .ufuncs import (
     LONG_ROW,
     accumulated,
     check_doubles,
-    matmul,
     place_of_the_least,
     reduced,
     rounded,
@@ -53,21 +51,23 @@ def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any
     """Record a function of NumPy."""
     out = options.pop("out", None)
     result = None
-    if function not in SHARES and not depends((*inputs, *options.values())):
-        result = on_numbers(tape, function, inputs, options)
-    elif function in IMPLEMENTED:
-        result = IMPLEMENTED[function](*inputs, **options)
-        return into(out, boxed(tape, result) if function in BOXED else result)
-    if result is None:
-        try:
+    try:
+        if function not in SHARES and not depends((*inputs, *options.values())):
+            result = on_numbers(tape, function, inputs, options)
+        elif function in IMPLEMENTED:
+            result = IMPLEMENTED[function](*inputs, **options)
+        if result is None:
             result = on_objects(tape, function, inputs, options)
-        except Unread as why:
-            result = on_parameters(tape, function, inputs, options, why)
-    return into(out, result)
+    except Unread as why:
+        result = on_parameters(tape, function, inputs, options, why)
+    return into(out, boxed(tape, result) if function in BOXED else result)
 
 
 def implements(*functions: Any, arrays: int = 1) -> Callable:
-    """Register the record of functions of NumPy; its first arguments become tracer arrays."""
+    """Register the record of functions of NumPy; its first arguments become tracer arrays.
+
+    A record returns None for arguments with which NumPy's own code runs.
+    """
 
     def register(record: Callable) -> Callable:
         def function(*inputs, **options):
@@ -106,7 +106,7 @@ def variance(a, axis=None, dtype=None, ddof=0, keepdims=0):
 def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
     """Return np.diff(a, n)."""
     if options or is_truth(a) or not a.ndim or n < 1:
-        return on_objects(a._tape, np.diff, (a, n, axis), options)
+        return None
     rows = np.moveaxis(a, axis, 0)
     for _ in range(n):
         rows = rows[1:] - rows[:-1]
@@ -114,20 +114,15 @@ def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
 
 
 @implements(np.gradient)
-def gradient(f: Any, *steps: Any, axis: Any = None, edge_order: int = 1) -> Any:
+def gradient(f, h=1.0, *steps, axis=None, edge_order=1):
     """Return np.gradient along one axis, by one step."""
-    direction = 0 if axis is None and f.ndim == 1 else axis
-    has_axis = isinstance(direction, int) and edge_order == 1
-    if not has_axis or len(steps) > 1 or np.ndim([*steps, 1][0]):
+    axis = 0 if axis is None and f.ndim == 1 else axis
+    if steps or np.ndim(h) or edge_order != 1 or not isinstance(axis, int):
         return refuse("np.gradient along several axes, by places, or of another order")
-    f = np.moveaxis(f, direction, 0)
-    h = [*steps, 1.0][0]
-    slopes = [
-        (f[1:2] - f[:1]) / h,
-        (f[2:] - f[:-2]) / (2.0 * h),
-        (f[-1:] - f[-2:-1]) / h,
-    ]
-    return np.moveaxis(np.concatenate(slopes), 0, direction)
+    f = np.moveaxis(f, axis, 0)
+    inner = (f[2:] - f[:-2]) / (2.0 * h)
+    slopes = [(f[1:2] - f[:1]) / h, inner, (f[-1:] - f[-2:-1]) / h]
+    return np.moveaxis(np.concatenate(slopes), 0, axis)
 
 
 # --- linear algebra ------------------------------------------------------------------------------
@@ -142,21 +137,20 @@ def dot(a, b):
     """Return np.dot(a, b)."""
     if np.ndim(a) and np.ndim(b) > 2:
         return np.tensordot(a, b, (-1, -2))
-    return matmul(a, b) if np.ndim(a) and np.ndim(b) else elementwise("mul", a, b)
+    return a @ b if np.ndim(a) and np.ndim(b) else a * b
 
 
 def outer(a, b):
     """Return a b^T."""
     a, b = (v if np.ndim(v) == 1 else np.reshape(v, -1) for v in (a, b))
-    return elementwise("mul", a[:, None], b[None, :])
+    return a[:, None] * b[None, :]
 
 
 def norm(a, ord=None, axis=None, keepdims=False):
     """Return the root of a sum of squares; other norms are NumPy's own, of each element."""
     if ord in (None, "fro") or (ord == 2 and (a.ndim == 1 or isinstance(axis, int))):
-        squares = elementwise("mul", a, a)
-        return np.sqrt(np.sum(squares, axis, keepdims=keepdims))
-    return on_objects(a._tape, np.linalg.norm, (a, ord, axis, keepdims), {})
+        return np.sqrt(np.sum(a * a, axis, keepdims=keepdims))
+    return None
 
 
 def _rows(matrix: Any) -> list[Any]:
@@ -227,12 +221,12 @@ def clip(a, a_min=None, a_max=None, *, min=None, max=None):
     return np.minimum(a, high) if high is not None else a
 
 
-def index_of_best(function: Any, better: Any) -> Callable:
+def index_of_best(better: Any) -> Callable:
     """Return the record of np.argmax or np.argmin: one comparison for each element, if few."""
 
     def record(a, *axis, **options):
         if axis or options:
-            return on_objects(a._tape, function, (a, *axis), options)
+            return None
         if a.size > LONG_ROW:
             return place_of_the_least(
                 as_number(np.ravel(a if better is np.less else -a))
@@ -250,8 +244,8 @@ def index_of_best(function: Any, better: Any) -> Callable:
     return record
 
 
-implements(np.argmax)(index_of_best(np.argmax, np.greater))
-implements(np.argmin)(index_of_best(np.argmin, np.less))
+implements(np.argmax)(index_of_best(np.greater))
+implements(np.argmin)(index_of_best(np.less))
 
 
 @implements(np.sort)

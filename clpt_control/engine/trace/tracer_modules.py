@@ -28,7 +28,6 @@ from .elementwise import (
     boxed,
     chosen,
     definite,
-    elementwise,
     is_of_python,
     is_whole,
     lifted,
@@ -39,7 +38,7 @@ from .elementwise import (
 from .interpolators import function_of, searched
 from .numpy_functions import apply_function
 from .references import OF_LOGGING, UNSEEDED
-from .ufuncs import LONG_ROW, apply_ufunc, least_of
+from .ufuncs import COMPOSED, LONG_ROW, apply_ufunc
 from .views import converted, copied, fresh, share, tape_of
 
 FUNCTIONS = (FunctionType, BuiltinFunctionType, type(np.sum))
@@ -218,6 +217,11 @@ def rounded_off(total, value, new):
     return where(is_larger, (total - new) + value, (value - new) + total)
 
 
+def hypot(*numbers):
+    """Return math.hypot of any count of numbers."""
+    return functools.reduce(np.hypot, numbers) if numbers[1:] else np.fabs(*numbers)
+
+
 def remainder(a, b):
     """Return math.remainder(a, b), from the remainder of two periods: without rounding."""
     double_remainder = np.fmod(a, 2.0 * b)
@@ -237,15 +241,12 @@ MATH: dict[str, Callable] = {
         for name in vars(math)
         if isinstance(f := getattr(np, name, None), np.ufunc)
     },
-    **{name: functools.partial(elementwise, name) for name in ("erf", "erfc")},
+    **{name: COMPOSED[name] for name in ("erf", "erfc", "gamma")},
     "log": lambda a, base=None: np.log(a) if base is None else np.log(a) / np.log(base),
-    "hypot": lambda *a: (
-        np.hypot(*a) if len(a) == 2 else functools.reduce(np.hypot, a, 0.0)
-    ),
+    "hypot": hypot,
     "remainder": remainder,
-    "gamma": functools.partial(elementwise, "tgamma"),
     "isclose": isclose,
-    "dist": lambda a, b: functools.reduce(np.hypot, map(np.subtract, a, b), 0.0),
+    "dist": lambda a, b: hypot(*map(np.subtract, a, b)),
     "prod": lambda a, start=1: functools.reduce(lambda v, w: v * w, a, start),
 }
 RAISING = frozenset(  # if a number is out of range
@@ -308,7 +309,7 @@ def best(better: Callable, values: list) -> Any:
     kinds = {(is_of_python(number), is_whole(number)) for number in numbers}
     if len(values) > LONG_ROW and len(kinds) == 1:
         row = lifted(tape_of(values), numbers)
-        value = least_of(row) if better is np.less else -least_of(-row)
+        value = np.min(row) if better is np.less else np.max(row)
         ((value._of_python, value._whole),) = kinds
         return value
     return functools.reduce(lambda a, b: chosen(better(b, a), b, a), numbers)

@@ -25,7 +25,6 @@ from .views import (
     depends,
     into,
     on_numbers,
-    on_objects,
     on_parameters,
     refuse,
     tape_of,
@@ -63,11 +62,7 @@ def check_doubles(dtype: Any) -> None:
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
     """Record a method of a ufunc, such as `__call__` or `reduce`."""
     if method != "at" and not depends(inputs):
-        function = getattr(ufunc, method)
-        numbers = on_numbers(tape, function, inputs, options)
-        return (
-            on_objects(tape, function, inputs, options) if numbers is None else numbers
-        )
+        return on_numbers(tape, getattr(ufunc, method), inputs, options)
     if method == "reduce" and "where" not in options:
         return reduced(ufunc, *inputs, **options)
     if method == "accumulate":
@@ -108,7 +103,7 @@ def reduced(ufunc, a, axis=0, keepdims=False, initial=None):
         keepdims = False
         if a.size > LONG_ROW and ufunc in (np.minimum, np.maximum):
             row = as_number(a)
-            a = least_of(row) if ufunc is np.minimum else -least_of(-row)
+            a = row[place_of_the_least(row if ufunc is np.minimum else -row)]
             axes = []
     for d in sorted((d % a.ndim for d in axes), reverse=True):
         a = total(a, d) if ufunc is np.add else _folded(ufunc, _slices(a, d))
@@ -123,11 +118,6 @@ def place_of_the_least(row: Array) -> Any:
     index._whole = True
     index._below = row.size
     return index
-
-
-def least_of(row: Array) -> Any:
-    """Return the least number of a row."""
-    return row[place_of_the_least(row)]
 
 
 def _folded(ufunc: Any, slices: list[Any]) -> Any:
@@ -163,11 +153,10 @@ def matmul(a, b):
     if a.shape[-1] != inner:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
     if b.ndim == 1:
-        return total(elementwise("mul", a, b), a.ndim - 1)
+        return total(a * b, -1)
     if a.ndim == 1:
-        return total(elementwise("mul", a[:, None], b), b.ndim - 2)
-    product = elementwise("mul", a[..., None], b[..., None, :, :])
-    return total(product, product.ndim - 2)
+        return total(a[:, None] * b, -2)
+    return total(a[..., None] * b[..., None, :, :], -2)
 
 
 def rounded(a: Array, decimals: Any = None) -> Any:
@@ -212,12 +201,10 @@ def logaddexp(a, b):
 
 
 BITWISE: dict[Any, Callable] = {  # of truth values
-    np.bitwise_and: partial(elementwise, "and"),
-    np.bitwise_or: partial(elementwise, "or"),
-    np.bitwise_xor: partial(elementwise, "ne"),
-    np.invert: lambda a: (
-        elementwise("not", a) if is_of_python(a) is False else refuse("~")
-    ),
+    np.bitwise_and: np.logical_and,
+    np.bitwise_or: np.logical_or,
+    np.bitwise_xor: np.not_equal,
+    np.invert: lambda a: np.logical_not(a) if is_of_python(a) is False else refuse("~"),
 }
 TAKING_TRUTHS = frozenset(
     {"logical_xor", "isnan", "isfinite", "isinf", "square", "conjugate", "rint"}
@@ -225,22 +212,18 @@ TAKING_TRUTHS = frozenset(
 COMPOSED: dict[str, Callable] = {  # by the ufunc's name; those of scipy.special too
     "vecdot": lambda a, b: total(a * b, -1),
     **dict.fromkeys(("matmul", "matvec"), matmul),
-    "square": lambda a: elementwise("mul", a, a),
-    "reciprocal": lambda a: elementwise("div", 1.0, a),
+    "square": lambda a: a * a,
+    "reciprocal": lambda a: 1.0 / a,
     **dict.fromkeys(("positive", "conjugate"), copied),
-    **dict.fromkeys(
-        ("deg2rad", "radians"), lambda a: elementwise("mul", a, np.pi / 180)
-    ),
-    **dict.fromkeys(
-        ("rad2deg", "degrees"), lambda a: elementwise("mul", a, 180 / np.pi)
-    ),
-    "fabs": lambda a: converted(elementwise("fabs", a)),
-    "exp2": lambda a: elementwise("pow", 2.0, a),
+    **dict.fromkeys(("deg2rad", "radians"), lambda a: a * (np.pi / 180)),
+    **dict.fromkeys(("rad2deg", "degrees"), lambda a: a * (180 / np.pi)),
+    "fabs": lambda a: converted(np.abs(a)),
+    "exp2": lambda a: 2.0**a,
     "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),
     "rint": rounded,
-    "isnan": lambda a: elementwise("ne", a, a),
-    "isfinite": lambda a: elementwise("lt", elementwise("fabs", a), np.inf),
-    "isinf": lambda a: elementwise("eq", elementwise("fabs", a), np.inf),
+    "isnan": lambda a: a != a,
+    "isfinite": lambda a: np.abs(a) < np.inf,
+    "isinf": lambda a: np.abs(a) == np.inf,
     "heaviside": lambda a, b: where(a > 0, 1.0, where(a < 0, 0.0, where(a == 0, b, a))),
     "logical_xor": lambda a, b: (a != 0) != (b != 0),
     "modf": lambda a: (a - np.trunc(a), np.trunc(a)),

@@ -85,12 +85,11 @@ def on_numbers(tape: Tape, function: Callable, inputs: Any, options: dict) -> An
 
     def number(array: Array) -> np.ndarray:
         numbers = numbers_of(array)
-        if numbers is not None:
-            return numbers.astype(int) if array._whole else numbers.copy()
-        ref = array._ref
-        parameter = None if type(ref) is float else tape.parameter(ref)
-        numbers = tape.numbers(ref) if parameter is None else np.asarray(parameter)
-        return numbers.astype(int) if is_whole(array) else numbers
+        if numbers is None:
+            ref = array._ref
+            parameter = None if type(ref) is float else tape.parameter(ref)
+            numbers = tape.numbers(ref) if parameter is None else np.asarray(parameter)
+        return numbers.astype(int) if is_whole(array) else numbers.copy()
 
     if any(map(moves, arrays_in((*inputs, *options.values())))):
         return None
