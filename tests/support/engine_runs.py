@@ -22,6 +22,7 @@ from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
+from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace.arrays import Unread
 from clpt_control.engine.trace.fingerprint import reachable
 
@@ -42,6 +43,7 @@ __all__ = [
     "print_program",
     "reachable",
     "readings",
+    "run_many",
     "side_by_side",
     "wiring_of",
 ]
@@ -72,3 +74,12 @@ def side_by_side(
     )
     batch.adaptive(rtol, 0.01 * rtol)
     return batch
+
+
+def run_many(native, starts, times, rtol=1e-8):
+    """Return the states (m, nt, n) of runs in lanes, whose blocks sample as the runs begin."""
+    P, segments = native.parameters(), native.schedule(times)
+    begin = partial(sampled_start, native.callee(), t=float(times[0]))
+    begun = [begin(start, segments=segments, P=P) for start in starts]
+    lanes = native.lanes(len(starts))
+    return side_by_side(native, lanes, np.array(begun), times, rtol=rtol).out

@@ -80,17 +80,22 @@ def readings(
             "python-control has no jumps of states. Run the diagram with clpt.simulate"
         )
 
+    def native(form: str | None = None, lanes: int = 1) -> Backend:
+        return _compiled_backend(
+            lambda: _MachineCode(NativeDiagram(diagram, params, form), lanes)
+        )
+
     backends = {
         "python": _sweep_backend(sweep),
         "control": Backend(by_control, no_jump),
-        "native": _native_backend(diagram, params),
-        "scalar": _native_backend(diagram, params, "unrolled"),
-        "looped": _native_backend(diagram, params, "looped"),
-        "lanes": _native_backend(diagram, params, lanes=LANES),
+        "native": native(),
+        "scalar": native("unrolled"),
+        "looped": native("looped"),
+        "lanes": native(lanes=LANES),
         "symbolic": _sweep_backend(_SymbolicSweep(sweep.wiring, sweep.parameters)),
     }
     if compiler():
-        backends["c"] = _backend_in_c(sweep)
+        backends["c"] = _compiled_backend(lambda: _CFunctions(sweep))
     return backends
 
 
@@ -106,45 +111,16 @@ def _sweep_backend(sweep: Sweep) -> Backend:
     return Backend(evaluate, jump)
 
 
-def _native_backend(
-    diagram: Any, params: Any, form: str | None = None, lanes: int = 1
-) -> Backend:
-    @cache
-    def compiled() -> _MachineCode:
-        return _MachineCode(NativeDiagram(diagram, params, form), lanes)
-
-    def evaluate(t: float, x: Any, u: Any) -> Values:
-        return compiled().call(t, x, u, "derivative", "signals")
+def _compiled_backend(compile: Callable[[], Any]) -> Backend:
+    """Return the backend of functions that are compiled when first called."""
+    functions = cache(compile)
 
     def jump(t: float, x: Any, u: Any) -> np.ndarray:
-        if not compiled().native.layout.jumps:
+        if not functions().layout.jumps:
             return np.array(x, dtype=float)
-        return compiled().call(t, x, u, "jump")[0]
+        return functions().jumped(t, x, u)
 
-    return Backend(evaluate, jump)
-
-
-def _backend_in_c(sweep: Sweep) -> Backend:
-    @cache
-    def library() -> _CFunctions:
-        try:
-            return _CFunctions(sweep)
-        except Unread as error:
-            raise BlockError(str(error)) from None
-
-    def evaluate(t: float, x: Any, u: Any) -> Values:
-        functions = library()
-        outputs = sweep.wiring.output_map @ np.concatenate(
-            [functions.call("signals", t, x, u), u]
-        )
-        return functions.call("rates", t, x, u), outputs
-
-    def jump(t: float, x: Any, u: Any) -> np.ndarray:
-        if not library().jumping:
-            return np.array(x, dtype=float)
-        return library().call("jump", t, x, u)
-
-    return Backend(evaluate, jump)
+    return Backend(lambda *at: functions().values(*at), jump)
 
 
 class _CFunctions:
@@ -152,8 +128,11 @@ class _CFunctions:
 
     def __init__(self, sweep: Sweep):
         self.sweep = sweep
-        layout = lay_out(sweep.wiring, sweep.parameters)
-        record = CRecord(sweep.wiring, layout)
+        self.layout = layout = lay_out(sweep.wiring, sweep.parameters)
+        try:
+            record = CRecord(sweep.wiring, layout)
+        except Unread as error:
+            raise BlockError(str(error)) from None
         self.program = CProgram(record, len(sweep.signals))
         functions = map(self.program.function, self.program.functions)
         text = "".join([*self.program.shared(layout.T), *functions])
@@ -161,28 +140,30 @@ class _CFunctions:
         flags = ("-O0", "-Dstatic=")
         self.library = loaded(compiled(f"#include <math.h>\n{text}", *flags))
         self.p = np.append(np.delete(layout.P, record.set_by_integrator), 0.0)
-        self.intervals = [*layout.intervals]
-        self.jumping = [*layout.jumps]
-        self.sizes = {
-            "signals": self.program.components.room,
-            "rates": sweep.nstates,
-            "jump": sweep.nstates,
-        }
 
-    def call(self, name: str, t: float, x: Any, u: Any) -> np.ndarray:
-        """Return what a function writes: signals, rates or states after all jumps."""
+    def values(self, t: float, x: Any, u: Any) -> Values:
+        """Return rates and outputs."""
+        signals = self._call("signals", t, x, u)[: len(self.sweep.signals)]
+        outputs = self.sweep.wiring.output_map @ np.concatenate([signals, u])
+        return self._call("rates", t, x, u)[: len(x)], outputs
+
+    def jumped(self, t: float, x: Any, u: Any) -> np.ndarray:
+        """Return states after all jumps."""
+        return self._call("jump", t, x, u)[: len(x)]
+
+    def _call(self, name: str, t: float, x: Any, u: Any) -> np.ndarray:
+        """Return what a function writes: signals, rates or states, and room behind them."""
         nodes = self.sweep.wiring.nodes
         intervals = [
             nodes[k].system.parameters_at(t, self.sweep.parameters[k]).interval
-            for k in self.intervals
+            for k in self.layout.intervals
         ]
-        kept = [*intervals, *(JUMPS for _ in self.jumping)]
-        out = np.zeros(self.sizes[name] + 1)
+        kept = [*intervals, *(JUMPS for _ in self.layout.jumps)]
+        out = np.zeros(max(self.program.components.room, len(x)) + 1)
         arrays = [np.append(one, 0.0).astype(float) for one in (x, u, self.p, kept)]
         pointers = [ctypes.c_void_p(one.ctypes.data) for one in (*arrays, out)]
         self.library[f"{name}_"](ctypes.c_double(t), *pointers)
-        size = len(self.sweep.signals) if name == "signals" else self.sizes[name]
-        return out[:size]
+        return out
 
 
 class _MachineCode:
@@ -193,6 +174,7 @@ class _MachineCode:
 
     def __init__(self, native: NativeDiagram, lanes: int):
         self.native = native
+        self.layout = native.layout
         self.lanes = lanes
         program = native.code.program
         n = native.nstates
@@ -208,7 +190,15 @@ class _MachineCode:
         self.T = np.append(native.layout.T, 0.0)
         self.factors = 1.0 + 0.1 * np.arange(lanes)[::-1]  # of the states of each lane
 
-    def call(self, t: float, x: Any, u: Any, *functions: str) -> Values:
+    def values(self, t: float, x: Any, u: Any) -> Values:
+        """Return rates and outputs."""
+        return self._call(t, x, u, "derivative", "signals")
+
+    def jumped(self, t: float, x: Any, u: Any) -> np.ndarray:
+        """Return states after all jumps."""
+        return self._call(t, x, u, "jump")[0]
+
+    def _call(self, t: float, x: Any, u: Any, *functions: str) -> Values:
         """Call functions; return the states' part of D, and the outputs."""
         native = self.native
         decided = native.code.program.decided

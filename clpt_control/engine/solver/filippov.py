@@ -264,9 +264,7 @@ def _sliding_on(
         runner = diagram.in_form(held)
     except (Unread, Uncompiled):
         return None
-    parameters = runner.parameters()
-    count = len(diagram.layout.P)
-    parameters[:count] = batch.runs.parameters[0][:count]
+    parameters = runner.parameters(batch.runs.parameters[0])
     offset = diagram.decided_at
     parameters[offset - 1] = batch.memory.P[offset - 1]
     parameters[offset : offset + on_sides.size] = on_sides.ravel()

@@ -78,11 +78,7 @@ def _continued(diagram: Any, batch: Batch, rtol: float, atol: float) -> Batch | 
     if not kinks or batch.integers[RUN_INDEX, 0] < 0:
         return None
     runner = diagram.in_form(PassedKinks(frozenset(kinks)))
-    # 1. parameters, without the decisions
-    parameters = runner.parameters()
-    count = len(diagram.layout.P)
-    parameters[:count] = batch.runs.parameters[0][:count]
-    # 2. from the time reached
+    parameters = runner.parameters(batch.runs.parameters[0])  # without the decisions
     t = batch.now
     times = np.append(t, batch.times[batch.integers[SAMPLES_DONE, 0] :])
     following = Batch(

@@ -241,10 +241,11 @@ class NativeDiagram(NativeRuns):
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1
         self._callees: dict[tuple[int, Method], Callee] = {}
 
-    def parameters(self) -> np.ndarray:
-        """Return P, with room for inputs and prepared numbers."""
+    def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
+        """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
+        own = self.layout.P
         P = np.zeros(self.code.program.parameters)
-        P[: len(self.layout.P)] = self.layout.P
+        P[: len(own)] = own if of_run is None else of_run[: len(own)]
         return P
 
     def with_parameters(self, parameters: Sequence[Any]) -> Self:
@@ -260,7 +261,11 @@ class NativeDiagram(NativeRuns):
         return ManyKinks(self, rtol, atol)
 
     def unlocked(self) -> Self:
-        """Return the diagram with decisions that change within a step."""
+        """Return the diagram with decisions that change within a step.
+
+        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
+        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
+        """
         return self.in_form("free")
 
     def in_form(self, form: Form) -> Self:

@@ -1,9 +1,8 @@
 """Runs of a compiled diagram, which the solver integrates in machine code."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4
 from .batch import ANY, Batch, Callee, pace
 from .filippov import continue_run, may_continue
 from .runner import PythonDiagram, RunOptions
-from .schedule import Inputs, Schedule, checked_state, checked_times
+from .schedule import Inputs, Schedule
 from .solver_layout import SIGNALS, Status
 from .termination import STUCK, Solution, ended, sampled_start
 
@@ -21,10 +20,13 @@ from .termination import STUCK, Solution, ended, sampled_start
 class NativeRuns(PythonDiagram):
     """A compiled diagram whose runs the solver integrates.
 
-    `callee` returns the functions that the solver calls.
+    `callee` returns the functions that the solver calls, `over_kinks` what continues a run over
+    many kinks, or None, and `unlocked` the diagram with decisions that change within a step.
     """
 
     callee: Any
+    over_kinks: Any
+    unlocked: Any
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return the functions that the solver calls for its implicit method."""
@@ -141,61 +143,6 @@ class NativeRuns(PythonDiagram):
         if self.wiring.dt:
             return DISCRETE
         return METHODS[method] if step is None else RK4
-
-    def over_kinks(self, rtol: float, atol: float) -> Any:
-        """Return what continues a run over many kinks, or None."""
-        return None
-
-    def unlocked(self) -> Self:
-        """Return the diagram with decisions that change within a step.
-
-        A root of a state that comes to rest at zero, -sqrt(max(x, 0)), or that begins there,
-        sqrt(|x|), has no value beyond the switch, so steps with a locked decision cannot cross it.
-        """
-        return self
-
-    def run_many(
-        self,
-        starts: Sequence[Any] | np.ndarray,
-        times: Sequence[float] | np.ndarray,
-        *,
-        rtol: float | None = None,
-        atol: float | None = None,
-        step: float | None = None,
-    ) -> np.ndarray:
-        """Integrate from many initial states, such as passive particles.
-
-        starts : array_like, shape (m, nstates)
-            Initial states at ``times[0]``.
-        times, rtol, atol, step
-            As for `run`.
-
-        ndarray, shape (m, n, nstates)
-            NaN from where a run could not go on.
-        """
-        times = checked_times("times", times)
-        options = RunOptions.checked(
-            self.wiring.dt, times, step=step, rtol=rtol, atol=atol
-        )
-        states = checked_state("starts", starts, (len(starts), self.nstates))
-        # blocks sample as the runs begin
-        P = self.parameters()
-        segments = self.schedule(times)
-        callee = self.callee()
-        for k, start in enumerate(states):
-            states[k] = sampled_start(callee, start, float(times[0]), segments, P)
-        # all runs as one batch
-        callee = self.callee(self.lanes(len(states)), None, self.method_of(step=step))
-        parameters = np.tile(P, (len(states), 1))
-        batch = Batch(
-            callee, states, parameters, times, [segments], longest=options.max_step
-        )
-        batch.adaptive(options.rtol, options.atol)
-        return batch.out
-
-    def lanes(self, count: int) -> int:
-        """Return how many of `count` runs are taken at once."""
-        return 1
 
     def evaluated_signals(
         self, solution: Solution, inputs: Inputs | None

@@ -24,7 +24,15 @@ from .evaluation_pass import rounding
 from .event_checks import CLEAR, FACTORS, SHARES
 from .schedule import BEGINS, JUMPS, Inputs, inputs_at
 from .solver_layout import Status
-from .termination import ADVICE, LOOSEN, Solution, points_ahead, stopped, trouble_at
+from .termination import (
+    ADVICE,
+    LOOSEN,
+    Solution,
+    edge,
+    points_ahead,
+    stopped,
+    trouble_at,
+)
 
 METHODS = {"auto": LSODA, "dop853": DOP853, "rodas5p": LSODA}
 BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
@@ -136,12 +144,10 @@ class PythonRun:
     def _jumped(self, k: int, t: float, x: ndarray) -> ndarray:
         """Return the state after the jumps with which a segment begins."""
         requests = self.schedule.values[k]
-        jumping = [
-            b for b, r in zip(self.sweep.jumping, requests, strict=True) if r == JUMPS
-        ]
-        sampling = [
-            b for b, r in zip(self.sweep.jumping, requests, strict=True) if r == BEGINS
-        ]
+        blocks = np.array(self.sweep.jumping)
+        jumping, sampling = (
+            blocks[requests == kind].tolist() for kind in (JUMPS, BEGINS)
+        )
         if not jumping and not sampling:
             return x
         x = self.sweep.jump(t, x, inputs_at(self.inputs, t), jumping, sampling)
@@ -240,18 +246,10 @@ class PythonRun:
                 middle = 0.5 * (low + high)
                 parts += [(middle, high), (low, middle)]
             elif outside:
-                end = self._edge(within, times[outside - 1], times[outside])
+                low, high = times[outside - 1 : outside + 1]
+                end = edge(lambda t: self._margin(t, within(t)), low, high)
                 self.end = end, within(end)
                 return
-
-    def _edge(self, within: Any, low: float, high: float) -> float:
-        """Return the time between two at which a guard is left."""
-        while low < (middle := 0.5 * (low + high)) < high:
-            if self._margin(middle, within(middle)) < 0.0:
-                high = middle
-            else:
-                low = middle
-        return high
 
     def _stopped(self, solution: Solution, t: float, x: ndarray) -> Solution:
         """Return a solution up to the time and state at which a guard is left."""

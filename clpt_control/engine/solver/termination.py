@@ -4,6 +4,7 @@ When a run meets a guard, or a number that is not finite, the blocks are evaluat
 the signal: the sentence names block, signal and time.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -126,19 +127,22 @@ def without_states(
     for k, t in enumerate(times if sweep.guarded else ()):
         if not guard(t)[0] < 0.0:
             continue
-        # bisect between this time and the one before
-        low = times[max(k - 1, 0)]
-        high = t
-        while low < (middle := 0.5 * (low + high)) < high:
-            if guard(middle)[0] < 0.0:
-                high = middle
-            else:
-                low = middle
-        reached = np.append(times[:k], high)
+        end = edge(lambda time: guard(time)[0], times[max(k - 1, 0)], t)
+        reached = np.append(times[:k], end)
         states = np.zeros((k + 1, 0))
-        _, policy, sentence = guard(high)
+        _, policy, sentence = guard(end)
         return stopped(solution, policy, sentence, reached, states)
     return solution
+
+
+def edge(margin: Callable[[float], float], low: float, high: float) -> float:
+    """Return the time between two at which a margin becomes negative, by bisection."""
+    while low < (middle := 0.5 * (low + high)) < high:
+        if margin(middle) < 0.0:
+            high = middle
+        else:
+            low = middle
+    return high
 
 
 def in_discrete_time(

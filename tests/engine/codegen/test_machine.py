@@ -12,7 +12,7 @@ import control
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
-from engine_runs import NativeDiagram, print_program
+from engine_runs import NativeDiagram, print_program, run_many
 from paths import ROOT
 
 from clpt_control import Block
@@ -174,7 +174,9 @@ def test_threads_that_compile_at_once_get_the_same_code():
     def run(k):
         together.wait()
         native = NativeDiagram(block)
-        found = [native.run_many(np.tile(start, (m, 1)), [0.0, 4.0])[0] for m in (1, 8)]
+        found = [
+            run_many(native, np.tile(start, (m, 1)), [0.0, 4.0])[0] for m in (1, 8)
+        ]
         return native.code, found
 
     with ThreadPoolExecutor(6) as pool:

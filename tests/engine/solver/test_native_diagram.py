@@ -46,10 +46,6 @@ def test_every_engine_refuses_what_it_would_have_to_ignore(made, changes, senten
     given = {"x0": np.zeros(14), "times": [0.0, 1.0], **changes}
     with pytest.raises(clpt.SimulationError, match=re.escape(sentence)):
         runner.run(given.pop("x0"), given.pop("times"), **given)
-    if made is PythonDiagram:
-        return
-    with pytest.raises(clpt.SimulationError, match="starts: must have 14 numbers"):
-        runner.run_many(np.zeros((3, 13)), [0.0, 1.0])
 
 
 MIXER = np.array([[1.0] * 6, [1.0, -1.0, 2.0, -2.0, 3.0, -3.0]])
