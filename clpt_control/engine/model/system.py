@@ -11,6 +11,7 @@ block has no parameter D.
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from itertools import product
 from typing import Any
 
 import control
@@ -25,7 +26,7 @@ from ..trace.tracing import read
 from .block import Block
 from .declaration import Parameters
 from .params import EVERY
-from .ports import counts_of, flattened
+from .ports import counts_of, flattened, places, shapes_of
 from .sampled import Sampled
 
 
@@ -74,16 +75,9 @@ class System(Block):
             "states": states,
         }
         # params that are numbers, which the block has as parameters
-        self.number_names = {
-            key for key, value in self._params.items() if _is_number(key, value)
-        }
-        self.parameters = Parameters(
-            **{
-                key: _leaf(own)
-                for key, own in self._params.items()
-                if key in self.number_names
-            }
-        )
+        numbers = _numbers(self._params)
+        self.number_names = {*numbers}
+        self.parameters = Parameters(**numbers)
         self.nstates = n
         self.ninputs = m
         self.noutputs = q
@@ -123,10 +117,8 @@ class System(Block):
 
     def mentions(self, name: str) -> bool:
         """Return whether the functions could read a param of a name."""
-        return name in self.declared_names or any(
-            name in names or EVERY in names or name in texts
-            for names, texts in self._names_read()
-        )
+        is_declared = name in self.declared_names or self.reads(name)
+        return is_declared or any(name in texts for _, texts in self._names_read())
 
     def reads(self, name: str) -> bool:
         """Return whether a function read a param of a name, or was not read itself."""
@@ -220,13 +212,11 @@ def block_of_ports(
     `shapes` are the shapes of ports that are no rows of numbers.
     """
     inputs, states, outputs = (
-        {port: shapes.get(port, count) for port, count in counts_of(names).items()}
+        shapes_of({p: shapes.get(p, count) for p, count in counts_of(names).items()})
         for names in (system.input_labels, system.state_labels, system.output_labels)
     )
     params = dict(system.params)
-    numbers = {
-        name: _leaf(value) for name, value in params.items() if _is_number(name, value)
-    }
+    numbers = _numbers(params)
     update_function, output_function = _functions(system)
 
     def row(values: Any, ports: Mapping[str, Any]) -> Any:
@@ -237,12 +227,10 @@ def block_of_ports(
 
     def by_port(values: Any, ports: Mapping[str, Any]) -> dict[str, Any]:
         """Return one row of signals as arrays, by port."""
-        arrays, start = {}, 0
-        for port, shape in ports.items():
-            size = int(np.prod(shape))
-            arrays[port] = np.reshape(values[start : start + size], shape)
-            start += size
-        return arrays
+        return {
+            port: np.reshape(values[signals], shape)
+            for port, (signals, shape) in places(ports).items()
+        }
 
     def arguments(t: Any, x: Any, u: Any, p: Any) -> tuple:
         given = {**params, **{name: getattr(p, name) for name in numbers}}
@@ -306,6 +294,13 @@ def _size(system: Any, kind: str, declared: int | None, of_run: int | None) -> i
 
 def _leaf(value):
     return np.asarray(value, dtype=float) if np.ndim(value) else np.float64(value)
+
+
+def _numbers(params: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the params that a block has as parameters."""
+    return {
+        name: _leaf(value) for name, value in params.items() if _is_number(name, value)
+    }
 
 
 def _as_given(value, like):
@@ -405,14 +400,10 @@ def _matrices(
             f"{system.name}: a numerator of higher degree than its denominator differentiates, "
             "which a block cannot. Add a fast pole, such as tf([1, 0], [0.01, 1])"
         ) from None
-    matrices = zip(
-        *(
-            (subsystem.A, subsystem.B, subsystem.C, subsystem.D)
-            for subsystem in subsystems
-        ),
-        strict=True,
+    A, B, C, D = (
+        block_diag(*(getattr(subsystem, name) for subsystem in subsystems))
+        for name in "ABCD"
     )
-    A, B, C, D = (block_diag(*blocks) for blocks in matrices)
     to = np.eye(system.noutputs)[:, rows]
     of = np.eye(system.ninputs)[columns]
     return A, B @ of, to @ C, to @ D @ of
@@ -443,13 +434,8 @@ def on_each_axis(block: Block, count: int) -> Block:
 
 def _matrices_of(block: Block) -> list[np.ndarray]:
     """Return A, B, C, D of a linear block."""
-    empty = (
-        np.zeros((0, 0)),
-        np.zeros((0, block.ninputs)),
-        np.zeros((block.noutputs, 0)),
-    )
-    zero = np.zeros((block.noutputs, block.ninputs))
+    shapes = product((0, block.noutputs), (0, block.ninputs))
     return [
-        getattr(block.parameters, *pair)
-        for pair in zip("ABCD", (*empty, zero), strict=True)
+        getattr(block.parameters, name, np.zeros(shape))
+        for name, shape in zip("ABCD", shapes, strict=True)
     ]
