@@ -6,6 +6,7 @@ Here all four are errors that name the block and the port.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import control
@@ -127,19 +128,17 @@ def changed_parameters(blocks: Iterable[tuple[str, Any]], params: Params) -> lis
         accepted |= set(fields)
         names |= {f"{name}.{field}" for field in block.parameters._fields}
     for key in params:
-        if key not in accepted and not any(
-            _has_param(*system, key) for system in systems
-        ):
+        if key in accepted:
+            continue
+        is_read = any(
+            system.mentions(key.removeprefix(prefix))
+            for name, system in systems
+            for prefix in chain(*prefixes_of(name))
+        )
+        if not is_read:
             names = names.union(*(system.names for _, system in systems))
             raise BlockError(_unknown_parameter(key, accepted, names))
     return parameters
-
-
-def _has_param(name: str, system: System, key: str) -> bool:
-    diagrams, systems = prefixes_of(name)
-    return any(
-        system.mentions(key.removeprefix(prefix)) for prefix in diagrams + systems
-    )
 
 
 def _unknown_parameter(key: str, accepted: set[str], names: set[str]) -> str:

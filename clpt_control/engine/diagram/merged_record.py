@@ -193,7 +193,11 @@ class TapeRecord(RecordMerger):
         self.jumps: Values = {}  # states after a jump
         self.levels: Values = {}  # distances of guards at which states jump
         self.fields = {
-            node.name: self._parameter_shapes(node.system) for node in wiring.nodes
+            name: {
+                field: self.shape(block, block.parameter_shapes.get(field, np.shape(v)))
+                for field, v in block.parameters._asdict().items()
+            }
+            for name, block in wiring.blocks
         }
         self.pinned = set[tuple[str, str]]()  # parameters that are numbers
         self.owners: dict[int, str] = {}  # operation -> "block.role"
@@ -234,13 +238,6 @@ class TapeRecord(RecordMerger):
             start = node.outputs.start + signals.start
             self.signals[node.name, port] = values[port]
             self.outputs[start] = operand(values[port])
-
-    def _parameter_shapes(self, block: Block) -> dict[str, Shape]:
-        shapes = {}
-        for name, value in block.parameters._asdict().items():
-            shape = block.parameter_shapes.get(name, np.shape(value))
-            shapes[name] = self.shape(block, shape)
-        return shapes
 
     def _input_shape(self, start: int, size: int) -> tuple[Shape, Shape]:
         """Return the shape of a diagram's input, and the shape that its user declares."""

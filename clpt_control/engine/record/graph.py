@@ -94,11 +94,7 @@ class Record:
         self, leaf: Callable[[str, str], Any], sizes: dict[str, int]
     ) -> list[np.ndarray]:
         """Return the outputs at one point; ``leaf("x", "alpha")`` is an array."""
-
-        def leaf_at_point(group: str, name: str) -> np.ndarray:
-            return np.asarray(leaf(group, name))[..., None]
-
-        outputs = evaluated(self, leaf_at_point, sizes)
+        outputs = evaluated(self, lambda *at: np.asarray(leaf(*at))[..., None], sizes)
         return [value[..., 0] for value in outputs]
 
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":

@@ -83,15 +83,8 @@ def jacobian(reach: np.ndarray) -> Jacobian:
     columns = columns[order]
     begins = np.searchsorted(groups[columns], np.arange(groups.max(initial=-1) + 2))
     to = np.append(positions, 0)[columns] * n + positions[rows]
-    return Jacobian(
-        (lower, upper),
-        positions.astype(np.int64),
-        groups.astype(np.int64),
-        begins.astype(np.int64),
-        rows.astype(np.int64),
-        columns.astype(np.int64),
-        to.astype(np.int64),
-    )
+    arrays = (positions, groups, begins, rows, columns, to)
+    return Jacobian((lower, upper), *(array.astype(np.int64) for array in arrays))
 
 
 def _ordered(reach: np.ndarray) -> tuple[np.ndarray, int, int]:

@@ -162,7 +162,7 @@ def _array_operations(structure: Structure) -> int:
 def _planned(structure: Structure, form: Form) -> Code:
     wiring = structure.wiring
     layout = structure.layout
-    plain_form = form_without_derivatives(form)
+    plain_form: Any = form.form if isinstance(form, Directions) else form
     if isinstance(plain_form, HeldSwitches):
         record = DiagramRecord(wiring, layout, "free")
         slide(record, plain_form)
@@ -179,11 +179,6 @@ def _planned(structure: Structure, form: Form) -> Code:
     program = program_of(record, signals, layout.inputs(wiring.ninputs))
     operations = tuple(record.decisions.operations)
     return Code(program, lambda: jacobian(reach_of(record, states)), operations)
-
-
-def form_without_derivatives(form: Form) -> Any:
-    """Return the form of the diagram itself, without derivatives."""
-    return form.form if isinstance(form, Directions) else form
 
 
 def copies_of(form: Form) -> int:

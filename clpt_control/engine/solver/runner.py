@@ -31,7 +31,7 @@ from .schedule import (
     make_schedule,
     read_inputs,
 )
-from .termination import Solution, in_discrete_time, without_states
+from .termination import ADVICE, Solution, in_discrete_time, without_states
 
 
 class PythonDiagram:
@@ -186,18 +186,13 @@ class PythonDiagram:
         finite = np.isfinite(signals).all(axis=1)
         if not finite.all():
             k = int(np.argmin(finite))
-            x = solution.x[k, : self.sweep.nstates]
-            self._raise_not_finite(float(times[k]), x, inputs)
+            x, t = solution.x[k, : self.sweep.nstates], float(times[k])
+            self.sweep.enter(t)
+            advice = f"{ADVICE}, or keep its arguments in range"
+            trouble = self.sweep.first_trouble(t, x, inputs_at(inputs, t), advice)
+            trouble = trouble or f"a signal is not finite; {advice}"
+            raise SimulationError(f"at t = {t:.9g}: {trouble}")
         return signals
-
-    def _raise_not_finite(self, t: float, x: np.ndarray, inputs: Inputs | None) -> None:
-        """Raise an error that names the first signal that is not finite."""
-        self.sweep.enter(t)
-        advice = "check the parameters of that block, or keep its arguments in range"
-        u = inputs_at(inputs, t)
-        trouble = self.sweep.first_trouble(t, x, u, advice)
-        trouble = trouble or f"a signal is not finite; {advice}"
-        raise SimulationError(f"at t = {t:.9g}: {trouble}")
 
     def evaluated_signals(
         self, solution: Solution, inputs: Inputs | None

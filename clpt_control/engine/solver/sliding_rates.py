@@ -107,7 +107,10 @@ def _shares(matrix: list[list[Any]], slopes: list[Any]) -> list[Any]:
     """Return the w of matrix w = -slopes, solved in groups that depend on each other."""
     count = len(slopes)
     shares: list[Any] = [0.0] * count
-    coupled = [[not _is_zero(number) for number in row] for row in matrix]
+    coupled = [
+        [not (isinstance(slope, float) and slope == 0.0) for slope in row]
+        for row in matrix
+    ]
     groups, group_of = connected_components(np.array(coupled))
     for group in range(groups):
         members = np.flatnonzero(group_of == group).tolist()
@@ -123,10 +126,6 @@ def _shares(matrix: list[list[Any]], slopes: list[Any]) -> list[Any]:
         for row, k in enumerate(members):
             shares[k] = solved[row]
     return shares
-
-
-def _is_zero(number: Any) -> bool:
-    return isinstance(number, float) and number == 0.0
 
 
 def _stay_parallel(record: Any, held: HeldSwitches, base: Slopes) -> None:

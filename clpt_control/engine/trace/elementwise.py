@@ -6,7 +6,7 @@ Truth values, whole numbers and Python's own numbers differ from other numbers, 
 import dis
 import sys
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 from types import CodeType
 from typing import Any
 
@@ -184,18 +184,16 @@ def elementwise(name: str, *arguments: Any) -> Any:
     shape = shapes.pop() if len(shapes) == 1 else broadcast(*shapes)
     new = tape.add(name, refs, shape)
     new._of_python = of_python
-    if name in OF_WHOLE and not _is_inverse(name, arguments):
+    is_inverse = (  # a power with a constant negative exponent
+        name == "pow"
+        and not isinstance(arguments[1], Array)
+        and np.any(arguments[1] < 0)
+    )
+    if name in OF_WHOLE and not is_inverse:
         new._whole = all_of(
             map(is_whole, arguments[1:] if name == "where" else arguments)
         )
     return new
-
-
-def _is_inverse(name: str, arguments: tuple) -> bool:
-    """Return whether an operation is a power with a constant negative exponent."""
-    if name != "pow" or isinstance(arguments[1], Array):
-        return False
-    return bool(np.any(arguments[1] < 0))
 
 
 def all_of(kinds: Iterable[bool | None]) -> bool | None:
@@ -272,24 +270,16 @@ def common(kinds: Iterable[bool | None]) -> bool | None:
     return distinct.pop() if len(distinct) == 1 else None
 
 
-def _overflows(a, new):
-    return np.logical_and(np.equal(np.fabs(new), np.inf), np.less(np.fabs(a), np.inf))
-
-
 # errors of Python's floats and `math`: the error, and its condition on the arguments
 ERRORS: dict[str, tuple[type[Exception], Any]] = {
     **dict.fromkeys(
-        ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: np.equal(b, 0.0))
+        ("div", "floordiv", "mod"), (ZeroDivisionError, lambda a, b: b == 0.0)
     ),
-    **dict.fromkeys(
-        ("log", "log2", "log10"), (ValueError, lambda a, *b: np.less_equal(a, 0.0))
-    ),
-    **dict.fromkeys(
-        ("asin", "acos"), (ValueError, lambda a: np.greater(np.fabs(a), 1.0))
-    ),
-    "sqrt": (ValueError, lambda a: np.less(a, 0.0)),
-    "atanh": (ValueError, lambda a: np.greater_equal(np.fabs(a), 1.0)),
-    "exp": (OverflowError, lambda a: _overflows(a, elementwise("exp", a))),
+    **dict.fromkeys(("log", "log2", "log10"), (ValueError, lambda a, *b: a <= 0.0)),
+    **dict.fromkeys(("asin", "acos"), (ValueError, lambda a: np.fabs(a) > 1.0)),
+    "sqrt": (ValueError, lambda a: a < 0.0),
+    "atanh": (ValueError, lambda a: np.fabs(a) >= 1.0),
+    "exp": (OverflowError, lambda a: (np.exp(a) == np.inf) & (a < np.inf)),
 }
 
 
@@ -383,15 +373,9 @@ def where(condition, a, b):
         return a if condition else b
     if is_truth(a) and is_truth(b):
         condition = as_condition(condition)
-        terms = [_and(condition, a), _and(elementwise("not", condition), b)]
+        terms: Any = [_and(condition, a), _and(elementwise("not", condition), b)]
         terms_left = [term for term in terms if term is not None]
-        return (
-            elementwise("or", *terms_left)
-            if len(terms_left) > 1
-            else terms_left[0]
-            if terms_left
-            else False
-        )
+        return reduce(np.logical_or, terms_left) if terms_left else False
     return elementwise("where", condition, a, b)
 
 

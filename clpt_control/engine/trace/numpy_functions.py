@@ -332,11 +332,6 @@ def taken(a, indices, axis=None, mode="raise"):
     return views.copied(rows[indices])
 
 
-def bins_of(x: Any, bins: Any, right: bool = False) -> Any:
-    """Return np.digitize(x, bins)."""
-    return np.searchsorted(bins, x, "left" if right else "right")
-
-
 for unread in (np.shares_memory, np.may_share_memory, np.ix_):
     implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
 for function, reduce, ufunc in (
@@ -373,7 +368,9 @@ implements(np.allclose, arrays=2)(
 )
 implements(np.interp)(interpolated)
 implements(np.searchsorted, arrays=0)(searched)
-implements(np.digitize, arrays=0)(bins_of)
+implements(np.digitize, arrays=0)(
+    lambda x, bins, right=False: searched(bins, x, "left" if right else "right")
+)
 implements(np.take)(taken)
 implements(np.count_nonzero)(lambda a: np.sum(a != 0))
 implements(np.stack, arrays=0)(views.stack)
