@@ -111,10 +111,8 @@ def _checking(function: Any, name: str) -> Any:
             for name_of_argument, kind in function.__annotations__.items():
                 kinds_by[name_of_argument] = kinds_of(kind, function.__globals__)
         kinds = kinds_by.get(argument, (Any,))
-        if Any in kinds or (
-            type(value) in SIMPLE and type(value) in kinds and value == value
-        ):
-            return value  # at once: a dive has 25 numbers
+        if Any in kinds or _fits_at_once(value, kinds):
+            return value
         value = plain(value, kinds)
         if not fits(value, kinds):
             allowed = words(kinds)
@@ -207,6 +205,24 @@ def plain(value: Any, kinds: Kinds) -> Any:
         with suppress(TypeError, ValueError):  # rows of several lengths
             return np.asarray(value)
     return value
+
+
+def _fits_at_once(value: Any, kinds: Kinds) -> bool:
+    """Return True if the type of a value is one of the kinds: a dive has 25 numbers."""
+    kind = type(value)
+    if kind in SIMPLE:
+        return kind in kinds and value == value
+    if kind is np.ndarray:
+        return kind in kinds and value.ndim > 0 and value.dtype.kind in "iuf"
+    return isinstance(value, _classes(kinds))
+
+
+@cache
+def _classes(kinds: Kinds) -> tuple[type, ...]:
+    """Return the kinds that are classes of this package or of python-control."""
+    own = ("clpt_control.", "control.")
+    classes = [kind for kind in kinds if isinstance(kind, type)]
+    return tuple(kind for kind in classes if kind.__module__.startswith(own))
 
 
 def fits(value: Any, kinds: Kinds) -> bool:

@@ -27,7 +27,8 @@ from ..engine.codegen.directional_derivatives import read_as_number
 from ..engine.codegen.machine import LANES, processor
 from ..engine.diagram.wiring import Wiring
 from ..engine.solver import solver_layout as layout
-from ..engine.solver.batch import Batch, Callee
+from ..engine.solver.batch import Batch
+from ..engine.solver.callee import Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
 from ..engine.solver.filippov import continue_run, may_continue
 from ..engine.solver.schedule import Schedule

@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import control
+import numpy as np
 
 from ..engine.codegen.machine import ENGINE
 from ..engine.diagram.wiring import Params
@@ -88,14 +89,18 @@ def _identity(system: Any, numbers: list[Any], functions: list[Any]) -> tuple:
     identity = *identity, system.nstates, system.ninputs, system.noutputs
     numbers.append(tuple(system.params.items()))
     if isinstance(system, control.InterconnectedSystem):
-        numbers += [system.connect_map, system.input_map, system.output_map]
+        matrices = system.connect_map, system.input_map, system.output_map
         inner_identities = (_identity(s, numbers, functions) for s in system.syslist)
-        return *identity, *inner_identities
+        return *identity, *map(_content, matrices), *inner_identities
     if isinstance(system, control.StateSpace):
-        numbers += [system.A, system.B, system.C, system.D]
-        return identity
+        return *identity, *map(_content, (system.A, system.B, system.C, system.D))
     base = control.NonlinearIOSystem
     if type(system)._rhs is not base._rhs or type(system)._out is not base._out:
         raise Unread("its class has its own equations")
     functions += [system.updfcn, system.outfcn]
     return identity
+
+
+def _content(matrix: np.ndarray) -> tuple:
+    """Return the numbers of a matrix, to be compared."""
+    return matrix.dtype.str, matrix.shape, matrix.tobytes()

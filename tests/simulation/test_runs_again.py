@@ -4,6 +4,7 @@ import functools
 import sys
 import threading
 import types
+from concurrent.futures import ThreadPoolExecutor
 
 import control
 import law_blocks
@@ -12,6 +13,7 @@ import pytest
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
+from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE = 1.0, [1.0]
@@ -167,6 +169,41 @@ def test_runs_of_one_diagram_share_no_attributes_and_no_numbers():
     for run in (one, three):
         assert run.identical(wanted)
     assert clpt.simulate(lag, TIMES + 1.0, 1.0).time[0] == 1.0
+
+
+@pytest.mark.parametrize("method", ["dop853", "rodas5p"])
+def test_inputs_states_and_steps_count_in_the_arrays_of_the_run_before(method):
+    lag = control.ss([[-1.0]], [[1.0]], [[1.0]], 0, inputs="u", outputs="y", name="lag")
+    ramp = (2.0 * TIMES)[None]
+    cases = [
+        (1.0, 0.0, 1.0 - np.exp(-TIMES)),
+        (-2.0, 3.0, 5.0 * np.exp(-TIMES) - 2.0),
+        (ramp, 0.0, 2.0 * (TIMES - 1.0 + np.exp(-TIMES))),
+        (0.5 * ramp, 1.0, TIMES - 1.0 + 2.0 * np.exp(-TIMES)),
+    ]
+    found = []
+    for inputs, start, _ in cases * 2:
+        found.append(clpt.simulate(lag, TIMES, inputs, start, method=method).states)
+    for states, (_, _, expected) in zip(found, cases * 2, strict=True):
+        np.testing.assert_allclose(states[:, 0], expected, rtol=2e-7, atol=2e-9)
+    steps = [
+        clpt.simulate(lag, TIMES, 1.0, method=method, max_step=step).solver_steps
+        for step in (np.inf, 0.01, np.inf)
+    ]
+    assert steps[1] >= 100 > steps[0] == steps[2]
+
+
+def test_threads_that_run_one_diagram_do_not_share_arrays():
+    native = NativeDiagram(system(by_params, k=1.0))
+    starts = np.linspace(1.0, 2.0, 40)
+
+    def runs_from(start):
+        return [native.run([start], TIMES).x[:, 0] for _ in range(10)]
+
+    with ThreadPoolExecutor(4) as pool:
+        for start, runs in zip(starts, pool.map(runs_from, starts), strict=True):
+            expected = np.tile(start * np.exp(-TIMES), (10, 1))
+            np.testing.assert_allclose(runs, expected, rtol=1e-7)
 
 
 SHORT = clpt.paper_scenario().with_values({"run.duration": 5})

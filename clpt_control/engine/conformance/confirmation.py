@@ -41,7 +41,7 @@ _caller = local()
 def drawn_around(times: Any, states: Any, inputs: Any) -> Iterator[None]:
     """Confirm the records that this thread makes around these numbers."""
     before = getattr(_caller, "numbers", None)
-    _caller.numbers = [*map(_flat, (times, states, inputs))]
+    _caller.numbers = times, states, inputs
     try:
         yield
     finally:
@@ -98,7 +98,8 @@ class Confirmation:
 
     def _points(self, parameters: Any, random: np.random.Generator) -> np.ndarray:
         """Return points to compare, a column each: time, states, inputs."""
-        times, *vectors = getattr(_caller, "numbers", None) or [NONE] * 3
+        of_caller = getattr(_caller, "numbers", None) or [None] * 3
+        times, *vectors = map(_flat, of_caller)
         sizes = self.block.nstates or 0, self.block.ninputs or 0
         centre = [np.zeros(1)]
         numbers: list[Any] = [compared_numbers(self.conditions)]

@@ -11,18 +11,17 @@ eigenvalues of df/dx are small.
 import time
 from collections.abc import Callable
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
-from ..codegen.machine import LANES, compiled_solver, flattened, numbers_of
-from ..methods.method import Method
-from .jacobian_pattern import NO_LINEAR, Jacobian
+from ..codegen.machine import flattened, numbers_of
+from .callee import MOST_KEPT, Callee, aligned
+from .jacobian_pattern import NO_LINEAR
 from .schedule import Schedule
 from .solver_layout import (
-    DECIDE,
     DECISION,
     FIRST_STEP,
     MAX_STEP,
@@ -41,7 +40,6 @@ from .solver_layout import (
     Results,
     Runs,
     Segments,
-    Shape,
     Solver,
     Status,
 )
@@ -58,97 +56,6 @@ PARTS = 256  # of a run in which time alone decides: no step is longer
 ROUNDS = 60  # of the power method
 ANY = 2**62
 MEMBER_STEPS = 5_000_000  # tries of a run among many
-
-
-class Callee(NamedTuple):
-    """Functions that the solver calls, and sizes of its arrays; `shape` is the solver's."""
-
-    functions: Any  # in the solver's order: their addresses, an array
-    lanes: int  # runs that are taken at once
-    nstates: int
-    method: Method
-    guarded: int  # number of guards
-    levels: tuple  # of each guard: `LEVEL` if states jump there, else 0
-    jumping: int  # 1 if states jump
-    decided_at: int  # offset of the decisions in P
-    decided: int  # their number
-    size: int  # length of P
-    room: int  # length of W
-    tables: np.ndarray  # T, which is not empty
-    linear: Jacobian = Jacobian()  # of Rodas5P
-    timed: bool = False  # whether steps are short, as time may do much in little of it
-    code: tuple = ()  # objects that must live for as long as addresses are used
-
-    @property
-    def shape(self) -> Shape:
-        """Sizes of the problem, as the solver takes them."""
-        return Shape(
-            self.lanes,
-            self.nstates,
-            self.method.stages,
-            self.method.dense_stages,
-            int(self.method.adaptive),
-            int(self.method.implicit),
-            int(self.method.discrete),
-            self.guarded,
-            self.jumping,
-            self.decided_at,
-            self.decided,
-        )
-
-    @property
-    def events(self) -> int:
-        """Number of events in state."""
-        return self.decided + self.guarded
-
-    def call(self, name: str, numbers: np.ndarray) -> int:
-        """Call a function of the solver on numbers."""
-        with np.errstate(all="ignore"):
-            return int(getattr(compiled_solver(), name)(numbers))
-
-    def evaluate(
-        self,
-        role: int,
-        times: Any,
-        x: Any,
-        segments: Schedule,
-        parameters: Any,
-        count: int,
-    ) -> np.ndarray:
-        """Return the first `count` results of a function at times and states x (nt, n), a row each.
-
-        `parameters` are P, or its beginning.
-        """
-        P = np.zeros(max(self.size, len(parameters)) + 1)
-        P[: len(parameters)] = parameters
-        W = np.zeros(self.room + 1)
-        D = np.zeros(max(count, 3 * self.events) + 1)
-        times = np.ascontiguousarray(times)
-        which_segment = np.searchsorted(segments.edges, times, "right")
-        out = np.empty((len(times), count))
-        # the solver reads these arrays by their addresses: all of them must live until it returns
-        points = (times, which_segment, np.zeros(1), x.ravel())
-        numbers = numbers_of(
-            self.functions,
-            role,
-            self.nstates,
-            self.decided_at,
-            self.decided,
-            points,
-            (segments.indices, segments.values),
-            (P, self.tables, W, D),
-            out,
-        )
-        self.call("evaluate", numbers)
-        return out
-
-    def events_at(
-        self, times: Any, x: Any, segments: Schedule, parameters: Any
-    ) -> np.ndarray:
-        """Return decisions, distances and rounding errors of all events, (nt, 3, events)."""
-        count = 3 * self.events
-        numbers = self.evaluate(DECIDE, times, x, segments, parameters, count)
-        return numbers.reshape(-1, 3, self.events)
 
 
 class Batch:
@@ -174,58 +81,37 @@ class Batch:
         opening: float = 0.0,
     ):
         self.callee = callee
-        self.times = np.ascontiguousarray(times)
-        m, n = starts.shape
+        self.label = callee.method.name
         # 1. runs and their segments
+        m, n = starts.shape
         if group is None:
             group = np.zeros(m, dtype=np.int64)
-        self.runs = Runs(*map(np.ascontiguousarray, (starts, parameters, group)))
-        self.schedules = schedules
+        of_runs = starts, parameters, group
+        self.runs = Runs(*[np.array(array, order="C") for array in of_runs])
         self.segments = _stacked(schedules)
-        if not (callee.method.adaptive or callee.method.discrete):
-            self.segments.smooth[:] = 0  # every segment begins anew
+        self.times = np.array(times)
         # 2. results
-        self.out = np.full((m, len(times), n), np.nan)
-        self.out[:, 0] = starts
-        self.status = np.zeros(m, dtype=np.int64)
-        self.reached = np.zeros(m, dtype=np.int64)
-        self.counts = np.zeros((m, 4), dtype=np.int64)
-        self.continuations: dict[
-            int, Batch
-        ] = {}  # of stiff runs, and of a run that slides
-        self.slides: list[float] = []  # times at which it began to slide
-        self.label = callee.method.name
-        self.tolerance_share = (
-            1.0  # of the tolerances of a run that this batch continues
-        )
-        self.refusal = ""  # why it does not slide, or jumps without end
-        self.level_jumps: list[float] = []  # their times
+        self.out = np.empty((m, len(times), n))
+        self.status = np.empty(m, dtype=np.int64)
+        self.reached = np.empty(m, dtype=np.int64)
+        self.counts = np.empty((m, 4), dtype=np.int64)
+        self.results = Results(self.out, self.status, self.reached, self.counts)
         # 3. memory of the lanes
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
         at_points = 3 * POINTS * callee.events
         results = max(n, at_points + callee.events)
         rooms = (REALS, ROWS * n, size, max(callee.room, 1), results)
-        numbers, self.Z, P, W, D = aligned(*(lanes * room for room in rooms))
+        self._reals, arrays = aligned(*(lanes * room for room in rooms))
+        numbers, self.Z, P, W, D = arrays
         self.lane = numbers.reshape(-1, lanes)
-        self.integers = np.full((5, lanes), -1, dtype=np.int64)
+        self.integers = np.empty((5, lanes), dtype=np.int64)
         self.states = self.Z.reshape(-1, n, lanes)
         self.memory = Memory(self.Z, P, callee.tables, W, D)
-        # 4. a lane without a run holds the state and parameters with which the first begins
-        self.states[STATE] = starts[:1].T
-        in_lanes = P.reshape(-1, lanes)
-        in_lanes[: parameters.shape[1]] = parameters[:1].T
-        in_lanes[self.segments.indices] = self.segments.values[:1].T
-        if callee.timed:
-            longest = min(longest, (times[-1] - times[0]) / PARTS)
-        self.lane[MAX_STEP] = longest
-        self.lane[FIRST_STEP] = opening
-        # 5. events at the sample points of a step
+        # 4. events at the sample points of a step
         self.points = D[:at_points].reshape(POINTS, 3, callee.events)
-        self.points[:, ROUNDING, callee.decided :] = OUTSIDE
-        self.points[0, DECISION, callee.decided :] = callee.levels
         self.signs = D[at_points : at_points + callee.events]
-        # 6. the solver's argument
+        # 5. the solver's argument
         self._tolerances = np.zeros(2)
         self.linear = callee.linear.for_solver
         self.solver = Solver(
@@ -235,20 +121,78 @@ class Batch:
             runs=self.runs,
             segments=self.segments,
             times=self.times,
-            results=Results(self.out, self.status, self.reached, self.counts),
+            results=self.results,
             lane=self.lane,
             integers=self.integers,
-            queue=np.array([0, m, 0], dtype=np.int64),
+            queue=np.empty(3, dtype=np.int64),
             memory=self.memory,
             states=self.states,
             points=self.points,
             signs=self.signs,
             linear=self.linear,
         )
-        self.results = self.solver.results
         is_explicit = self.linear is NO_LINEAR
         linear = NO_LINEAR_NUMBERS if is_explicit else self.linear
         self._call = numbers_of(self.solver[:-1], linear, 0, 0)
+        self._begin(schedules, longest, opening)
+
+    def begin_again(
+        self,
+        start: np.ndarray,
+        parameters: np.ndarray,
+        times: np.ndarray,
+        schedule: Schedule,
+        longest: float,
+        opening: float,
+    ) -> None:
+        """Begin another run in the arrays of a run of the same shape."""
+        self.runs.states[0] = start
+        self.runs.parameters[0] = parameters
+        self.times[:] = times
+        if schedule is not self.schedules[0]:
+            for array, values in zip(self.segments, _stacked([schedule]), strict=True):
+                array[:] = values
+        self._begin([schedule], longest, opening)
+
+    def _begin(self, schedules: list[Schedule], longest: float, opening: float) -> None:
+        """Set all runs to their beginning."""
+        callee = self.callee
+        self.schedules = schedules
+        if not (callee.method.adaptive or callee.method.discrete):
+            self.segments.smooth[:] = 0  # every segment begins anew
+        # 1. results
+        self.out.fill(np.nan)
+        self.out[:, 0] = self.runs.states
+        for array in (*self.results[1:], *self.linear[:3]):
+            array.fill(0)
+        # batches that continue stiff runs, and a run that slides
+        self.continuations: dict[int, Batch] = {}
+        self.slides: list[float] = []  # times at which it began to slide
+        # of the tolerances of a run that this batch continues
+        self.tolerance_share = 1.0
+        self.refusal = ""  # why it does not slide, or jumps without end
+        self.level_jumps: list[float] = []  # their times
+        # 2. a lane without a run has the state and parameters with which the first begins
+        self._reals.fill(0.0)
+        self.integers.fill(-1)
+        self.solver.queue[:] = 0, len(self.status), 0
+        self.states[STATE] = self.runs.states[:1].T
+        in_lanes = self.memory.P.reshape(-1, callee.lanes)
+        parameters = self.runs.parameters
+        in_lanes[: parameters.shape[1]] = parameters[:1].T
+        in_lanes[self.segments.indices] = self.segments.values[:1].T
+        if callee.timed:
+            longest = min(longest, (self.times[-1] - self.times[0]) / PARTS)
+        self.lane[MAX_STEP] = longest
+        self.lane[FIRST_STEP] = opening
+        # 3. guards
+        self.points[:, ROUNDING, callee.decided :] = OUTSIDE
+        self.points[0, DECISION, callee.decided :] = callee.levels
+
+    @property
+    def is_small(self) -> bool:
+        """True if the arrays may be kept for another run."""
+        return self._reals.size + self.out.size + self.segments.values.size < MOST_KEPT
 
     @property
     def now(self) -> float:
@@ -366,24 +310,12 @@ def radius(matrix: np.ndarray) -> float:
     return float(np.exp(np.mean(growth[ROUNDS // 2 :])))
 
 
-def aligned(*sizes: int) -> list[np.ndarray]:
-    """Return arrays of zeros, each aligned with the cache: a line of it holds eight runs."""
-    lines = [-(-size // LANES) * LANES for size in sizes]
-    memory = np.zeros(sum(lines) + LANES)
-    offset = -(memory.ctypes.data // memory.itemsize) % LANES
-    arrays = []
-    for size, line in zip(sizes, lines, strict=True):
-        arrays.append(memory[offset : offset + size])
-        offset += line
-    return arrays
-
-
 def _stacked(schedules: list[Schedule]) -> Segments:
     """Return the segments of all schedules, one behind the other."""
     counts = [len(schedule.edges) for schedule in schedules]
     return Segments(
         np.array([*accumulate(counts, initial=0)]),
-        schedules[0].indices,
+        np.array(schedules[0].indices),
         np.concatenate([schedule.edges for schedule in schedules]),
         np.concatenate([schedule.values for schedule in schedules]),
         np.concatenate([schedule.smooth for schedule in schedules]),

@@ -52,9 +52,9 @@ class Sweep:
         self._blocks = [(k, outputs[k]) for k in wiring.order]
         self._moving = [k for k in wiring.order if systems[k].nstates]
         breaking = [system.breakpoints_function is not None for system in systems]
-        self._breaking = np.flatnonzero(breaking).tolist()
+        self.breaking = np.flatnonzero(breaking).tolist()
         self._with_intervals = [
-            k for k in self._breaking if not parameters[k].interval >= 0.0
+            k for k in self.breaking if not parameters[k].interval >= 0.0
         ]
         jumping = [system.jump_function is not None for system in systems]
         self.jumping = np.flatnonzero(jumping).tolist()
@@ -91,7 +91,7 @@ class Sweep:
 
         Times that differ by rounding alone are one time, the later.
         """
-        jumps = [self.block_breakpoints(k, t0, t1) for k in self._breaking]
+        jumps = [self.block_breakpoints(k, t0, t1) for k in self.breaking]
         if not jumps:
             return np.zeros(0)
         times = np.sort(np.concatenate(jumps))
@@ -115,7 +115,7 @@ class Sweep:
     def trigger(self, inputs: Any) -> None:
         """Set the breakpoints of blocks that jump where an input of the diagram rises."""
         self.triggered = {}
-        for k in self._breaking:
+        for k in self.breaking:
             node = self.nodes[k]
             trigger = attribute_of(node.system.breakpoints_function, "trigger")
             signal = None if trigger is None else node.external_input(trigger)

@@ -12,7 +12,7 @@ from ..codegen.switching_conditions import Port
 from ..methods.formulas import Formula, StepTape
 from ..methods.method import Method
 from ..trace.arrays import operand
-from .batch import Callee
+from .callee import Callee
 
 
 def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:

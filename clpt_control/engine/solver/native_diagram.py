@@ -20,7 +20,7 @@ from ..methods.method import Method
 from ..methods.table import EXPLICIT
 from ..record.operations import ELEMENTWISE
 from ..trace.arrays import Unread
-from .batch import Callee
+from .callee import Callee
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas
 from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
@@ -235,6 +235,7 @@ class NativeDiagram(NativeRuns):
         # and of the decisions
         self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1
         self._callees: dict[tuple[int, Method], Callee] = {}
+        self.kept = {}
 
     def parameters(self, of_run: np.ndarray | None = None) -> np.ndarray:
         """Return P, or that of a run in another form, with room for inputs and prepared numbers."""
@@ -269,6 +270,7 @@ class NativeDiagram(NativeRuns):
         diagram.form = self._with_derivatives(form)
         diagram.code = code_of(self.wiring, self.layout, diagram.form)
         diagram._callees = {}
+        diagram.kept = {}
         return diagram
 
     def _with_derivatives(self, form: Form) -> Form:
@@ -321,6 +323,7 @@ class NativeDiagram(NativeRuns):
             size=program.parameters,
             room=program.room,
             tables=np.concatenate([self.layout.T, program.tables]),
+            kept={},
             linear=code.sparsity() if method.implicit else Jacobian(),
             timed=program.timed,
             code=(code,),

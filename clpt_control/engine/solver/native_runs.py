@@ -9,7 +9,8 @@ import numpy as np
 from ...base.errors import SimulationError
 from ..methods.method import Method
 from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4
-from .batch import ANY, Batch, Callee, pace
+from .batch import ANY, Batch, pace
+from .callee import MOST_KEPT, Callee, keep
 from .filippov import continue_run, may_continue
 from .runner import PythonDiagram, RunOptions
 from .schedule import Inputs, Schedule
@@ -27,10 +28,30 @@ class NativeRuns(PythonDiagram):
     callee: Any
     over_kinks: Any
     unlocked: Any
+    kept: dict[Any, Batch]  # by shape, while no thread runs them
+    _last_schedule: tuple = None, None  # times and inputs, and their schedule
 
     def implicit(self, inputs: Inputs | None = None) -> Callee:
         """Return the functions that the solver calls for its implicit method."""
         return self.callee(1, inputs, IMPLICIT)
+
+    def _schedule(self, times: np.ndarray, inputs: Inputs | None) -> Schedule:
+        """Return the segments of a run, the same for the same times and inputs.
+
+        Breakpoints of blocks are looked up each time.
+        """
+        if self.sweep.breaking:
+            return self.schedule(times, inputs)
+        samples = () if inputs is None else inputs.samples
+        arrays = times, *samples
+        if sum(array.size for array in arrays) > MOST_KEPT:
+            return self.schedule(times, inputs)
+        key = [(array.shape, array.tobytes()) for array in arrays]
+        last_key, schedule = self._last_schedule
+        if key != last_key:
+            schedule = self.schedule(times, inputs)
+            self._last_schedule = key, schedule
+        return schedule
 
     def _solution(
         self,
@@ -65,6 +86,11 @@ class NativeRuns(PythonDiagram):
             raise error
         solution = ended(self.sweep, batch, inputs)
         solution.pieces = batch.schedules[0]
+        if batch.is_small:
+            solution.t = solution.t.copy()
+            solution.x = solution.x.copy()
+            of_run = batch.runs.parameters[0], batch.times, solution.pieces
+            keep(self.kept, _shape_of(batch.callee, *of_run), batch)
         return solution
 
     def _prepare(
@@ -75,7 +101,7 @@ class NativeRuns(PythonDiagram):
         options: RunOptions,
     ) -> Batch:
         """Return the batch of a run at the first time, after blocks have sampled."""
-        segments = self.schedule(times, inputs)
+        segments = self._schedule(times, inputs)
         callee = self.callee(1, inputs, self.method_of(options.method, options.step))
         P = self.parameters()
         start = sampled_start(callee, start, float(times[0]), segments, P)
@@ -92,15 +118,13 @@ class NativeRuns(PythonDiagram):
     ) -> Batch:
         """Return a batch of one run at its first time."""
         callee = self.callee(1, inputs, self.method_of(options.method, options.step))
-        return Batch(
-            callee,
-            start[None],
-            P[None],
-            times,
-            [segments],
-            longest=options.max_step,
-            opening=options.first_step,
-        )
+        steps = options.max_step, options.first_step
+        batch = self.kept.pop(_shape_of(callee, P, times, segments), None)
+        if batch is None:
+            runs = start[None], P[None], times, [segments], None
+            return Batch(callee, *runs, *steps)
+        batch.begin_again(start, P, times, segments, *steps)
+        return batch
 
     def _integrate(
         self,
@@ -154,3 +178,10 @@ class NativeRuns(PythonDiagram):
         return self.callee(1, inputs).evaluate(
             SIGNALS, solution.t, solution.x, segments, self.parameters(), self.nsignals
         )
+
+
+def _shape_of(
+    callee: Callee, P: np.ndarray, times: np.ndarray, segments: Schedule
+) -> tuple:
+    """Return all that arrays of a run depend on."""
+    return callee.method, P.shape, times.shape, segments.values.shape

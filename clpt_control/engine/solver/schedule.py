@@ -10,6 +10,7 @@ input; smaller bends, as of a sampled sine, are smooth to the tolerance.
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -34,6 +35,9 @@ class Inputs:
 
     def at(self, t: float) -> ndarray:
         """Return the inputs at a time."""
+        times, u = self.samples
+        if len(times) == 1:
+            return u[:, 0]
         begins, rows, slopes = self._straight
         k = max(bisect_right(begins, t) - 1, 0)
         return rows[k] + (t - begins[k]) * slopes[k]
@@ -121,8 +125,10 @@ class Inputs:
     def along(self, times: ndarray) -> ndarray:
         """Return the inputs at times, shape (ninputs, nt)."""
         sample_times, u = self.samples
-        rows = [np.interp(times, sample_times, row) for row in u]
-        return np.reshape(rows, (len(u), len(times)))
+        rows = np.empty((len(u), len(times)))
+        for row, values in zip(rows, u, strict=True):
+            row[:] = np.interp(times, sample_times, values)
+        return rows
 
 
 def inputs_at(inputs: Inputs | None, t: float) -> ndarray | None:
@@ -133,9 +139,9 @@ def inputs_at(inputs: Inputs | None, t: float) -> ndarray | None:
 def checked_times(name: str, timepts: Any) -> ndarray:
     """Return times as an array: at least two, increasing and finite."""
     times = np.atleast_1d(numbers(name, timepts))
-    if times.ndim != 1 or len(times) < 2 or not np.all(np.diff(times) > 0.0):
+    if times.ndim != 1 or len(times) < 2 or not (times[1:] > times[:-1]).all():
         raise SimulationError(f"{name}: must be at least two increasing times")
-    if not np.isfinite(times[[0, -1]]).all():
+    if not (isfinite(times[0]) and isfinite(times[-1])):
         raise SimulationError(f"{name}: must be finite")
     return times
 
@@ -193,8 +199,9 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
             f"inputs: shape {values.shape} does not fit {count} inputs at {len(times)} times"
             + ("" if count else "; initial_state= is the start")
         )
-    constant = np.broadcast_to(values, count).astype(float)
-    return Inputs((times[:1], constant[:, None]))
+    constant = np.empty((count, 1))
+    constant[:, 0] = values
+    return Inputs((times[:1], constant))
 
 
 # --- segments of time -------------------------------------------------------------------------

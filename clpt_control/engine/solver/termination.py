@@ -12,7 +12,8 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.errors import SimulationError
-from .batch import Batch, Callee
+from .batch import Batch
+from .callee import Callee
 from .evaluation_pass import Sweep, rounding
 from .schedule import Inputs, Schedule, inputs_at
 from .solver_layout import (

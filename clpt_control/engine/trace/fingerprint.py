@@ -273,7 +273,8 @@ class _Walk:
     def _array(self, value: np.ndarray) -> Any:
         """Return the key of an array, by its bytes."""
         content = self._note(value)
-        self._attributes(value)
+        if type(value) is not np.ndarray:
+            self._attributes(value)
         return type(value), *content.structure[:2], *map(self.key_of, content.items)
 
     def _system(self, system):
