@@ -36,7 +36,8 @@ def _register(load: Callable[[], type]) -> None:
     import xarray
 
     if not hasattr(xarray.Dataset, NAME):
-        xarray.register_dataset_accessor(NAME)(load())
+        # the accessor's class reads scenarios, which other runs do not need
+        xarray.register_dataset_accessor(NAME)(lambda data: load()(data))
 
 
 class _AfterXarray(MetaPathFinder):

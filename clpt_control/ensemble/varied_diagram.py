@@ -36,8 +36,8 @@ from ..engine.solver.solver_layout import Status
 from ..engine.trace.arrays import Unread
 from ..simulation.dataset_template import Axes, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
-from ..simulation.initial_states import stacked_state
 from ..simulation.integrate import request_of
+from ..simulation.run_arguments import stacked_state
 from .members import Ensemble, Member, Members, States, Values, hash_of
 from .sampled_parameters import Vary, cannot_vary
 from .summaries import Arrays, ends_of

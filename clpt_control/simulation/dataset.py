@@ -6,10 +6,9 @@ versions and the solver's statistics, so that a run can be repeated from its fil
 
 import json
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from importlib.metadata import version
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -22,9 +21,10 @@ from ..paper.blocks.localization import TRUE
 from ..paper.laws.law import Truth
 from ..paper.laws.regressions import error_by_P
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import CHANGED, OWN_LAW, own_parts, scenario_to_text
+from ..paper.scenario.file import own_parts, scenario_to_text
+from ..paper.scenario.run_constants import CHANGED, OWN_LAW
 from ..paper.scenario.tables import Units
-from .dataset_template import DatasetTemplate, Labels, Series, columns, port_variables
+from .dataset_template import DatasetTemplate, Series, Signals, port_variables
 from .user_components import LAW
 
 VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/time)
@@ -55,18 +55,6 @@ REFERENCES = (
 )
 BY_FUNCTION = ("time", "axis", "basis")
 NO_ATTRIBUTES: Mapping[str, str] = MappingProxyType({})
-
-
-class Signals(NamedTuple):
-    """Signals of a vehicle: their columns by label, and the parameters of the blocks by name."""
-
-    column: dict[str, int]
-    parameters: dict[str, Any]
-
-    def of(self, port: str, *shape: int) -> Any:
-        """Return a function that selects a port, in a shape, of all signals."""
-        count = int(np.prod(shape))
-        return columns([self.column[f"{port}[{k}]"] for k in range(count)], *shape)
 
 
 def unit_of(units: Units, lengths: int, rates: int) -> str:
@@ -278,22 +266,6 @@ def _attributes(scenario: Scenario) -> dict[str, Any]:
         "scenario": scenario_to_text(scenario),
         **time_attributes,
     }
-
-
-@lru_cache(maxsize=64)
-def diagram_template(
-    name: str, labels: Labels, units: Labels, states: Labels
-) -> DatasetTemplate:
-    """Return the template of any diagram's runs: a variable for each port, and the states.
-
-    `labels` and `units` are those of the signals.
-    """
-    ports = ports_of(labels)
-    port_units = {port: units[indices[0]] for port, indices in ports.items()}
-    reserved = ("time", "state", "states")
-    variables, axes = port_variables(ports, {}, reserved, port_units)
-    attributes = {"title": f"Response of {name}"}
-    return DatasetTemplate(variables, axes, attributes, states=states)
 
 
 def changed_parameters(

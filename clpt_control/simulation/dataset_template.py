@@ -6,12 +6,13 @@ The runs of one system share a template, which is filled with the signals of eac
 import platform
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ..engine.model.ports import ports_of
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import Solution
 
@@ -35,6 +36,18 @@ class Series(NamedTuple):
     dims: tuple[str, ...]
     of: Callable[[np.ndarray], np.ndarray]
     attributes: dict[str, str]
+
+
+class Signals(NamedTuple):
+    """Signals of a vehicle: their columns by label, and the parameters of the blocks by name."""
+
+    column: dict[str, int]
+    parameters: dict[str, Any]
+
+    def of(self, port: str, *shape: int) -> Any:
+        """Return a function that selects a port, in a shape, of all signals."""
+        count = int(np.prod(shape))
+        return columns([self.column[f"{port}[{k}]"] for k in range(count)], *shape)
 
 
 @dataclass(eq=False)
@@ -147,6 +160,22 @@ def port_variables(
         series = columns(port_columns, *port_dims)
         variables[name] = Series(("time", *port_dims), series, unit)
     return variables, axes
+
+
+@lru_cache(maxsize=64)
+def diagram_template(
+    name: str, labels: Labels, units: Labels, states: Labels
+) -> DatasetTemplate:
+    """Return the template of any diagram's runs: a variable for each port, and the states.
+
+    `labels` and `units` are those of the signals.
+    """
+    ports = ports_of(labels)
+    port_units = {port: units[indices[0]] for port, indices in ports.items()}
+    reserved = ("time", "state", "states")
+    variables, axes = port_variables(ports, {}, reserved, port_units)
+    attributes = {"title": f"Response of {name}"}
+    return DatasetTemplate(variables, axes, attributes, states=states)
 
 
 def columns(indices: Sequence[int], *shape: Any) -> Callable[[np.ndarray], np.ndarray]:

@@ -1,13 +1,16 @@
-"""Prepared runs of diagrams of any blocks, also of python-control's systems without change.
+"""Prepared runs of wired systems: blocks, their engine and the template of their Dataset.
 
-The Dataset of a `closed_loop` has the variables of its scenario's run; that of any other diagram
-has a variable for each port.  Both carry a `RunRecord`, from which the run can be repeated.
+A prepared run integrates its system, computes all signals, and returns them as an
+`xarray.Dataset` with names, units and attributes.  A `DiagramRun` has any blocks, also systems of
+python-control without change.  The Dataset of a `closed_loop` has the variables of its scenario's
+run; that of any other diagram has a variable for each port.  Both have a `RunRecord`, from which
+the run can be repeated.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from warnings import catch_warnings, simplefilter
 
 import control
@@ -25,18 +28,80 @@ from ..engine.diagram.wiring import (
     wiring_of,
 )
 from ..engine.model.ports import ports_of, whole_labels
-from ..engine.solver.engine_choice import run_checked
+from ..engine.solver.engine_choice import make_runner, run_checked
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import steps_between
 from ..engine.solver.schedule import read_inputs
-from ..paper.scenario.file import EQUATIONS, OWN_PARTS, REFERENCE
-from .dataset import changed_parameters, diagram_template, scenario_template
-from .dataset_template import DatasetTemplate
-from .flows import unlike_controller
-from .initial_states import stacked_state, state_columns
-from .loops import ClosedLoop
+from ..engine.solver.termination import Solution
+from ..paper.scenario.run_constants import EQUATIONS, MOST_BYTES, OWN_PARTS, REFERENCE
+from .dataset_template import DatasetTemplate, Signals, diagram_template
+from .run_arguments import stacked_state
 from .serialization.run_record import CONDITIONS, RunRecord
-from .system_runs import SystemRun, state_labels
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .loops import ClosedLoop
+
+COPIES = 4  # copies of each number in memory during a run, measured
+
+
+class SystemRun:
+    """A wired system that is ready to run."""
+
+    initial_state: np.ndarray  # default of a run
+    template: Any  # a `DatasetTemplate`
+    scenario: Any = None  # of a single vehicle
+
+    def __init__(self, name: str, wiring: Wiring, params: Any, engine: str | None):
+        self.name = name
+        self.wiring = wiring
+        self.params = params
+        self.runner = make_runner(wiring, params, engine, name)
+
+    @property
+    def labels(self) -> list[str]:
+        """The labels of all signals."""
+        blocks = [node.system for node in self.wiring.nodes]
+        return [
+            label for block in blocks for label in whole_labels(block.output_labels)
+        ]
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """The parameters of each block, by name."""
+        names = [node.name for node in self.wiring.nodes]
+        return dict(zip(names, self.runner.sweep.parameters, strict=True))
+
+    def signals(self, labels: list[str]) -> Signals:
+        """Return the columns of labelled signals, and the parameters of the blocks."""
+        return Signals({label: k for k, label in enumerate(labels)}, self.parameters)
+
+    @cached_property
+    def max_speed(self) -> float | None:
+        """The largest speed of a single vehicle, units.length per units.time, or None."""
+        return getattr(self.parameters.get("speed_limit"), "max_speed", None)
+
+    def check_memory(self, samples: int) -> None:
+        """Raise `SimulationError` if the samples would not fit into memory."""
+        numbers = self.runner.nstates + self.runner.nsignals
+        size = 8 * COPIES * numbers * samples
+        if size > MOST_BYTES:
+            raise SimulationError(
+                f"timepts: {samples} samples of {numbers} states and signals would take "
+                f"{size / 1e9:.3g} GB of memory; at most {MOST_BYTES / 1e9:g} are allowed: give "
+                "fewer times"
+            )
+
+    def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
+        """Integrate from the default initial state; return a Dataset."""
+        self.check_memory(len(times))
+        solution = self.runner.run(self.initial_state, times, **options)
+        return self.dataset(solution, self.runner.signals(solution))
+
+    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
+        """Return a solution and its signals with names, units and attributes."""
+        return self.template.filled(solution, signals)
 
 
 class DiagramRun(SystemRun):
@@ -83,7 +148,9 @@ class DiagramRun(SystemRun):
         self.check_memory(len(every))
         state = stacked_state("initial_state", initial_state, self.runner.nstates)
         if self.experiment is not None:
-            self._check_initial_alpha(state)
+            from .initial_states import check_initial_alpha
+
+            check_initial_alpha(self, state)
         options["inputs"] = u
         solution, blocks = run_checked(
             self.runner, self.name, state, every, self.params, **options
@@ -95,6 +162,8 @@ class DiagramRun(SystemRun):
         signals = self._signal_map @ np.vstack([blocks.T, u.along(solution.t)])
         run = self.dataset(solution, signals.T)
         if self.loop is not None and {"x", "zc"} <= {*self.loop.external}:
+            from .flows import unlike_controller
+
             sentence = unlike_controller(run, self.loop.scenario)
             run.attrs["message"] += sentence and f"; {sentence}"
         conditions = {
@@ -103,21 +172,6 @@ class DiagramRun(SystemRun):
         conditions |= {"timepts": times.copy(), "initial_state": state}
         run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
         return run
-
-    def _check_initial_alpha(self, state: np.ndarray) -> None:
-        """Raise an error if alpha(0) is not the alpha_0 that the law's readout assumes."""
-        columns = state_columns(node.system for node in self.wiring.nodes)
-        error_columns = columns.get(self.scenario.learning.row.error_left)
-        if not error_columns or not np.all(state[error_columns] == 1):
-            return
-        for p in self.runner.sweep.parameters:
-            if "alpha_0" not in p._fields:
-                continue
-            if np.any(state[columns["alpha"]] != np.ravel(p.alpha_0)):
-                raise SimulationError(
-                    "initial_state: alpha is not adaptation.alpha_0, of which the readout is made. "
-                    "Give both, or learning.parameters of the scenario"
-                )
 
     @cached_property
     def is_unchanged(self) -> bool:
@@ -153,6 +207,9 @@ class DiagramRun(SystemRun):
             return diagram_template(
                 self.name, tuple(labels), tuple(units), tuple(self.states)
             )
+
+        from .dataset import changed_parameters, scenario_template
+
         attributes = changed_parameters(self.params, self.experiment.beyond_scenario)
         ports = {port: units[columns[0]] for port, columns in ports_of(labels).items()}
         return scenario_template(
@@ -185,6 +242,14 @@ def labels_of(diagram: Any, wiring: Wiring) -> tuple[list[str], list[str], list[
         # python-control has a single label of several equal ones
         states = state_labels(wiring)
     return labelled.output_labels, labelled.input_labels, states
+
+
+def state_labels(wiring: Wiring) -> list[str]:
+    """Return the names of all states in python-control's form, block_state."""
+    nodes = [(node.name.replace(".", "_"), node.system) for node in wiring.nodes]
+    return [
+        f"{name}_{label}" for name, system in nodes for label in system.state_labels
+    ]
 
 
 def signal_units(wiring: Wiring) -> list[str]:

@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..base.arguments import numbers, public
-from ..base.errors import DataError, DiagramError
-from ..base.progress import warn
+from ..base.arguments import public
+from ..base.errors import DataError, DiagramError, SimulationError
 from ..engine.diagram.interconnection import Diagram
 from ..engine.diagram.wiring import Part, leaves, output_ports
 from ..engine.model.block import Block
 from ..engine.model.system import is_linear
-from ..engine.solver.schedule import checked_state
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.quantities import STARTS
@@ -24,25 +22,6 @@ from .loop_blocks import paper_blocks
 
 if TYPE_CHECKING:
     import xarray
-
-
-def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
-    """Return `count` states in the forms of python-control; None is zero.
-
-    A list, ``[x0, 0]``, is a sequence of numbers and arrays; a last zero is repeated.
-    """
-    if state is None:
-        return np.zeros(count)
-    if isinstance(state, list | tuple) and not all(map(np.isscalar, state)):
-        state = np.concatenate([numbers(name, value).ravel() for value in state])
-    else:
-        state = numbers(name, state)
-        state = state.ravel() if state.ndim else state
-    if 0 < np.size(state) < count and np.ndim(state) == 1:
-        if state[-1] != 0:
-            warn(f"{name} is too short: filled with zeros")
-        state = np.pad(state, (0, count - len(state)))
-    return checked_state(name, state, (count,))
 
 
 def state_columns(blocks: Iterable[Part]) -> dict[str, slice]:
@@ -96,6 +75,22 @@ def state_of(
         if port in values:
             state[column] = np.ravel(values[port])
     return state
+
+
+def check_initial_alpha(run: Any, state: np.ndarray) -> None:
+    """Raise an error if alpha(0) is not the alpha_0 that the readout of a run's law assumes."""
+    columns = state_columns(node.system for node in run.wiring.nodes)
+    error_columns = columns.get(run.scenario.learning.row.error_left)
+    if not error_columns or not np.all(state[error_columns] == 1):
+        return
+    for p in run.runner.sweep.parameters:
+        if "alpha_0" not in p._fields:
+            continue
+        if np.any(state[columns["alpha"]] != np.ravel(p.alpha_0)):
+            raise SimulationError(
+                "initial_state: alpha is not adaptation.alpha_0, of which the readout is made. "
+                "Give both, or learning.parameters of the scenario"
+            )
 
 
 @public

@@ -18,26 +18,23 @@ from ..engine.diagram.wiring import Sizes
 from ..engine.model.system import linear
 from ..engine.solver.runner import checked_method
 from ..engine.solver.schedule import checked_times
-from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.team import Team
 from .diagram_runs import DiagramRun
-from .flows import note_speeds, speeds_of
-from .initial_states import initial_state as initial_state_of
-from .loops import closed_loop
 from .run_arguments import inputs_by_name, inputs_count, state_by_name, with_jumps
-from .run_cache import cached_run, diagram_key, scenario_key
+from .run_cache import cached_run, diagram_key
 from .serialization.run_record import note_arguments
-from .system_runs import ScenarioRun, TeamRun
 
 if TYPE_CHECKING:
     import xarray
+
+    from ..paper.scenario.experiment import Scenario
+    from ..paper.scenario.team import Team
 
 Times = Sequence[float] | np.ndarray
 
 
 @public
 def simulate(
-    system: Scenario | Team | control.InputOutputSystem,
+    system: "Scenario | Team | control.InputOutputSystem",
     timepts: Times | None = None,
     inputs: Any = None,
     initial_state: Any = None,
@@ -133,30 +130,18 @@ def simulate(
     own = {"timepts": timepts, "first_step": first_step, "engine": engine}
     own["max_step"] = None if max_step == np.inf else max_step
     skipped = 0  # samples before the caller's
-    if isinstance(system, Scenario | Team):
-        if stop is not None:
-            raise SimulationError(
-                "stop: is for a diagram. Simulate closed_loop(scenario) with it"
-            )
-        if inputs is not None:
-            raise SimulationError(
-                "inputs: a scenario has none. Simulate closed_loop(..., external=)"
-            )
-        timepts, skipped = _times_from_zero(system, timepts)
-        if initial_state is not None or params:
-            if isinstance(system, Team):
-                raise SimulationError(
-                    "initial_state, params: a team has its own. Change its scenarios, or simulate "
-                    "closed_loop(team)"
-                )
-            system = closed_loop(system)
+    if not isinstance(system, control.InputOutputSystem):
+        from .loops import closed_loop
+        from .scenario_runs import refuse_arguments, simulated
 
-    if isinstance(system, Scenario | Team):
-        key = scenario_key(system, *solver.values(), engine)
-        system = _with_solver(system, solver)
-        run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
-        with cached_run(key, lambda: run_type(system, engine)) as run:
-            data = run.run(timepts, **system.run.solver, **steps)
+        given = {"inputs": inputs, "initial_state": initial_state, "params": params}
+        refuse_arguments(system, stop=stop, **given)
+        times, skipped = _times_from_zero(system, timepts)
+        if initial_state is not None or params:
+            system, timepts = closed_loop(system), times
+
+    if not isinstance(system, control.InputOutputSystem):
+        run, data = simulated(system, times, engine, solver, steps)
     else:
         request = request_of(system, timepts, inputs, initial_state, **solver, **steps)
         skipped += request.skipped
@@ -177,31 +162,20 @@ def simulate(
         data = data.isel(time=slice(skipped, None))
     note_arguments(data, own, skipped)
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
+        from .flows import note_speeds, speeds_of
+
         note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)
     return data
 
 
 def _times_from_zero(
-    experiment: Scenario | Team, timepts: Any
+    experiment: "Scenario | Team", timepts: Any
 ) -> tuple[np.ndarray, int]:
     """Return the times of a run from t = 0, and the number of times before `timepts`."""
     run = experiment.run
     times = sample_times(run.duration, run.output_step) if timepts is None else timepts
     times = checked_times("timepts", times)
     return (times, 0) if times[0] == 0 else (np.concatenate([[0.0], times]), 1)
-
-
-def _with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
-    """Return a scenario or a team with tolerances and method that are not None."""
-    values = {f"run.{key}": value for key, value in solver.items() if value is not None}
-    if not values:
-        return system
-    if isinstance(system, Scenario):
-        return system.with_values(values)
-    members = {
-        name: scenario.with_values(values) for name, scenario in system.members.items()
-    }
-    return Team(members=members, edges=system.edges, coupling=system.coupling)
 
 
 class RunRequest(NamedTuple):
@@ -233,15 +207,19 @@ class RunRequest(NamedTuple):
 
 def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
     """Return a system as a diagram, and the arguments of its run that it has itself."""
-    if isinstance(system, Scenario):
+    if not isinstance(system, control.InputOutputSystem):
+        from .loops import closed_loop
+
         system = closed_loop(system)
     if isinstance(system, control.TransferFunction):
         system = linear(system)
     loop = getattr(system, "origin", None)
     if loop is None:
         return system, getattr(system, "recorded", None) or {}
+    from .initial_states import initial_state
+
     own_arguments = {**loop.scenario.run.solver, **(system.recorded or {})}
-    return system, {**own_arguments, "initial_state": initial_state_of(system)}
+    return system, {**own_arguments, "initial_state": initial_state(system)}
 
 
 def request_of(

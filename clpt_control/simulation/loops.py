@@ -28,8 +28,8 @@ from ..paper.blocks import clpe
 from ..paper.laws.consensus import consensus_block, pulled_law
 from ..paper.laws.table import LAWS
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import OWN_LAW, OWN_PARTS
 from ..paper.scenario.quantities import call_time_hint
+from ..paper.scenario.run_constants import OWN_LAW, OWN_PARTS
 from ..paper.scenario.team import TEAM_LAW, Team
 from .loop_blocks import changed_blocks, remaining_blocks
 from .user_components import UNCHANGED, Changes, changes_of

@@ -12,8 +12,9 @@ import numpy as np
 
 from ..base.arguments import nearest, numbers
 from ..base.errors import SimulationError
+from ..base.progress import warn
 from ..engine.model.ports import ports_of
-from ..engine.solver.schedule import Inputs, read_inputs, stacked
+from ..engine.solver.schedule import Inputs, checked_state, read_inputs, stacked
 
 
 def inputs_count(diagram: Any, inputs: Any, times: np.ndarray) -> int:
@@ -35,6 +36,25 @@ def with_jumps(diagram: Any, timepts: Any, inputs: Any) -> tuple[Any, Any]:
     if inputs is not None:
         inputs = read_inputs(inputs, times, inputs_count(diagram, inputs, times))
     return np.unique(times), inputs
+
+
+def stacked_state(name: str, state: Any, count: int) -> np.ndarray:
+    """Return `count` states in the forms of python-control; None is zero.
+
+    A list, ``[x0, 0]``, is a sequence of numbers and arrays; a last zero is repeated.
+    """
+    if state is None:
+        return np.zeros(count)
+    if isinstance(state, list | tuple) and not all(map(np.isscalar, state)):
+        state = np.concatenate([numbers(name, value).ravel() for value in state])
+    else:
+        state = numbers(name, state)
+        state = state.ravel() if state.ndim else state
+    if 0 < np.size(state) < count and np.ndim(state) == 1:
+        if state[-1] != 0:
+            warn(f"{name} is too short: filled with zeros")
+        state = np.pad(state, (0, count - len(state)))
+    return checked_state(name, state, (count,))
 
 
 # --- by name -------------------------------------------------------------------------------------

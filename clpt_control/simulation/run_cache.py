@@ -19,8 +19,6 @@ from ..engine.model.sampled import Sampled
 from ..engine.model.system import System, given_units
 from ..engine.trace.arrays import Unread
 from ..engine.trace.fingerprint import reachable
-from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.team import Team
 
 MAX_RUNS = 16  # cached runs
 _CACHE: dict[Any, Any] = {}
@@ -45,14 +43,6 @@ def cached_run(key: Key | None, make: Callable[[], Any]) -> Iterator[Any]:
         _CACHE[cache_key] = objects, run
         for oldest in list(_CACHE)[:-MAX_RUNS]:
             _CACHE.pop(oldest, None)
-
-
-def scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
-    """Return the key of a run of the package's own blocks; None if a file is read."""
-    scenarios = system.members.values() if isinstance(system, Team) else [system]
-    if any(scenario.field_path is not None for scenario in scenarios):
-        return None
-    return (id(system), *options), system
 
 
 def diagram_key(diagram: Any, params: Params, *options: Any) -> Key | None:

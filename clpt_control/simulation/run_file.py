@@ -14,8 +14,19 @@ from ..base.files import write_file
 from ..base.files.reading import open_netcdf
 from ..engine.diagram.interconnection import Diagram
 from ..paper.scenario import file
-from ..paper.scenario.experiment import MOST_BYTES, Scenario
+from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import check_response, check_run, is_response
+from ..paper.scenario.run_constants import (
+    ARGUMENTS,
+    CHANGED,
+    EQUATIONS,
+    FORM,
+    MOST_BYTES,
+    NOT_REPEATED,
+    OWN_LAW,
+    OWN_PARTS,
+    TEAM,
+)
 from ..paper.scenario.team import Team, system_of_run, team_to_text
 from .loops import closed_loop
 from .serialization.run_record import (
@@ -31,7 +42,7 @@ if TYPE_CHECKING:
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
 LOST = "it was saved without them, by another way than clpt.save_run"
 # attributes for changes of a loop that are not in its scenario
-BEYOND = (file.OWN_LAW, file.OWN_PARTS, file.CHANGED)
+BEYOND = (OWN_LAW, OWN_PARTS, CHANGED)
 
 
 @public
@@ -74,21 +85,21 @@ def save_run(run: "xarray.Dataset", path: str | Path) -> None:
 def as_written(run: "xarray.Dataset", path: Path) -> "xarray.Dataset":
     """Return a run with the attributes of its file; paths of the scenario are relative to it."""
     attributes: dict[str, str] = {}
-    if {"scenario", file.TEAM} & run.attrs.keys():
+    if {"scenario", TEAM} & run.attrs.keys():
         system = system_of_run(run)
         if isinstance(system, Team):
-            attributes[file.TEAM] = team_to_text(system, path.parent)
+            attributes[TEAM] = team_to_text(system, path.parent)
         else:
             attributes["scenario"] = file.scenario_to_text(system, path.parent)
     if arguments := arguments_text(run):
-        attributes[file.ARGUMENTS] = arguments
+        attributes[ARGUMENTS] = arguments
     equations, reason = equations_text(run)
     if equations:
-        attributes[file.EQUATIONS] = equations
+        attributes[EQUATIONS] = equations
     elif is_response(run):
-        reason = reason or run.attrs.get(file.NOT_REPEATED, LOST)
-        attributes[file.NOT_REPEATED] = reason
-    return run.assign_attrs({**attributes, file.FORM: file.LATEST})
+        reason = reason or run.attrs.get(NOT_REPEATED, LOST)
+        attributes[NOT_REPEATED] = reason
+    return run.assign_attrs({**attributes, FORM: file.LATEST})
 
 
 @public
@@ -131,14 +142,14 @@ def load_run(path: str | Path) -> "xarray.Dataset":
         else:
             system = system_of_run(run, files=False)
             check_run(run, system, "time", "position", "predicted_position", "clpe")
-        if text := str(run.attrs.pop(file.EQUATIONS, "")):
+        if text := str(run.attrs.pop(EQUATIONS, "")):
             diagram_of_text(text)
-            run.encoding[file.EQUATIONS] = text
-        if text := str(run.attrs.pop(file.ARGUMENTS, "")):
-            run.encoding[file.ARGUMENTS] = arguments_of_text(text)
+            run.encoding[EQUATIONS] = text
+        if text := str(run.attrs.pop(ARGUMENTS, "")):
+            run.encoding[ARGUMENTS] = arguments_of_text(text)
     except ClptError as error:
         raise DataError(f"{path}: {error}") from None
-    run.attrs.pop(file.FORM, None)  # of the file, not of the run
+    run.attrs.pop(FORM, None)  # of the file, not of the run
     run.encoding["folder"] = str(Path(path).parent)
     return run
 
@@ -156,7 +167,7 @@ def repeats_by_equations(path: Path) -> bool:
         return False
     with open_netcdf(path) as data:
         attributes = data.attrs.keys()
-        if file.EQUATIONS not in attributes:
+        if EQUATIONS not in attributes:
             return False
         return "scenario" not in attributes or not attributes.isdisjoint(BEYOND)
 
@@ -166,7 +177,7 @@ def recorded_arguments(path: Path) -> dict[str, Any]:
     if path.suffix != ".nc":
         return {}
     with open_netcdf(path) as data:
-        text = str(data.attrs.get(file.ARGUMENTS, ""))
+        text = str(data.attrs.get(ARGUMENTS, ""))
     try:
         return arguments_of_text(text)
     except ClptError as error:
@@ -208,13 +219,13 @@ def load_diagram(path: str | Path) -> Diagram:
     with open_netcdf(Path(path)) as data:
         file.check_form(data.attrs, path)
         attributes = {name: str(value) for name, value in data.attrs.items()}
-    text = attributes.get(file.EQUATIONS)
+    text = attributes.get(EQUATIONS)
     if not text and "scenario" in attributes:
         loop = closed_loop(file.load_vehicle_scenario(path))
         loop.recorded = recorded_arguments(Path(path))
         return loop
     if not text:
-        reason = attributes.get(file.NOT_REPEATED)
+        reason = attributes.get(NOT_REPEATED)
         raise DataError(
             f"{path}: contains no equations{f': {reason}' if reason else ''}"
         )

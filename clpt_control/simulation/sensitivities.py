@@ -32,10 +32,10 @@ from ..engine.solver.schedule import read_inputs
 from ..engine.solver.termination import Solution
 from ..engine.trace.arrays import Unread
 from ..paper.scenario.experiment import Scenario
-from .dataset import diagram_template
+from .dataset_template import diagram_template
 from .diagram_runs import compiled, signal_units
-from .initial_states import stacked_state
 from .integrate import request_of
+from .run_arguments import stacked_state
 from .sensitivity_names import START, varied_numbers
 
 if TYPE_CHECKING:

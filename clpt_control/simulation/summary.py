@@ -18,8 +18,8 @@ import numpy as np
 from ..base.arguments import check_holds
 from ..base.errors import DataError
 from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import ARGUMENTS
 from ..paper.scenario.recorded_run import unknown_parts
+from ..paper.scenario.run_constants import ARGUMENTS
 from ..paper.scenario.team import Team
 from .flows import explained_variance, flow_error, speeds_of
 from .integrate import sample_times, simulate

@@ -11,8 +11,8 @@ import numpy as np
 
 from ..base.arguments import public
 from ..base.figures import COLOURS, GREY, TITLE, axes_for, figure_of
-from ..paper.scenario.file import TEAM
 from ..paper.scenario.recorded_run import check_run
+from ..paper.scenario.run_constants import TEAM
 from ..paper.scenario.team import team_of_run
 from .comparison import response_plot
 from .run_plots import clpe_plot, learning_plot

@@ -1,6 +1,7 @@
 """A second run of a diagram is ready at once; whatever changed in between counts."""
 
 import functools
+import subprocess
 import sys
 import threading
 import types
@@ -204,6 +205,22 @@ def test_threads_that_run_one_diagram_do_not_share_arrays():
         for start, runs in zip(starts, pool.map(runs_from, starts), strict=True):
             expected = np.tile(start * np.exp(-TIMES), (10, 1))
             np.testing.assert_allclose(runs, expected, rtol=1e-7)
+
+
+DIAGRAM = """
+import sys
+import control, numpy as np, clpt_control as clpt
+decay = control.nlsys(lambda t, x, u, p: -x, states=1, inputs=0, name="decay")
+run = clpt.simulate(decay, [0.0, 1.0], initial_state=1.0)
+assert abs(run.states[-1, 0] - np.exp(-1.0)) < 1e-7
+print(*{"pydantic", "clpt_control.paper.scenario.experiment"} & sys.modules.keys())
+assert run.clpt.kind == "diagram"
+"""
+
+
+def test_the_run_of_a_diagram_imports_no_scenario():
+    done = subprocess.run([sys.executable, "-c", DIAGRAM], capture_output=True)
+    assert (done.stdout.strip(), done.stderr) == (b"", b"")
 
 
 SHORT = clpt.paper_scenario().with_values({"run.duration": 5})

@@ -18,8 +18,8 @@ from ...base.arguments import check_holds, public
 from ...base.errors import ArgumentError, DataError
 from ...base.files import atomic_path, check_writable, write_file
 from ...engine.model.ports import ports_of
-from ...paper.scenario.file import BEYOND
 from ...paper.scenario.recorded_run import kind_of
+from ...paper.scenario.run_constants import BEYOND
 from ...simulation.comparison import named, ports_along, response_of, signals_of
 from ...simulation.initial_states import state_at
 from ...simulation.loops import closed_loop

@@ -13,7 +13,7 @@ from xarray import Dataset
 from ...base.html import Result, shortened
 from ...base.units import percent
 from ...paper.scenario.experiment import Scenario
-from ...paper.scenario.file import TEAM
+from ...paper.scenario.run_constants import TEAM
 from ...paper.scenario.team import Team
 from ...simulation.summary import SUMMARY, ending_of, figures_of
 

@@ -136,7 +136,8 @@ def run_segments(
 
 def run_scenario(run: xarray.Dataset) -> Scenario:
     """Return the scenario that a run carries."""
-    from ...paper.scenario.file import BEYOND, CHANGED, OWN_PARTS, scenario_of_run
+    from ...paper.scenario.file import scenario_of_run
+    from ...paper.scenario.run_constants import BEYOND, CHANGED, OWN_PARTS
 
     for attribute in (CHANGED, OWN_PARTS):
         if attribute in run.attrs:

@@ -26,11 +26,11 @@ from ..laws.table import LAWS
 from . import tables
 from .learning import Learning
 from .quantities import QUANTITIES
+from .run_constants import MOST_BYTES
 from .tidal_periods import period
 
 Nested = dict[str, Any]  # tables of a scenario, as TOML has them
 MOST_JUMPS = 10**7  # of one block in a run
-MOST_BYTES = 4 * 10**9  # memory of a run
 STARTING = "vehicle", "learning"  # tables that have a position
 DEGREES = 3.0  # lengths this near to the origin's latitude and longitude are degrees
 FINE = 2000  # samples of a run in addition to those of its output

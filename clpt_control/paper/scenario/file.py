@@ -18,31 +18,10 @@ from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
+from .run_constants import BEYOND, FORM, NOT_REPEATED, OWN_PARTS, TEAM
 
-CHANGED = "parameters_changed"  # attribute of a run: parameters given at call time
-# attribute of a team's run, in place of its scenario: the team as TOML text
-TEAM = "team"
-OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
-# attribute of a run: other blocks of its diagram that were given in Python
-OWN_PARTS = "own_parts"
-REFERENCE = "reference"  # name of the block of the waypoints
-EQUATIONS = "equations"  # attribute of a diagram's run: its equations, as JSON
-ARGUMENTS = "arguments"  # of a scenario's run: times and steps that are not the scenario's, JSON
-NOT_REPEATED = (
-    "not_repeated"  # attribute of a diagram's run: the reason for no equations
-)
-FORM = "run_format"  # attribute of a run's file: the number of its format; default 1
 LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read
-IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
-BEYOND = {  # attribute of a run -> change that its scenario does not have, remedy in Python
-    CHANGED: (
-        "parameters given at call time",
-        "the parameters to simulate(params=...)",
-    ),
-    OWN_LAW: ("a law given in Python", IN_PYTHON),
-    OWN_PARTS: ("parts given in Python", IN_PYTHON),
-}
 
 
 def load_vehicle_scenario(path: str | Path) -> Scenario:

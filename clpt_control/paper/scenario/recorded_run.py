@@ -12,7 +12,8 @@ from ...base.errors import DataError
 from ...engine.model.block import evaluate
 from ..blocks.vehicle import vehicle_controller
 from .experiment import Scenario
-from .file import CHANGED, REFERENCE, TEAM, own_parts
+from .file import own_parts
+from .run_constants import CHANGED, REFERENCE, TEAM
 from .team import Team
 
 if TYPE_CHECKING:

@@ -29,6 +29,7 @@ from ...base.errors import DataError, ScenarioError
 from ...base.html import facts, fragment, shortened
 from . import file
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
+from .run_constants import TEAM
 from .tables import Run, Table
 
 TEAM_LAW = "learned-flow"
@@ -298,7 +299,7 @@ def _table(value: Any, where: str) -> Nested:
 
 def team_of_run(run: Any) -> Team:
     """Return the team that a run carries."""
-    if file.TEAM not in getattr(run, "attrs", {}):
+    if TEAM not in getattr(run, "attrs", {}):
         raise DataError(
             f"{brief(run)}: must be a Team or a team's run; clpt.load_scenario and "
             "clpt.load_run read them"
@@ -310,11 +311,11 @@ def team_of_run(run: Any) -> Team:
 def system_of_run(run: Any, files: bool = True) -> Scenario | Team:
     """Return the scenario or team that a run carries; with `files` its field's file must exist."""
     attributes = getattr(run, "attrs", {})
-    if file.TEAM in attributes and "scenario" in attributes:
+    if TEAM in attributes and "scenario" in attributes:
         raise DataError(
             "the run carries a scenario and a team; must be of one of the two"
         )
-    if file.TEAM not in attributes:
+    if TEAM not in attributes:
         return file.scenario_of_run(run, files)
     folder = file.folder_of(run) if files else None
-    return system_from_text(str(attributes[file.TEAM]), "the run", folder)
+    return system_from_text(str(attributes[TEAM]), "the run", folder)

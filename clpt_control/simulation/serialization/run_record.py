@@ -16,7 +16,7 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.solver.native_diagram import NativeDiagram
 from ...engine.solver.schedule import Inputs
 from ...engine.trace.arrays import Unread
-from ...paper.scenario.file import ARGUMENTS, EQUATIONS, TEAM
+from ...paper.scenario.run_constants import ARGUMENTS, EQUATIONS, TEAM
 from .diagrams import diagram_of, plain_diagram
 from .records import plain_data
 

@@ -1,9 +1,6 @@
-"""Prepared runs of a scenario and of a team: wired blocks, their engine and their Dataset.
+"""Prepared runs of a scenario and of a team."""
 
-A prepared run integrates its system, computes all signals, and returns them as an
-`xarray.Dataset` with names, units and attributes.  Diagrams of any blocks: `diagram_runs`.
-"""
-
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -11,85 +8,26 @@ import numpy as np
 
 from ..base.errors import SimulationError
 from ..engine.diagram.interconnection import wiring_of_blocks
-from ..engine.diagram.wiring import Wiring
-from ..engine.model.ports import split, whole_labels
-from ..engine.solver.engine_choice import make_runner
+from ..engine.model.ports import split
 from ..engine.solver.termination import Solution
 from ..paper.blocks.localization import TRUE
-from ..paper.scenario.experiment import MOST_BYTES, Scenario
-from ..paper.scenario.file import TEAM
+from ..paper.scenario.experiment import Scenario
+from ..paper.scenario.run_constants import TEAM
 from ..paper.scenario.team import Team, team_to_text
-from .dataset import Signals, scenario_template
-from .dataset_template import STATE, STATES, DatasetTemplate
+from .dataset import scenario_template
+from .dataset_template import STATE, STATES, DatasetTemplate, Signals
+from .diagram_runs import SystemRun, state_labels
 from .flows import faster_flow, speeds_of
 from .initial_states import state_of
 from .loop_blocks import paper_blocks
 from .loops import team_blocks
+from .run_cache import Key, cached_run
 
 if TYPE_CHECKING:
     import xarray
 
-COPIES = 4  # copies of each number in memory during a run, measured
 # signals of a vehicle with noise or a speed limit, and their equals in a vehicle without
 EQUAL_PORTS = {"v_c": "v_x", TRUE: "x"}
-
-
-class SystemRun:
-    """A wired system that is ready to run."""
-
-    initial_state: np.ndarray  # default of a run
-    template: Any  # a `DatasetTemplate`
-    scenario: Any = None  # of a single vehicle
-
-    def __init__(self, name: str, wiring: Wiring, params: Any, engine: str | None):
-        self.name = name
-        self.wiring = wiring
-        self.params = params
-        self.runner = make_runner(wiring, params, engine, name)
-
-    @property
-    def labels(self) -> list[str]:
-        """The labels of all signals."""
-        blocks = [node.system for node in self.wiring.nodes]
-        return [
-            label for block in blocks for label in whole_labels(block.output_labels)
-        ]
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """The parameters of each block, by name."""
-        names = [node.name for node in self.wiring.nodes]
-        return dict(zip(names, self.runner.sweep.parameters, strict=True))
-
-    def signals(self, labels: list[str]) -> Signals:
-        """Return the columns of labelled signals, and the parameters of the blocks."""
-        return Signals({label: k for k, label in enumerate(labels)}, self.parameters)
-
-    @cached_property
-    def max_speed(self) -> float | None:
-        """The largest speed of a single vehicle, units.length per units.time, or None."""
-        return getattr(self.parameters.get("speed_limit"), "max_speed", None)
-
-    def check_memory(self, samples: int) -> None:
-        """Raise `SimulationError` if the samples would not fit into memory."""
-        numbers = self.runner.nstates + self.runner.nsignals
-        size = 8 * COPIES * numbers * samples
-        if size > MOST_BYTES:
-            raise SimulationError(
-                f"timepts: {samples} samples of {numbers} states and signals would take "
-                f"{size / 1e9:.3g} GB of memory; at most {MOST_BYTES / 1e9:g} are allowed: give "
-                "fewer times"
-            )
-
-    def run(self, times: np.ndarray, **options: Any) -> "xarray.Dataset":
-        """Integrate from the default initial state; return a Dataset."""
-        self.check_memory(len(times))
-        solution = self.runner.run(self.initial_state, times, **options)
-        return self.dataset(solution, self.runner.signals(solution))
-
-    def dataset(self, solution: Solution, signals: np.ndarray) -> "xarray.Dataset":
-        """Return a solution and its signals with names, units and attributes."""
-        return self.template.filled(solution, signals)
 
 
 class ScenarioRun(SystemRun):
@@ -178,9 +116,58 @@ class TeamRun(SystemRun):
         return notes
 
 
-def state_labels(wiring: Wiring) -> list[str]:
-    """Return the names of all states in python-control's form, block_state."""
-    nodes = [(node.name.replace(".", "_"), node.system) for node in wiring.nodes]
-    return [
-        f"{name}_{label}" for name, system in nodes for label in system.state_labels
-    ]
+# --- calls of `simulate` ------------------------------------------------------------------------
+
+
+def refuse_arguments(system: Scenario | Team, **given: Any) -> None:
+    """Raise an error for arguments of `simulate` that a scenario or a team does not have."""
+    if given["stop"] is not None:
+        raise SimulationError(
+            "stop: is for a diagram. Simulate closed_loop(scenario) with it"
+        )
+    if given["inputs"] is not None:
+        raise SimulationError(
+            "inputs: a scenario has none. Simulate closed_loop(..., external=)"
+        )
+    has_own = given["initial_state"] is not None or given["params"]
+    if has_own and isinstance(system, Team):
+        raise SimulationError(
+            "initial_state, params: a team has its own. Change its scenarios, or simulate "
+            "closed_loop(team)"
+        )
+
+
+def simulated(
+    system: Scenario | Team,
+    times: np.ndarray,
+    engine: str | None,
+    solver: Mapping[str, Any],
+    steps: Mapping[str, Any],
+) -> tuple[SystemRun, "xarray.Dataset"]:
+    """Return the prepared run of a scenario or a team, and its Dataset."""
+    key = _scenario_key(system, *solver.values(), engine)
+    system = _with_solver(system, solver)
+    run_type: Any = TeamRun if isinstance(system, Team) else ScenarioRun
+    with cached_run(key, lambda: run_type(system, engine)) as run:
+        return run, run.run(times, **system.run.solver, **steps)
+
+
+def _scenario_key(system: Scenario | Team, *options: Any) -> Key | None:
+    """Return the key of a run of the package's own blocks; None if a file is read."""
+    scenarios = system.members.values() if isinstance(system, Team) else [system]
+    if any(scenario.field_path is not None for scenario in scenarios):
+        return None
+    return (id(system), *options), system
+
+
+def _with_solver(system: Any, solver: Mapping[str, Any]) -> Any:
+    """Return a scenario or a team with tolerances and method that are not None."""
+    values = {f"run.{key}": value for key, value in solver.items() if value is not None}
+    if not values:
+        return system
+    if isinstance(system, Scenario):
+        return system.with_values(values)
+    members = {
+        name: scenario.with_values(values) for name, scenario in system.members.items()
+    }
+    return Team(members=members, edges=system.edges, coupling=system.coupling)
