@@ -30,7 +30,7 @@ from ..engine.solver import solver_layout as layout
 from ..engine.solver.batch import Batch
 from ..engine.solver.callee import Callee
 from ..engine.solver.engine_choice import make_runner, run_compared, warn_python
-from ..engine.solver.filippov import continue_run, may_continue
+from ..engine.solver.filippov import continue_run, continued_ends
 from ..engine.solver.schedule import Schedule
 from ..engine.solver.solver_layout import Status
 from ..engine.solver.termination import STUCK, Solution, sampled_start
@@ -219,8 +219,8 @@ class Ensemble:
             batch = self._solve(self.native.unlocked(), rows(stuck))
             replace_rows(result, stuck, batch)
         # 3. members that slide along switches, or jump at a level
-        ends = [may_continue(self.native, status) for status in result[1]]
-        for m in np.flatnonzero(ends).tolist():
+        unfinished = np.isin(result[1], continued_ends(self.native))
+        for m in np.flatnonzero(unfinished).tolist():
             run = members.P[m], members.x0[m], times, members.schedule(m)
             batch = self._solve_one(self.native, *run)
             continue_run(self.native, batch, self._solve_one)

@@ -65,10 +65,10 @@ Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
 # --- runs that slide ------------------------------------------------------------------------------
 
 
-def may_continue(diagram: Any, status: int) -> bool:
-    """Return whether a run that ended may go on: on switches, or behind a level."""
-    at_level = status == Status.GUARD_LEFT and diagram.sweep.resetting
-    return status == Status.CHATTERING or bool(at_level)
+def continued_ends(diagram: Any) -> list[int]:
+    """Return the statuses of runs that may go on: on switches, or behind a level."""
+    at_level = [Status.GUARD_LEFT] if diagram.sweep.resetting else []
+    return [Status.CHATTERING, *at_level]
 
 
 def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:

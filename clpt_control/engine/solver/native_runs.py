@@ -11,7 +11,7 @@ from ..methods.method import Method
 from ..methods.table import DISCRETE, IMPLICIT, METHODS, RK4
 from .batch import ANY, Batch, pace
 from .callee import MOST_KEPT, Callee, keep
-from .filippov import continue_run, may_continue
+from .filippov import continue_run, continued_ends
 from .runner import PythonDiagram, RunOptions
 from .schedule import Inputs, Schedule
 from .solver_layout import SIGNALS, Status
@@ -159,7 +159,7 @@ class NativeRuns(PythonDiagram):
             diagram._integrate(following, inputs, options, batch.times[-1])
             return following
 
-        if may_continue(self, batch.status[0]):
+        if batch.status[0] in continued_ends(self):
             continue_run(self, batch, begin)
 
     def method_of(self, method: str = "auto", step: float | None = None) -> Method:
