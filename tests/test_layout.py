@@ -120,6 +120,20 @@ def test_the_engine_imports_only_itself_and_helpers():
     assert above == []
 
 
+@pytest.mark.parametrize(
+    ("part", "above"),
+    [("record", {"trace", "model", "codegen", "solver"}), ("codegen", {"solver"})],
+)
+def test_parts_of_the_engine_import_no_part_above(part, above):
+    back = [
+        f"{name} imports {used}"
+        for name, used in edges()
+        if name.startswith(f"engine.{part}.")
+        and used.startswith(tuple(f"engine.{name}." for name in above))
+    ]
+    assert back == []
+
+
 RUN_OF_THE_ENGINE = """
 import sys
 

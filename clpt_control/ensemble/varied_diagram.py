@@ -30,10 +30,10 @@ from ..engine.diagram.interconnection import changed_parameters
 from ..engine.diagram.wiring import read_anew, units_of, wiring_of
 from ..engine.model.ports import ports_of
 from ..engine.model.system import System
+from ..engine.record.unread import Unread
 from ..engine.solver.runner import RunOptions
 from ..engine.solver.schedule import Inputs, read_inputs
 from ..engine.solver.solver_layout import Status
-from ..engine.trace.arrays import Unread
 from ..simulation.dataset_template import Axes, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
 from ..simulation.integrate import request_of

@@ -17,7 +17,7 @@ from ..engine.diagram.wiring import Params
 from ..engine.model.block import Block
 from ..engine.model.sampled import Sampled
 from ..engine.model.system import System, given_units
-from ..engine.trace.arrays import Unread
+from ..engine.record.unread import Unread
 from ..engine.trace.fingerprint import reachable
 
 MAX_RUNS = 16  # cached runs

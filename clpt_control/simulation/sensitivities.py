@@ -26,11 +26,11 @@ from ..engine.codegen.directional_derivatives import (
     put,
     value_at,
 )
+from ..engine.record.unread import Unread
 from ..engine.solver.engine_choice import run_compared
 from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.schedule import read_inputs
 from ..engine.solver.termination import Solution
-from ..engine.trace.arrays import Unread
 from ..paper.scenario.experiment import Scenario
 from .dataset_template import diagram_template
 from .diagram_runs import compiled, signal_units

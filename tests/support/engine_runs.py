@@ -18,12 +18,12 @@ from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
 from clpt_control.engine.methods.table import EXPLICIT, RK4
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.model.system import linear
+from clpt_control.engine.record.unread import Unread
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.solver.termination import sampled_start
-from clpt_control.engine.trace.arrays import Unread
 from clpt_control.engine.trace.fingerprint import reachable
 
 __all__ = [

@@ -25,8 +25,8 @@ from ..model.ports import places
 from ..model.system import System
 from ..record.graph import Operation, Record, bound
 from ..record.operations import named
-from ..solver.schedule import TimeTable
-from ..trace.arrays import Tape, Unread
+from ..record.unread import Unread
+from ..trace.arrays import Tape
 from .switching_conditions import LOCKED, Decisions, Port
 
 # an axis up to SHORT is unrolled, but from NAMED on where it has a name
@@ -56,6 +56,14 @@ class Slot(NamedTuple):
 
     array: str
     offset: int
+
+
+class TimeTable(NamedTuple):
+    """A table over time plus a constant, whose rows are breakpoints."""
+
+    times: np.ndarray  # of the rows
+    offset: int  # in P, of the number of rows before now
+    continuous: bool  # what is read there does not jump at a row
 
 
 @dataclass

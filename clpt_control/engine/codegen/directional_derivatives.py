@@ -21,10 +21,10 @@ from ..diagram.evaluation_order import unsampled
 from ..diagram.wiring import Wiring, call_names
 from ..model.block import Block
 from ..model.ports import ports_of
-from ..record.derivative import Direction
 from ..record.graph import reached
 from ..record.operations import JUMP, named
 from ..trace.arrays import operand
+from ..trace.derivative import Direction
 from ..trace.elementwise import elementwise, lifted
 from .diagram_record import DiagramRecord, is_read
 from .switching_conditions import Port

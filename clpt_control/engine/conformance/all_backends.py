@@ -35,11 +35,11 @@ from ..record.graph import Shape, bound
 from ..record.operations import ELEMENTWISE, named
 from ..record.scalar_graph import Index
 from ..record.symbolic import ON_NUMBERS, Symbols
+from ..record.unread import Unread
 from ..solver.evaluation_pass import Sweep
 from ..solver.native_diagram import NativeDiagram
 from ..solver.runner import PythonDiagram
 from ..solver.schedule import JUMPS
-from ..trace.arrays import Unread
 
 Values = tuple[np.ndarray, np.ndarray]  # state derivative and outputs
 

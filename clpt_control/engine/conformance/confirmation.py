@@ -22,7 +22,8 @@ from ..record.both_sides import (
     points_on_both_sides,
 )
 from ..record.graph import Record
-from ..trace.arrays import Tape, reading_on
+from ..record.unread import reading_on
+from ..trace.arrays import Tape
 from ..trace.isolation import isolated
 
 CLOSE = 1e-7  # relative: rounding of terms that cancel, not another execution path

@@ -17,7 +17,7 @@ from ..model.ports import places
 from ..model.sampled import Sampled
 from ..model.system import is_linear, with_constants
 from ..record.scalar_graph import InputsOf
-from ..trace.arrays import Unread
+from ..record.unread import Unread
 
 TEST_POINTS = 3  # for the feedthrough of a function that cannot be traced
 

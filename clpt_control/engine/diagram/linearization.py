@@ -24,11 +24,12 @@ from ...base.progress import warn
 from ..conformance.confirmation import drawn_around
 from ..model.block import Block
 from ..model.ports import bare_labels, ports_of
-from ..record.derivative import Direction
 from ..record.graph import Shape, compact, evaluated, reached
 from ..record.operations import FOLDS, named
+from ..record.unread import Unread
 from ..solver.solver_layout import OUTSIDE
-from ..trace.arrays import Tape, Unread, operand
+from ..trace.arrays import Tape, operand
+from ..trace.derivative import Direction
 from ..trace.elementwise import lifted
 from .interconnection import Diagram, changed_parameters
 from .merged_record import TapeRecord

@@ -19,7 +19,8 @@ import numpy as np
 from ..model.block import Block
 from ..model.ports import counts_of, places
 from ..record.graph import Operation, Record, Ref, Shape
-from ..trace.arrays import Tape, Unread, objects, operand
+from ..record.unread import Unread
+from ..trace.arrays import Tape, objects, operand
 from ..trace.elementwise import lifted, spread
 from .wiring import Node, Part, Row, Wiring
 

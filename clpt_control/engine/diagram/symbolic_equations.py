@@ -25,7 +25,8 @@ from ..model.system import is_linear
 from ..record.graph import Shape
 from ..record.guards import branches_of, guarded
 from ..record.symbolic import LONG, Symbols, extent, rational
-from ..trace.arrays import Tape, Unread, operand
+from ..record.unread import Unread
+from ..trace.arrays import Tape, operand
 from .merged_record import TapeRecord
 from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
 from .wiring import Node, Part, Wiring, read_anew, wiring_of

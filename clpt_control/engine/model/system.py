@@ -21,7 +21,7 @@ from scipy.linalg import block_diag
 from ...base.errors import BlockError, DiagramError
 from ...base.progress import warn
 from ..record.graph import MOST_NUMBERS, Record
-from ..trace.arrays import Unread, active
+from ..record.unread import Unread, active
 from ..trace.tracing import read
 from .block import Block
 from .declaration import Parameters

@@ -16,7 +16,8 @@ from ...base.arguments import attribute_of
 from ...base.errors import BlockError
 from ..conformance.confirmation import Confirmation
 from ..record.graph import Record, Shape, compact
-from ..trace.arrays import Tape, Unread, operand
+from ..record.unread import Unread
+from ..trace.arrays import Tape, operand
 from ..trace.tracing import Read, read
 from .declaration import Guard, check_units
 from .ports import counts_of, labels, places, port_of, sized, sizes_of

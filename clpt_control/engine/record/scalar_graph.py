@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from ..trace.arrays import Unread
 from .graph import Operation, Record, Ref, Shape, bound, is_known
+from .unread import Unread
 
 # an index of each axis: an int, a name, or (symbol, start, step) in `codegen.fused_expressions`
 Index = tuple[Any, ...]

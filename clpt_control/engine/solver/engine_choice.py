@@ -18,7 +18,8 @@ from ...base.progress import warn
 from ..codegen.machine import ENGINE
 from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
-from ..trace.arrays import OUTLIVES, Unread
+from ..record.unread import Unread
+from ..trace.arrays import OUTLIVES
 from .evaluation_pass import rounding
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram

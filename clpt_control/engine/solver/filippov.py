@@ -22,7 +22,7 @@ import numpy as np
 from numpy import ndarray
 
 from ...base.errors import Uncompiled
-from ..trace.arrays import Unread
+from ..record.unread import Unread
 from .active_switches import (
     SLIDES,
     Crossing,

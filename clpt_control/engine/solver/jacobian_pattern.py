@@ -20,7 +20,7 @@ from ..codegen.diagram_record import DiagramRecord
 from ..record.graph import deep
 from ..record.operations import STEPS
 from ..record.scalar_graph import Elements, Index
-from ..trace.arrays import Unread
+from ..record.unread import Unread
 from .solver_layout import Linear
 
 NONE = np.zeros(0, np.int64)

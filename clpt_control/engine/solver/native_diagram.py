@@ -19,7 +19,7 @@ from ..diagram.wiring import Wiring
 from ..methods.method import Method
 from ..methods.table import EXPLICIT
 from ..record.operations import ELEMENTWISE
-from ..trace.arrays import Unread
+from ..record.unread import Unread
 from .callee import Callee
 from .jacobian_pattern import Jacobian, jacobian, reach_of
 from .kernels import with_formulas

@@ -24,7 +24,6 @@ from .python_runs import integrate
 from .schedule import (
     Inputs,
     Schedule,
-    TimeTable,
     checked_state,
     checked_times,
     inputs_at,
@@ -62,7 +61,7 @@ class PythonDiagram:
         self.intervals: dict[int, int] = {}  # indices in P of each block's `interval`
         # 1 where it jumps
         self.jumps = {k: index for index, k in enumerate(self.sweep.jumping)}
-        self.time_tables: list[TimeTable] = []  # of machine code
+        self.time_tables: list[Any] = []  # of machine code
 
     def __repr__(self) -> str:
         count = f"{len(self.wiring.nodes)} blocks, {self.nstates} states"

@@ -209,14 +209,6 @@ def read_inputs(inputs: Any, times: ndarray, count: int) -> Inputs:
 JUMPS, BEGINS = 1.0, -1.0  # in P: a block jumps, or samples its inputs as a run begins
 
 
-class TimeTable(NamedTuple):
-    """A table over time plus a constant, whose rows are breakpoints."""
-
-    times: ndarray  # of the rows
-    offset: int  # in P, of the number of rows before now
-    continuous: bool  # what is read there does not jump at a row
-
-
 class Schedule(NamedTuple):
     """The segments of a run."""
 

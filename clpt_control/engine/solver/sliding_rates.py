@@ -20,9 +20,10 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from ..codegen.switching_conditions import Port
-from ..record.derivative import Direction
 from ..record.graph import reached
-from ..trace.arrays import Unread, operand
+from ..record.unread import Unread
+from ..trace.arrays import operand
+from ..trace.derivative import Direction
 from ..trace.elementwise import spread
 from ..trace.numpy_functions import solve
 

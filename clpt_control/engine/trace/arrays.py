@@ -7,10 +7,8 @@ operation: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  An array into which a 
 
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from functools import partial
 from math import prod
-from threading import local
 from typing import Any
 
 import numpy as np
@@ -18,6 +16,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from ..record.graph import Operation, Record, Ref, Shape, key_of
 from ..record.operations import CONDITIONS, UFUNCS
+from ..record.unread import Unread
 
 OUTLIVES = "which outlives the call"  # in each sentence on hidden state
 REMEMBERS = (
@@ -30,34 +29,6 @@ MOVED = frozenset({"view", "stack", "join", "part"})  # hold what their argument
 
 # functions of modules that import this one, by name; each module registers its own
 HOOKS: dict[str, Any] = {}
-
-
-class Unread(Exception):
-    """A function cannot be traced: the sentence says why, and what to write instead."""
-
-    def __init__(self, sentence: str, stops: bool = True):
-        super().__init__(sentence)
-        if stops and (tape := active()) is not None:
-            tape.stopped = self  # a function may catch it
-
-
-_ACTIVE = local()
-
-
-def active() -> "Tape | None":
-    """Return the tape on which this thread traces a function now, or None."""
-    return getattr(_ACTIVE, "tape", None)
-
-
-@contextmanager
-def reading_on(tape: "Tape") -> Iterator[None]:
-    """Make this thread trace on a tape."""
-    before = active()
-    _ACTIVE.tape = tape
-    try:
-        yield
-    finally:
-        _ACTIVE.tape = before
 
 
 class Tape:

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..model.locations import caller
 from ..record.graph import Ref, Shape, compact, is_known, reached
-from .arrays import Array, Tape, Unread
+from ..record.unread import Unread
+from .arrays import Array, Tape
 
 MOST_QUESTIONS = 64  # conditions of one path
 MOST_PLACES = 64  # values of a signal that is an index

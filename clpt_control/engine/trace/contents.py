@@ -28,7 +28,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.arguments import attribute_of
-from .arrays import Array, Unread
+from ..record.unread import Unread
+from .arrays import Array
 from .references import IMMUTABLE, PLAIN_BASES, root_of
 
 UNBOUND = object()  # stands for no value

@@ -14,13 +14,13 @@ import numpy as np
 
 from ..record.graph import Shape, is_known
 from ..record.operations import CONDITIONS, LOGICAL, TABLE, named
+from ..record.unread import Unread
 from .arrays import (
     HOOKS,
     LASTING,
     REMEMBERS,
     Array,
     Tape,
-    Unread,
     moves,
     objects,
     operand,

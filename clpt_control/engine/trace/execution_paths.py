@@ -17,7 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Array, Unread, active, moves, operand
+from ..record.unread import Unread, active
+from .arrays import Array, moves, operand
 from .elementwise import (
     chosen,
     common,

@@ -35,7 +35,8 @@ import numpy as np
 
 from ...base.arguments import attribute_of
 from ..model.declaration import Parameters
-from .arrays import Tape, Unread, reading_on
+from ..record.unread import Unread, reading_on
+from .arrays import Tape
 from .contents import HOLDERS, UNBOUND, Content, Mutable, slot_values, slots_of
 from .interpolators import is_table
 from .isolation import isolated

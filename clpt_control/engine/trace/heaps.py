@@ -30,7 +30,8 @@ import control
 import numpy as np
 
 from ..model.params import Params
-from .arrays import Array, Tape, Unread, key_of, operand
+from ..record.unread import Unread
+from .arrays import Array, Tape, key_of, operand
 from .contents import (
     ATTRIBUTES,
     HOLDERS,

@@ -7,7 +7,8 @@ own.  Whether two numbers are one object is not recorded, so such a comparison i
 
 from typing import Any
 
-from .arrays import Array, Unread, active
+from ..record.unread import Unread, active
+from .arrays import Array
 from .elementwise import definite
 
 COPIED = (

@@ -18,7 +18,8 @@ import numpy as np
 from ...base.arguments import brief, public
 from ...base.errors import ArgumentError
 from ..record.graph import picked
-from .arrays import Array, Tape, Unread, numbers_of, operand
+from ..record.unread import Unread
+from .arrays import Array, Tape, numbers_of, operand
 from .elementwise import boxed, constant, lifted, where
 
 SMOOTH = 3e-9  # relative to the largest number: smaller differences of polynomials are rounding

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from functools import reduce
 from typing import Any
 
-from .arrays import Unread, active
+from ..record.unread import Unread, active
 from .references import OUTSIDE, words
 
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND

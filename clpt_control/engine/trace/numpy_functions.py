@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from ..record.unread import Unread
 from . import views
-from .arrays import HOOKS, Array, Tape, Unread, moves, objects
+from .arrays import HOOKS, Array, Tape, moves, objects
 from .elementwise import (
     as_number,
     boxed,

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS
-from .arrays import LASTING, REMEMBERS, Unread
+from ..record.unread import Unread
+from .arrays import LASTING, REMEMBERS
 from .contents import ARRAY, HOLDERS, Content, Mutable, restore
 from .elementwise import boxed, constant
 from .execution_paths import merge_calls

@@ -21,7 +21,8 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import REMEMBERS, Array, Tape, Unread, active, single, whole
+from ..record.unread import Unread, active
+from .arrays import REMEMBERS, Array, Tape, single, whole
 from .elementwise import (
     all_of,
     as_number,

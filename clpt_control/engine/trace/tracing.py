@@ -23,7 +23,8 @@ from ..model.params import Params
 from ..model.ports import check_ports, places, shaped
 from ..record.both_sides import conditions_of
 from ..record.graph import Record, Shape, compact
-from .arrays import REMEMBERS, Array, Tape, Unread, objects, operand, reading_on
+from ..record.unread import Unread, reading_on
+from .arrays import REMEMBERS, Array, Tape, objects, operand
 from .branches import AnsweringTape, Outside, Ports
 from .elementwise import as_number, filled, lifted, where
 from .execution_paths import each_path

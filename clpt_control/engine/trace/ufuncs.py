@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..record.operations import UFUNCS
-from .arrays import HOOKS, Array, Tape, Unread, operand
+from ..record.unread import Unread
+from .arrays import HOOKS, Array, Tape, operand
 from .elementwise import (
     as_condition,
     as_number,

@@ -16,17 +16,8 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS, Ref, Shape, is_known, viewed
-from .arrays import (
-    HOOKS,
-    Array,
-    Tape,
-    Unread,
-    moves,
-    numbers_of,
-    objects,
-    operand,
-    whole,
-)
+from ..record.unread import Unread
+from .arrays import HOOKS, Array, Tape, moves, numbers_of, objects, operand, whole
 from .elementwise import (
     TRUTH,
     as_number,

@@ -18,7 +18,7 @@ from ...engine.model.on_arrays import on_arrays
 from ...engine.model.ports import sized, sizes_of
 from ...engine.model.sampled import Sampled, inner_parameters, other_equations
 from ...engine.record.graph import Record, Shape
-from ...engine.trace.arrays import Unread
+from ...engine.record.unread import Unread
 from .records import check_record, record_of, shape_of, size_of
 
 KINDS = ("input", "output", "state")

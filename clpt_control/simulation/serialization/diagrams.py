@@ -15,7 +15,7 @@ import numpy as np
 from ...base.errors import DiagramError
 from ...engine.diagram.interconnection import MOST_BYTES, Diagram
 from ...engine.diagram.wiring import Wiring
-from ...engine.trace.arrays import Unread
+from ...engine.record.unread import Unread
 from .blocks import block_of, plain_block
 
 Entry = tuple[int, int, float]  # row, column, gain

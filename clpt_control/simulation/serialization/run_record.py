@@ -13,9 +13,9 @@ import numpy as np
 
 from ...base.errors import ClptError, DataError
 from ...engine.diagram.interconnection import Diagram
+from ...engine.record.unread import Unread
 from ...engine.solver.native_diagram import NativeDiagram
 from ...engine.solver.schedule import Inputs
-from ...engine.trace.arrays import Unread
 from ...paper.scenario.run_constants import ARGUMENTS, EQUATIONS, TEAM
 from .diagrams import diagram_of, plain_diagram
 from .records import plain_data

@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from ...base.errors import DiagramError
-from ...engine.trace.arrays import Unread
+from ...engine.record.unread import Unread
 from ...paper.laws.table import LAWS
 from .printing import text_of
 from .running import equations_of, loop_of_law

@@ -30,7 +30,8 @@ from sympy import Expr, S, Symbol
 from ...engine.record.graph import Ref, Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import Symbols
-from ...engine.trace.arrays import Unread, operand
+from ...engine.record.unread import Unread
+from ...engine.trace.arrays import operand
 
 MOST_INDICES = 4  # of one atom
 GENERIC = "kjihg"  # indices along the open axes of an array

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...base.errors import ClptError
-from ...engine.trace.arrays import Unread
+from ...engine.record.unread import Unread
 from .conclusions import Condition, Judged, Status, concluded, for_sizes
 from .steps import Step, first_failure
 

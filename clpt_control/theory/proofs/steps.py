@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 from ...base.errors import ClptError, DiagramError
 from ...base.units import at_least, at_most
-from ...engine.trace.arrays import Unread
+from ...engine.record.unread import Unread
 
 LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
 How = Literal["exact", "enclosed", "counterexample", "sampled", "cited"]

@@ -24,11 +24,11 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.diagram.wiring import Node, Wiring, wiring_of
 from ...engine.model.declaration import Parameters
-from ...engine.record.derivative import Direction
 from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
+from ...engine.trace.derivative import Direction
 from .every_n import EveryN
 from .exact import nonzero_residual
 from .facts import NUMPY_OF, is_input

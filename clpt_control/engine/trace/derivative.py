@@ -15,10 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from ..trace.arrays import Tape, Unread, operand
-from ..trace.elementwise import elementwise, spread
-from .graph import Ref, reached
-from .operations import STEPS, TABLE, Row
+from ..record.graph import Ref, reached
+from ..record.operations import STEPS, TABLE, Row
+from ..record.unread import Unread
+from .arrays import Tape, operand
+from .elementwise import elementwise, spread
 
 NO_ROW = Row(c="")  # of an operation on whole arrays
 
