@@ -252,6 +252,8 @@ def test_what_is_known_of_jumps_is_said(change, conclusion, detail):
     assert across.claim == "V does not rise where states of own jump"
     assert across.detail.startswith(detail)
     assert not verdict.for_every_N
+    steps = verdict.latex().count(r"\item")
+    assert steps == len(verdict.steps) - len(verdict.failed)
 
 
 @pytest.mark.parametrize(

@@ -37,10 +37,14 @@ def theorem_and_proof(
 
 
 def proof_of(judged: Judged) -> Iterable[str]:
-    """Yield the lines of the proof: each step, how it was shown, and its detail."""
+    """Yield the lines of the proof: each step, how it was shown, and its detail.
+
+    Of what is proved without a step that step is left out.
+    """
     yield r"\begin{proof}"
     yield r"\begin{enumerate}"
-    for step in judged.steps:
+    is_proved = judged.status == "proved"
+    for step in [s for s in judged.steps if s.holds or not is_proved]:
         how = step.how if step.holds else "not shown"
         detail = f", {step.detail}" if step.detail else ""
         yield rf"\item {sentence(step.claim)} ({sentence(how + detail)})."
