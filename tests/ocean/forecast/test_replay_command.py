@@ -8,9 +8,9 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from signal import SIGTERM as TERM
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,7 +20,6 @@ from paths import ROOT
 from subprocesses import ran, without_progress
 from synthetic_vehicle import one_file_each
 
-from clpt_control.app.cli import replay_report
 from clpt_control.gliders import sample_dives
 
 TABLES = ("replay.nc", "replay.html", "next.geojson", "track.kml")
@@ -292,13 +291,14 @@ def test_the_line_of_following(follow, tmp_path):
     assert len(json.loads(done.stdout)["aim"]) == 1
 
 
+WAIT = "clpt_control.base.progress.interrupt.wait"  # for the next look
+
+
 @pytest.mark.usefixtures("undrawn")
 def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     one_file_each(tmp_path, sample_dives()[:1])
     before = signal.getsignal(TERM)
-    monkeypatch.setattr(
-        replay_report.interrupt, "wait", lambda _: signal.raise_signal(TERM)
-    )
+    monkeypatch.setattr(WAIT, lambda _: signal.raise_signal(TERM))
     outcome = clpt("watch", tmp_path, "--out", tmp_path / "out", "--json")
     assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
     assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
@@ -373,10 +373,8 @@ def test_patience_is_time(clpt, tmp_path, monkeypatch):
         waits.append(seconds)
         now[0] += seconds
 
-    monkeypatch.setattr(
-        replay_report, "time", SimpleNamespace(monotonic=lambda: now[0])
-    )
-    monkeypatch.setattr(replay_report.interrupt, "wait", wait)
+    monkeypatch.setattr(time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(WAIT, wait)
     for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
         waits.clear()
         words = ("--every", every, "--patience", "25")
