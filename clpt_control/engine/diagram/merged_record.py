@@ -10,6 +10,7 @@ and value in all blocks.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from itertools import groupby
 from math import prod
 from typing import Any, NamedTuple
@@ -18,7 +19,7 @@ import numpy as np
 
 from ..model.block import Block
 from ..model.ports import counts_of, places
-from ..record.graph import Operation, Record, Ref, Shape
+from ..record.graph import Operation, Record, Ref, Shape, replayed
 from ..record.unread import Unread
 from ..trace.arrays import Tape, objects, operand
 from ..trace.elementwise import lifted, spread
@@ -90,20 +91,11 @@ class RecordMerger:
     def run(self, k: int, role: str, fed: Mapping[str, Ref]) -> list[Ref]:
         """Write a block's record with its inputs; return the value of each port."""
         record = self.wiring.nodes[k].system.array_record(role)
-        values: list[Ref] = []
-        for operation in record.operations:
-            if operation.kind == "leaf":
-                group, name = operation.at
-                value = (
-                    fed[name]
-                    if group == "u"
-                    else self.leaf(k, group, name, operation.shape)
-                )
-            else:
-                refs = [values[a] if type(a) is int else a for a in operation.arguments]
-                value = self.put(k, role, record, operation, refs)
-            values.append(value)
-        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+        def leaf(group: str, name: str, shape: Shape) -> Ref:
+            return fed[name] if group == "u" else self.leaf(k, group, name, shape)
+
+        return replayed(record, leaf, partial(self.put, k, role, record))
 
     def fed(self, k: int) -> dict[str, Ref]:
         """Return the value of each input port of a block."""

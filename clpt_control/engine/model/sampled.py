@@ -16,7 +16,7 @@ import numpy as np
 
 from ...base.arguments import public
 from ...base.errors import DiagramError
-from ..record.graph import Shape, compact
+from ..record.graph import Operation, Shape, compact, replayed
 from ..trace.arrays import Tape, operand
 from .block import Block
 from .declaration import Each, Parameters
@@ -150,14 +150,10 @@ class Sampled(Block):
             shapes = [*self.declared["states"].values()]
             return compact([], [0.0] * len(shapes), shapes)
         if role == "output":
-            values = self._inner_values(tape, role, 0.0)
-            shapes = [*inner.array_record(role).shapes]
-            return self._record(tape, values, shapes)
-        values = []
-        shapes = []
+            return self._record(tape, *self._inner_values(tape, role, 0.0))
+        values, shapes = list[Any](), list[Shape]()
         if inner.nstates:
-            values = self._inner_values(tape, "update", 1.0)
-            shapes = [*inner.array_record("update").shapes]  # sizes may be numbers here
+            values, shapes = self._inner_values(tape, "update", 1.0)
         if self.stepped:
             ports = inner.declared["states"]
             for k, (port, shape) in enumerate(zip(ports, shapes, strict=True)):
@@ -168,18 +164,26 @@ class Sampled(Block):
             shapes.append(shape)
         return self._record(tape, values, shapes)
 
-    def _inner_values(self, tape: Tape, role: str, samples_ago: float) -> list[Any]:
-        """Write the inner block's record with the held inputs, at a sample or the sample before."""
+    def _inner_values(
+        self, tape: Tape, role: str, samples_ago: float
+    ) -> tuple[list[Any], list[Shape]]:
+        """Write the inner block's record with the held inputs, at a sample or the sample before.
+
+        Return values and shapes of its ports, whose sizes may be numbers.
+        """
         interval = tape.add("leaf", (), (), ("p", "interval"))
         t = (interval - samples_ago) * self.period
 
         def leaf(group: str, name: str, shape: Shape) -> Any:
-            if group == "t":
-                return t
             at = ("x", HELD + name) if group == "u" else (group, name)
-            return tape.add("leaf", (), shape, at)
+            return operand(t if group == "t" else tape.add("leaf", (), shape, at))
 
-        return tape.replayed(self.inner.array_record(role), leaf)
+        def put(operation: Operation, refs: list[Any]) -> Any:
+            return operand(tape.add(operation.kind, refs, *operation[2:]))
+
+        record = self.inner.array_record(role)
+        refs = replayed(record, leaf, put)
+        return [tape.value(ref) for ref in refs], [*record.shapes]
 
     def _record(self, tape: Tape, values: list[Any], shapes: list[Shape]) -> Any:
         refs = [operand(value) for value in values]

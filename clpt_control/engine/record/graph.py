@@ -164,6 +164,23 @@ def compact(
     return Record(tuple(lines), moved(outputs), tuple(shapes))
 
 
+def replayed(
+    record: Record, leaf: Callable[..., Ref], put: Callable[[Operation, list[Ref]], Ref]
+) -> list[Ref]:
+    """Write a record again; return its outputs.
+
+    ``leaf(group, name, shape)`` is another value for a leaf, ``put(operation, arguments)`` writes.
+    """
+    values: list[Ref] = []
+    for operation in record.operations:
+        refs = [values[a] if type(a) is int else a for a in operation.arguments]
+        is_leaf = operation.kind == "leaf"
+        values.append(
+            leaf(*operation.at, operation.shape) if is_leaf else put(operation, refs)
+        )
+    return [values[ref] if type(ref) is int else ref for ref in record.outputs]
+
+
 # --- on numbers --------------------------------------------------------------------------------
 
 

@@ -74,9 +74,11 @@ def jump_at_level(
     while left.any():
         blocks = [k for k, is_left in zip(guarded, left, strict=True) if is_left]
         jumping = [k for k in blocks if diagram.wiring.nodes[k].system.jumps_at_level]
-        again = sorted({*jumped} & {*jumping})
-        if again:
-            _refuse_outside(diagram, again[0], t)
+        for k in sorted({*jumped} & {*jumping}):
+            raise SimulationError(
+                f"at t = {t:.9g}: the states after the jump of {diagram.wiring.nodes[k].name} are "
+                "outside of its guard. Return states with a distance of 0 or more"
+            )
         if not jumping:
             break
         requests = _requests(diagram, segments, jumping)
@@ -112,11 +114,3 @@ def _requests(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:
     for k, place in diagram.jumps.items():
         values[:, segments.indices == place] = JUMPS if k in jumping else 0.0
     return segments._replace(values=values)
-
-
-def _refuse_outside(diagram: Any, block: int, t: float) -> None:
-    name = diagram.wiring.nodes[block].name
-    raise SimulationError(
-        f"at t = {t:.9g}: the states after the jump of {name} are outside of its guard. Return "
-        "states with a distance of 0 or more"
-    )

@@ -6,7 +6,7 @@ operation: ``np.exp(a)``, ``a @ b``, ``np.outer(a, b)``.  An array into which a 
 """
 
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from math import prod
 from typing import Any
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from ..record.graph import Operation, Record, Ref, Shape, key_of
+from ..record.graph import Operation, Ref, Shape, key_of
 from ..record.operations import CONDITIONS, UFUNCS
 from ..record.unread import Unread
 
@@ -79,20 +79,6 @@ class Tape:
                 and all(self.truth[a] for a in values)
             )
         )
-
-    def replayed(
-        self, record: Record, leaf: Callable[[str, str, Shape], Any]
-    ) -> list[Any]:
-        """Record another record again with other leaves; return its outputs."""
-        values: list[Any] = []
-        for kind, arguments, shape, at in record.operations:
-            refs = [operand(values[a]) if type(a) is int else a for a in arguments]
-            values.append(
-                leaf(at[0], at[1], shape)
-                if kind == "leaf"
-                else self.add(kind, refs, shape, at)
-            )
-        return [values[ref] if type(ref) is int else ref for ref in record.outputs]
 
     def question(self, ref):
         """Return a truth value, numbers or a whole number, if Python needs one."""

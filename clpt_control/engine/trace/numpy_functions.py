@@ -4,6 +4,7 @@ Functions that are not here run NumPy's own code on arrays of objects, element b
 """
 
 from collections.abc import Callable
+from functools import partial
 from math import prod
 from typing import Any
 
@@ -35,7 +36,6 @@ from .ufuncs import (
 )
 from .views import depends, into, on_numbers, on_objects, on_parameters, refuse, tape_of
 
-IMPLEMENTED: dict[Any, Callable] = {}  # NumPy's function -> its record
 BOXED = {  # functions whose results are arrays, also without axes
     np.where,
     np.select,
@@ -64,29 +64,9 @@ def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any
     return into(out, boxed(tape, result) if function in BOXED else result)
 
 
-def implements(*functions: Any, arrays: int = 1) -> Callable:
-    """Register the record of functions of NumPy; its first arguments become tracer arrays.
-
-    A record returns None for arguments with which NumPy's own code runs.
-    """
-
-    def register(record: Callable) -> Callable:
-        def function(*inputs, **options):
-            tape = tape_of((*inputs, *options.values()))
-            return record(
-                *(lifted(tape, v) for v in inputs[:arrays]), *inputs[arrays:], **options
-            )
-
-        IMPLEMENTED.update(dict.fromkeys(functions, function if arrays else record))
-        return record
-
-    return register
-
-
 # --- means and slopes -------------------------------------------------------------
 
 
-@implements(np.mean)
 def mean(a, axis=None, dtype=None, keepdims=False):
     """Return the mean."""
     check_doubles(dtype)
@@ -94,7 +74,6 @@ def mean(a, axis=None, dtype=None, keepdims=False):
     return total / (a.size // total.size)
 
 
-@implements(np.var)
 def variance(a, axis=None, dtype=None, ddof=0, keepdims=0):
     """Return the mean square of the deviation from the mean."""
     check_doubles(dtype)
@@ -103,7 +82,6 @@ def variance(a, axis=None, dtype=None, ddof=0, keepdims=0):
     return total / (a.size // total.size - ddof)
 
 
-@implements(np.diff)
 def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
     """Return np.diff(a, n)."""
     if options or is_truth(a) or not a.ndim or n < 1:
@@ -114,7 +92,6 @@ def differences(a: Any, n: Any = 1, axis: int = -1, **options: Any) -> Any:
     return np.moveaxis(rows, 0, axis)
 
 
-@implements(np.gradient)
 def gradient(f, h=1.0, *steps, axis=None, edge_order=1):
     """Return np.gradient along one axis, by one step."""
     axis = 0 if axis is None and f.ndim == 1 else axis
@@ -212,7 +189,6 @@ def determinant(A):
 # --- limits and choices -----------------------------------------------------------------------
 
 
-@implements(np.clip)
 def clip(a, a_min=None, a_max=None, *, min=None, max=None):
     """Return a within limits."""
     low = a_min if min is None else min
@@ -245,11 +221,6 @@ def index_of_best(better: Any) -> Callable:
     return record
 
 
-implements(np.argmax)(index_of_best(np.greater))
-implements(np.argmin)(index_of_best(np.less))
-
-
-@implements(np.sort)
 def sort(a, *axis, **options):
     """Return a row sorted: neighbours change places, in as many rounds as it has elements."""
     if axis or options or a.ndim != 1:
@@ -261,7 +232,6 @@ def sort(a, *axis, **options):
     return lifted(a._tape, row)
 
 
-@implements(np.median)
 def median(a, *axis, **options):
     """Return the mean of the one or two in the middle."""
     if axis or options:
@@ -271,7 +241,6 @@ def median(a, *axis, **options):
     return np.mean(row[start : len(row) // 2 + 1])
 
 
-@implements(np.where, arrays=0)
 def placed(condition, *values):
     """Return np.where(condition, a, b)."""
     if not values:
@@ -280,7 +249,6 @@ def placed(condition, *values):
     return where(boxed(tape, lifted(tape, condition)), *values)
 
 
-@implements(np.select, arrays=0)
 def selected(conditions, values, default=0):
     """Return np.select: the value of the first condition that holds."""
     result = default
@@ -289,7 +257,6 @@ def selected(conditions, values, default=0):
     return result
 
 
-@implements(np.isclose, arrays=2)
 def close(
     a: Any, b: Any, rtol: float = 1e-5, atol: float = 1e-8, equal_nan: bool = False
 ) -> Any:
@@ -315,7 +282,7 @@ def reducing(reduce: Callable, ufunc: Any) -> Callable:
     return record
 
 
-def like(a: Array, value: float, dtype: Any = None, **options: Any) -> Any:
+def like(value: float, a: Array, dtype: Any = None, **options: Any) -> Any:
     """Return a number everywhere in an array of the shape and kind of another."""
     if is_whole(a) is not False and dtype is None:
         return refuse("an array like one of truth values or whole numbers")
@@ -331,63 +298,6 @@ def taken(a, indices, axis=None, mode="raise"):
     elif mode == "clip":
         indices = np.clip(indices, 0, len(rows) - 1)
     return views.copied(rows[indices])
-
-
-for unread in (np.shares_memory, np.may_share_memory, np.ix_):
-    implements(unread, arrays=0)(lambda *_, name=unread.__name__: refuse(f"np.{name}"))
-for function, reduce, ufunc in (
-    (np.sum, reduced, np.add),
-    (np.prod, reduced, np.multiply),
-    (np.max, reduced, np.maximum),
-    (np.amax, reduced, np.maximum),
-    (np.min, reduced, np.minimum),
-    (np.amin, reduced, np.minimum),
-    (np.any, reduced, np.logical_or),
-    (np.all, reduced, np.logical_and),
-    (np.cumsum, accumulated, np.add),
-    (np.cumprod, accumulated, np.multiply),
-):
-    implements(function)(reducing(reduce, ufunc))
-implements(np.dot, arrays=2)(dot)
-implements(np.outer, arrays=2)(outer)
-implements(np.vdot, arrays=2)(lambda a, b: dot(np.ravel(a), np.ravel(b)))
-implements(np.linalg.norm)(norm)
-implements(np.linalg.solve, arrays=2)(solve)
-implements(np.linalg.det)(determinant)
-implements(np.linalg.inv)(lambda A: solve(A, np.eye(A.shape[0])))
-implements(np.ptp)(
-    lambda a, *axis, **options: (
-        np.max(a, *axis, **options) - np.min(a, *axis, **options)
-    )
-)
-implements(np.std)(lambda a, *axis, **options: np.sqrt(np.var(a, *axis, **options)))
-implements(np.trace)(
-    lambda a, *axes, **options: np.sum(np.diagonal(a, *axes, **options))
-)
-implements(np.allclose, arrays=2)(
-    lambda a, b, *rtol, **options: np.all(close(a, b, *rtol, **options))
-)
-implements(np.interp)(interpolated)
-implements(np.searchsorted, arrays=0)(searched)
-implements(np.digitize, arrays=0)(
-    lambda x, bins, right=False: searched(bins, x, "left" if right else "right")
-)
-implements(np.take)(taken)
-implements(np.count_nonzero)(lambda a: np.sum(a != 0))
-implements(np.stack, arrays=0)(views.stack)
-implements(np.concatenate, arrays=0)(views.join)
-implements(np.round, np.around)(rounded)
-implements(np.fix)(np.trunc)
-implements(np.copy)(views.copied)
-implements(np.zeros_like, np.empty_like)(
-    lambda a, *dtype, **options: like(a, 0.0, *dtype, **options)
-)
-implements(np.ones_like)(lambda a, *dtype, **options: like(a, 1.0, *dtype, **options))
-implements(np.full_like)(
-    lambda a, value, *dtype, **options: like(a, 0.0, *dtype, **options) + value
-)
-implements(np.shape)(lambda a: a._counted())
-implements(np.size)(lambda a, axis=None: a.size if axis is None else a._counted()[axis])
 
 
 # --- views, which share memory -------------------------------------------------------------------
@@ -454,8 +364,91 @@ SHARES: dict[Any, Callable] = {
     **{function: function._implementation for function in NUMPY_CODE},
     **{function: sharing_each(function) for function in (np.atleast_1d, np.atleast_2d)},
 }
-for function, record in SHARES.items():
-    implements(function)(record)
+
+
+# --- all functions -------------------------------------------------------------------------------
+#
+# A record returns None for arguments with which NumPy's own code runs.
+
+AS_GIVEN: dict[Any, Callable] = {
+    np.where: placed,
+    np.select: selected,
+    np.searchsorted: searched,
+    np.digitize: lambda x, bins, right=False: searched(
+        bins, x, "left" if right else "right"
+    ),
+    np.stack: views.stack,
+    np.concatenate: views.join,
+    **{
+        function: lambda *_, name=function.__name__: refuse(f"np.{name}")
+        for function in (np.shares_memory, np.may_share_memory, np.ix_)
+    },
+}
+OF_AN_ARRAY: dict[Any, Callable] = {
+    **SHARES,
+    np.sum: reducing(reduced, np.add),
+    np.prod: reducing(reduced, np.multiply),
+    **dict.fromkeys((np.max, np.amax), reducing(reduced, np.maximum)),
+    **dict.fromkeys((np.min, np.amin), reducing(reduced, np.minimum)),
+    np.any: reducing(reduced, np.logical_or),
+    np.all: reducing(reduced, np.logical_and),
+    np.cumsum: reducing(accumulated, np.add),
+    np.cumprod: reducing(accumulated, np.multiply),
+    np.argmax: index_of_best(np.greater),
+    np.argmin: index_of_best(np.less),
+    np.mean: mean,
+    np.var: variance,
+    np.std: lambda *a, **options: np.sqrt(np.var(*a, **options)),
+    np.ptp: lambda *a, **options: np.max(*a, **options) - np.min(*a, **options),
+    np.median: median,
+    np.count_nonzero: lambda a: np.sum(a != 0),
+    np.diff: differences,
+    np.gradient: gradient,
+    np.sort: sort,
+    np.clip: clip,
+    np.interp: interpolated,
+    np.take: taken,
+    **dict.fromkeys((np.round, np.around), rounded),
+    np.fix: np.trunc,
+    np.trace: lambda *a, **options: np.sum(np.diagonal(*a, **options)),
+    np.linalg.norm: norm,
+    np.linalg.det: determinant,
+    np.linalg.inv: lambda A: solve(A, np.eye(A.shape[0])),
+    np.copy: views.copied,
+    **dict.fromkeys((np.zeros_like, np.empty_like), partial(like, 0.0)),
+    np.ones_like: partial(like, 1.0),
+    np.full_like: lambda a, value, *dtype, **options: (
+        like(0.0, a, *dtype, **options) + value
+    ),
+    np.shape: lambda a: a._counted(),
+    np.size: lambda a, axis=None: a.size if axis is None else a._counted()[axis],
+}
+OF_TWO_ARRAYS: dict[Any, Callable] = {
+    np.dot: dot,
+    np.outer: outer,
+    np.vdot: lambda a, b: dot(np.ravel(a), np.ravel(b)),
+    np.linalg.solve: solve,
+    np.isclose: close,
+    np.allclose: lambda *a, **options: np.all(close(*a, **options)),
+}
+
+
+def of_arrays(record: Callable, count: int) -> Callable:
+    """Return the record of a function whose first arguments become tracer arrays."""
+
+    def function(*inputs, **options):
+        tape = tape_of((*inputs, *options.values()))
+        arrays = [lifted(tape, value) for value in inputs[:count]]
+        return record(*arrays, *inputs[count:], **options)
+
+    return function
+
+
+IMPLEMENTED = {  # NumPy's function -> its record
+    function: of_arrays(record, count)
+    for count, records in enumerate((AS_GIVEN, OF_AN_ARRAY, OF_TWO_ARRAYS))
+    for function, record in records.items()
+}
 
 
 # --- methods -------------------------------------------------------------------------------------
