@@ -26,7 +26,12 @@ from ..simulation.dataset import VARIABLES
 from ..simulation.flows import speed_figures
 from ..simulation.integrate import sample_times
 from ..simulation.loop_blocks import units_of_ports
-from ..simulation.mean_squares import nearest, samples_for_means, starts_of_rounds
+from ..simulation.mean_squares import (
+    nearest,
+    samples_for_means,
+    starts_of_rounds,
+    union,
+)
 from .members import Ensemble, Members, States, Values, member_count
 
 MOST_SAMPLES = 20_000  # of a member, but at least a tenth of the samples of `clpt run`
@@ -87,12 +92,10 @@ def sample_times_of(
         sample_times(end, scenario.run.output_step) if trajectories else np.zeros(0)
     )
     groups = fine, np.array(marks, dtype=float), output
-    times = np.sort(np.concatenate(groups))
-    tolerance = 1e-9 * max(1.0, end)
-    union = times[np.append(True, np.diff(times) > tolerance)]
-    union[-1] = end
-    indices = (nearest(union, group) for group in groups)
-    return SampleTimes(union, starts_of_rounds(fine, cycle), *indices)
+    times = union(*groups)
+    times[-1] = end
+    indices = (nearest(times, group) for group in groups)
+    return SampleTimes(times, starts_of_rounds(fine, cycle), *indices)
 
 
 class StoredArray(NamedTuple):

@@ -6,6 +6,7 @@ versions and the solver's statistics, so that a run can be repeated from its fil
 
 import json
 from collections.abc import Mapping, Sequence
+from functools import partial
 from importlib.metadata import version
 from types import MappingProxyType
 from typing import Any
@@ -141,24 +142,19 @@ def _places(scenario: Scenario, position: Any) -> dict[str, Series]:
     """Return latitude and longitude of the vehicle on the local plane of the scenario."""
     plane = scenario.plane
 
-    def latitude(signals: np.ndarray) -> np.ndarray:
-        return np.asarray(plane.to_earth(*position(signals).T)[0])
+    def coordinate(k: int, signals: np.ndarray) -> np.ndarray:
+        return np.asarray(plane.to_earth(*position(signals).T)[k])
 
-    def longitude(signals: np.ndarray) -> np.ndarray:
-        return np.asarray(plane.to_earth(*position(signals).T)[1])
-
-    attributes = {
-        name: {
+    places = {}
+    units = {"latitude": "degrees_north", "longitude": "degrees_east"}
+    for k, (name, unit) in enumerate(units.items()):
+        attributes = {
             "standard_name": name,
             "long_name": f"{name} of the vehicle",
             "units": unit,
         }
-        for name, unit in (("latitude", "degrees_north"), ("longitude", "degrees_east"))
-    }
-    return {
-        "latitude": Series(("time",), latitude, attributes["latitude"]),
-        "longitude": Series(("time",), longitude, attributes["longitude"]),
-    }
+        places[name] = Series(("time",), partial(coordinate, k), attributes)
+    return places
 
 
 def _estimates(

@@ -18,13 +18,11 @@ from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import check_response, check_run, is_response
 from ..paper.scenario.run_constants import (
     ARGUMENTS,
-    CHANGED,
+    BEYOND,
     EQUATIONS,
     FORM,
     MOST_BYTES,
     NOT_REPEATED,
-    OWN_LAW,
-    OWN_PARTS,
     TEAM,
 )
 from ..paper.scenario.team import Team, system_of_run, team_to_text
@@ -41,8 +39,6 @@ if TYPE_CHECKING:
 
 NO_RUN = "is not a run: it has no variable 'clpe', nor the signals of a diagram"
 LOST = "it was saved without them, by another way than clpt.save_run"
-# attributes for changes of a loop that are not in its scenario
-BEYOND = (OWN_LAW, OWN_PARTS, CHANGED)
 
 
 @public

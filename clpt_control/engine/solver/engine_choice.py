@@ -221,6 +221,7 @@ def beside(x: ndarray) -> list[ndarray]:
     return [x + distance * scaled for distance in DISTANCES]
 
 
+@np.errstate(invalid="ignore")  # of differences of infinite numbers
 def _agrees(
     runner: NativeDiagram,
     segments: Schedule,
@@ -281,13 +282,12 @@ def _agrees(
 
 def _equal(a: ndarray, b: ndarray) -> ndarray:
     """Return which rows are equal up to rounding."""
-    with np.errstate(invalid="ignore"):
-        error = np.abs(a - b)
-        size = np.abs(a)
-        if (error <= CLOSE * size).all():
-            return np.ones(len(a), dtype=bool)
-        largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
-        close = error <= CLOSE * (size + 1e-3 * largest)
+    error = np.abs(a - b)
+    size = np.abs(a)
+    if (error <= CLOSE * size).all():
+        return np.ones(len(a), dtype=bool)
+    largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
+    close = error <= CLOSE * (size + 1e-3 * largest)
     both_nan = np.isnan(a) & np.isnan(b)
     return np.all(close | (a == b) | both_nan, axis=-1)
 
