@@ -281,9 +281,9 @@ class _Walk:
     def _system(self, system):
         """Return the key of a system of python-control, by its attributes."""
         fields = {
-            k: v
-            for k, v in vars(system).items()
-            if not k.endswith(("_labels", "_prefix"))
+            name: value
+            for name, value in vars(system).items()
+            if not name.endswith(("_labels", "_prefix", *OF_CALLS))
         }
         if "_parameters" in fields:  # a block of this package
             functions = [function for function, _ in system._roles.values()]
@@ -292,13 +292,8 @@ class _Walk:
                 self.identity(system.parameters),
                 *map(self.key_of, functions),
             )
-        fields = {
-            name: attribute
-            for name, attribute in fields.items()
-            if name not in OF_CALLS
-        }
         self._note(vars(system), type(system), fields, OF_CALLS)
-        keys = [(name, self.key_of(attribute)) for name, attribute in fields.items()]
+        keys = [(name, self.key_of(value)) for name, value in fields.items()]
         return self._class(type(system)), *keys
 
     # --- functions --------------------------------------------------------------------------
