@@ -144,6 +144,29 @@ def test_an_akima_spline_is_its_polynomials():
     assert run.states[-1].item() == pytest.approx(exact, rel=1e-9)
 
 
+def test_the_integral_of_a_derivative_of_a_spline_is_its_difference():
+    spline = CubicSpline([0.0, 1.0, 2.5, 4.0], [[0.0, 2.0, 1.0, 3.0]] * 2, axis=1)
+    drive = system(lambda t, x, u, p: [np.sum(spline(t, 1))])
+    run = clpt.simulate(drive, [0.0, 3.3], 0, [0.5], **TIGHT)
+    assert run.attrs["engine"] == "native"
+    exact = 0.5 + np.sum(spline(3.3) - spline(0.0))
+    assert run.states[-1].item() == pytest.approx(exact, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["linear", "nearest", "next", "zero", "quadratic"])
+def test_a_table_along_another_axis_has_scipys_values_and_ends(kind):
+    ends = np.array([7.0, 8.0]), np.array([-7.0, -8.0])
+    rows = [[0.0, 2.0, 1.0, 3.0], [1.0, 1.0, 4.0, 0.0]]
+    table = interp1d(
+        [0.0, 1.0, 2.5, 4.0], rows, kind, 1, bounds_error=False, fill_value=ends
+    )
+    block = static(lambda t, x, u, p: table(u).ravel(), 2, 4)
+    for u in np.linspace(-0.5, 4.5, 21):
+        run = clpt.simulate(block, [0.0, 1.0], [u, 2.0])
+        assert run.attrs["engine"] == "native"
+        np.testing.assert_allclose(run.y[-1], table([u, 2.0]).ravel(), 1e-12, 1e-12)
+
+
 def test_a_dense_smooth_table_needs_no_more_steps_than_its_curve():
     """A smaller difference of a table and a curve than 3e-9 is none."""
     xs = np.linspace(-4.0, 4.0, 80_000)
