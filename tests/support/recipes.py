@@ -241,6 +241,37 @@ OPERATION = Recipe(
     """,
     ("tests/engine/codegen/test_operations_in_c.py",),
 )
+FUNCTION = Recipe(
+    "Add an operation",
+    (
+        Step(
+            "row",
+            "np.real_if_close",
+            (
+                (
+                    "clpt_control/engine/trace/numpy_functions.py",
+                    "OF_AN_ARRAY: dict[Any, Callable] = {",
+                    "OF_AN_ARRAY: dict[Any, Callable] = {\n"
+                    "    np.real_if_close: lambda a, tol=100: a,",
+                ),
+            ),
+        ),
+    ),
+    """
+    import numpy as np, warnings
+    import clpt_control as clpt
+
+    def real(t, x, u, p):
+        return np.real_if_close(u.u)
+
+    block = clpt.Block("real", output=real, inputs={"u": 2}, outputs={"y": 2})
+    warnings.simplefilter("error")
+    clpt.check(block)
+    run = clpt.simulate(block, [0.0, 1.0], [1.0, 3.0])
+    assert (run.attrs["engine"], run.y.values[0].tolist()) == ("native", [1.0, 3.0])
+    """,
+    (),
+)
 FIRST = '    "backlash": ['
 PART = Recipe(
     "Add a block",
@@ -315,4 +346,4 @@ PART = Recipe(
     ),
 )
 RECIPES = {"kind": KIND, "kernel": KERNEL, "law": LAW, "command": COMMAND}
-RECIPES |= {"operation": OPERATION, "part": PART}
+RECIPES |= {"operation": OPERATION, "function": FUNCTION, "part": PART}
