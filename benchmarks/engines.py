@@ -82,20 +82,16 @@ ENGINES = {
         note="eight basis functions at once; in ensembles, a run in each lane",
     ),
     "native": Engine(
-        "clpt-control, the fused diagram",
-        _from("own_engines", "prepare"),
-        _from("own_engines", "members"),
+        "clpt-control", _from("own_engines", "prepare"), _from("own_engines", "members")
     ),
     "simulate": Engine(
-        "clpt-control, simulate() to a Dataset",
-        _from("own_engines", "simulate"),
-        largest=50,
+        "clpt-control, simulate", _from("own_engines", "simulate"), largest=50
     ),
     "python": Engine(
-        "clpt-control, blocks in Python", _from("own_engines", "in_python"), largest=3
+        "clpt-control, Python", _from("own_engines", "in_python"), largest=3
     ),
     "python-control": Engine(
-        "python-control, input_output_response",
+        "python-control",
         _from("own_engines", "python_control"),
         waypoints=10,
         largest=50,
@@ -106,7 +102,7 @@ ENGINES = {
         _from("heyoka_engine", "members"),
         "heyoka",
         largest=50,
-        note="the blocks' equations traced; sqrt(d2 + 1e-24), for it has no series at x = c",
+        note="traced; sqrt(d2 + 1e-24), as there is no series at x = c",
     ),
     "diffrax": Engine(
         "diffrax Dopri8",
@@ -115,8 +111,7 @@ ENGINES = {
         "diffrax",
         largest=3,
         note=(
-            "the blocks' equations traced number by number, which does not suit XLA: "
-            "written again by hand on vectors they take about a quarter of the time"
+            "traced number by number; by hand on vectors it takes about a quarter of the time"
         ),
     ),
 }
