@@ -146,12 +146,15 @@ class Batch:
         opening: float,
     ) -> None:
         """Begin another run in the arrays of a run of the same shape."""
+        self._reals.fill(0.0)
         self.runs.states[0] = start
         self.runs.parameters[0] = parameters
         self.times[:] = times
         if schedule is not self.schedules[0]:
             for array, values in zip(self.segments, _stacked([schedule]), strict=True):
                 array[:] = values
+        for matrix in self.linear[:3]:
+            matrix.fill(0)
         self._begin([schedule], longest, opening)
 
     def _begin(self, schedules: list[Schedule], longest: float, opening: float) -> None:
@@ -163,7 +166,7 @@ class Batch:
         # 1. results
         self.out.fill(np.nan)
         self.out[:, 0] = self.runs.states
-        for array in (*self.results[1:], *self.linear[:3]):
+        for array in self.results[1:]:
             array.fill(0)
         # batches that continue stiff runs, and a run that slides
         self.continuations: dict[int, Batch] = {}
@@ -173,7 +176,6 @@ class Batch:
         self.refusal = ""  # why it does not slide, or jumps without end
         self.level_jumps: list[float] = []  # their times
         # 2. a lane without a run has the state and parameters with which the first begins
-        self._reals.fill(0.0)
         self.integers.fill(-1)
         self.solver.queue[:] = 0, len(self.status), 0
         self.states[STATE] = self.runs.states[:1].T

@@ -78,15 +78,18 @@ class Callee(NamedTuple):
 
         `parameters` are P, or its beginning.
         """
-        size = max(self.size, len(parameters))
-        shape = role, len(times), count, size, segments.values.shape
-        evaluation = self.kept.pop(shape, None) or Evaluation(self, *shape)
-        evaluation.fill(times, x, segments, parameters)
+        shape = role, count, len(times), len(parameters), segments.values.shape
+        given = times, x, segments, parameters
+        evaluation = self.kept.pop(shape, None)
+        if evaluation is None:
+            evaluation = Evaluation(self, role, count, *given)
+        else:
+            evaluation.fill(*given)
         self.call("evaluate", evaluation.numbers)
-        is_small = evaluation.memory.size <= MOST_KEPT
-        out = evaluation.out.copy() if is_small else evaluation.out
-        if is_small:
-            keep(self.kept, shape, evaluation)
+        if not evaluation.is_small:
+            return evaluation.out
+        out = evaluation.out.copy()
+        keep(self.kept, shape, evaluation)
         return out
 
     def events_at(
@@ -105,21 +108,27 @@ class Evaluation:
         self,
         callee: Callee,
         role: int,
-        points: int,
         count: int,
-        size: int,
-        shape: tuple[int, int],
+        times: Any,
+        x: np.ndarray,
+        segments: Schedule,
+        parameters: np.ndarray,
     ):
-        rows, columns = shape
-        of_points = points, points * callee.nstates, points * count
-        most = max(count, 3 * callee.events)
-        of_functions = 1, size + 1, callee.room + 1, most + 1
-        self.memory, arrays = aligned(*of_points, rows * columns, *of_functions)
-        self.times, self.states, out, values, time, self.P, W, D = arrays
-        self.values = values.reshape(shape)
-        self.out = out.reshape(points, count)
-        self.which_segment = np.zeros(points, dtype=np.int64)
-        self.indices = np.zeros(columns, dtype=np.int64)
+        self.times = np.array(times, dtype=float)
+        self.which_segment = np.searchsorted(segments.edges, times, "right")
+        self.states = x.ravel()
+        self.indices = segments.indices.copy()
+        self.values = segments.values.copy()
+        self.out = np.empty((len(times), count))
+        size = max(callee.size, len(parameters)) + 1
+        results = max(count, 3 * callee.events) + 1
+        self.memory, arrays = aligned(1, size, callee.room + 1, results)
+        time, self.P, W, D = arrays
+        self.P[: len(parameters)] = parameters
+        sizes = self.states.size, self.out.size, self.values.size, self.memory.size
+        self.is_small = sum(sizes) <= MOST_KEPT
+        if self.is_small:
+            self.states = self.states.copy()
         self.numbers = numbers_of(
             callee.functions,
             role,
@@ -132,14 +141,16 @@ class Evaluation:
             self.out,
         )
 
-    def fill(self, times: Any, x: Any, segments: Schedule, parameters: Any) -> None:
-        """Write the points, their segments and P into the arrays."""
-        self.memory.fill(0.0)
+    def fill(
+        self, times: Any, x: np.ndarray, segments: Schedule, parameters: np.ndarray
+    ) -> None:
+        """Write other points, their segments and P into the arrays."""
         self.times[:] = times
-        self.states[:] = x.ravel()
         self.which_segment[:] = np.searchsorted(segments.edges, times, "right")
+        self.states[:] = x.ravel()
         self.indices[:] = segments.indices
         self.values[:] = segments.values
+        self.memory.fill(0.0)
         self.P[: len(parameters)] = parameters
 
 
