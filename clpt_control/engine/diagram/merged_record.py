@@ -36,15 +36,10 @@ StandIn = Callable[[Node, dict[str, Any], dict[str, Shape]], dict[str, Any] | No
 
 def open_sizes(wiring: Wiring) -> dict[str, int]:
     """Return the sizes that have one name and one value in all blocks."""
-    values_by_name: dict[str, set[int]] = {}
-    for node in wiring.nodes:
-        for name, value in node.system.sizes.items():
-            values_by_name.setdefault(name, set()).add(value)
-    return {
-        name: values.pop()
-        for name, values in values_by_name.items()
-        if len(values) == 1
-    }
+    nodes = wiring.nodes
+    sizes = dict.fromkeys(size for node in nodes for size in node.system.sizes.items())
+    names = [name for name, _ in sizes]
+    return {name: value for name, value in sizes if names.count(name) == 1}
 
 
 class Source(NamedTuple):

@@ -21,9 +21,10 @@ from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
 from ..trace.arrays import OUTLIVES
 from .evaluation_pass import rounding
+from .level_jumps import requesting
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
-from .schedule import JUMPS, Inputs, Schedule, inputs_at
+from .schedule import Inputs, Schedule, inputs_at
 from .solver_layout import DERIVATIVE, DISTANCE, JUMP, SIGNALS, Status
 from .termination import Solution
 
@@ -248,10 +249,7 @@ def _agrees(
             callee.evaluate(DERIVATIVE, times, x, segments, P, runner.nstates)
         )
     if sweep.jumping:
-        values = segments.values.copy()
-        requests = np.isin(segments.indices, list(runner.jumps.values()))
-        values[:, requests] = JUMPS
-        all_jump = segments._replace(values=values)
+        all_jump = requesting(runner, segments, sweep.jumping)
         machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
     if sweep.guarded:
         events = callee.events_at(times, x, segments, P)

@@ -179,12 +179,9 @@ def _until_a_jump(segments: Schedule) -> Schedule:
     Where inputs bend, the rates on a switch jump too: each segment begins anew.
     """
     jumps = np.flatnonzero(segments.smooth[1:-1] == 0)
-    count = len(segments.edges) - 1
-    if len(jumps):
-        count = 1 + int(jumps[0])
-    return Schedule(
+    count = 1 + int(jumps[0]) if len(jumps) else len(segments.edges) - 1
+    return segments._replace(
         edges=np.append(segments.edges[:count], np.inf),
-        indices=segments.indices,
         values=segments.values[: count + 1],
         smooth=np.zeros_like(segments.smooth[: count + 1]),
     )

@@ -81,7 +81,7 @@ def jump_at_level(
             )
         if not jumping:
             break
-        requests = _requests(diagram, segments, jumping)
+        requests = requesting(diagram, segments, jumping)
         (x,) = callee.evaluate(JUMP, [t], x[None], requests, P, len(x))
         jumped += jumping
         left = distances([t], x[None])[0] < -OUTSIDE
@@ -108,7 +108,7 @@ def _bracket(batch: Batch) -> tuple[list[float], ndarray]:
     return times, np.array([state_within(batch, share) for share in shares])
 
 
-def _requests(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:
+def requesting(diagram: Any, segments: Schedule, jumping: list[int]) -> Schedule:
     """Return segments in which these blocks jump and no others do."""
     values = segments.values.copy()
     for k, place in diagram.jumps.items():

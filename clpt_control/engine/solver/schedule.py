@@ -221,10 +221,7 @@ class Schedule(NamedTuple):
     def after(self, t: float) -> "Schedule":
         """Return the segments from a time on."""
         k = int(np.searchsorted(self.edges, t, side="right"))
-        edges = self.edges[k:]
-        values = self.values[k:]
-        smooth = self.smooth[k:]
-        return Schedule(edges, self.indices, values, smooth)
+        return Schedule(self.edges[k:], self.indices, self.values[k:], self.smooth[k:])
 
 
 def make_schedule(

@@ -20,7 +20,6 @@ from collections import OrderedDict, deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from math import copysign
 from operator import is_
 from types import CellType, FunctionType, MemberDescriptorType, MethodType
 from typing import Any, NamedTuple
@@ -28,6 +27,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.arguments import attribute_of
+from ..record.graph import key_of
 from ..record.unread import Unread
 from .arrays import Array
 from .references import IMMUTABLE, PLAIN_BASES, root_of
@@ -273,11 +273,8 @@ def _is_identical(a: Content, b: Content) -> bool:
 
 def _is_same(a: Any, b: Any) -> bool:
     """Return whether values are one object, or equal numbers or texts."""
-    if a is b:
-        return True
-    if type(a) is not type(b) or type(a) not in (float, int, str, bytes):
-        return False
-    return a == b and (type(a) is not float or copysign(1.0, a) == copysign(1.0, b))
+    is_plain = type(a) is type(b) and type(a) in (float, int, str, bytes)
+    return a is b or (is_plain and key_of(a) == key_of(b))
 
 
 def restore(values: Iterable[Mutable]) -> None:

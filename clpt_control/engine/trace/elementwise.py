@@ -83,15 +83,16 @@ def lifted(tape: Tape, value: Any) -> Any:
         return value
     if isinstance(value, bool | int | float | np.bool_ | np.integer | np.floating):
         return float(value)
-    if isinstance(value, np.ndarray) and type(value) not in (np.ndarray, np.memmap):
-        raise Unread(
-            f"calculating with a {type(value).__name__}. Write np.asarray of it"
-        )
-    try:
-        if isinstance(value, np.ndarray) and value.dtype != object:
+    if isinstance(value, np.ndarray):
+        if type(value) not in (np.ndarray, np.memmap):
+            raise Unread(
+                f"calculating with a {type(value).__name__}. Write np.asarray of it"
+            )
+        if value.dtype != object:
             return constant(tape, value)
-        if isinstance(value, np.ndarray) and not value.ndim:
+        if not value.ndim:
             return lifted(tape, value.item())
+    try:
         if isinstance(value, str):  # each of its letters is a text again
             raise TypeError
         items = [lifted(tape, item) for item in value]

@@ -166,7 +166,7 @@ def solve(A, b):
     n = A.shape[0]
     if A.ndim != 2 or A.shape != (n, n) or b.shape[0] != n:
         raise ValueError("solve: A must be square, b as long")
-    columns = b[:, None] if b.ndim == 1 else b
+    columns = np.reshape(b, (n, -1))
     rows = [np.concatenate([row, columns[k]]) for k, row in enumerate(_rows(A))]
     _eliminate(rows)
     solved: list[Any] = [None] * n
@@ -175,8 +175,7 @@ def solve(A, b):
         for i in range(k + 1, n):
             total = total - solved[i] * rows[k][i]
         solved[k] = total / rows[k][k]
-    x = np.stack(solved)
-    return x[:, 0] if b.ndim == 1 else x
+    return np.reshape(np.stack(solved), b.shape)
 
 
 def determinant(A):

@@ -107,9 +107,9 @@ def reduced(ufunc, a, axis=0, keepdims=False, initial=None):
             a = row[place_of_the_least(row if ufunc is np.minimum else -row)]
             axes = []
     for d in sorted((d % a.ndim for d in axes), reverse=True):
-        a = total(a, d) if ufunc is np.add else _folded(ufunc, _slices(a, d))
+        a = total(a, d) if ufunc is np.add else _folded(ufunc, [*np.moveaxis(a, d, 0)])
         if keepdims and isinstance(a, Array):
-            a = a[(*[slice(None)] * d, None)]
+            a = np.expand_dims(a, d)
     return a if initial is None else ufunc(a, initial)
 
 
@@ -131,17 +131,13 @@ def _folded(ufunc: Any, slices: list[Any]) -> Any:
     )
 
 
-def _slices(a: Array, axis: int) -> list[Any]:
-    return [a[(*[slice(None)] * axis, k)] for k in range(a._counted()[axis])]
-
-
 def accumulated(ufunc, a, axis=0):
     """Return the partial results of a reduction along an axis, as np.cumsum does."""
     a = as_number(lifted(tape_of([a]), a))
     if axis is None:
         a = np.ravel(a)
         axis = 0
-    return np.stack(list(accumulate(_slices(a, axis % a.ndim), ufunc)), axis)
+    return np.stack([*accumulate(np.moveaxis(a, axis, 0), ufunc)], axis)
 
 
 def matmul(a, b):
@@ -150,8 +146,7 @@ def matmul(a, b):
         raise ValueError("matmul: an operand is a scalar")
     if is_truth(a) and is_truth(b):
         return refuse("a product of matrices of truth values")
-    inner = b.shape[-2] if b.ndim > 1 else b.shape[0]
-    if a.shape[-1] != inner:
+    if a.shape[-1] != b.shape[-2:][0]:
         raise ValueError(f"matmul: shapes {a.shape} and {b.shape} do not fit")
     if b.ndim == 1:
         return total(a * b, -1)
