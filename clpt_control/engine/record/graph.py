@@ -46,8 +46,10 @@ Shape = tuple[Any, ...]  # of whole numbers and names of sizes
 
 
 def key_of(ref: Ref) -> Any:
-    """Return what tells arguments apart: 0.0 is not -0.0, 1.0 not the value 1."""
-    return (ref, copysign(1.0, ref)) if type(ref) is float else ref
+    """Return what tells arguments apart: 0.0 is not -0.0, 1.0 not the value 1; NaN is NaN."""
+    if type(ref) is not float:
+        return ref
+    return (ref if ref == ref else "NaN", copysign(1.0, ref))
 
 
 class Operation(NamedTuple):
