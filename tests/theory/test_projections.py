@@ -10,7 +10,7 @@ from model_reference import PROJECTIONS, V, loop, stopped_in_a_ball, stopped_smo
 
 from clpt_control import lyapunov
 
-FAST = ("if", "where and minimum", "a box", "a ball")
+FAST = ("if", "a box")
 
 
 def judged(law, kmax):
@@ -42,7 +42,7 @@ def test_a_projection_beyond_the_ideal_gains_is_proved(name):
     assert found.claim == "V' <= -4*(y - ym)**2 <= 0"
 
 
-@pytest.mark.parametrize("name", each(PROJECTIONS, ("if", "a ball")))
+@pytest.mark.parametrize("name", each(PROJECTIONS, ("a ball",)))
 def test_a_projection_short_of_the_ideal_gains_is_not_proved(name):
     """kmax = 1 keeps from 4/3: with r it pushes V up."""
     found = judged(PROJECTIONS[name], 1.0)

@@ -42,11 +42,8 @@ def test_each_promise_is_said_with_its_conditions(printed):
 NEEDED = [
     ("learned-flow", "falls", "spanned"),
     ("learned-flow", "falls", "exact"),
-    ("learned-flow", "settles", "spanned"),
     ("switching-sigma", "falls", "within"),
-    ("dead-zone", "falls", "small"),
     ("dead-zone", "zone", "small"),
-    ("projection", "settles", "within"),
     ("least-squares", "estimate", "exact"),
     ("composite-memory", "exponential", "spanned"),
     ("drem", "readout", "spanned"),
