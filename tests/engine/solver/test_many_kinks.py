@@ -131,8 +131,7 @@ def random_network(random):
 
 
 @pytest.mark.parametrize(
-    "seed",
-    [0, 1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 20))],
+    "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))]
 )
 def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
     random = np.random.default_rng(seed)
