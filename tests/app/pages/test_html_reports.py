@@ -174,6 +174,9 @@ def test_a_changed_loop_has_not_the_papers_title(tmp_path, undrawn):
     changed = clpt.report(clpt.simulate(loop), page)["title"]
     assert changed == "The paper's loop with parts given in Python, v_x to vehicle: lag"
     assert "section IV" in clpt.report(clpt.simulate(scenario), page)["title"]
+    text = page.read_text("utf-8")
+    wide = text.count('class="wide"')
+    assert text.count("Scroll sideways to see all of it.") == wide > 0
 
 
 def test_rounding_is_printed_as_0_with_its_tolerance(words):
