@@ -348,13 +348,10 @@ class SymbolicFunction(Symbols):
 
     def __call__(self, leaf: Callable[[str, str], np.ndarray]) -> np.ndarray:
         """Return the value of each output; ``leaf("x", "alpha")`` is an array."""
-        values = []
-        for group, name, index in self.leaves:
-            value: Any = name
-            if group:
-                array = np.asarray(leaf(group, name))
-                value = array[index]
-            values.append(np.asarray(value, dtype=float)[()])
+        values = [
+            np.float64(np.asarray(leaf(group, name))[index] if group else name)
+            for group, name, index in self.leaves
+        ]
         with np.errstate(all="ignore"):
             outputs = self._compiled(*values)
         return np.array(outputs, dtype=float)

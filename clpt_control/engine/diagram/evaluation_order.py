@@ -55,9 +55,10 @@ def _by_signals(
         computed.update(range(outputs.start, outputs.stop))
     needed = {k: _needed_signals(nodes[k]) for k in waits}
     while needed:
-        computable = {}
-        for k, signals in needed.items():
-            computable[k] = {s for s, sources in signals.items() if sources <= computed}
+        computable = {
+            k: {s for s, sources in signals.items() if sources <= computed}
+            for k, signals in needed.items()
+        }
         # first a block with all its outputs, then one with some of them
         complete = (k for k in needed if len(computable[k]) == len(needed[k]))
         incomplete = (k for k in needed if computable[k])
@@ -78,11 +79,10 @@ def _needed_signals(node: Any) -> dict[int, set[int]]:
     sources: dict[int, set[int]] = {}
     for to, source, _ in node.fed():
         sources.setdefault(to, set()).add(source)
-    needed = {}
-    for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start):
-        input_sources = [sources.get(k, set()) for k in inputs]
-        needed[signal] = set().union(*input_sources)
-    return needed
+    return {
+        signal: set().union(*(sources.get(k, set()) for k in inputs))
+        for signal, inputs in enumerate(_feedthrough(node.system), node.outputs.start)
+    }
 
 
 def _without_zero_entries(

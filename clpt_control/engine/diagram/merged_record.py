@@ -69,11 +69,11 @@ class RecordMerger:
         self.wiring = wiring
         self.inputs: dict[int, Ref] = {}  # of the diagram, by first signal
         self.outputs: dict[int, Ref] = {}  # of blocks so far, by first signal
-        output_sizes = {}
-        for node in wiring.nodes:
-            for signals, _ in places(node.system.output_shapes).values():
-                start = node.outputs.start + signals.start
-                output_sizes[start] = signals.stop - signals.start
+        output_sizes = {
+            node.outputs.start + signals.start: signals.stop - signals.start
+            for node in wiring.nodes
+            for signals, _ in places(node.system.output_shapes).values()
+        }
         # sizes of ports by first signal, and the first signal of each signal's port
         self._sizes = output_sizes, input_sizes
         self._starts = [
@@ -97,12 +97,15 @@ class RecordMerger:
         node = self.wiring.nodes[k]
         block = node.system
         declared = block.declared["inputs"]
-        values = {}
-        for port, (signals, _) in places(block.input_shapes).items():
-            shape = self.shape(block, declared[port])
-            inputs = range(signals.start, signals.stop)
-            values[port] = self.joined(node, port, inputs, shape)
-        return values
+        return {
+            port: self.joined(
+                node,
+                port,
+                range(signals.start, signals.stop),
+                self.shape(block, declared[port]),
+            )
+            for port, (signals, _) in places(block.input_shapes).items()
+        }
 
     def joined(self, node: Node, port: str, inputs: range, shape: Shape) -> Ref:
         """Return the value of the inputs of a port: an array, or several joined."""
@@ -310,11 +313,10 @@ class TapeRecord(RecordMerger):
         refs = self.run(k, role, fed)
         kind = "outputs" if role == "output" else "states"
         ports = {"distance": ()} if role == "guard" else block.declared[kind]
-        results = {}
-        for (port, shape), ref in zip(ports.items(), refs, strict=True):
-            shape = self.shape(block, shape)
-            value = self.tape.value(ref)
-            results[port] = spread(self.tape, value, shape)
+        results = {
+            port: spread(self.tape, self.tape.value(ref), self.shape(block, shape))
+            for (port, shape), ref in zip(ports.items(), refs, strict=True)
+        }
         for index in range(begin, len(self.tape.operations)):
             self.owners[index] = f"{node.name}.{role}"
         return results

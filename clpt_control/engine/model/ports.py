@@ -25,10 +25,10 @@ Slices = dict[str, tuple[slice, Shape]]  # port -> its slice of a vector, and it
 
 def shapes_of(ports: Declared | None) -> dict[str, Shape]:
     """Return the shape of each port as a tuple."""
-    shapes = {}
-    for port, size in (ports or {}).items():
-        shapes[port] = tuple(size) if isinstance(size, tuple | list) else (size,)
-    return shapes
+    return {
+        port: tuple(size) if isinstance(size, tuple | list) else (size,)
+        for port, size in (ports or {}).items()
+    }
 
 
 def sized(
@@ -193,10 +193,11 @@ def bare_labels(labels: Sequence[str]) -> list[str]:
 
 def whole_labels(labels: Iterable[str]) -> list[str]:
     """Return labels with a number for each signal: ``e, v[0]`` are ``e[0], v[0]``."""
-    numbered: dict[int, str] = {}
-    for port, indices in ports_of(labels).items():
-        for k, index in enumerate(indices):
-            numbered[index] = f"{port}[{k}]"
+    numbered = {
+        index: f"{port}[{k}]"
+        for port, indices in ports_of(labels).items()
+        for k, index in enumerate(indices)
+    }
     return [numbered[index] for index in range(len(numbered))]
 
 

@@ -71,12 +71,11 @@ class Record:
 
     @cached_property
     def _key(self) -> tuple:
-        lines = []
-        for operation in self.operations:
-            argument_keys = tuple(map(key_of, operation.arguments))
-            lines.append(operation._replace(arguments=argument_keys))
-        output_keys = tuple(map(key_of, self.outputs))
-        return tuple(lines), output_keys, self.shapes
+        lines = tuple(
+            operation._replace(arguments=tuple(map(key_of, operation.arguments)))
+            for operation in self.operations
+        )
+        return lines, tuple(map(key_of, self.outputs)), self.shapes
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Record) and self._key == other._key
@@ -101,13 +100,13 @@ class Record:
 
     def renamed(self, names: dict[tuple[str, str], tuple[str, str]]) -> "Record":
         """Return the record with other leaves: {(group, name): (group, name)}."""
-        operations = []
-        for operation in self.operations:
-            if operation.kind == "leaf":
-                name = names.get(operation.at, operation.at)
-                operation = operation._replace(at=name)
-            operations.append(operation)
-        return Record(tuple(operations), self.outputs, self.shapes)
+        operations = tuple(
+            operation._replace(at=names.get(operation.at, operation.at))
+            if operation.kind == "leaf"
+            else operation
+            for operation in self.operations
+        )
+        return Record(operations, self.outputs, self.shapes)
 
 
 def bound(shape: Shape, sizes: Mapping[str, int]) -> Shape:
@@ -157,13 +156,12 @@ def compact(
     def moved(refs: Iterable[Ref]) -> tuple[Ref, ...]:
         return tuple([position[ref] if type(ref) is int else ref for ref in refs])
 
-    lines = []
-    for k in used:
-        arguments = moved(operations[k].arguments)
-        lines.append(operations[k]._replace(arguments=arguments))
+    lines = tuple(
+        operations[k]._replace(arguments=moved(operations[k].arguments)) for k in used
+    )
     if shapes is None:
         shapes = [operations[ref].shape if type(ref) is int else () for ref in outputs]
-    return Record(tuple(lines), moved(outputs), tuple(shapes))
+    return Record(lines, moved(outputs), tuple(shapes))
 
 
 def replayed(
@@ -256,12 +254,10 @@ def evaluated(
             else:
                 value = ELEMENTWISE[kind](*arguments)
             values.append(np.broadcast_to(value, sized(shape, value)))
-    outputs = []
-    for ref, shape in zip(record.outputs, record.shapes, strict=True):
-        full_shape = *bound(shape, sizes), points
-        output = np.broadcast_to(value_of(ref), full_shape)
-        outputs.append(output.astype(float))
-    return outputs
+    return [
+        np.broadcast_to(value_of(ref), (*bound(shape, sizes), points)).astype(float)
+        for ref, shape in zip(record.outputs, record.shapes, strict=True)
+    ]
 
 
 def _joined(_: Operation, *arrays: np.ndarray) -> np.ndarray:

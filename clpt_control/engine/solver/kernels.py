@@ -22,21 +22,18 @@ def program_of_formulas(formulas: dict[str, Formula], n: int) -> Program:
     writes = {}
     for name, formula in formulas.items():
         rows, numbers = formula(step)
-        in_rows = []
-        for row, value in rows.items():
-            in_rows.append(Port(row * n, (n,), (True,), operand(value)))
-        in_lane = []
-        for row, value in numbers.items():
-            in_lane.append(Port(row, (), (), operand(value)))
+        in_rows = [
+            Port(row * n, (n,), (True,), operand(value)) for row, value in rows.items()
+        ]
+        in_lane = [Port(row, (), (), operand(value)) for row, value in numbers.items()]
         writes[name] = components.writes(in_rows, "X")
         writes[name] += components.writes(in_lane, "t")
     planner = Planner(components)
-    functions = {}
-    for name, written in writes.items():
-        # loops come first: they read numbers of the lane, which are written behind them
-        nests = planner.nests(written)
-        ordered = sorted(nests, key=lambda nest: not nest.lengths)
-        functions[name] = tuple(ordered)
+    # loops come first: they read numbers of the lane, which are written behind them
+    functions = {
+        name: tuple(sorted(planner.nests(written), key=lambda nest: not nest.lengths))
+        for name, written in writes.items()
+    }
     return Program(tuple(components.all), functions, {}, (), 0, 0, 0, ())
 
 

@@ -223,12 +223,11 @@ class Array(NDArrayOperatorsMixin):
             return store.copy()
         if (numbers := numbers_of(self)) is not None:
             return numbers.astype(object)
-        elements = np.empty(self.size, dtype=object)
-        for k, index in enumerate(np.ndindex(self.shape)):
-            elements[k] = (
-                self[index] if self.shape else Array(self._tape, self._node, ())
-            )
-        return elements.reshape(self.shape)
+        elements = (
+            self[index] if self.shape else Array(self._tape, self._node, ())
+            for index in np.ndindex(self._counted())
+        )
+        return np.fromiter(elements, object).reshape(self.shape)
 
     # --- NumPy's protocols ----------------------------------------------------------------
 

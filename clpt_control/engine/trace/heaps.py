@@ -345,10 +345,9 @@ class Joining:
             return None
         old = Array(array._tape, array._node, array.shape)._elements
         rows = [(old() if store is None else store).ravel() for store in stores]
-        elements = np.empty(array.size, dtype=object)
-        for k, column in enumerate(zip(*rows, strict=True)):
-            elements[k] = joined(self.tape, self.tree, column, where)
-        return elements.reshape(array.shape)
+        columns = zip(*rows, strict=True)
+        elements = (joined(self.tape, self.tree, values, where) for values in columns)
+        return np.fromiter(elements, object).reshape(array.shape)
 
     def _array(self, values: Sequence[Array]) -> Array:
         """Return one array for arrays that are read-only, or were made on their paths."""

@@ -456,10 +456,8 @@ IMPLEMENTED = {  # NumPy's function -> its record
 def as_list(a: Array) -> Any:
     """Return elements in lists, as Python's own numbers."""
     elements = objects(a)
-    numbers = np.empty(elements.shape, dtype=object)
-    for index, element in np.ndenumerate(elements):
-        numbers[index] = of_python(element, is_whole(element))
-    return numbers.tolist()
+    numbers = (of_python(element, is_whole(element)) for element in elements.flat)
+    return np.fromiter(numbers, object).reshape(elements.shape).tolist()
 
 
 def item(a: Array, *index: Any) -> Any:

@@ -307,9 +307,7 @@ def _by_port(
     size = sum(map(prod, out.values()))
     if len(numbers) != size:
         raise BlockError(f"{role}: returns {len(numbers)} numbers; must return {size}")
-    flat = np.empty(size, dtype=object)
-    for k, number in enumerate(numbers):
-        flat[k] = as_number(lifted(tape, number))
+    flat = np.fromiter((as_number(lifted(tape, v)) for v in numbers), object)
     return [
         lifted(tape, flat[item].reshape(shape)) for item, shape in places(out).values()
     ]
