@@ -259,27 +259,16 @@ class Sweep:
             results.append((node, "output", self.signals[node.outputs]))
         results += [(node, "update", dx[node.states]) for node in self.nodes]
         for node, role, values in results:
-            sentence = _first_not_finite(node, role, values, advice)
-            if sentence is not None:
-                return sentence
+            system = node.system
+            labels = system.output_labels if role == "output" else system.state_labels
+            for label in np.array(labels)[~np.isfinite(values)]:
+                name = f"{DESCRIPTIONS[role]} {label} of block {node.name}"
+                return system.raised.get(role) or f"{name} is not finite; {advice}"
         return None
 
 
 # of results
 DESCRIPTIONS = {"jump": "state", "output": "signal", "update": "derivative of"}
-
-
-def _first_not_finite(
-    node: Node, role: str, values: ndarray, advice: str
-) -> str | None:
-    """Return a sentence on the first of a block's values that is not finite, or its error."""
-    system = node.system
-    labels = system.output_labels if role == "output" else system.state_labels
-    not_finite = ~np.isfinite(values)
-    for label in np.array(labels)[not_finite]:
-        description = f"{DESCRIPTIONS[role]} {label} of block {node.name}"
-        return system.raised.get(role) or f"{description} is not finite; {advice}"
-    return None
 
 
 def moved_to(jumps: ndarray, times: ndarray) -> ndarray:

@@ -182,7 +182,7 @@ def item_of(values, index, read_only=False):
 
 def picked_from(values: Any, index: Array, rows: tuple[type, ...] = (tuple,)) -> Any:
     """Return the item of a list of numbers, or of rows of numbers; None of other lists."""
-    if all(map(_is_item, values)):
+    if all((isinstance(v, Array) and not v.shape) or type(v) in ITEMS for v in values):
         return _picked_number(values, index)
     kinds = {
         (type(value), len(value) if hasattr(value, "__len__") else -1)
@@ -195,10 +195,6 @@ def picked_from(values: Any, index: Array, rows: tuple[type, ...] = (tuple,)) ->
         picked_from([value[j] for value in values], index) for j in range(length)
     ]
     return None if any(column is None for column in columns) else kind(columns)
-
-
-def _is_item(value: Any) -> bool:
-    return (isinstance(value, Array) and not value.shape) or type(value) in ITEMS
 
 
 def _picked_number(values: Any, index: Array) -> Any:

@@ -1,5 +1,6 @@
 """A diagram linearized: closed forms, python-control's differences, kinks and jumps."""
 
+import math
 import warnings
 
 import control
@@ -179,6 +180,12 @@ def test_a_slope_without_end_is_refused_by_the_name_of_what_has_none():
         clpt.linearize(
             control.nlsys(lambda t, x, u, p: -x, size, **names), [1.0, 0.0, 0.0]
         )
+
+
+def test_a_distance_has_a_slope_where_one_coordinate_is_equal():
+    rates = lambda t, x, u, p: [-math.dist(x, [0.0, 3.0]), -math.hypot(x[0], x[1])]  # noqa: E731
+    made = clpt.linearize(control.nlsys(rates, states=2, inputs=0), [0.0, 1.0])
+    assert made.A.tolist() == [[0.0, 1.0], [0.0, -1.0]]
 
 
 def test_minimal_leaves_out_what_is_not_reached_or_not_seen():

@@ -123,7 +123,9 @@ ARRAYS = """
     np.dot(u, CUBE)[1, 0] ; math.prod(np.outer(u, v))[1] ;
     np.take(u, np.array([4, -8]), mode="wrap")[1] ; np.take(u, [-2, 7], mode="clip")[0] ;
     math.modf(-1.7 * u[0])[0] ; np.modf(3.0 * u)[1][2] ; np.logaddexp(u, 800.0 * v)[1] ;
-    special.gamma(u)[0] ; math.isclose(u[0], 0.8, rel_tol=1e-3) + u[1]
+    special.gamma(u)[0] ; math.isclose(u[0], 0.8, rel_tol=1e-3) + u[1] ;
+    np.linalg.norm(np.outer(v, v) + 1.0, 2) * u[0] ; np.gradient(np.outer(v, v))[0][1, 2] + u[0] ;
+    np.sort(np.outer(v, v), axis=0)[0, 1] + u[0] ; np.median(np.outer(v, v), axis=1)[2] * u[0]
 """
 CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
 
