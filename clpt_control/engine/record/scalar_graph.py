@@ -93,8 +93,7 @@ class Elements:
         """Return the value and index that an element is copied from; None if it is computed."""
         kind, arguments, shape, at = self.operations[ref]
         if kind == "view":
-            source_index = [_moved(axis, index) for axis in at]
-            return arguments[0], tuple(source_index)
+            return arguments[0], tuple(moved(axis, index) for axis in at)
         if kind == "fill":
             return arguments[0], ()
         if kind == "part":
@@ -158,8 +157,8 @@ class Elements:
         return self.apply(ref, "sum", tuple(summands))
 
 
-def _moved(axis: Any, index: Index) -> Any:
-    """Return the index in an array, along one of its axes, of an element of a view."""
+def moved(axis: Any, index: Index) -> Any:
+    """Return the index in an array, along one of its axes, of an element or view of a view."""
     if isinstance(axis, int):
         return axis
     view_axis, start, step = axis

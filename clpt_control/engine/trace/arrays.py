@@ -236,10 +236,10 @@ class Array(NDArrayOperatorsMixin):
     ) -> Any:
         if not self.shape and not options and ufunc in UFUNCS and method == "__call__":
             return HOOKS["elementwise"](UFUNCS[ufunc], *inputs)
-        return HOOKS["ufunc"](self._tape, ufunc, method, inputs, options)
+        return HOOKS["ufunc"](ufunc, method, self._tape, *inputs, **options)
 
     def __array_function__(self, function, types, inputs, options):
-        return HOOKS["function"](self._tape, function, inputs, options)
+        return HOOKS["function"](function, self._tape, *inputs, **options)
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if dtype is not None and np.dtype(dtype).kind == "O":

@@ -48,7 +48,7 @@ BOXED = {  # functions whose results are arrays, also without axes
 }
 
 
-def apply_function(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
+def apply_function(function: Any, tape: Tape, /, *inputs: Any, **options: Any) -> Any:
     """Record a function of NumPy."""
     out = options.pop("out", None)
     result = None

@@ -77,8 +77,7 @@ class TracerFunction:
         if not isinstance(self.real, np.ufunc) or not callable(attribute):
             return attribute
         return TracerFunction(
-            attribute,
-            lambda tape, *a, **options: apply_ufunc(tape, self.real, name, a, options),
+            attribute, functools.partial(apply_ufunc, self.real, name)
         )
 
 
@@ -372,16 +371,10 @@ BUILTINS: dict[str, Any] = {**vars(builtins), **BUILTIN_FUNCTIONS}
 
 def of_numpy(real: Any) -> TracerFunction:
     """Return the tracer function of a function of NumPy, for lists that hold signals."""
-    if real in MAKERS:
-        return TracerFunction(real, MAKERS[real])
     if isinstance(real, np.ufunc):
-        return TracerFunction(
-            real,
-            lambda tape, *a, **options: apply_ufunc(tape, real, "__call__", a, options),
-        )
-    return TracerFunction(
-        real, lambda tape, *a, **options: apply_function(tape, real, a, options)
-    )
+        return TracerFunction(real, functools.partial(apply_ufunc, real, "__call__"))
+    record = functools.partial(apply_function, real)
+    return TracerFunction(real, MAKERS.get(real, record))
 
 
 def array(
@@ -487,14 +480,14 @@ class SilentLogger:
         return lambda *arguments, **options: None
 
 
-def _bisect(side: str) -> Callable:
-    return lambda tape, row, value: searched(row, value, side)
-
-
 SILENT = SilentLogger()
 _known: dict[int, Any] = {  # by the identity of the real value
-    id(bisect.bisect_left): TracerFunction(bisect.bisect_left, _bisect("left")),
-    id(bisect.bisect_right): TracerFunction(bisect.bisect_right, _bisect("right")),
+    id(bisect.bisect_left): TracerFunction(
+        bisect.bisect_left, lambda tape, row, value: searched(row, value, "left")
+    ),
+    id(bisect.bisect_right): TracerFunction(
+        bisect.bisect_right, lambda tape, row, value: searched(row, value, "right")
+    ),
     id(np.random.default_rng): unseeded,
     id(np.errstate): errstate,
     id(logging.getLogger): lambda *name: SILENT,

@@ -34,13 +34,15 @@ from .views import (
 LONG_ROW = 24  # numbers of which the least is found by one operation
 
 
-def apply_ufunc(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:
+def apply_ufunc(
+    ufunc: Any, method: str, tape: Tape, /, *inputs: Any, **options: Any
+) -> Any:
     """Record a ufunc."""
     out = options.pop("out", None)
     if isinstance(out, tuple):
         (out,) = out
     if method == "__call__" and len(inputs) > ufunc.nin:
-        *inputs, out = inputs
+        *inputs, out = inputs  # type: ignore[assignment]
     condition = options.pop("where", True) if method == "__call__" else True
     check_doubles(options.pop("dtype", None))
     for unused in ("casting", "subok", "order"):

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..record.graph import MOST_NUMBERS, Ref, Shape, is_known, viewed
+from ..record.scalar_graph import moved
 from ..record.unread import Unread
 from .arrays import HOOKS, Array, Tape, moves, numbers_of, objects, operand, whole
 from .elementwise import (
@@ -380,7 +381,8 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
             tape, viewed(np.frombuffer(at).reshape(old_shape), mapped, shape)
         )
     if kind == "view":
-        return tape_viewed(tape, arguments[0], _composed(at, mapped), shape)
+        composed = tuple(moved(entry, mapped) for entry in at)
+        return tape_viewed(tape, arguments[0], composed, shape)
     if kind == "fill":
         (number,) = arguments
         if shape:
@@ -393,23 +395,6 @@ def tape_viewed(tape: Tape, node: int, mapped: tuple, shape: Shape) -> Any:
             return constant(tape, np.full(shape, element))
         return tape_viewed(tape, element, mapped[1:], shape)
     return tape.add("view", (node,), shape, mapped)
-
-
-def _composed(inner: tuple, outer: tuple) -> tuple:
-    """Return the mapping of a view of a view."""
-    mapping: list[Any] = []
-    for entry in inner:
-        if isinstance(entry, int):
-            mapping.append(entry)
-            continue
-        axis, start, step = entry
-        entry = outer[axis]
-        if isinstance(entry, int):
-            mapping.append(start + step * entry)
-        else:
-            axis, offset, stride = entry
-            mapping.append((axis, start + step * offset, step * stride))
-    return tuple(mapping)
 
 
 # --- stacks ------------------------------------------------------------------------------------
@@ -432,21 +417,21 @@ def stack_of(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
 
 def _runs_and_stacks(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Iterator[Any]:
     """Yield the pieces of a stack: long runs, and stacks of the values between them."""
-    alone: list[Ref] = []
+    groups: list[Any] = [[]]  # stacks and runs in turn
     position = 0
     while position < len(refs):
         end = _end_of_run(tape, refs, position)
         if end - position < SHORTEST_RUN:
-            alone.append(refs[position])
+            groups[-1].append(refs[position])
             position += 1
-            continue
-        if alone:
-            yield tape.add("stack", alone, (len(alone), *shape))
-            alone = []
-        yield _run(tape, refs[position:end], shape)
-        position = end
-    if alone:
-        yield tape.add("stack", alone, (len(alone), *shape))
+        else:
+            groups += [refs[position:end], []]
+            position = end
+    for k, group in enumerate(groups):
+        if k % 2:
+            yield _run(tape, group, shape)
+        elif group:
+            yield tape.add("stack", group, (len(group), *shape))
 
 
 def _end_of_run(tape: Tape, refs: Sequence[Ref], start: int) -> int:
@@ -490,16 +475,15 @@ def _run(tape: Tape, refs: Sequence[Ref], shape: Shape) -> Any:
     if not step:
         return constant(tape, np.array(refs))
     _, (array,), _, indices = tape.operations[refs[0]]
-    mapped: list[Any] = []
-    for index, distance in zip(indices, step, strict=True):
-        if distance:
-            mapped.append((0, index, distance))
-        elif isinstance(index, int):
-            mapped.append(index)
-        else:
-            axis, start, stride = index
-            mapped.append((axis + 1, start, stride))
-    return tape_viewed(tape, array, tuple(mapped), (len(refs), *shape))
+    mapped = tuple(
+        (0, index, distance)
+        if distance
+        else index
+        if isinstance(index, int)
+        else (index[0] + 1, *index[1:])
+        for index, distance in zip(indices, step, strict=True)
+    )
+    return tape_viewed(tape, array, mapped, (len(refs), *shape))
 
 
 def stack(arrays: Any, axis: int = 0, **options: Any) -> Any:
