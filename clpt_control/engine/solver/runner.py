@@ -257,7 +257,13 @@ class RunOptions:
         elif "step" in options:
             _refuse(options.keys() - {"step"}, "a fixed step")
         for name in [name for name in LEAST if name in options]:
-            options[name] = _checked_number(name, options[name])
+            size = numbers(name, options[name])
+            if size.ndim or not size >= LEAST[name]:
+                allowed = "above 0" if LEAST[name] else "0 or more"
+                raise SimulationError(
+                    f"{name} = {options[name]}: must be a number, {allowed}"
+                )
+            options[name] = float(size)
         if "step" in options:
             options["max_step"] = options["step"]
         checked = cls(**options)
@@ -272,16 +278,6 @@ def _refuse(names: Any, case: str) -> None:
         raise SimulationError(
             f"{', '.join(sorted(names))}: {case} has none. Leave it out"
         )
-
-
-def _checked_number(name: str, value: Any) -> float:
-    """Return the number of an option; refuse one that is out of range."""
-    size = numbers(name, value)
-    least = LEAST[name]
-    if size.ndim or not size >= least:
-        allowed = "above 0" if least else "0 or more"
-        raise SimulationError(f"{name} = {value}: must be a number, {allowed}")
-    return float(size)
 
 
 def checked_method(method: str | None) -> str:
