@@ -206,8 +206,8 @@ OPERATION = Recipe(
             (
                 (
                     "clpt_control/engine/record/operations.py",
-                    '    "log10": Row(',
-                    f'    "cbrt": Row(\n{ROW}    ),\n    "log10": Row(',
+                    '    "log10": _libm(',
+                    f'    "cbrt": Row(\n{ROW}    ),\n    "log10": _libm(',
                 ),
             ),
         ),

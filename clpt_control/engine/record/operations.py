@@ -7,6 +7,7 @@ numbers, have no NumPy function: their values are computed by `graph.picked` and
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import partial
 from math import copysign, erf, erfc, gamma, inf, nan, pi, sqrt
 from typing import Any
 
@@ -118,35 +119,33 @@ def _digamma(a):
     return np.where(is_left, value - pi / np.tan(pi * a), value)
 
 
+# rows of operators of Python that keep whole numbers, and of functions of the C library
+_arithmetic = partial(Row, whole=True, operator=True)
+_libm = partial(Row, llvm="libm")
+
 TABLE: dict[str, Row] = {
     # arithmetic
-    "add": Row(
+    "add": _arithmetic(
         np.add,
         (lambda a, b, f: 1.0, lambda a, b, f: 1.0),
         sympy=lambda s, a, b: a + b,
         llvm="fadd",
         c="+",
-        whole=True,
-        operator=True,
     ),
-    "sub": Row(
+    "sub": _arithmetic(
         np.subtract,
         (lambda a, b, f: 1.0, lambda a, b, f: -1.0),
         sympy=lambda s, a, b: a - b,
         llvm="fsub",
         c="-",
-        whole=True,
-        operator=True,
     ),
-    "mul": Row(
+    "mul": _arithmetic(
         np.multiply,
         (lambda a, b, f: b, lambda a, b, f: a),
         sympy=lambda s, a, b: a * b,
         llvm="fmul",
         c="*",
-        whole=True,
         on_truths="and",
-        operator=True,
     ),
     "div": Row(
         np.true_divide,
@@ -158,56 +157,42 @@ TABLE: dict[str, Row] = {
         operator=True,
         raises=True,
     ),
-    "floordiv": Row(
+    "floordiv": _arithmetic(
         np.floor_divide,
         smoothness=STEP,
         decisions=("floordiv",),
         signed_zero=True,
-        whole=True,
-        operator=True,
         raises=True,
         c="floordiv_",
     ),
-    "mod": Row(
+    "mod": _arithmetic(
         np.remainder,
         (lambda a, b, f: 1.0, lambda a, b, f: -np.floor(a / b)),
         smoothness=JUMP,
         decisions=("floordiv",),
         signed_zero=True,
-        whole=True,
-        operator=True,
         raises=True,
         c="mod_",
     ),
-    "pow": Row(
+    "pow": _arithmetic(
         np.pow,
         (lambda a, b, f: b * a ** (b - 1.0), lambda a, b, f: f * np.log(a)),
         sympy=lambda s, a, b: a**b,
         signed_zero=True,
-        whole=True,
-        operator=True,
         raises=True,
         traced=(np.pow, np.float_power),
         c="pow",
     ),
-    "neg": Row(
-        np.negative,
-        (lambda a, f: -1.0,),
-        sympy=lambda s, a: -a,
-        llvm="fneg",
-        c="-",
-        whole=True,
-        operator=True,
+    "neg": _arithmetic(
+        np.negative, (lambda a, f: -1.0,), sympy=lambda s, a: -a, llvm="fneg", c="-"
     ),
-    "fabs": Row(
+    "fabs": _arithmetic(
         np.absolute,
         (lambda a, f: np.where(a < 0.0, -1.0, 1.0),),
         sympy="Abs",
         llvm="intrinsic fabs",
         smoothness=KINK,
         decisions=("ge",),
-        whole=True,
-        operator=True,
         c="fabs",
     ),
     # comparisons and choices
@@ -272,26 +257,23 @@ TABLE: dict[str, Row] = {
         c="expm1",
     ),
     "log": Row(np.log, (lambda a, f: 1.0 / a,), c="log"),
-    "log1p": Row(
+    "log1p": _libm(
         np.log1p,
         (lambda a, f: 1.0 / (1.0 + a),),
         sympy=lambda s, a: s.log(1 + a),
         exact=False,
-        llvm="libm",
         c="log1p",
     ),
-    "log2": Row(
+    "log2": _libm(
         np.log2,
         (lambda a, f: 1.0 / (a * np.log(2.0)),),
         sympy=lambda s, a: s.log(a) / s.log(2),
-        llvm="libm",
         c="log2",
     ),
-    "log10": Row(
+    "log10": _libm(
         np.log10,
         (lambda a, f: 1.0 / (a * np.log(10.0)),),
         sympy=lambda s, a: s.log(a) / s.log(10),
-        llvm="libm",
         c="log10",
     ),
     # circular functions
@@ -317,33 +299,26 @@ TABLE: dict[str, Row] = {
         c="atan2",
     ),
     # hyperbolic functions and the error function
-    "sinh": Row(np.sinh, (lambda a, f: np.cosh(a),), llvm="libm", c="sinh"),
-    "cosh": Row(np.cosh, (lambda a, f: np.sinh(a),), llvm="libm", c="cosh"),
+    "sinh": _libm(np.sinh, (lambda a, f: np.cosh(a),), c="sinh"),
+    "cosh": _libm(np.cosh, (lambda a, f: np.sinh(a),), c="cosh"),
     "tanh": Row(np.tanh, (lambda a, f: 1.0 - f * f,), c="tanh"),
-    "asinh": Row(
-        np.asinh, (lambda a, f: 1.0 / np.sqrt(1.0 + a * a),), llvm="libm", c="asinh"
-    ),
-    "acosh": Row(
-        np.acosh, (lambda a, f: 1.0 / np.sqrt(a * a - 1.0),), llvm="libm", c="acosh"
-    ),
-    "atanh": Row(np.atanh, (lambda a, f: 1.0 / (1.0 - a * a),), llvm="libm", c="atanh"),
-    "erf": Row(
+    "asinh": _libm(np.asinh, (lambda a, f: 1.0 / np.sqrt(1.0 + a * a),), c="asinh"),
+    "acosh": _libm(np.acosh, (lambda a, f: 1.0 / np.sqrt(a * a - 1.0),), c="acosh"),
+    "atanh": _libm(np.atanh, (lambda a, f: 1.0 / (1.0 - a * a),), c="atanh"),
+    "erf": _libm(
         np.vectorize(erf, otypes=[float]),
         (lambda a, f: 2.0 / sqrt(pi) * np.exp(-a * a),),
-        llvm="libm",
         c="erf",
     ),
-    "tgamma": Row(
+    "tgamma": _libm(
         np.vectorize(_gamma, otypes=[float]),
         (lambda a, f: f * _digamma(a),),
         sympy=lambda s, a: s.gamma(a),
-        llvm="libm",
         c="tgamma",
     ),
-    "erfc": Row(
+    "erfc": _libm(
         np.vectorize(erfc, otypes=[float]),
         (lambda a, f: -2.0 / sqrt(pi) * np.exp(-a * a),),
-        llvm="libm",
         c="erfc",
     ),
     # a number in a row, the position of a number in a sorted row, the position of the least number
