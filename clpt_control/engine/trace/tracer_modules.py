@@ -424,19 +424,15 @@ class Joiner:
     """np.r_ or np.c_: arrays in brackets are concatenated."""
 
     def __init__(self, real: Any, join: Callable):
-        self.real = real
-        self.join = join
+        def joined(tape: Tape, index: Any) -> Any:
+            values = index if isinstance(index, tuple) else (index,)
+            arrays = [real[v] if isinstance(v, slice) else v for v in values]
+            return join([*map(np.atleast_1d, arrays)])
+
+        self.at = TracerFunction(real.__getitem__, joined)
 
     def __getitem__(self, index):
-        values = index if isinstance(index, tuple) else (index,)
-        if tape_of(values) is None:
-            tape = active()
-            result = self.real[index]
-            return result if tape is None else fresh(tape, result)
-        arrays = [
-            self.real[value] if isinstance(value, slice) else value for value in values
-        ]
-        return self.join([*map(np.atleast_1d, arrays)])
+        return self.at(index)
 
 
 # --- modules ------------------------------------------------------------------------------------
