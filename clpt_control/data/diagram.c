@@ -2,11 +2,10 @@
  * ${title}: made by clpt.export. C99, math.h alone.
  *
  * double x[${name}_nx];  copy ${name}_x0 into it; p: ${name}_p0, or your own copy.
- * ${name}_outputs(t, x, u, p, y): all outputs.
+ * ${name}_outputs(t, x, u, p, y): all outputs; call it before the step from t.
  * ${name}_rates(t, x, u, p, dx): ${rates}.
  * ${name}_step(t, dt, x, u, p): ${step}.
-${begins}${levels} * dt must divide the periods at which blocks sample or jump.
- * A parameter marked fixed sets a size, an index or a branch: it is a constant of the code.
+${begins}${levels}${divides} * A parameter marked fixed sets a size, an index or a branch: it is a constant of the code.
  * Where there are none of these, pass any array. Guards that end a run are not in this file.
  */
 //

@@ -182,8 +182,9 @@ def run_ensemble(
         "atol": atol,
     }
     if timepts is None or isinstance(system, Scenario):
+        remedy = "Leave it out" if isinstance(system, Scenario) else "Give timepts"
         _refuse(
-            "is for a diagram, with timepts",
+            f"is for a diagram with timepts. {remedy}",
             timepts=timepts,
             summary=summary,
             **run_options,
@@ -194,7 +195,7 @@ def run_ensemble(
         loop = loop_of(system)
         varied: Any = VariedScenario(loop.scenario, loop.changes, times, trajectories)
     else:
-        _refuse("is for a scenario; a diagram has timepts", times=times)
+        _refuse("is for a scenario; a diagram has timepts. Leave it out", times=times)
         run_options |= {"trajectories": trajectories, "summary": summary}
         varied = VariedDiagram(system, varies, timepts, **run_options)
     check_varies(varied, varies)
@@ -287,7 +288,7 @@ def _refuse(reason: str, **unused: Any) -> None:
     """Refuse arguments that have no effect here."""
     for name, value in unused.items():
         if value is not None:
-            raise ScenarioError(f"{name}: {reason}. Leave it out")
+            raise ScenarioError(f"{name}: {reason}")
 
 
 def available_threads() -> int:

@@ -32,6 +32,7 @@ FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63
 ROUNDING = "1e-6"  # tolerance of sample times, relative to a period
 TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8")
+DIVIDES = " * dt must divide the periods at which blocks sample or jump.\n"
 HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, TEMPLATES.split("//\n"))
 
 
@@ -166,13 +167,18 @@ class CFile:
         endings = [RUNGE_KUTTA]
         fields |= {
             "begins": "",
+            "divides": DIVIDES if self.layout.jumps and not self.wiring.dt else "",
             "samples": "",
             "next": "",
             "u_middle": "u",
             "u_end": "u",
         }
         if self.wiring.dt:
-            fields["step"] = "one step of the diagram's own time; dt is not used"
+            dt = self.wiring.dt
+            period = "" if dt is True else f", {float(dt):.12g}"
+            fields["step"] = (
+                f"one step of the diagram's own time{period}; dt is not used"
+            )
             endings = [DISCRETE]
         if self.layout.jumps:
             endings.append(JUMP)
