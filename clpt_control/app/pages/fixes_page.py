@@ -17,7 +17,7 @@ Report = dict[str, Any]  # ready for JSON
 
 def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
     """Return the page of a flow learned from fixes."""
-    report = report_of(data)
+    report = report_of(xarray.decode_cf(data))
     legs, parameters = results_of(report)
     caption = (
         "Above, fixes, their forecasts and the learned flow; below, the error of each forecast "

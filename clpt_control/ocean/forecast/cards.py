@@ -245,6 +245,8 @@ def _position_error(report: Report) -> str:
     last = report["each_dive"][-1]
     before = f"with the previous dive's current: {last['clpe']['previous_dive']:.0f} m"
     if is_outside(last):
-        before += f"; outside the {PERCENT} ellipse of its forecast"
+        error = last["forecast"]["error"]
+        off = f"{error:.0f} m off, outside its {PERCENT} ellipse"
+        before += f"; the forecast before the dive was {off}"
     value = f"{last['clpe']['adaptive']:.0f} m"
     return card(f"Position error, dive {last['dive']}", value, before)

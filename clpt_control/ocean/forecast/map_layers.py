@@ -54,7 +54,8 @@ def words_of_dive(row: dict[str, Any]) -> str:
     error = f"position error {row['clpe']['adaptive']:.0f} m"
     if row["forecast"] is not None:
         where = "outside" if is_outside(row) else "in"
-        error += f", {where} the {PERCENT} ellipse of its forecast"
+        off = f"{row['forecast']['error']:.0f} m off, {where} its {PERCENT} ellipse"
+        error += f"; the forecast before the dive was {off}"
     current = velocity(row["current_east"], row["current_north"])
     return f"surfaced {row['end']}, {error}; current {current}"
 

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ...base.errors import DataError
-from ...base.geodesy import place_from
+from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
 from ..estimation.estimator import Estimator
 from ..gliders.dives import Dive
@@ -149,7 +149,9 @@ class Step:
         fields = self.headline.as_dict()
         keys = ("time", "time_half_width", "latitude", "longitude", *ELLIPSE, "basis")
         inside, on_time = self.headline_held
+        place = fields["latitude"], fields["longitude"]
         return {key: fields[key] for key in keys} | {
+            "error": distance(*place, *self.dive.end),
             "inside": inside,
             "on_time": on_time,
         }

@@ -31,6 +31,10 @@ def theorem_and_proof(
     ]
     body = [*displayed, f"Then {sentence(judged.shown)}." * bool(judged.shown)]
     assumed = [sentence(f"{condition}") for condition in judged.conditions]
+    symbols = sympy.Tuple(*(e for e in (V, rate) if e is not None)).free_symbols
+    positive = sorted((s for s in symbols if s.is_positive), key=str)
+    if positive and judged.status == "proved":
+        assumed.append(f"${', '.join(map(mathematics, positive))} > 0$")
     body += [f"Assumptions: {'; '.join(assumed)}."] if assumed else []
     lines = [rf"\begin{{{environment}}}", "Let", *body, rf"\end{{{environment}}}"]
     return "\n".join([*lines, *proof_of(judged)])

@@ -158,3 +158,16 @@ def test_the_plan_of_a_seaglider(tmp_path):
     assert seaglider(path, radius=1e7).next_course is None
     for odd in (b"nonsense", b"", b"1e400,8", b"-4260.0,900.0", b"1,2,3"):
         assert seaglider(path, odd).next_course is None
+
+
+def test_the_error_of_a_forecast_is_from_its_place_to_the_fix():
+    for row in summary(replay_dives(DIVES))["each_dive"][2:]:
+        ahead = row["forecast"]
+        *_, error = WGS84.inv(
+            ahead["longitude"],
+            ahead["latitude"],
+            row["end_longitude"],
+            row["end_latitude"],
+        )
+        assert ahead["error"] == pytest.approx(error, abs=0.1)
+        assert ahead["inside"] or error > ahead["ellipse_short"]
