@@ -44,14 +44,11 @@ LINUX = pytest.mark.skipif(
 )
 
 
-@pytest.mark.parametrize(
-    ("threads", "chunk", "batch"), [(1, 7, None), (2, 3, None), (3, 40, 8)]
-)
+@pytest.mark.parametrize(("threads", "chunk"), [(1, 7), (2, 3), (3, 40)])
 def test_threads_chunks_and_batches_do_not_matter(
-    scenario, whole, tmp_path, monkeypatch, threads, chunk, batch
+    scenario, whole, tmp_path, threads, chunk
 ):
-    if batch is not None:
-        monkeypatch.setattr(Ensemble, "batch", batch)
+    """Three threads run batches of 8 of 40 members, one thread batches of 16."""
     given = {"seed": 3, "trajectories": True, "threads": threads, "chunk": chunk}
     data = run_ensemble(scenario, VARY, 40, out=tmp_path / "e.zarr", **given)
     assert_identical(data, whole)
