@@ -4,8 +4,7 @@ from pathlib import Path
 
 HEAD = """# Performance
 
-Measured by `make bench`: the engines in turn, round after round, each on one thread. Compare
-ratios; times belong to the machine.
+Measured by `make bench`, in turn, each on one thread. Compare ratios.
 
 Machine: {machine}.
 """
