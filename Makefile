@@ -18,10 +18,10 @@ paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
 
 test: $(READY)  ## every test but the slow ones
-	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal
 
 test-slow: $(READY)  ## the minutes-long tests
-	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m slow --no-header
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal -m slow --no-header
 
 proofs: $(READY)  ## compile the theorems in Coq, then files with altered signs: needs coqc and coqchk
 	$(BIN)/clpt prove --coq build/coq
@@ -29,7 +29,7 @@ proofs: $(READY)  ## compile the theorems in Coq, then files with altered signs:
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m coq --no-header tests/theory/test_coq.py
 
 test-processes: $(READY)  ## processes that are interrupted, killed and given full disks; `make test` has one of each kind
-	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 -m processes --no-header
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal -m processes --no-header
 
 test-browser: $(READY)  ## pages to send, the page of a replay and the site in headless Chromium, where one is installed
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m browser -rs tests/browser
@@ -38,11 +38,11 @@ test-board: $(READY)  ## the learner on a Cortex-M7 in QEMU, where it and a comp
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -m board -rsP tests/simulation/test_on_board.py
 
 test-generic: $(READY)  ## the engine's tests as on a processor without vector extensions
-	CLPT_CONTROL_PROCESSOR=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 \
+	CLPT_CONTROL_PROCESSOR=generic OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal \
 		$(ENGINE)
 
 test-lowest: $(LOWEST)/.ready  ## every test, with the lowest versions that pyproject.toml allows
-	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2
+	OPENBLAS_NUM_THREADS=1 $(LOWEST)/bin/python -m pytest -n 2 --dist worksteal
 
 solver: $(READY)  ## print engine/solver/time_stepper.py and its imports as LLVM text, after a change of one
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --constraint constraints.txt numba
