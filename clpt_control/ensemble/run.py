@@ -184,7 +184,7 @@ def run_ensemble(
     if timepts is None or isinstance(system, Scenario):
         remedy = "Leave it out" if isinstance(system, Scenario) else "Give timepts"
         _refuse(
-            f"is for a diagram with timepts. {remedy}",
+            f"is for a diagram, with timepts. {remedy}",
             timepts=timepts,
             summary=summary,
             **run_options,

@@ -14,6 +14,7 @@ coefficients, Theoretical Computer Science 409(2), 269-281.
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cache
 from itertools import combinations, combinations_with_replacement, product
 from typing import Any, NamedTuple
 
@@ -175,14 +176,20 @@ def _off_diagonal(n: int) -> np.ndarray:
     )
 
 
+@cache
+def _upper(n: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return rows and columns of the upper triangle."""
+    return np.triu_indices(n)
+
+
 def _matrices(y: np.ndarray, sizes: list[int]) -> list[np.ndarray]:
     matrices, start = [], 0
     for n in sizes:
-        count = n * (n + 1) // 2
-        G = np.zeros((n, n))
-        G[np.triu_indices(n)] = y[start : start + count]
-        matrices.append(G + np.triu(G, 1).T)
-        start += count
+        rows, columns = _upper(n)
+        G = np.empty((n, n))
+        G[rows, columns] = G[columns, rows] = y[start : start + len(rows)]
+        matrices.append(G)
+        start += len(rows)
     return matrices
 
 
@@ -194,7 +201,7 @@ def _positive(
     for G in _matrices(y / off, sizes):
         values, vectors = np.linalg.eigh(G)
         G = (vectors * np.maximum(values, margin)) @ vectors.T
-        nearest.append(G[np.triu_indices(len(G))])
+        nearest.append(G[_upper(len(G))])
     return np.concatenate(nearest) * off
 
 
