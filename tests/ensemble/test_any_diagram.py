@@ -359,6 +359,13 @@ def test_a_summary_of_the_user_is_python_controls_step_info():
     np.testing.assert_allclose(data.half, 1 - np.exp(-10 / np.array(taus)), atol=1e-7)
 
 
+def test_inputs_without_times_are_answered_with_what_is_missing():
+    with pytest.raises(
+        clpt.ScenarioError, match=r"^inputs: .*, with timepts\. Give timepts$"
+    ):
+        clpt.run_ensemble(control.ss(-1, 1, 1, 0), {"x0.x[0]": [1, 2]}, inputs=1.0)
+
+
 def test_a_summary_is_refused_where_it_is_not_computed(tmp_path):
     given = {"vary": {"tau": [1.0, 2.0]}, "timepts": TIMES}
     for summary, options, said in (

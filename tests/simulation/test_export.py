@@ -108,6 +108,16 @@ def test_the_numbers_are_those_of_the_blocks(name, tmp_path):
     )
 
 
+def test_the_head_says_how_long_a_step_may_be():
+    """A diagram of discrete time has its own; one that samples wants a divisor of its period."""
+    discrete = clpt.export(control.ss(0.5, 1, 1, 0, 0.25, name="own"))
+    assert "the diagram's own time, 0.25; dt is not used" in discrete
+    assert "dt must divide" not in discrete
+    hold, lag = clpt.parts.hold(0.1, y="held"), clpt.parts.lag(0.5, u="held", y="y")
+    assert "dt must divide" in clpt.export(clpt.connect([hold, lag], "u"))
+    assert "dt must divide" not in clpt.export(control.ss(-1, 1, 1, 0, name="free"))
+
+
 @needs_cc
 @pytest.mark.parametrize("h", [0.025, 0.1])
 def test_what_samples_takes_new_inputs_by_begin(h, tmp_path):

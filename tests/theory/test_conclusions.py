@@ -526,3 +526,18 @@ def test_a_claim_that_rises_is_all_that_is_said():
     plant, V = written("x' = -x; V = x**2")
     found = clpt.lyapunov(plant, V, claim=lambda s: s.x**2)
     assert (found.status, found.conclusion) == ("proved", "V' is at most the claim")
+
+
+@pytest.mark.parametrize(("c", "assumed"), [(1.0, "$c > 0$"), (-1.0, "")])
+def test_a_theorem_in_latex_assumes_the_signs_of_its_parameters(c, assumed):
+    damped = clpt.Block(
+        "damped",
+        update=lambda t, x, u, p: {"a": x.b, "b": -x.a - p.c * x.b},
+        states={"a": 1, "b": 1},
+        parameters={"c": c},
+    )
+    verdict = clpt.lyapunov(damped, lambda s: (s.a**2 + s.b**2) / 2)
+    assert verdict.status == ("proved" if c > 0 else "refuted")
+    theorem = verdict.latex().partition(r"\end{")[0]
+    assert ("> 0$" in theorem) == bool(assumed)
+    assert assumed in theorem

@@ -126,6 +126,25 @@ def test_a_wrong_rate_of_V_is_not_proved(law):
     assert "left over" in found.claim
 
 
+def test_a_law_that_fails_for_three_functions_alone_is_open():
+    """The product of phi_1, phi_2, phi_3 is no loss; there is none of fewer functions."""
+    law = LAWS["composite-memory"]
+
+    def one_more(s, p, truth):
+        phi = s["phi_x"]
+        more = [(math.prod(phi[:3]) ** 2,)] if len(phi) > 2 else []
+        return [*law.losses(s, p, truth), *more]
+
+    assert judged(law.name).sentence.endswith("for N = 1, 2, 3")
+    found = judged(law.name, losses=one_more)
+    assert found.status == "open"
+    assert "N = 3" in found.claim
+
+
+def test_a_law_at_fixes_says_for_which_numbers_of_functions_it_is_proved():
+    assert judged("fix-regression").sentence.endswith("for N = 1, 2")
+
+
 @pytest.mark.parametrize("law", KEEPING, ids=name_of)
 def test_a_run_starts_and_stays_where_the_relations_hold(law):
     start = "theta_estimate" if law.alpha_is_constant else "parameters"

@@ -53,6 +53,7 @@ LAW = "composite-least-squares"
 PAPER_LAW = (
     '# law = "learned-flow"  # the paper\'s, Eq. (21); may learn less than the mean\n'
 )
+LABELS = {"functions_felt_on_the_track": "functions wide enough to reach the track"}
 FELT = 0.1  # of its height: what a kernel has somewhere on a track that feels it
 
 
@@ -341,6 +342,4 @@ def _header(report: dict) -> str:
 
 def report_label(key: str) -> str:
     """Return the name of an entry of `fit_report` for a reader."""
-    if key == "functions_felt_on_the_track":
-        return "functions wide enough to reach the track"
-    return key.replace("_", " ")
+    return LABELS.get(key, key.replace("_", " "))
