@@ -1,6 +1,7 @@
 """A second run of a diagram is ready at once; whatever changed in between counts."""
 
 import functools
+import random
 import subprocess
 import sys
 import threading
@@ -11,6 +12,7 @@ import control
 import law_blocks
 import numpy as np
 import pytest
+from random_diagrams import random_diagram
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
@@ -18,6 +20,9 @@ from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE = 1.0, [1.0]
+SEEDS = [  # the first by `make test`, all by `make test-slow`
+    pytest.param(seed, marks=[pytest.mark.slow] * (seed >= 4)) for seed in range(60)
+]
 
 
 def table_of(rate):
@@ -192,6 +197,29 @@ def test_inputs_states_and_steps_count_in_the_arrays_of_the_run_before(method):
         for step in (np.inf, 0.01, np.inf)
     ]
     assert steps[1] >= 100 > steps[0] == steps[2]
+
+
+def numbers_of(diagram, draw, method):
+    """Return states and outputs of a run from a drawn start, or the sentence of its error."""
+    start, inputs = draw.normal(size=diagram.nstates), draw.normal(size=diagram.ninputs)
+    try:
+        run = clpt.simulate(diagram, TIMES, list(inputs), start, method=method)
+    except clpt.SimulationError as error:
+        return str(error)
+    response = run.clpt.response()
+    return response.states.tobytes(), response.outputs.tobytes()
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("method", ["auto", "rodas5p"])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_random_diagrams_repeat_to_the_bit_after_another_run(seed, method):
+    """The second run leaves its numbers in the arrays that the third one fills."""
+    diagram = random_diagram(random.Random(seed), blocks=2)
+    first, _, again = (
+        numbers_of(diagram, np.random.default_rng(k), method) for k in (1, 2, 1)
+    )
+    assert again == first
 
 
 def test_threads_that_run_one_diagram_do_not_share_arrays():
