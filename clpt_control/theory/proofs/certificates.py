@@ -20,7 +20,7 @@ from sympy import Add, Expr, Mul, Poly, Pow, S
 
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
-from .certified import Case, NoCertificate, Term, written
+from .certified import NOTHING_PROVED, Case, NoCertificate, Term, written
 from .exact import vanishes
 from .proof import Proof
 from .slopes import along
@@ -247,10 +247,13 @@ def with_certificates(
     prove: Callable[[], Proof], cases: Callable[[], Iterable[Ways]]
 ) -> Proof:
     """Return a proof with the certificates of its cases, such as N = 1, 2, 3, in a list."""
+    proof = prove()
+    if proof.status == "open":
+        return replace(proof, why_no_certificate=NOTHING_PROVED)
     found = [written(ways, []) for ways in cases()]
     reason = next((why for _, why in found if why), "")
     certificates = None if reason else [data for data, _ in found]
-    return replace(prove(), certificate=certificates, why_no_certificate=reason)
+    return replace(proof, certificate=certificates, why_no_certificate=reason)
 
 
 def of_invariants(inv: Any) -> Ways:

@@ -28,6 +28,7 @@ STRENGTH = (  # of conclusions, the strongest first
     "V does not increase",
     "V' is at most the push",
 )
+NOTHING_PROVED = "nothing is proved of V'"
 CHECKED = ("N", "bounded inputs", "outside V", "outside V, bounded")  # conditions
 
 
@@ -185,7 +186,7 @@ def written(
     ways: Iterable[Callable[[], Case]], conditions: Iterable[Any]
 ) -> tuple[dict | None, str]:
     """Return the first certificate of several ways to write V', or the first way's failure."""
-    reasons = ["nothing is proved of V'"]
+    reasons = [NOTHING_PROVED]
     for way in ways:
         try:
             case = way()

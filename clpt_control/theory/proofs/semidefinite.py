@@ -135,14 +135,17 @@ class SemidefiniteLoop(InvariantLoop):
             same = equated(self.matrices, {port: self.symmetric[port]})
             grown += [port] * (flows and self.not_negative(rate, set(c)))
             at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
-            slows = as_factors((rate - at_zero).xreplace(same)).is_nonpositive
-            shrinks = flows and slows and at_zero == 0
+            excess = (rate - at_zero).xreplace(same)
             has_bound = port == "P" and law.weighted_error is not None
-            estimate = {*self.states["theta_hat"].flat} if law.makes_estimate else set()
-            if shrinks or has_bound or self.keeps_a_ceiling(port):
-                bounded |= {*M.flat} | estimate
-            elif flows and slows and not at_zero.free_symbols & {*loop.motion}:
-                exist |= {*M.flat} | estimate
+            made = {*M.flat}
+            made |= {*self.states["theta_hat"].flat} if law.makes_estimate else set()
+            if has_bound or self.keeps_a_ceiling(port):
+                bounded |= made
+            elif flows and as_factors(excess).is_nonpositive:
+                if at_zero == 0:
+                    bounded |= made
+                elif not at_zero.free_symbols & {*loop.motion}:
+                    exist |= made
             bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
             V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
         in_V = [port for port in LEARNED if port in loop.states]

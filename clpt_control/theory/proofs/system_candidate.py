@@ -68,6 +68,7 @@ class SystemCandidate(Candidate):
         self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
         self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
         self.rate = self._rate_of_V()
+        self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
 
     def _refuse_what_has_no_rates(self) -> None:
@@ -362,7 +363,11 @@ class SystemCandidate(Candidate):
 
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
-        rate = decided(normal_form(self.rate))
+        if self.rate not in self.readable:
+            self.readable[self.rate] = self._readable(decided(normal_form(self.rate)))
+        return self.readable[self.rate]
+
+    def _readable(self, rate: sympy.Expr) -> sympy.Expr:
         total = squares(-rate, self.fixed)
         forms = [rate, factored(rate)]
         if total and not total.constant.free_symbols - self.fixed:
