@@ -25,7 +25,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.theory.counterexamples import printed_bound
+from clpt_control.theory.theorems.counterexamples import printed_bound
 
 from .mean_square import mean_square_bound
 from .study import BLUE, COLOURS, GREEN, ORANGE, RED, leave, new_figure, progress_bar

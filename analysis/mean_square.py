@@ -21,7 +21,7 @@ import xarray
 from scipy.integrate import cumulative_trapezoid
 
 import clpt_control as clpt
-from clpt_control.theory.counterexamples import printed_bound
+from clpt_control.theory.theorems.counterexamples import printed_bound
 
 from .study import leave, new_figure
 

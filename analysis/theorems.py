@@ -14,7 +14,7 @@ import numpy as np
 import typer
 
 import clpt_control as clpt
-from clpt_control.theory.counterexamples import disturbance_counterexample
+from clpt_control.theory.theorems.counterexamples import disturbance_counterexample
 
 from .study import BLUE, RED, leave, new_figure, progress_bar
 

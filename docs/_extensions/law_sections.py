@@ -10,7 +10,7 @@ from itertools import groupby
 
 from clpt_control.paper.laws import regressions
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.promises import promises_in_words
+from clpt_control.theory.laws.promises import promises_in_words
 
 PAGE = "each_law"
 CONDITIONS = {  # of promises, by letter

@@ -27,12 +27,12 @@ from analysis.worst_disturbance import (
     worst_disturbance,
 )
 from clpt_control.ocean.gliders.usable_dives import usable
-from clpt_control.theory.counterexamples import (
+from clpt_control.theory.excitation.regressor import joint_regressor
+from clpt_control.theory.theorems.counterexamples import (
     exact_run,
     scalar_matrix,
     with_square_wave,
 )
-from clpt_control.theory.excitation.regressor import joint_regressor
 from examples import auv, mrac, pendulum, tank
 
 

@@ -10,7 +10,7 @@ from small_scenarios import paper_of
 
 import clpt_control as clpt
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.proofs.all_proofs import PROOFS
+from clpt_control.theory.theorems.all_proofs import PROOFS
 
 __all__ = ["PROOFS", "judged", "replaced"]
 

@@ -8,10 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from clpt_control import ClptError
-from clpt_control.theory.proofs.exact import factored, vanishes
-from clpt_control.theory.proofs.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
-from clpt_control.theory.proofs.sums_of_squares import squares
-from clpt_control.theory.region import enclosed
+from clpt_control.theory.algebra.exact import factored, vanishes
+from clpt_control.theory.algebra.facts import CLIP, GT, MAXIMUM, SIGN, WHERE
+from clpt_control.theory.algebra.sums_of_squares import squares
+from clpt_control.theory.proofs.region import enclosed
 
 x, y, z = sympy.symbols("x y z", real=True)
 f, d = sympy.Function("f")(x), 1 + x**2

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import sympy
 
-from clpt_control.theory.proofs.decided import decided
-from clpt_control.theory.proofs.facts import (
+from clpt_control.theory.algebra.decided import decided
+from clpt_control.theory.algebra.facts import (
     FACTS,
     NUMPY_OF,
     fact_of,
@@ -15,7 +15,7 @@ from clpt_control.theory.proofs.facts import (
     pieces_of,
     sector_of,
 )
-from clpt_control.theory.proofs.slopes import along, degree
+from clpt_control.theory.algebra.slopes import along, degree
 
 S, A, B = sympy.symbols("s a b", real=True)
 # arguments of functions that take more than one, and numbers for them

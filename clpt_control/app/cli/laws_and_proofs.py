@@ -30,7 +30,7 @@ def laws(
         clpt laws concurrent
     """
     from ...paper.laws.table import LAWS
-    from ...theory.promises import promises_in_words, what_it_promises
+    from ...theory.laws.promises import promises_in_words, what_it_promises
 
     if name is not None and name not in LAWS:
         raise ClptError(f"{name}: is not a law. List the laws with: clpt laws")
@@ -133,7 +133,7 @@ def prove(
         _refuse_unknown(law)
         if theorem is not None:
             raise ClptError("--theorem NUMBER: is not of LAW. Give one of the two")
-    from ...theory.proofs.cached_verdicts import (
+    from ...theory.theorems.cached_verdicts import (
         CachedOutcomes,
         make_ready,
         prove_all,
@@ -145,7 +145,7 @@ def prove(
         is_long = theorem is None and law is None
         if pool is not None and is_long and (again or not cached.outcomes):
             pool.submit(make_ready)
-        from ...theory.proofs.all_proofs import statements
+        from ...theory.theorems.all_proofs import statements
 
         requested = statements(theorem, law)
         new = [
@@ -259,8 +259,8 @@ def _search_counterexample(
     from ...base.files import write_file
     from ...paper.laws.table import LAWS
     from ...paper.scenario.file import scenario_to_text
-    from ...theory.promises import promises_in_words
-    from ...theory.refuting import refute as search
+    from ...theory.laws.promises import promises_in_words
+    from ...theory.laws.refuting import refute as search
 
     check_out(out, "a scenario")
     with progress_bar(f"searching {law}", 1.0) as report:

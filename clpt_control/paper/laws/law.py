@@ -181,10 +181,10 @@ def output_and_states(
 
 
 class Promise(NamedTuple):
-    """A promise of a law, which `theory.promises` describes and checks along runs."""
+    """A promise of a law, which `theory.laws.promises` describes and checks along runs."""
 
-    claim: str  # a key of `theory.promises.CHECKS`
-    conditions: tuple[str, ...]  # keys of `theory.promises.CONDITIONS`
+    claim: str  # a key of `theory.laws.promises.CHECKS`
+    conditions: tuple[str, ...]  # keys of `theory.laws.promises.CONDITIONS`
 
 
 def promised(conditions: str, *claims: str) -> tuple[Promise, ...]:

@@ -16,9 +16,9 @@ from ...engine.diagram.interconnection import Diagram
 from ...engine.record.graph import Ref
 from ...engine.record.scalar_graph import Index
 from ...paper.laws.table import LAWS
-from ..proofs.every_n import SUM, EveryN, index_symbol
+from ..algebra.every_n import SUM, EveryN, index_symbol
+from ..laws.theorem_loop import WIRED, law_and_V, law_loop
 from ..proofs.symbolic_loop import ArrayLoop
-from ..proofs.theorem_loop import WIRED, law_and_V, law_loop
 
 # operations with conditions that are not written; SymPy may cancel them: exp(log(x)) is x
 NOT_WRITTEN = re.compile(

@@ -49,7 +49,7 @@ from ...base.errors import ScenarioError
 from ...base.units import at_least, at_most
 from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import simulate
-from ..promises import largest_disturbance
+from ..laws.promises import largest_disturbance
 from .certificates import gains_of_w, refuse_turns, refuse_unproved, worst_drop
 from .regressor import checked_window, joint_regressor
 

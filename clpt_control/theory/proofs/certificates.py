@@ -9,25 +9,20 @@ Relations of a law's states, such as b = theta Q, are put in before.  `invariant
 are kept; they are conditions of a certificate.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Set
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from itertools import chain
 from typing import Any
 
-import numpy as np
 import sympy
-from sympy import Add, Expr, Mul, Poly, Pow, S
+from sympy import Expr, Mul, Poly, Pow, S
 
 from ...engine.diagram.interconnection import Diagram
-from ...engine.diagram.symbol_names import TIME
+from ..algebra.slopes import along
+from ..algebra.sums_of_squares import squares
+from ..algebra.texts import short
 from .certified import NOTHING_PROVED, Case, NoCertificate, Term, written
-from .exact import vanishes
 from .proof import Proof
-from .slopes import along
-from .steps import short
-from .sums_of_squares import squares
 from .symbolic_loop import SymbolicLoop, symbolic_loop
-from .theorem_loop import ErrorCoordinates, theorem_loop, truth_in
 from .ultimate_bounds import in_forms, pulled_at_once
 
 Ways = list[Callable[[], Case]]
@@ -152,70 +147,7 @@ def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
     return dict.fromkeys(moved, "signals")
 
 
-# --- laws ----------------------------------------------------------------------------------------
-
-
-class LawLoop:
-    """A law's loop in x and e = x - z; `read` puts in what is known of its symbols."""
-
-    def __init__(
-        self,
-        loop: Any,
-        read: Callable[[Expr], Expr] = lambda e: e,
-        fixed: Set = frozenset(),
-        coordinates: ErrorCoordinates | None = None,
-    ):
-        self.coordinates = coordinates or ErrorCoordinates(loop)
-        in_e, N = self.coordinates.in_e, len(loop.inputs["phi_x"])
-        self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
-        self.fixed, self.truth = {*loop.values} | fixed, truth_in(loop)
-        self.pairs = [*zip(self.coordinates.e, self.truth.KD, strict=True)]
-        self.V = self.read(loop.signals["V"][0])
-        motion = self.coordinates.motion(self.read)
-        self.case = Case(motion, self.fixed, [], [], conditions=[f"N = {N}"])
-        self.case.functions |= still(loop.jumps, self.V)
-
-    def falls(self, others: Expr = S.Zero) -> Case:
-        """Return V' as losses of e and `others`, which the case has, and a push if more is left."""
-        case, push, losses = self.case, S.Zero, list[Term]()
-        decay = Add(*(k * e**2 for e, k in self.pairs))
-        left = along(self.V, case.motion) + others + decay
-        is_pushed = not vanishes(left)
-        for e, k in self.pairs:
-            drive = sympy.diff(left, e)
-            losses += [Term(k / 2, [e]), Term(k / 2, [e - drive / k])] * is_pushed
-            push += drive**2 / (2 * k) if is_pushed else 0
-        losses = losses or [Term(k, [e]) for e, k in self.pairs]
-        V = case.V or terms_of(self.V, self.fixed)
-        return replace(case, V=V, losses=[*case.losses, *losses], push=push)
-
-
-def of_law(law: Any) -> Ways:
-    """Return the ways to write V' of a `LawCandidate`; in the last a disturbance pushes e."""
-    loop = LawLoop(
-        law.loop, lambda e: e.xreplace(law.known), coordinates=law.coordinates
-    )
-    case, V = loop.case, loop.V
-
-    def loses() -> Case:
-        return lost(replace(case, V=terms_of(V, loop.fixed)), along(V, case.motion))
-
-    def pulls() -> Case:
-        rest, motion = law.least or {}, dict(case.motion)
-        deltas = sympy.symbols("Delta_1:3", cls=sympy.Function)
-        if law.takes_delta():
-            for s, e, delta in zip(law.coordinates.x, law.e, deltas, strict=True):
-                motion[s], motion[e] = motion[s] + delta(TIME), motion[e] + delta(TIME)
-        forms = {s: s - true for s, true in rest.items()}
-        disturbed = replace(case, V=terms_of(V, loop.fixed), motion=motion)
-        return pulled(disturbed, V, along(V, motion), rest, forms)
-
-    return [loop.falls, loses, pulls]
-
-
-def of_theorem(law: str, N: int, **options: Any) -> Ways:
-    """Return the way to write V' on the paper's loop of a theorem."""
-    return [lambda: LawLoop(symbolic_loop(theorem_loop(N, law, **options))).falls()]
+# --- any diagram ------------------------------------------------------------------------------
 
 
 def of_loop(
@@ -254,74 +186,3 @@ def with_certificates(
     reason = next((why for _, why in found if why), "")
     certificates = None if reason else [data for data, _ in found]
     return replace(proof, certificate=certificates, why_no_certificate=reason)
-
-
-def of_invariants(inv: Any) -> Ways:
-    """Return the way to write V' of a law with `Invariants`."""
-    return [lambda: WithRelations(inv).case_of()]
-
-
-class WithRelations(LawLoop):
-    """A law's loop where its relations hold."""
-
-    def __init__(self, inv: Any):
-        law = self.law = inv
-        super().__init__(
-            inv.loop, lambda e: law.reduced(e.xreplace(law.tied)), inv.fixed
-        )
-        weights = {s for M in law.symmetric.values() for s in M.flat}
-        for s in (weights | inv.exist) - self.V.free_symbols:
-            self.case.functions[s] = "inputs" if s in inv.forms else "signals"
-        self.case.semidefinite = law.symmetric
-        for s in law.relations:
-            self.case.motion.pop(s)
-        put_in = [
-            port for port, s in law.states.items() if {*s.flat} <= law.relations.keys()
-        ]
-        self.case.conditions.append(f"the relations of {', '.join(put_in)} hold")
-        truth, states = self.truth, law.states
-        read = np.vectorize(self.read, otypes=[object])
-        gains = read(np.stack([states["K"] - truth.KD, states["Gamma"] - truth.GammaD]))
-        self.errors = [[row] for row in gains.T]  # rows that matrices weigh
-        if law.weighted_error is not None:
-            self.errors.append([*read(law.weighted_error)])
-        if "alpha" in states:
-            self.errors.append([*read(truth.theta + states["alpha"])])
-
-    def case_of(self) -> Case:
-        """Return V' of the law with its losses."""
-        case, law = self.case, self.law
-        weights = [s for M in law.symmetric.values() for s in M.flat]
-        least = self.V.xreplace(dict.fromkeys(weights, S.Zero))
-        case.V = terms_of(least, self.fixed) + self.weighed(
-            sympy.expand(self.V - least)
-        )
-        case.losses = [
-            term for factors in law.losses for term in self.product_of(factors)
-        ]
-        return self.falls(self.read(Add(*(Mul(*factors) for factors in law.losses))))
-
-    def weighed(self, expression: Expr) -> list[Term]:
-        """Return a multiple of the sum of b^T M b over rows b of errors as terms."""
-        for name, M in self.law.symmetric.items():
-            for rows in self.errors if expression.has(*M.flat) else []:
-                if len(rows[0]) == len(M):
-                    share = sympy.cancel(expression / sum(b @ M @ b for b in rows))
-                    if share.free_symbols <= self.fixed:
-                        return [Term(share, [*b], name) for b in rows]
-        return []
-
-    def product_of(self, factors: Iterable[Expr]) -> list[Term]:
-        """Return a product of factors that are not negative as terms."""
-        terms = [Term(S.One, [S.One])]
-        for factor in map(self.read, chain.from_iterable(map(Mul.make_args, factors))):
-            found = self.weighed(factor) or self.squared(factor)
-            terms = [term.times(other) for term in terms for other in found]
-        return terms
-
-    def squared(self, factor: Expr) -> list[Term]:
-        """Return a factor as a sum of squares, or as one that is assumed not to be negative."""
-        try:
-            return terms_of(factor, self.fixed)
-        except NoCertificate:
-            return [Term(S.One, [S.One], factor=factor)]

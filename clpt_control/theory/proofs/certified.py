@@ -15,8 +15,8 @@ from sympy.core.function import AppliedUndef
 
 from ...data import check_certificate as checker
 from ...engine.diagram.symbol_names import TIME
-from .steps import short
-from .sums_of_squares import squares
+from ..algebra.sums_of_squares import squares
+from ..algebra.texts import short
 
 STRENGTH = (  # of conclusions, the strongest first
     "asymptotically stable",

@@ -13,7 +13,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal, NamedTuple
 
-from .steps import Step, bound_text
+from ..algebra.texts import bound_text
+from .steps import Step
 
 Status = Literal["proved", "refuted", "open"]
 

@@ -27,16 +27,17 @@ from ...base.html import facts, fragment
 from ...engine.diagram.interconnection import Diagram
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from ..algebra.decide import never_positive
+from ..algebra.exact import normal_form, vanishes
+from ..algebra.facts import is_continuous
+from ..algebra.slopes import meets_smoothly
+from ..algebra.sums_of_squares import Squares, contains_all, squares, zero_of
+from ..algebra.texts import short
 from .certified import written
 from .conclusions import Condition, Judged, Status, concluded, go
-from .decide import never_positive
-from .exact import normal_form, vanishes
-from .facts import is_continuous
 from .latex import theorem_and_proof
 from .limits import Motion
-from .slopes import meets_smoothly
-from .steps import Step, exact, first_failure, short
-from .sums_of_squares import Squares, contains_all, squares, zero_of
+from .steps import Step, exact, first_failure
 from .symbolic_loop import Point
 
 

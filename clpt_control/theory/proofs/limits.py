@@ -23,12 +23,12 @@ from sympy.core.function import AppliedUndef
 
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from ..algebra.exact import factored, normal_form, vanishes
+from ..algebra.facts import is_input
+from ..algebra.slopes import along, degree
+from ..algebra.sums_of_squares import squares
 from .conclusions import Condition, are
-from .exact import factored, normal_form, vanishes
-from .facts import is_input
-from .slopes import along, degree
 from .steps import How, Step
-from .sums_of_squares import squares
 
 ANGLES = (sympy.sin, sympy.cos)
 MOST_ROUNDS = 12  # of derivatives of what stays zero

@@ -26,7 +26,7 @@ from ...engine.record.graph import Shape
 from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import extent
 from ...paper.scenario.quantities import QUANTITIES
-from .facts import interval, is_positive_maximum
+from ..algebra.facts import interval, is_positive_maximum
 
 # name in the paper -> fields of blocks
 PAPER_FIELDS = {q.symbol: q.parameters.split() for q in QUANTITIES.values() if q.symbol}

@@ -21,9 +21,10 @@ from ...base.errors import DiagramError
 from ...base.progress.interrupt import check
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
+from ..algebra.numeric_values import Numbers
+from ..algebra.slopes import along
 from .running_blocks import RunningBlocks
-from .slopes import along
-from .symbolic_loop import Numbers, Point
+from .symbolic_loop import Point
 
 SEARCHES = 20  # each from new random points
 ROUNDS = 15  # of a search

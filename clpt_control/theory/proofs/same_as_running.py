@@ -15,9 +15,10 @@ import numpy as np
 import sympy
 
 from ...base.progress.interrupt import check
+from ..algebra.numeric_values import Numbers
 from .point_search import PointSearch
 from .steps import Step, checked
-from .symbolic_loop import Numbers, SymbolicLoop
+from .symbolic_loop import SymbolicLoop
 
 THROUGH_CONTROL = 40  # points at which python-control calls the blocks
 TOLERANCE = 1e-9  # relative to the sizes of all terms

@@ -14,7 +14,8 @@ from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations, on_symbols
 from ...engine.model.block import Block
 from ...engine.record.symbolic import Symbols
-from .symbolic_loop import NO_VALUE, no_value
+from ..algebra.numeric_values import NO_VALUE
+from .symbolic_loop import no_value
 
 LARGE = ("exp", "expm1", "sinh", "cosh")  # have a value wherever it is a number
 

@@ -9,14 +9,12 @@ for all of them.
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, partial
-from math import prod
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import control
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ...base.errors import DiagramError
 from ...engine.diagram.merged_record import TapeRecord
@@ -29,13 +27,12 @@ from ...engine.record.scalar_graph import Index
 from ...engine.record.symbolic import LONG, extent
 from ...engine.trace.arrays import Tape, operand
 from ...engine.trace.derivative import Direction
-from .every_n import EveryN
-from .exact import nonzero_residual
-from .facts import NUMPY_OF, is_input
+from ..algebra.every_n import EveryN
+from ..algebra.exact import nonzero_residual
+from ..algebra.facts import NUMPY_OF
+from ..algebra.numeric_values import NO_VALUE
+from ..algebra.slopes import along
 from .paper_symbols import PaperNames, parameter_symbol, undefined
-from .slopes import along
-
-NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 
 
 @dataclass
@@ -118,58 +115,6 @@ def refuse_no_value(loop: SymbolicLoop, name: str) -> None:
         raise DiagramError(
             f"{name}: with the parameters as they are its equations have no value{cause}"
         )
-
-
-class Numbers:
-    """Numeric values of expressions at points."""
-
-    def __init__(self, *expressions: sympy.Expr):
-        self.expressions = expressions
-        terms = sympy.Tuple(*expressions)
-        calls = terms.atoms(AppliedUndef)
-        inputs = set(filter(is_input, calls))
-        unknown = {str(call.func) for call in calls - inputs} - NUMPY_OF.keys()
-        if unknown or terms.has(sympy.Derivative):
-            names = ", ".join(sorted(unknown)) or "a derivative of an input"
-            raise DiagramError(f"{names} has no values, so V' cannot be compared")
-        self.symbols = sorted(terms.free_symbols - {TIME}, key=str)
-        self.symbols += sorted(inputs, key=str)
-        self.symbols += [TIME] if terms.has(TIME) else []
-
-    def at(self, points: Mapping[Any, Any], count: int) -> np.ndarray:
-        """Return values, shape (expressions, count), from those of the symbols."""
-        values = {symbol: points[symbol] for symbol in self.symbols}
-
-        def value(e: sympy.Expr) -> Any:
-            if e not in values:
-                values[e] = _value(e, [value(a) for a in e.args])
-            return values[e]
-
-        with np.errstate(all="ignore"):
-            rows = [np.broadcast_to(value(e), count) for e in self.expressions]
-            return np.array(rows).astype(float)
-
-
-def _value(e: sympy.Expr, arguments: list[Any]) -> Any:
-    """Return the value of an expression from those of its arguments."""
-    if e.is_Add:
-        return sum(arguments)
-    if e.is_Mul:
-        return prod(arguments)
-    if e.is_Pow:
-        base, exponent = arguments
-        return base**exponent
-    return _numpy_function(e if e.is_Atom else e.func, len(arguments))(*arguments)
-
-
-@cache
-def _numpy_function(function: Any, count: int) -> Callable[..., Any]:
-    """Return a function of SymPy or of a record as a NumPy function, or a number."""
-    if not count:
-        return partial(np.float64, float(function))
-    arguments = sympy.symbols(f"a_:{count}", real=True)
-    modules = [NUMPY_OF, "scipy", "numpy"]
-    return sympy.lambdify(arguments, function(*arguments), modules)
 
 
 # --- for every N -------------------------------------------------------------------------------

@@ -20,20 +20,27 @@ from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
 from ...engine.diagram.symbolic_equations import on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.record.symbolic import rational
+from ..algebra.decide import (
+    in_one_piece,
+    never_positive,
+    without_choices,
+    without_fading,
+)
+from ..algebra.decided import decided
+from ..algebra.exact import factored, normal_form, vanishes, whole_coefficients
+from ..algebra.facts import has_time, is_continuous
+from ..algebra.numeric_values import NO_VALUE
+from ..algebra.slopes import along, meets_smoothly
+from ..algebra.sums_of_squares import lost_forms, squares
+from ..algebra.texts import short
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
-from .decide import in_one_piece, never_positive, without_choices, without_fading
-from .decided import decided
-from .exact import factored, normal_form, vanishes, whole_coefficients
-from .facts import has_time, is_continuous
 from .judge import Candidate, Fall, Refutation, Verdict, judge
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
-from .slopes import along, meets_smoothly
-from .steps import Step, checked, exact, short
-from .sums_of_squares import lost_forms, squares
-from .symbolic_loop import NO_VALUE, refuse_levels, refuse_names
+from .steps import Step, checked, exact
+from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
 MOST_TURNS = 360  # pi/360 is a share of pi

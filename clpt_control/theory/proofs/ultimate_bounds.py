@@ -34,12 +34,13 @@ from sympy.core.function import AppliedUndef
 from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
+from ..algebra.decide import groups_of
+from ..algebra.facts import interval, is_positive_maximum
+from ..algebra.sums_of_squares import squares, zero_of
+from ..algebra.texts import bound_text
 from .conclusions import Condition
-from .decide import groups_of
-from .facts import interval, is_positive_maximum
 from .judge import Fall
-from .steps import bound_text, exact
-from .sums_of_squares import squares, zero_of
+from .steps import exact
 
 
 class Pull(NamedTuple):

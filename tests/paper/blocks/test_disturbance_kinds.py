@@ -103,8 +103,8 @@ NEW_KIND = """
 
     import clpt_control as clpt
     from clpt_control.ensemble.candidates import unknown_of
-    from clpt_control.theory.promises import CONDITIONS
-    from clpt_control.theory.refuting import NUMBERS, drawn
+    from clpt_control.theory.laws.promises import CONDITIONS
+    from clpt_control.theory.laws.refuting import NUMBERS, drawn
 
     def disturbed(kind, law="learned-flow"):
         table = {"kind": kind, "amplitude": [0.003, 0.004], "period": 1.8}

@@ -21,21 +21,29 @@ from ...base.arguments import public
 from ...base.errors import ClptError
 from ...base.progress import interrupt
 from ...simulation.loops import error_loop
-from ..counterexamples import (
+from ..laws.law_certificates import of_theorem
+from ..laws.paper_loop import (
+    PaperLoop,
+    algebra,
+    known_flow_steps,
+    line,
+    mean_square,
+    quadratic,
+    running,
+)
+from ..laws.theorem_loop import WIRED, decay, theorem_scenario
+from ..proofs.certificates import Ways, of_loop, with_certificates
+from ..proofs.proof import Proof, proof_or_failure, theorem
+from ..proofs.steps import counterexample
+from ..proofs.symbolic_loop import ArrayLoop
+from .counterexamples import (
     burst_counterexample,
     disturbance_counterexample,
     known_flow_counterexample,
     square_wave_counterexample,
     unlearned_counterexample,
 )
-from .certificates import Ways, of_loop, of_theorem, with_certificates
-from .circle import circle_step
-from .paper_loop import PaperLoop, algebra, line
-from .proof import Proof, proof_or_failure, theorem
-from .same_as_running import running_step
-from .steps import Step, counterexample
-from .symbolic_loop import ArrayLoop, symbolic_loop
-from .theorem_loop import WIRED, decay, decay_and_known_error, theorem_scenario
+from .filtered_excitation import FILTERED, circle_step, filtered_steps, vehicle_alone
 
 POINTS = 10_000  # at which the running blocks are called for Theorem 3.2
 FEWER = 1_000  # for 3.1 and 3.4, whose blocks are the same but for one
@@ -46,51 +54,7 @@ PIECEWISE = (
 SMOOTH = (
     "phi(x, t) is bounded, and a trajectory exists for all t >= 0: assumed, not shown"
 )
-FILTERED = "excites through the filter 1/(s + KD_i) in every window alike"
 NO_DELTA = "the true flow is theta phi, without Delta"
-
-
-def running(paper: PaperLoop, points: int, claim: str) -> Step:
-    """Check V and all rates at random points of the blocks that run."""
-    diagram = paper.loop.diagram
-    return running_step(
-        lambda: symbolic_loop(diagram), points, f" ({claim})", "N = 3, "
-    )
-
-
-def mean_square() -> Step:
-    """Check -k e^2 + e d <= -k e^2/2 + d^2/(2 k), which bounds the mean square of e."""
-    return line(
-        "-k e^2 + e d <= -k e^2/2 + d^2/(2k): what is left is (k/2)(e - d/k)^2; its integral "
-        "bounds the mean square",
-        algebra("k*e**2/2 + d**2/(2*k) - e*d - k*(e - d/k)**2/2"),
-        shows="mean",
-    )
-
-
-def quadratic(paper: PaperLoop, equation: str) -> Step:
-    """Check that V is half a sum of squares, each error by its gain."""
-    return line(
-        f"V of Eq. {equation} is positive definite in e and the parameter errors, and radially "
-        "unbounded: half the sum of their squares, each with a positive weight",
-        paper.positive(paper.gamma),
-        paper.zero(paper.V - paper.sum_of_squares()),
-        shows="definite",
-    )
-
-
-KNOWN_ERROR = "V' = -e^T KD e + e^T (theta - theta_hat) phi"
-
-
-def known_flow_steps(paper: PaperLoop, points: int) -> list[Step]:
-    """Check V' of the known-flow law, Theorem 3.1."""
-    zero = paper.zero(paper.rate(paper.V) - decay_and_known_error(paper.loop))
-    return [
-        line(f"{KNOWN_ERROR}, for every N", zero, shows="values"),
-        running(paper, points, KNOWN_ERROR),
-        quadratic(paper, "(17)"),
-        mean_square(),
-    ]
 
 
 def theorem_3_1() -> Proof:
@@ -171,104 +135,6 @@ def theorem_3_2() -> Proof:
             "that alpha, K or Gamma converge (Theorem 3.3)",
         ),
     )
-
-
-def filtered_steps(paper: PaperLoop) -> list[Step]:
-    """Check the lines by which the parameters converge where the filtered regressor excites."""
-    return [
-        line(
-            "e' = -KD e + w*^T eta + d, w* = [phi(x), x, zc] and d = -kappa e, from z = x - e",
-            paper.zero(
-                paper.rate(paper.e)
-                - (paper.error_rate + paper.kappa * (paper.x - paper.z - paper.e))
-            ),
-        ),
-        line(
-            "w_f' = -KD w_f + w*: y = e - w_f^T eta obeys y' = -KD y + d - w_f^T eta', where d and "
-            "eta' go to zero with e (Theorem 3.2) and w_f is bounded: so y and w_f^T eta go to 0",
-            paper.positive(paper.KD),
-            algebra("(w*n + d - k*e) - ((w - k*f)*n + f*m) - (d - f*m - k*(e - f*n))"),
-        ),
-        line(
-            "eta' goes to 0, so eta stands still in a window, and int (w_f(s)^T eta(t))^2 ds over "
-            "it goes to 0: (a + b)^2 <= 2 a^2 + 2 b^2",
-            algebra("2*a**2 + 2*b**2 - (a + b)**2 - (a - b)**2"),
-        ),
-        line(
-            f"w* {FILTERED}: the integral is at least c |eta(t)|^2, so eta goes to 0",
-            algebra("c*n**2 - c*n*n"),
-        ),
-    ]
-
-
-def vehicle_alone(paper: PaperLoop) -> list[Step]:
-    """Check the seven steps by which V falls where the vehicle's own track excites.
-
-    T is a window from t on, v a bound of |y|^2 = 2 V in it, k the smaller of KD, |.| the
-    mean-square norm over the window, a = |e| and D = |Delta|.  Of axis i, y' = A* y loses at least
-    the share delta_i of |y|^2 over the window.
-    """
-    rate, zero, square = paper.rate, paper.zero, np.sum
-    x, e, phi, zc, KD, gamma = (
-        paper.x,
-        paper.e,
-        paper.phi,
-        paper.zc,
-        paper.KD,
-        paper.gamma,
-    )
-    eta, kappa, nu = paper.eta, paper.kappa, paper.nu
-    delta = paper.loop.inputs.get("delta", 0.0)
-    # rates of y' = A* y, in which x is in the place of z
-    e_rate = -KD * e + eta @ phi + kappa * x + nu * zc
-    eta_rate = -gamma * np.outer(e, phi)
-    kappa_rate, nu_rate = -gamma * x * e, -gamma * zc * e
-    work = square(eta * eta_rate) + square(kappa * kappa_rate) + square(nu * nu_rate)
-    return [
-        line(
-            "1  units: V = |y|^2/2 of y = (e, Y), Y = (eta, kappa, nu)/gamma^(1/2)",
-            zero(paper.V - paper.sum_of_squares()),
-        ),
-        line(
-            "2  y' = A* y + d + (Delta, 0), A* of w* = [phi(x), x, zc] alone; d is -kappa e on e "
-            "and gamma e^2 on kappa, from z = x - e",
-            zero(
-                rate(e) - (e_rate - kappa * e + delta),
-                rate(eta) - eta_rate,
-                rate(kappa) - (kappa_rate + gamma * e**2),
-                rate(nu) - nu_rate,
-            ),
-        ),
-        line(
-            "3  along y' = A* y |y|^2 falls by 2 int e^T KD e over the window, which is "
-            "delta |y|^2 at least",
-            paper.positive(KD),
-            zero(2 * square(e * e_rate) + 2 * work / gamma + 2 * square(KD * e**2)),
-        ),
-        line(
-            "4  e = Phi_e y(t) + e_1 + e_2 + e_3, from rest by -kappa e, by gamma e^2 and by "
-            "Delta: k b^2 <= b u gives |e_1| <= (gamma v)^(1/2) a/k and |e_3| <= D/k, and "
-            "k |e_2|^2 <= int p p' = p^2/2 with p = gamma^(1/2) a^2",
-            algebra("b*(k*b - u) - (k*b**2 - b*u)", "integrate(s, (s, 0, p)) - p**2/2"),
-        ),
-        line(
-            "5  (c V(t))^(1/2) <= |Phi_e y(t)| <= B a + A a^2 + D/k, c the smaller delta_i/k_i, "
-            "B = 1 + (gamma v)^(1/2)/k, A = (gamma/(2 k))^(1/2); the least a is the root",
-            algebra(
-                "A*((sqrt(B**2 + 4*A*s) - B)/(2*A))**2"
-                " + B*(sqrt(B**2 + 4*A*s) - B)/(2*A) - s"
-            ),
-        ),
-        line(
-            "6  V(t+T) <= V(t) - k a^2 + a D, and V <= V(t) + D^2/(4 k) within the window",
-            algebra("-k*a**2 + a*D - (D**2/(4*k) - k*(a - D/(2*k))**2)"),
-        ),
-        line(
-            "7  D = 0 and c > 0 in every window alike: a > 0 while V > 0, so V falls to 0 from any "
-            "start; as V -> 0, a^2 -> c V and V(t+T) <= (1 - k c) V(t)",
-            algebra("limit(((sqrt(1 + 4*A*sqrt(c*V)) - 1)/(2*A))**2/V, V, 0) - c"),
-        ),
-    ]
 
 
 def theorem_3_3() -> Proof:

@@ -16,17 +16,17 @@ from ...engine.record.symbolic import Symbols
 from ...paper.blocks import flow
 from ...paper.laws.law import LEARNED
 from ...simulation.loops import error_loop
-from .exact import vanishes
-from .paper_loop import PaperLoop
-from .steps import checked
-from .symbolic_loop import symbolic_loop
-from .theorem_loop import (
+from ..algebra.exact import vanishes
+from ..laws.paper_loop import PaperLoop
+from ..laws.theorem_loop import (
     decay,
     decay_and_known_error,
     rate_of_V,
     theorem_loop,
     theorem_scenario,
 )
+from ..proofs.steps import checked
+from ..proofs.symbolic_loop import symbolic_loop
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from ...base.errors import DiagramError
 from .facts import CLIP, INSIDE
-from .steps import short
+from .texts import short
 
 MOST_TERMS = 20_000  # longer expressions are not multiplied out
 HIGHEST = 4  # higher powers are not factored

@@ -12,16 +12,17 @@ from typing import Any
 import control
 import sympy
 
-from ..base.arguments import Count, Seed, public
-from ..base.errors import DiagramError
-from ..base.units import at_least
-from .proofs.conclusions import CONCLUSIONS, concluded, strength
-from .proofs.judge import Verdict, judge, refuted
-from .proofs.signal_functions import function_of_signals
-from .proofs.steps import How, Step, first_failure, short, worked_out
-from .proofs.system_candidate import SystemCandidate
+from ...base.arguments import Count, Seed, public
+from ...base.errors import DiagramError
+from ...base.units import at_least
+from ..algebra.texts import short
+from .conclusions import CONCLUSIONS, concluded, strength
+from .judge import Verdict, judge, refuted
 from .region import Region
 from .searching import candidates
+from .signal_functions import function_of_signals
+from .steps import How, Step, first_failure, worked_out
+from .system_candidate import SystemCandidate
 
 NOT_HELD = ("outside V", "existence")  # conditions on states that V does not contain
 LIMITED = [*CONCLUSIONS].index("goes to zero")  # numbers are tried for a weaker one

@@ -25,8 +25,8 @@ from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.loop_blocks import paper_blocks
-from ..promises import truth_of
-from .symbolic_loop import ArrayLoop, SymbolicLoop
+from ..proofs.symbolic_loop import ArrayLoop, SymbolicLoop
+from .promises import truth_of
 
 SOURCES = {
     "basis_x": "phi_x",

@@ -33,8 +33,8 @@ from .facts import (
     sector_of,
 )
 from .gram import sum_of_squares
+from .numeric_values import NO_VALUE, Numbers
 from .sums_of_squares import squares
-from .symbolic_loop import NO_VALUE, Numbers
 
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
 MOST_WITH_FUNCTIONS = 12  # terms of a group with functions that is factored

@@ -27,9 +27,15 @@ from ...engine.model.block import Block
 from ...paper.blocks.lyapunov import lyapunov_candidate, weighted
 from ...paper.laws.law import LEARNED, Truth
 from ...simulation.user_components import functions_of
-from ..promises import truth_of
-from .exact import normal_form
-from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from ..algebra.exact import normal_form
+from ..proofs.symbolic_loop import (
+    TIME,
+    SymbolicLoop,
+    flat,
+    refuse_no_value,
+    symbolic_loop,
+)
+from .promises import truth_of
 from .theorem_loop import mixed_candidate, theorem_loop, theorem_scenario
 
 MakeV = Callable[[Truth], Block]

@@ -19,14 +19,14 @@ from ...engine.model.ports import named, split, within
 from ...paper.laws.consensus import total_candidate
 from ...paper.scenario.team import TEAM_LAW, Team
 from ...simulation.loops import team_blocks
-from .certificates import Ways, of_loop, with_certificates
-from .conclusions import Condition
-from .paper_loop import PaperLoop, line
-from .proof import Proof, where_all_hold
-from .same_as_running import running_step
-from .steps import Step
-from .symbolic_loop import ArrayLoop, symbolic_loop
-from .theorem_loop import SOURCES, WIRED, theorem_candidate, theorem_scenario
+from ..laws.paper_loop import PaperLoop, line
+from ..laws.theorem_loop import SOURCES, WIRED, theorem_candidate, theorem_scenario
+from ..proofs.certificates import Ways, of_loop, with_certificates
+from ..proofs.conclusions import Condition
+from ..proofs.proof import Proof, where_all_hold
+from ..proofs.same_as_running import running_step
+from ..proofs.steps import Step
+from ..proofs.symbolic_loop import ArrayLoop, symbolic_loop
 
 POINTS = 1_000  # at which the running blocks are called
 N = 2  # basis functions of each running vehicle

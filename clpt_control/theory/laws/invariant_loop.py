@@ -20,12 +20,13 @@ from ...engine.record.symbolic import extent, rational
 from ...paper.laws.law import LEARNED, Law
 from ...simulation.initial_states import state_columns, state_of
 from ...simulation.loop_blocks import paper_blocks
-from ..promises import truth_of
-from .decide import never_positive
-from .exact import nonzero_residual, vanishes
-from .facts import is_positive_maximum
-from .steps import short
-from .symbolic_loop import NO_VALUE, TIME, SymbolicLoop, equated, symbolic_loop
+from ..algebra.decide import never_positive
+from ..algebra.exact import nonzero_residual, vanishes
+from ..algebra.facts import is_positive_maximum
+from ..algebra.numeric_values import NO_VALUE
+from ..algebra.texts import short
+from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
+from .promises import truth_of
 from .theorem_loop import (
     Hedging,
     law_and_V,

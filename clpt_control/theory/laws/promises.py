@@ -19,11 +19,11 @@ from typing import Any
 
 import numpy as np
 
-from ..paper.laws.law import Law, Truth
-from ..paper.laws.robust import outside_zone
-from ..paper.scenario.experiment import Scenario
-from ..simulation.flows import flow_velocity
-from ..simulation.integrate import simulate
+from ...paper.laws.law import Law, Truth
+from ...paper.laws.robust import outside_zone
+from ...paper.scenario.experiment import Scenario
+from ...simulation.flows import flow_velocity
+from ...simulation.integrate import simulate
 
 FLOOR = 1e-9  # share of the initial value: error of the solver
 QUADRATURE = 1.02  # largest ratio of a sum over samples to the integral

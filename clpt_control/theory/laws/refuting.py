@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from ..base.arguments import Positive, Seed, public
-from ..base.errors import ScenarioError, SimulationError
-from ..paper.blocks.disturbance import KINDS
-from ..paper.laws.table import LAWS
-from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import paper_scenario
+from ...base.arguments import Positive, Seed, public
+from ...base.errors import ScenarioError, SimulationError
+from ...paper.blocks.disturbance import KINDS
+from ...paper.laws.table import LAWS
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import paper_scenario
 from .promises import UNIFORM, checked_promises, promises_in_words
 
 BROKEN = 1.001

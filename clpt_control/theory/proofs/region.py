@@ -31,16 +31,22 @@ from typing import Any
 import numpy as np
 import sympy
 
-from ..base.arguments import check_holds, numbers
-from ..base.errors import DiagramError
-from ..engine.diagram.symbol_names import TIME
-from ..engine.record.symbolic import ON_NUMBERS
-from .proofs.decided import decided
-from .proofs.exact import normal_form, vanishes
-from .proofs.facts import COMPARISONS, functions_in, is_continuous, is_smooth, pieces_of
-from .proofs.slopes import along, meets_smoothly
-from .proofs.steps import short
-from .proofs.system_candidate import SystemCandidate
+from ...base.arguments import check_holds, numbers
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ...engine.record.symbolic import ON_NUMBERS
+from ..algebra.decided import decided
+from ..algebra.exact import normal_form, vanishes
+from ..algebra.facts import (
+    COMPARISONS,
+    functions_in,
+    is_continuous,
+    is_smooth,
+    pieces_of,
+)
+from ..algebra.slopes import along, meets_smoothly
+from ..algebra.texts import short
+from .system_candidate import SystemCandidate
 
 Interval = tuple[np.ndarray, np.ndarray]  # low and high, of shape (boxes,)
 UNITS = 16.0 * 2.0**-52  # as a share: of a function of NumPy, in the last place

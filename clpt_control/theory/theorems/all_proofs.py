@@ -17,16 +17,17 @@ import sympy
 
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
-from ..promises import truth_of
-from .certified import written
-from .judge import Verdict
+from ..algebra.texts import bound_text
+from ..laws.promises import truth_of
+from ..laws.prove_law import verdict_on_row
+from ..laws.theorem_loop import law_and_V, theorem_scenario
+from ..proofs.certified import written
+from ..proofs.judge import Verdict
+from ..proofs.proof import Proof, proof_or_failure
+from ..proofs.steps import Step, checked
 from .limited_speed import LIMITED_SPEED
 from .misprints import misprints
-from .proof import Proof, proof_or_failure
-from .prove_law import verdict_on_row
-from .steps import Step, bound_text, checked
 from .team_proof import proof_of_team
-from .theorem_loop import law_and_V, theorem_scenario
 from .theorems import THEOREMS, numbers_of
 
 POINTS = 1_000  # at which the running blocks are called

@@ -14,12 +14,12 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from ...paper.laws.law import LEARNED
-from .decide import groups_never_positive
-from .exact import as_factors, nonzero_residual, vanishes
+from ..algebra.decide import groups_never_positive
+from ..algebra.exact import as_factors, nonzero_residual, vanishes
+from ..algebra.sums_of_squares import contains_all, squares
+from ..algebra.texts import short
+from ..proofs.symbolic_loop import equated
 from .invariant_loop import InvariantLoop, arbitrary
-from .steps import short
-from .sums_of_squares import contains_all, squares
-from .symbolic_loop import equated
 from .theorem_loop import ErrorCoordinates
 
 

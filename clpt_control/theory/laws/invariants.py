@@ -48,17 +48,18 @@ import numpy as np
 import sympy
 
 from ...paper.laws.law import Law
-from .certificates import Ways, of_invariants
-from .conclusions import Condition, for_sizes
-from .exact import vanishes
-from .facts import MAXIMUM, WHERE
+from ..algebra.exact import vanishes
+from ..algebra.facts import MAXIMUM, WHERE
+from ..proofs.certificates import Ways
+from ..proofs.conclusions import Condition, for_sizes
+from ..proofs.judge import Fall, Verdict, judge
+from ..proofs.steps import Step, exact, exact_step, first_failure
 from .invariant_loop import NOTHING, SIZES
-from .judge import Fall, Verdict, judge
 from .law_candidate import LoopCandidate
+from .law_certificates import of_invariants
+from .paper_loop import mean_square
 from .semidefinite import SemidefiniteLoop
-from .steps import Step, exact, exact_step, first_failure
 from .theorem_loop import decay, rate_of_V
-from .theorems import mean_square
 
 Claims = dict[str, tuple[str, Callable[[SemidefiniteLoop], bool | str]]]
 MIDDLE = 2  # of `SIZES`: the running blocks are compared for it

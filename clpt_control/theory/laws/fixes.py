@@ -19,11 +19,11 @@ import sympy
 from ...engine.diagram.interconnection import connect
 from ...paper.laws.law import Law
 from ...simulation.loops import ClosedLoop
-from .decided import decided
-from .exact import vanishes
-from .same_as_running import running_step
-from .steps import Step, exact_step
-from .symbolic_loop import equated, symbolic_loop
+from ..algebra.decided import decided
+from ..algebra.exact import vanishes
+from ..proofs.same_as_running import running_step
+from ..proofs.steps import Step, exact_step
+from ..proofs.symbolic_loop import equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
 
 SIZES = (1, 2)  # numbers of functions; 3 takes half a minute

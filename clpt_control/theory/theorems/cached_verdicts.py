@@ -25,7 +25,7 @@ from ...base.files import cache_folder, read_cached, write_cached
 from ...base.progress import interrupt
 from ...base.progress.processes import Pool, processes
 from ...engine.codegen.machine import ENGINE, code_name
-from .proof import Proof
+from ..proofs.proof import Proof
 
 if TYPE_CHECKING:  # imported late: the other process starts first
     from .all_proofs import Outcome, Outcomes, Statement

@@ -22,17 +22,17 @@ from ...engine.diagram.interconnection import connect
 from ...paper.blocks.vehicle import speed_limit
 from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
-from ..counterexamples import limited_speed_counterexample
-from .certificates import with_certificates
-from .exact import nonzero_residual, vanishes
-from .facts import MAXIMUM
-from .invariant_loop import InvariantLoop
-from .paper_loop import PaperLoop, algebra, line
-from .proof import Proof, theorem
-from .steps import checked, counterexample
-from .symbolic_loop import symbolic_loop
-from .theorem_loop import decay, law_and_V, law_loop, rate_of_V
-from .theorems import loops, mean_square, quadratic, running
+from ..algebra.exact import nonzero_residual, vanishes
+from ..algebra.facts import MAXIMUM
+from ..laws.invariant_loop import InvariantLoop
+from ..laws.paper_loop import PaperLoop, algebra, line, mean_square, quadratic, running
+from ..laws.theorem_loop import decay, law_and_V, law_loop, rate_of_V
+from ..proofs.certificates import with_certificates
+from ..proofs.proof import Proof, theorem
+from ..proofs.steps import checked, counterexample
+from ..proofs.symbolic_loop import symbolic_loop
+from .counterexamples import limited_speed_counterexample
+from .theorems import loops
 
 N = 2  # functions of a law of the table
 POINTS = 1_000  # at which the running blocks are called

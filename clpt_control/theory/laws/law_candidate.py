@@ -18,20 +18,29 @@ from sympy.core.function import AppliedUndef
 from ...base.units import at_least, at_most
 from ...engine.model.block import Block
 from ...simulation.user_components import functions_of
-from ..promises import truth_of
-from .certificates import Ways, of_law
-from .conclusions import Condition, Status
+from ..algebra.exact import as_factors, normal_form, vanishes
+from ..algebra.facts import CLIP, SIGN, has_time
+from ..algebra.slopes import along
+from ..algebra.sums_of_squares import dead_zone, rising_in
+from ..algebra.texts import short
+from ..proofs.certificates import Ways
+from ..proofs.conclusions import Condition, Status
+from ..proofs.judge import Candidate, Fall, Refutation, Verdict
+from ..proofs.point_search import PointSearch
+from ..proofs.same_as_running import running_step, search_of
+from ..proofs.steps import Step, checked, exact
+from ..proofs.symbolic_loop import (
+    TIME,
+    SymbolicLoop,
+    flat,
+    refuse_no_value,
+    symbolic_loop,
+)
+from ..proofs.ultimate_bounds import Bounding, bounded
 from .default_candidate import WEIGHTS, LawV
-from .exact import as_factors, normal_form, vanishes
-from .facts import CLIP, SIGN, has_time
-from .judge import Candidate, Fall, Refutation, Verdict
+from .law_certificates import of_law
 from .law_for_every_n import holds_for_every_N
-from .point_search import PointSearch
-from .same_as_running import running_step, search_of
-from .slopes import along
-from .steps import Step, checked, exact, short
-from .sums_of_squares import dead_zone, rising_in
-from .symbolic_loop import TIME, SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from .promises import truth_of
 from .theorem_loop import (
     ErrorCoordinates,
     rate_of_V,
@@ -40,7 +49,6 @@ from .theorem_loop import (
     theorem_scenario,
     truth_in,
 )
-from .ultimate_bounds import Bounding, bounded
 
 HIDDEN = {"flow_x": "the true flow", "V": "V, which is made of the truth"}
 

@@ -23,19 +23,19 @@ from ...paper.scenario.experiment import Scenario
 from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
-from .certificates import Ways, of_theorem, without
-from .conclusions import Condition
+from ..proofs.certificates import Ways, without
+from ..proofs.conclusions import Condition
+from ..proofs.judge import Verdict, judge
+from ..proofs.paper_symbols import paper_name
+from ..proofs.proof import where_all_hold
+from ..proofs.steps import worked_out
 from .default_candidate import default_V, user_V
 from .fixes import SIZES, fix_steps
 from .invariants import Invariants, judged_row
-from .judge import Verdict, judge
 from .law_candidate import LawCandidate
-from .paper_loop import PaperLoop
-from .paper_symbols import paper_name
-from .proof import where_all_hold
-from .steps import worked_out
+from .law_certificates import of_theorem
+from .paper_loop import KNOWN_ERROR, PaperLoop, known_flow_steps
 from .theorem_loop import law_and_V, theorem_loop
-from .theorems import KNOWN_ERROR, known_flow_steps
 
 MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
 ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"

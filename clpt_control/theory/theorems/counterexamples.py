@@ -17,13 +17,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..base.arguments import check_holds
-from ..base.errors import ScenarioError
-from ..paper.scenario.experiment import Scenario
-from ..paper.scenario.file import paper_scenario
-from ..simulation.flows import flow_velocity
-from ..simulation.integrate import sample_times, simulate
-from .excitation.gramian import started_true
+from ...base.arguments import check_holds
+from ...base.errors import ScenarioError
+from ...paper.scenario.experiment import Scenario
+from ...paper.scenario.file import paper_scenario
+from ...simulation.flows import flow_velocity
+from ...simulation.integrate import sample_times, simulate
+from ..excitation.gramian import started_true
 
 if TYPE_CHECKING:
     import xarray

@@ -23,14 +23,14 @@ import scipy.optimize
 import scipy.sparse
 import sympy
 
-from ..base.errors import DiagramError
-from ..engine.diagram.symbol_names import TIME
-from .proofs.decided import decided
-from .proofs.exact import vanishes
-from .proofs.facts import ODD
-from .proofs.slopes import along
-from .proofs.steps import short
-from .proofs.system_candidate import SystemCandidate
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME
+from ..algebra.decided import decided
+from ..algebra.exact import vanishes
+from ..algebra.facts import ODD
+from ..algebra.slopes import along
+from ..algebra.texts import short
+from .system_candidate import SystemCandidate
 
 MOST = 16  # states
 SHARE = 10**4  # the largest denominator of a coefficient

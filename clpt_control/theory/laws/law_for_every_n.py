@@ -12,13 +12,13 @@ import numpy as np
 import sympy
 
 from ...engine.record.scalar_graph import Index
-from .every_n import base_and_term, reindexed
-from .exact import normal_form
-from .limits import CLOCK
-from .slopes import degree
-from .steps import short
-from .sums_of_squares import squares
-from .symbolic_loop import TIME, ArrayLoop
+from ..algebra.every_n import base_and_term, reindexed
+from ..algebra.exact import normal_form
+from ..algebra.slopes import degree
+from ..algebra.sums_of_squares import squares
+from ..algebra.texts import short
+from ..proofs.limits import CLOCK
+from ..proofs.symbolic_loop import TIME, ArrayLoop
 from .theorem_loop import decay, rate_of_V
 
 

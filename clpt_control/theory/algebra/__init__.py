@@ -1,0 +1,1 @@
+"""Facts about expressions: zero or not, their signs, slopes and sums of squares."""

@@ -1,0 +1,65 @@
+"""Expressions and bounds as text in a line."""
+
+import re
+from typing import Any
+
+from ...base.units import at_least, at_most
+
+LARGEST_DENOMINATOR = 10**12  # larger ones are rounded in texts
+
+
+def short(expression: Any, most: int = 160) -> str:
+    """Return an expression as text of a line; numbers of many digits are rounded."""
+    from sympy import Dummy, Rational  # cached outcomes are read without SymPy
+
+    atoms = getattr(expression, "atoms", lambda *kinds: ())(Rational, Dummy)
+    numbers = {n: n.n(6) for n in atoms if n.is_Rational and n.q > LARGEST_DENOMINATOR}
+    text = str(expression.xreplace(numbers) if numbers else expression)
+    for symbol in atoms:
+        text = (
+            text if symbol.is_Rational else text.replace(f"_{symbol.name}", symbol.name)
+        )
+    return text if len(text) <= most else text[:most] + " ..."
+
+
+def bound_text(bound: Any, up: bool = True) -> str:
+    """Return a bound as text: its numbers are rounded outward, equal factors written once.
+
+    >>> import sympy
+    >>> a, b, k = sympy.symbols("a b k", positive=True)
+    >>> bound_text(a**2 / 3 + b**2 / 3 + a / (7 * k))
+    '0.1429*a/k + 0.3334*(a**2 + b**2)'
+    """
+    import sympy
+
+    def rounded(e: Any, up: bool) -> Any:
+        """Return an expression of positive symbols with its numbers rounded."""
+        if e.is_Rational or e.is_Float:
+            text = (at_most if up else at_least)(float(e), 4)
+            return e if e.is_Integer else sympy.Float(text, 4)
+        if e.is_Pow:
+            return sympy.Pow(rounded(e.base, up != e.exp.is_negative), e.exp)
+        coefficient, rest = e.as_coeff_Mul()
+        if coefficient != 1:
+            up_rest = up != bool(coefficient.is_negative)
+            return rounded(coefficient, up) * rounded(rest, up_rest)
+        return e.func(*(rounded(part, up) for part in e.args)) if e.args else e
+
+    def grouped(e: Any) -> Any:
+        """Return a sum with terms of one factor in brackets."""
+        if not e.args:
+            return e
+        if not e.is_Add:
+            return e.func(*map(grouped, e.args))
+        groups: dict[Any, list] = {}
+        for term in e.args:
+            coefficient, rest = term.as_coeff_Mul()
+            groups.setdefault(coefficient, []).append(rest)
+        sums = [
+            sympy.Mul(c, sympy.Add(*g), evaluate=len(g) == 1) for c, g in groups.items()
+        ]
+        return sympy.Add(*sums, evaluate=False)
+
+    bound = sympy.sympify(bound)
+    text = str(grouped(rounded(bound, up)))
+    return re.sub(r"(\.\d*?[1-9])0+\b|\.0+\b", r"\1", text)  # 0.3750, 2.0

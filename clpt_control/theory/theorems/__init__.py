@@ -1,0 +1,1 @@
+"""The paper's theorems line by line, misprints, counterexamples, and all verdicts together."""
