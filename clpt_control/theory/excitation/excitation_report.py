@@ -5,7 +5,11 @@ guaranteed drop, for one trajectory.
 """
 
 from collections.abc import Iterator
+from itertools import chain
+from textwrap import shorten
 from typing import Any
+
+import numpy as np
 
 from ...base.html import Result
 from ...base.units import at_least, at_most
@@ -22,6 +26,7 @@ MEASURED = (
     "run_length",
 )
 CERTIFIED = ("rho", "contraction", "drop", "disturbed", "time_to_tenth", "learned")
+INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 SHARED = "the flow parameters, which all share, and each one's gains where they adapt"
 
 
@@ -133,3 +138,54 @@ def _how_fast(excitation: Any) -> Iterator[str]:
             "the upper bound, for this motion of the vehicle, is int (x' + KD e)^2 dt / "
             "(|theta - alpha_M|^2 + KD^2 + GammaD^2): a vehicle that does not move learns nothing"
         )
+
+
+def least_excited_of(excitation: Any) -> dict[str, dict[str, float]]:
+    """Unit eigenvector of the smallest eigenvalue, by parameter name."""
+    components = {}
+    for axis, vectors in excitation.directions.items():
+        vector = vectors[:, 0]
+        vector = vector * np.sign(vector[np.argmax(np.abs(vector))])
+        components[axis] = dict(
+            zip(excitation.names[axis], vector.tolist(), strict=True)
+        )
+    return components
+
+
+def not_learnable_of(excitation: Any) -> list[str]:
+    """Sentences that name the parameters that cannot be learned on this track.
+
+    A parameter whose own direction is not excited has its own sentence; parameters that are
+    excited in combinations only share one.
+    """
+    sentences = []
+    for single, mixed in _not_learnable_names(excitation):
+        sentences += [f"{name} is not learnable on this track" for name in single]
+        if mixed:
+            joined = ", ".join(mixed[:-1])
+            joined = f"{joined} and {mixed[-1]}" if joined else mixed[0]
+            sentences.append(f"{joined} are not learnable one by one on this track")
+    return sentences
+
+
+def in_one_sentence_of(excitation: Any) -> str:
+    """Summary of `not_learnable`; "" if every parameter is learnable."""
+    names = [*chain(*chain(*_not_learnable_names(excitation)))]
+    if not names:
+        return ""
+    text = (
+        "parameters that this run cannot tell apart (it excites so many combinations of "
+        f"them: {excitation.counted()}): {', '.join(names)}"
+    )
+    text = shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
+    return f"{text}. Use fewer functions, a longer run, or other waypoints"
+
+
+def _not_learnable_names(excitation: Any) -> Iterator[tuple[list[str], list[str]]]:
+    """Yield the parameters of each axis that are not excited, alone and in combinations."""
+    for axis, idle in excitation.idle.items():
+        length = np.linalg.norm(excitation.directions[axis][:, :idle], axis=1)
+        single = length > np.sqrt(1 - INVOLVED**2)
+        names = np.array(excitation.names[axis])
+        mixed = names[(length > INVOLVED) & ~single]
+        yield names[single].tolist(), mixed.tolist()

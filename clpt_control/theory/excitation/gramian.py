@@ -13,10 +13,9 @@ c_i = (theta_i - alpha_M_i, -KD_i, GammaD_i), Eqs. (1), (3), (7) give w^T c_i = 
 The vehicles of a team share the flow parameters of an axis and have their own K_i and Gamma_i.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from textwrap import shorten
 from typing import Any
 
 import control
@@ -30,7 +29,14 @@ from ...paper.scenario.recorded_run import is_response
 from ...simulation.integrate import simulate
 from .certificates import Certificate, certificate
 from .excitation_figure import draw_excitation
-from .excitation_report import learned_text, report_of, result_of
+from .excitation_report import (
+    in_one_sentence_of,
+    learned_text,
+    least_excited_of,
+    not_learnable_of,
+    report_of,
+    result_of,
+)
 from .regressor import (
     AnySource,
     Regressor,
@@ -44,7 +50,6 @@ from .regressor import (
 
 NOT_LEARNABLE = 1e-9  # share of the largest eigenvalue
 MAX_CHANGE = 0.1  # of an eigenvalue, up to which it estimates the error
-INVOLVED = 0.05  # smallest length of a parameter's unit vector in a subspace
 MAX_FUNCTIONS = 100  # of a basis that `not_learned` measures
 
 
@@ -66,6 +71,9 @@ class Excitation(Regressor):
 
     report = property(report_of)
     result = property(result_of)
+    least_excited = property(least_excited_of)
+    not_learnable = property(not_learnable_of)
+    in_one_sentence = property(in_one_sentence_of)
 
     @property
     def span(self) -> str:
@@ -152,24 +160,14 @@ class Excitation(Regressor):
         return {axis: rows[::-1].T for axis, (_, _, rows) in self._svd.items()}
 
     @property
-    def least_excited(self) -> dict[str, dict[str, float]]:
-        """Unit eigenvector of the smallest eigenvalue, by parameter name."""
-        components = {}
-        for axis, vectors in self.directions.items():
-            vector = vectors[:, 0]
-            vector = vector * np.sign(vector[np.argmax(np.abs(vector))])
-            components[axis] = dict(zip(self.names[axis], vector.tolist(), strict=True))
-        return components
-
-    @property
     def excited(self) -> dict[str, np.ndarray]:
         """Orthonormal basis of the excited subspace, (n, dimension)."""
-        return {a: self.directions[a][:, n:] for a, n in self._idle.items()}
+        return {a: self.directions[a][:, n:] for a, n in self.idle.items()}
 
     @property
     def dimension(self) -> dict[str, int]:
         """Dimension of the excited subspace of each axis."""
-        return {axis: len(self.names[axis]) - n for axis, n in self._idle.items()}
+        return {axis: len(self.names[axis]) - n for axis, n in self.idle.items()}
 
     @cached_property
     def truth(self) -> dict[str, np.ndarray]:
@@ -193,55 +191,13 @@ class Excitation(Regressor):
             for axis, c in self.truth.items()
         }
 
-    @property
-    def not_learnable(self) -> list[str]:
-        """Sentences that name the parameters that cannot be learned on this track.
-
-        A parameter whose own direction is not excited has its own sentence; parameters that are
-        excited in combinations only share one.
-        """
-        sentences = []
-        for single, mixed in self._not_learnable_names():
-            sentences += [f"{name} is not learnable on this track" for name in single]
-            if mixed:
-                joined = ", ".join(mixed[:-1])
-                joined = f"{joined} and {mixed[-1]}" if joined else mixed[0]
-                sentences.append(f"{joined} are not learnable one by one on this track")
-        return sentences
-
-    def _not_learnable_names(self) -> Iterator[tuple[list[str], list[str]]]:
-        """Yield the parameters of each axis that are not excited, alone and in combinations."""
-        for axis, idle in self._idle.items():
-            length = np.linalg.norm(self.directions[axis][:, :idle], axis=1)
-            single = length > np.sqrt(1 - INVOLVED**2)
-            names = np.array(self.names[axis])
-            mixed = names[(length > INVOLVED) & ~single]
-            yield names[single].tolist(), mixed.tolist()
-
-    @property
-    def in_one_sentence(self) -> str:
-        """Summary of `not_learnable`; "" if every parameter is learnable."""
-        names = [
-            name
-            for single, mixed in self._not_learnable_names()
-            for name in single + mixed
-        ]
-        if not names:
-            return ""
-        text = (
-            "parameters that this run cannot tell apart (it excites so many combinations of "
-            f"them: {self.counted()}): {', '.join(names)}"
-        )
-        text = shorten(text, 250, placeholder=" ... (`clpt excitation` names all)")
-        return f"{text}. Use fewer functions, a longer run, or other waypoints"
-
     @cached_property
     def _svd(self) -> dict[str, Any]:
         """Singular value decomposition of each factor."""
         return {axis: np.linalg.svd(R) for axis, R in self.factors.items()}
 
     @property
-    def _idle(self) -> dict[str, int]:
+    def idle(self) -> dict[str, int]:
         """Number of eigenvalues of each axis that count as zero."""
         values = self.eigenvalues.items()
         return {axis: int(np.sum(v <= NOT_LEARNABLE * v[-1])) for axis, v in values}

@@ -54,10 +54,12 @@ from ..proofs.certificates import Ways
 from ..proofs.conclusions import Condition, for_sizes
 from ..proofs.judge import Fall, Verdict, judge
 from ..proofs.steps import Step, exact, exact_step, first_failure
+from .bounded_states import held
 from .invariant_loop import NOTHING, SIZES
-from .law_candidate import LoopCandidate
 from .law_certificates import of_invariants
+from .law_equations import LoopCandidate
 from .paper_loop import mean_square
+from .relations_of_states import off_at_the_start, off_at_zero, repels
 from .semidefinite import SemidefiniteLoop
 from .theorem_loop import decay, rate_of_V
 
@@ -85,7 +87,7 @@ class Invariants(SemidefiniteLoop, LoopCandidate):
         self.sizes = f"N = {N}"
         self.rate = rate_of_V(self.loop).xreplace(self.tied)
         self.undefined = self.loop.undefined
-        bounded, self.exist, self.grown = self.held()
+        bounded, self.exist, self.grown = held(self)
         self.forms = [*bounded]
 
     def is_definite(self) -> Step:
@@ -162,14 +164,14 @@ def claims_of(case: SemidefiniteLoop) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     law, names = case.law, case.law.semidefinite
     kept, sizes = "what the law's states keep is kept", f"N = {case.N}"
-    start = SemidefiniteLoop.off_at_the_start
+    start = off_at_the_start
     if not case.is_row:
         kept += " where it begins so"
         sizes += " and the parameters as they are"
-        start = SemidefiniteLoop.off_at_zero
+        start = off_at_zero
     claims: Claims = {kept: ("", lambda case: case.broken() or start(case))}
     if not case.is_row:
-        claims["what is kept does not repel"] = "", SemidefiniteLoop.repels
+        claims["what is kept does not repel"] = "", repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
         claims["and is kept where they jump"] = "", SemidefiniteLoop.broken_at_a_jump

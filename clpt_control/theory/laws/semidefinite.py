@@ -11,16 +11,12 @@ from typing import Any
 
 import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
-from ...paper.laws.law import LEARNED
 from ..algebra.decide import groups_never_positive
 from ..algebra.exact import as_factors, nonzero_residual, vanishes
-from ..algebra.sums_of_squares import contains_all, squares
 from ..algebra.texts import short
 from ..proofs.symbolic_loop import equated
 from .invariant_loop import InvariantLoop, arbitrary
-from .theorem_loop import ErrorCoordinates
 
 
 class SemidefiniteLoop(InvariantLoop):
@@ -118,84 +114,6 @@ class SemidefiniteLoop(InvariantLoop):
             shares_of_M.append(sympy.expand(sympy.Add(*shares)))
         variables = self.apart | of_any_value
         return all(groups_never_positive(-share, variables) for share in shares_of_M)
-
-    def held(self) -> tuple[set, set, list[str]]:
-        """Return states that are bounded, others that exist, and matrices positive at the start.
-
-        V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
-        it began above one.  M that keeps a ceiling is bounded, with an estimate whose error over M
-        never rises, and what is made of bounded states.
-        """
-        loop, V, law = self.loop, self.V, self.law
-        grown, bounded, exist = list[str](), set[Any](), set[Any]()
-        for port, M in self.matrices.items():
-            c = arbitrary(len(M))
-            rate = c @ self.rates[port] @ c
-            flows = not loop.jumps
-            same = equated(self.matrices, {port: self.symmetric[port]})
-            grown += [port] * (flows and self.not_negative(rate, set(c)))
-            at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
-            excess = (rate - at_zero).xreplace(same)
-            has_bound = port == "P" and law.weighted_error is not None
-            made = {*M.flat}
-            made |= {*self.states["theta_hat"].flat} if law.makes_estimate else set()
-            if has_bound or self.keeps_a_ceiling(port):
-                bounded |= made
-            elif flows and as_factors(excess).is_nonpositive:
-                if at_zero == 0:
-                    bounded |= made
-                elif not at_zero.free_symbols & {*loop.motion}:
-                    exist |= made
-            bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
-            V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
-        in_V = [port for port in LEARNED if port in loop.states]
-        if (
-            law.error_left
-        ):  # its w falls, and each parameter's error is w times the first one
-            bounded |= {*self.states[law.error_left].flat, *self.states["alpha"].flat}
-        if law.error_left or law.weighted_error is not None:
-            in_V.remove("alpha")
-        coordinates = ErrorCoordinates(loop)
-        e, V = coordinates.e, V.xreplace(coordinates.in_e)
-        learned = [s for port in in_V for s in loop.states[port].flat]
-        total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
-        if total and contains_all(total, [*e, *learned]):
-            bounded |= {*coordinates.x, *coordinates.z, *learned}
-            if law.weighted_error is not None:  # tr(eta P^-1 eta^T) bounds eta
-                bounded |= {*self.states["alpha"].flat}
-        for s, rate in loop.motion.items():
-            share = sympy.cancel(rate / s) if s not in bounded else s
-            if not share.has(s) and self.not_negative(-share):
-                bounded.add(s)  # s' = -f s, f >= 0
-        for _ in self.relations:
-            for s, value in self.relations.items():
-                states = value.free_symbols & loop.motion.keys()
-                if states <= bounded and value.is_polynomial(*states):
-                    bounded.add(s)
-        return bounded, exist, grown
-
-    def keeps_a_ceiling(self, port: str) -> bool:
-        """Return whether c^T M' c = 0 where M c = K c, K > 0 diagonal: then M <= K is kept.
-
-        M begins at 0; K is made of parameters.
-        """
-        for after in self.loop.jumps.values():
-            if any(after.get(m, m) != m for m in self.matrices[port].flat):
-                return False
-        K = np.array([sympy.Dummy(positive=True) for _ in self.matrices[port]])
-        rate = self.rate_where(port, K)
-        for factor in sympy.Mul.make_args(as_factors(rate)):
-            base, power = factor.as_base_exp()
-            is_linear = base.has(*K) and sympy.Poly(base, *K).total_degree() == 1
-            if not (power.is_positive and is_linear):
-                continue
-            moving = base.free_symbols - {*K, *self.loop.values}
-            moving |= base.atoms(AppliedUndef)
-            equations = sympy.Poly(base, *moving).coeffs() if moving else [base]
-            solutions = [*sympy.linsolve(equations, *K)]
-            if solutions and all(k.is_positive for k in solutions[0]):
-                return not self.forks(rate)
-        return False
 
     def is_room(self, expression: sympy.Expr) -> bool:
         """Return whether an expression is 1 - tr P/k_0, which never gets negative."""

@@ -210,11 +210,8 @@ class Region:
         )
         moving = sympy.Tuple(V, *self.motion).free_symbols - {*self.states}
         if moving or case.eq.jumps:
-            why = (
-                "it jumps"
-                if case.eq.jumps
-                else f"it moves with {', '.join(map(str, moving))}"
-            )
+            moves = f"moves with {', '.join(map(str, moving))}"
+            why = f"it {'jumps' if case.eq.jumps else moves}"
             raise DiagramError(
                 f"within: {case.system.name} has no region that lasts, because {why}"
             )
