@@ -181,6 +181,7 @@ MISTAKES = {
     "has no 'W'": (PLANT, "W"),
     "no port 'q'": (PLANT, lambda s: s.q**2),
     "which returns a number and no block": (PLANT, lambda s: None),
+    "^plant: V is a function of signals here": (PLANT, PLANT),
     "is not a single number": (TWO, "e"),
     "has no q as clpt": (PLANT, sympy.Symbol("q") ** 2),
     "V.output: .*'zeta'": (PLANT, sympy.zeta(sympy.Symbol("x", real=True))),

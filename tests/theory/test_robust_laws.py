@@ -76,6 +76,9 @@ def test_a_robust_law_is_bounded(name, N):
     assert condition in conditions or not condition
     assert ("bounded inputs", "phi_x, zc are") in conditions
     assert (verdict.level is None) == (name == "dead-zone")
+    if name == "dead-zone":
+        claims = [step.claim for step in verdict.steps]
+        assert "the rate of e_1, e_2 is bounded where V is" in claims
     assert verdict.of == ("|e_1| comes to 1 and |e_2| comes to 1" if verdict.of else "")
 
 

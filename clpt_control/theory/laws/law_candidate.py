@@ -4,6 +4,7 @@ If the residual of V' is never positive, V falls and e goes to zero as in Theore
 pulls back but for a constant, V is bounded (`ultimate_bounds`).
 """
 
+from dataclasses import replace
 from functools import cached_property, partial
 
 import sympy
@@ -53,7 +54,7 @@ class LawCandidate(LawEquations):
                     "the same for every N", partial(holds_for_every_N, self)
                 )
                 self.for_every_N = every_N.holds
-                fall.remarks = [every_N]
+                fall.remarks = [replace(every_N, needed=False)]
         read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
         if has_time(self.V, self.rate):
             fall.conditions.append(Condition("t >= 0"))

@@ -224,8 +224,8 @@ class Judged:
 
     @property
     def failed(self) -> tuple[Step, ...]:
-        """The steps that do not hold."""
-        return tuple(step for step in self.steps if not step.holds)
+        """The steps that do not hold, and that the conclusion needs."""
+        return tuple(step for step in self.steps if step.needed and not step.holds)
 
 
 def concluded(steps: Iterable[Step], given: str = "") -> str:

@@ -241,7 +241,8 @@ class Candidate(ABC):
             and all(vanishes(form.xreplace(at_least)) for form in forms)
         ):
             return [exact("V' < 0 but at the rest", True, "", "limit rest")], of
-        steps = [motion.limit(forms, of.rpartition(" ")[0])]
+        names = of.rpartition(" ")[0] if of.endswith(("go", "goes")) else ""
+        steps = [motion.limit(forms, names or ", ".join(map(self.text, forms)))]
         if self.eq.discrete:
             steps = [exact("the sum of what V loses is finite", True, "", "limit")]
         expressions = sympy.Tuple(self.V, *motion.rates.values())

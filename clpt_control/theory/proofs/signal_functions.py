@@ -91,6 +91,15 @@ def _traced(
     """Return a function of signals as an expression, and where it may have no value."""
     signals, undefined = signals_by_name(eq), list[str]()
 
+    def refuse_no_number(value: Any) -> None:
+        if value is None or isinstance(value, control.InputOutputSystem):
+            raise DiagramError(
+                f"{eq.name}: V is a function of signals here, "
+                "lambda s: s.e @ s.e/2, which returns a number and no block"
+            )
+
+    refuse_no_number(source)
+
     def level(u: Any) -> Any:
         try:
             value = source(u)
@@ -98,11 +107,7 @@ def _traced(
             if "_asdict" not in f"{error}":
                 raise
             value = None
-        if value is None or isinstance(value, control.InputOutputSystem):
-            raise DiagramError(
-                f"{eq.name}: V is a function of signals here, "
-                "lambda s: s.e @ s.e/2, which returns a number and no block"
-            )
+        refuse_no_number(value)
         return value
 
     block = Block(

@@ -27,6 +27,7 @@ class Step:
     detail: str = ""  # the result in a line; of a cited step the source
     every_N: bool = True  # whether it holds for every number of basis functions
     shows: str = ""  # of what conclusions require: names of `verdict.CONCLUSIONS`
+    needed: bool = True  # by the conclusion; others say how far it reaches
 
 
 @contextmanager
