@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 from text_systems import written
 
 import clpt_control as clpt
-from clpt_control.theory import refuting
+from clpt_control.theory.laws import refuting
 
 RTOL, ATOL = 1e-10, 1e-12
 T = np.linspace(0.0, 10.0, 101)
