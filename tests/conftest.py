@@ -5,6 +5,7 @@ import json
 import os
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import pytest
@@ -33,8 +34,8 @@ def clpt(monkeypatch, capsys):
     from clpt_control.base.progress import interrupt
 
     # no lines that only a slow machine shows
-    monkeypatch.setattr("clpt_control.base.progress.PATIENCE", float("inf"))
-    monkeypatch.setattr(interrupt, "_ended", False)  # at the end of the test, too
+    stopped = SimpleNamespace(monotonic=lambda: 0.0)
+    monkeypatch.setattr("clpt_control.base.progress.time", stopped)
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["clpt", *map(str, arguments)])
@@ -44,7 +45,8 @@ def clpt(monkeypatch, capsys):
         text = capsys.readouterr()
         return Outcome(ended.value.code or 0, text.out, text.err)
 
-    return run
+    yield run
+    interrupt.listen(None)  # a command that ended ignores interrupts
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 """Files and folders are written beside their place: whole, or not at all."""
 
+import errno
 import os
 import re
 import struct
@@ -12,13 +13,14 @@ import numpy as np
 import pytest
 import xarray
 import zarr
+from command_outputs import write
 from error_sentences import says
 from subprocesses import ran
 
 import clpt_control
 from clpt_control import DataError
 from clpt_control.base.figures import new_figure
-from clpt_control.base.files import atomic_path, make_folder, write_file, write_together
+from clpt_control.base.files import atomic_path, make_folder, write_together
 from clpt_control.base.files.reading import open_netcdf, zarr_store
 from clpt_control.base.progress import interrupt
 from clpt_control.ocean.gliders.dive_files import read_dive_file
@@ -92,20 +94,23 @@ def test_what_a_killed_process_left_goes_when_its_place_is_written_again(tmp_pat
     assert names(tmp_path) == {*kept, "replay.nc", "replay.zarr"}
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_folders_that_stay_empty_go_with_the_command(clpt, tmp_path, monkeypatch):
-    def work(name):
-        made, used = (
-            make_folder(tmp_path / "out" / "inner"),
-            make_folder(tmp_path / "used"),
-        )
-        (used / "file").write_text("")
-        assert made.is_dir()
-        write_file((made / name) if name else (used / "file"), "")
-        return 0
+    monkeypatch.chdir(tmp_path)
+    write({"run.duration": 20})
+    words = "run", "s.toml", "--figures", "used/inner", "--out"
 
-    for name, status in (("x" * 300, 2), ("", 0)):
-        monkeypatch.setattr("clpt_control.app.cli._run", lambda name=name: work(name))
-        assert (clpt().status, names(tmp_path)) == (status, {"used"})
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", full)
+        assert clpt(*words, "r.nc").status == 2
+    assert names(Path()) == {"s.toml"}
+    make_folder("empty/inner")
+    assert clpt(*words, "r.nc").status == 0
+    assert names(Path()) == {"s.toml", "r.nc", "used"}
+    assert (Path("used/inner/figure1.png")).exists()
 
 
 @POSIX

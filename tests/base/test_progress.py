@@ -2,9 +2,10 @@
 
 import io
 import os
+import re
 import sys
+import time
 from itertools import count
-from types import SimpleNamespace
 
 import pytest
 from subprocesses import ran
@@ -14,11 +15,8 @@ from clpt_control.base import progress
 
 @pytest.fixture
 def ticking(monkeypatch):
-    """A clock that moves by a second whenever it is asked, and no patience."""
-    ticks = count(0.0, 1.0)
-    monkeypatch.setattr(progress, "time", SimpleNamespace(monotonic=ticks.__next__))
-    monkeypatch.setattr(progress, "PATIENCE", 0.0)
-    monkeypatch.setattr(progress, "LOG_EVERY", 0.0)
+    """A clock that moves by twenty seconds whenever it is read."""
+    monkeypatch.setattr(time, "monotonic", count(step=20.0).__next__)
 
 
 THERE = (
@@ -26,14 +24,14 @@ THERE = (
     "running: 90 of 100 members",
 )
 SAID = [
-    ("members", (0, 50), ["running: 50 of 100 members, 25 a second, 0:00:02 left"]),
-    ("", (0, 50), ["running: 50 %, 0:00:02 left"]),
+    ("members", (0, 50), ["running: 50 of 100 members, 1.25 a second, 0:00:40 left"]),
+    ("", (0, 50), ["running: 50 %, 0:00:40 left"]),
     ("", (0, 1e-200), ["running: 0 %, 11574 days, 1:46:40 left"]),
     # what was done before is no rate
     (
         "members",
         (90, 92),
-        [*THERE, "running: 92 of 100 members, 1 a second, 0:00:08 left"],
+        [*THERE, "running: 92 of 100 members, 0.05 a second, 0:02:40 left"],
     ),
 ]
 
@@ -44,6 +42,22 @@ def test_lines_say_rate_and_time_left(ticking, capsys, counted, done, said):
         for count in done:
             report(count)
     assert capsys.readouterr().err.splitlines()[-len(said) :] == said
+
+
+@pytest.mark.parametrize(
+    ("terminal", "shown"), [(False, [3, 15, 25]), (True, [3, 4, 12, 15, 25])]
+)
+def test_work_of_two_seconds_is_shown_now_and_then(monkeypatch, terminal, shown):
+    """A log has a line every ten seconds; a line of a terminal changes ten times a second."""
+    monkeypatch.setattr("sys.stderr", screen := io.StringIO())
+    screen.isatty = lambda: terminal
+    clock = [0.0, 1.0, 1.9, 3.0, 3.05, 4.0, 12.9, 15.0, 25.0]
+    monkeypatch.setattr(time, "monotonic", iter(clock).__next__)
+    with progress.progress_bar("running", 100.0) as report:
+        for seconds in clock[1:]:
+            report(int(seconds))
+    found = re.findall(r"running: (\d+) %", screen.getvalue())
+    assert [*map(int, found)] == shown
 
 
 def test_a_bar_shows_any_name_as_it_is(ticking, monkeypatch):

@@ -141,11 +141,11 @@ def test_a_box_is_read_as_one_block(tmp_path, monkeypatch):
     whole = {"zlib": True, "complevel": 1, "chunksizes": (1, 161, 1440)}
     data = gridded_current(one, one, lat, lon, HOURS[:3])
     data.to_netcdf(tmp_path / "c.nc", encoding={"u": whole, "v": whole})
-    blocks, read = [], NetCDF4ArrayWrapper._getitem
+    blocks, read = [], NetCDF4ArrayWrapper.__getitem__
     monkeypatch.setattr(
         NetCDF4ArrayWrapper,
-        "_getitem",
-        lambda of, key: blocks.append(key) or read(of, key),
+        "__getitem__",
+        lambda of, key: blocks.append(key.tuple) or read(of, key),
     )
     for box in ((10, 12, 10, 15), (10, 12, 177.5, -177.5)):
         blocks.clear()
