@@ -29,6 +29,7 @@ from clpt_control.engine.trace.fingerprint import reachable
 __all__ = [
     "ENGINES",
     "LANES",
+    "Batch",
     "Confirmation",
     "Diagram",
     "Each",

@@ -355,19 +355,26 @@ def test_no_node_lies_on_a_switch_and_weights_sum_to_the_window(paper):
     assert np.all(np.floor(times / 20) == np.floor(times[:, :1] / 20))
 
 
-def test_a_window_that_cannot_be_followed_is_said_so(paper, monkeypatch):
-    monkeypatch.setattr(certificates, "MAX_PIECES", 0)
-    report = clpt.gramian(paper, 40.0, 0.0).report
+def test_a_window_that_cannot_be_followed_is_said_so(paper):
+    far = paper.with_values({"run.duration": 20, "reference.radius": 1e4})
+    report = clpt.gramian(far, 20.0, 0.0).report
     assert report["rho"] is report["contraction"] is report["time_to_tenth"] is None
     assert "too many to compute. Give a shorter" in report["not_certified"]
     assert len(report["eigenvalues"]["x1"]) == 5
 
 
-# then each has its own pieces
-@pytest.mark.parametrize("rough", [regressor.ROUGH, 1e6])
-def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(rough, monkeypatch):
-    monkeypatch.setattr(regressor, "ROUGH", rough)
-    of = team(0.0, ROW, **DIFFERENT)  # uncoupled, each as its own scenario runs
+STIFF = {
+    name: scenario.with_values({"vehicle.feedback": gains})
+    for (name, scenario), gains in zip(
+        DIFFERENT.items(), ([10, 10], [15, 12], [11, 13]), strict=True
+    )
+}
+
+
+# a stiff vehicle has pieces of its own, short enough at once
+@pytest.mark.parametrize("members", [DIFFERENT, STIFF])
+def test_the_pooled_gramian_is_the_sum_with_gains_of_their_own(members):
+    of = team(0.0, ROW, **members)  # uncoupled, each as its own scenario runs
     N, window, start = 3, 6.0, 2.0
     found = clpt.gramian(of, window, start)
     assert found.names["x1"][N:] == [

@@ -1,12 +1,14 @@
 """The cache of compiled code: whose it is, how much it holds, what goes on without it; threads."""
 
 import hashlib
+import importlib.metadata
 import os
 import re
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from types import SimpleNamespace
 
 import control
 import llvmlite.binding as llvm
@@ -16,7 +18,7 @@ from engine_runs import NativeDiagram, print_program, run_many
 from paths import ROOT
 
 from clpt_control import Block
-from clpt_control.base.files import CACHE, cache_folder, trusted
+from clpt_control.base.files import CACHE, cache_folder, trusted, write_cached
 from clpt_control.engine.codegen import machine
 from clpt_control.engine.codegen.machine import (
     Machine,
@@ -25,6 +27,8 @@ from clpt_control.engine.codegen.machine import (
     code_name,
 )
 from clpt_control.engine.codegen.plan import Program
+
+EMPTY = hashlib.sha256(b"").digest()  # a file with no code
 
 
 @pytest.fixture
@@ -103,19 +107,19 @@ def test_what_is_kept_is_the_users_own_whatever_the_umask(folder):
     assert cached_code("some") is None
 
 
-def test_few_files_stay(folder, monkeypatch):
-    monkeypatch.setattr(machine, "MOST_FILES", 3)
+def test_few_files_stay(folder):
+    cache_folder()
     for k in range(5):
-        cache_code(f"code-{k}", b"")
+        write_cached(folder / f"code-{k}.o", EMPTY, 3)
         os.utime(folder / f"code-{k}.o", (1000 + k, 1000 + k))
-        cache_code(f"{k}", b"")
+        write_cached(folder / f"{k}.o", EMPTY, 3)
         assert cached_code("code-0") == b""  # used, so it stays
     stay = {one.stem for one in folder.iterdir()}
     assert stay == {"code-0", "code-3", "code-4", "2", "3", "4"}  # of each family
 
 
 def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
-    monkeypatch.setattr(machine, "cache_folder", lambda: None)
+    monkeypatch.setenv(CACHE, os.devnull + "/none")
     program = Program((), {"nothing": ()}, {}, (), 0, 0, 0, ())
     for _ in range(2):
         machine_code = Machine(
@@ -126,12 +130,11 @@ def test_nothing_can_be_kept_and_the_work_goes_on(monkeypatch):
 
 def test_the_name_changes_with_what_is_compiled(monkeypatch):
     names = {code_name("text"), code_name("another")}
-    for part, other in (
-        ("processor", lambda: ("another", "+fma")),
-        ("version", lambda name: "9"),
-    ):
-        monkeypatch.setattr(machine, part, other)
-        names.add(code_name("text"))
+    monkeypatch.setenv(machine.VARIABLE, "another")
+    names.add(code_name("text"))
+    installed = SimpleNamespace(version="9")
+    monkeypatch.setattr(importlib.metadata, "distribution", lambda name: installed)
+    names.add(code_name("text"))
     assert len(names) == 4
 
 

@@ -1,19 +1,21 @@
 """Stiff equations: exact to the tolerance, found by themselves, and nothing else taken for them."""
 
+import itertools
 import random
 import re
 import sys
+import time
 
 import numpy as np
 import pytest
-from engine_runs import NativeDiagram, PythonDiagram, Status, wiring_of
+from engine_runs import Batch, NativeDiagram, PythonDiagram, Status, wiring_of
 from paths import ROOT
 from random_diagrams import random_diagram
 from text_systems import ticking, written
 
 import clpt_control as clpt
 from clpt_control import Block, Guard
-from clpt_control.engine.solver import batch, solver_layout
+from clpt_control.engine.solver import solver_layout
 from clpt_control.ensemble.members import Ensemble
 from clpt_control.ensemble.varied_scenario import VariedScenario
 
@@ -94,15 +96,22 @@ def test_a_loose_run_in_python_goes_on_from_where_it_is_stiff():
 def test_when_python_looks_in_changes_no_number(monkeypatch):
     """How long a call of the solver is depends on the time it takes."""
 
-    def run():
-        found, _ = run_of(PROBLEMS["OREGO"], 1e-4)
-        return found.method, found.x[-1].tolist(), found.statistics
+    def rates(t, x, u, p):
+        return np.where(t < 3.0, 1.0, 1e6) * (np.cos(40.0 * t) - x)
 
-    before = run()
-    assert "Rodas5P" in before[0]
-    monkeypatch.setattr(batch, "BEGIN", 1)
-    monkeypatch.setattr(batch, "PAUSE", 0.0)
-    assert run() == before
+    block = Block("many", update=rates, states={"s": 1000})
+    given = {"initial_state": np.linspace(0.0, 1.0, 1000), "rtol": 1e-6, "atol": 1e-8}
+    found = []
+    for step in (1e3, 1e-9):  # seconds of a call: the calls get shorter or longer
+        clock, calls = itertools.count(step=step), []
+        monkeypatch.setattr(time, "perf_counter", clock.__next__)
+        run = clpt.simulate(block, [0.0, 4.0], progress=calls.append, **given)
+        kept = [run.attrs[name] for name in ("method", "solver_steps")]
+        found.append((kept, run["s"].values.tolist(), len(calls)))
+    (*short, many), (*long, few) = found
+    assert "Rodas5P" in run.attrs["method"]
+    assert many > 10 * few
+    assert short == long
 
 
 # --- df/dx as the solver uses it ----------------------------------------------------------------
@@ -149,7 +158,7 @@ def test_slopes_are_those_of_small_differences(case):
     pieces = [runner.schedule(tuple(times))]
     runner.sweep.enter(t)
     for x in np.random.default_rng(1).normal(size=(3 if n else 0, n)):
-        step = batch.Batch(runner.implicit(), x[None], P, times, pieces)
+        step = Batch(runner.implicit(), x[None], P, times, pieces)
         step.advance(1e-3, 1e-3, 1)
         places, found = step.callee.linear.positions, np.zeros((n, n + 1))
         found[:, :n] = step.linear[0][: n * n].reshape(n, n).T[np.ix_(places, places)]

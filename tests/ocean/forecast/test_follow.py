@@ -14,9 +14,9 @@ from glider_files import used_numbers
 from refusals import refuses
 from synthetic_vehicle import one_file_each, vehicle
 
+from clpt_control.base.files import make_folder
 from clpt_control.gliders import read_dives, sample_dives
-from clpt_control.ocean.forecast import follow
-from clpt_control.ocean.forecast.follow import Follower, following
+from clpt_control.ocean.forecast.follow import Follower, StoredFile, following
 from clpt_control.ocean.gliders.dives import Skipped
 from clpt_control.replay import Replay
 
@@ -141,14 +141,15 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
     inbox, tmp_path, monkeypatch
 ):
     follower, other = Follower(inbox, tmp_path / "state"), inbox / "dive305.csv"
+    plain = os.open
 
-    def asked(path):
-        if path == other:
-            path.unlink()
-            os.mkfifo(path)
-        return False
+    def opened(name, *how, **where):
+        if Path(name) == other:
+            other.unlink()
+            os.mkfifo(other)
+        return plain(name, *how, **where)
 
-    monkeypatch.setattr(follow, "is_segment", asked)
+    monkeypatch.setattr(os, "open", opened)
     assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv"]
     found, why = numbers(follower)
     assert found == [304, 306]
@@ -157,14 +158,14 @@ def test_a_file_that_becomes_a_pipe_once_it_was_asked_is_not_waited_for(
 
 def test_what_cannot_be_opened_is_tried_again(inbox, tmp_path, monkeypatch):
     closed = inbox / "dive305.csv"
-    plain, shut = follow.at_once, True
+    plain, shut = os.open, True
 
-    def opened(name, flags):
+    def opened(name, *how, **where):
         if shut and Path(name) == closed:
             raise PermissionError(13, "Permission denied")
-        return plain(name, flags)
+        return plain(name, *how, **where)
 
-    monkeypatch.setattr(follow, "at_once", opened)
+    monkeypatch.setattr(os, "open", opened)
     (inbox / "loop.csv").symlink_to("loop.csv")
     follower = Follower(inbox, tmp_path / "state")
     assert follower.look() == ["dive304.csv", "dive305.csv", "dive306.csv", "loop.csv"]
@@ -222,14 +223,12 @@ def test_one_follows_at_a_time(inbox, tmp_path):
         assert len(follower.look()) == 3
 
 
-def followed(folder, dives, skipped):
-    """Follow a file that reads as these dives, and return its file in the state."""
-    (folder / "in").mkdir(exist_ok=True)
-    (folder / "in" / "dive1.csv").write_text("any")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(follow, "read_dive_file", lambda path: (dives, skipped))
-        Follower(folder / "in", folder / "state").look()
-    return folder / "state" / "dive1.csv.json"
+def stored(folder, dives, skipped):
+    """Write a state with one file, which had these dives; return its path."""
+    where = os.path.realpath(folder / "in")
+    path = make_folder(folder / "state") / "dive1.csv.json"
+    path.write_text(StoredFile(where, (3, 1, 2), dives, skipped).text())
+    return path
 
 
 @pytest.fixture
@@ -237,7 +236,7 @@ def whole(tmp_path):
     """The state of a file with a track, and its JSON."""
     time = np.linspace(0.0, 9000.0, 4)
     dive = replace(sample_dives()[0], track=(time, time / 3, -time), notes=("odd",))
-    path = followed(tmp_path, [dive], [Skipped(None, "line 3"), Skipped(7, "short")])
+    path = stored(tmp_path, [dive], [Skipped(None, "line 3"), Skipped(7, "short")])
     return path, json.loads(path.read_text())
 
 
@@ -349,15 +348,15 @@ def test_what_readers_give_is_whole(tmp_path):
         replace(first, dr_east=math.inf, depth_max=math.nan, number=-5),
         replace(first, lat_gpse=95.0, gps_east=math.nan, t_gps2=np.float64(0.1)),
     ]
-    path = followed(tmp_path, strange, [])
+    (tmp_path / "in").mkdir()
+    path = stored(tmp_path, strange, [])
     kept = path.read_text()
-    (tmp_path / "in" / "dive1.csv").unlink()
     again, skipped = Follower(tmp_path / "in", tmp_path / "state").dives()
     assert skipped == []
     strange[3] = replace(strange[3], t_gps2=0.1)
     assert list(map(repr, again)) == list(map(repr, strange))
     assert all(map(np.array_equal, again[0].track, strange[0].track))
-    again = followed(tmp_path, again, []).read_text()
+    again = stored(tmp_path, again, []).read_text()
     assert json.dumps(json.loads(again)["dives"]) == json.dumps(
         json.loads(kept)["dives"]
     )
