@@ -14,7 +14,7 @@ from clpt_control.ensemble.candidates import (
     laws_to_try,
     unknown_of,
 )
-from clpt_control.ensemble.tune import Score, ranked, score_of
+from clpt_control.ensemble.tune import Score, ranked
 from clpt_control.paper.laws.table import LAWS
 
 
@@ -45,18 +45,16 @@ def test_of_those_as_good_as_the_best_the_quickest_is_taken():
     assert ranked([broken, endless]) == []
 
 
-def test_CLPE_of_a_candidate_does_not_hang_on_its_samples(paper, monkeypatch):
+def test_CLPE_of_members_does_not_hang_on_their_samples(paper):
     """With a strong feedback it peaks for an eighth of a second at each waypoint."""
     strong = paper.with_values(
         {"vehicle.feedback": [8, 8], "vehicle.feedforward": [8, 8]}
     )
-    unknown = unknown_of(strong, None, None, 0)
-    one = Candidate("learned-flow", 0.8, False, None, {})
-    usual = score_of(unknown, one, 2, 0).clpe_rms
-    monkeypatch.setattr(
-        "clpt_control.ensemble.summaries.samples_per_cycle", lambda one: 20_000
-    )
-    assert usual == pytest.approx(score_of(unknown, one, 2, 0).clpe_rms, rel=0.02)
+    data = clpt_control.run_ensemble(strong, {"learning.gain": [0.8]})
+    run = clpt_control.simulate(strong, np.linspace(0.0, 200.0, 20_001))
+    square = np.sum(run.clpe.values**2, axis=1)
+    rms = np.sqrt(np.trapezoid(square, run.time.values) / 200.0)
+    assert data.clpe_rms.values[0, -1] == pytest.approx(rms, rel=0.02)
 
 
 def test_the_answer_is_not_seen_and_runs_are_by_the_scenarios_method(short):

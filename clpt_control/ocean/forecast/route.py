@@ -1,6 +1,6 @@
 """Routes: times of arrival at waypoints days away, and the share of draws in forbidden areas.
 
-The coming dives are drawn, `DRAWS` times, or until `MOST_DRAWN` dives are.  Each dive is aimed at
+The coming dives are drawn `DRAWS` times; `NOWHERE` times if none arrives.  Each dive is aimed at
 the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
 and the drift before it are drawn from their spread (`dive_statistics`), its position error from
 the forecast's mean and covariance.  A drawn dive is learned before the next one is aimed: drawn one
@@ -35,7 +35,7 @@ from .replay import Replay
 from .table_rows import REACHED
 
 DRAWS, DIVES, SEED = 100, 100, 1
-MOST_DRAWN = 4000  # dives; a vehicle that arrives nowhere is drawn 40 times
+NOWHERE = 40  # draws of a vehicle that arrives nowhere
 MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
 SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
@@ -114,19 +114,22 @@ def arrivals(
     speed: float | None,
     duration: float | None,
     report: Callable[[float], None] = lambda share: None,
+    draws: int = DRAWS,
+    dives: int = DIVES,
 ) -> dict[str, Any]:
     """Return when a replay's vehicle is at each waypoint, and how often areas are entered."""
     V, T = usual(replay, speed, duration)
     rng = np.random.default_rng(SEED)
     times, entered, drawn = list[list[float]](), list[list[bool]](), 0
     rings = [np.array([*ring, ring[0]]) for _, ring in areas]
-    while len(times) < DRAWS and drawn < MOST_DRAWN:
+    most = NOWHERE * dives
+    while len(times) < draws and drawn < most:
         check()
-        arrived, legs = _draw(replay, targets, V, T, rng)
+        arrived, legs = _draw(replay, targets, V, T, dives, rng)
         times.append(arrived + [inf] * (len(targets) - len(arrived)))
         entered.append([any(_meets(*leg, ring) for leg in legs) for ring in rings])
         drawn += len(legs)
-        report(max(len(times), DRAWS * min(drawn / MOST_DRAWN, 1.0)))
+        report(max(len(times), draws * min(drawn / most, 1.0)))
     waypoints = []
     for point, times_of_point in zip(targets, np.transpose(times), strict=True):
         quantiles = np.quantile(
@@ -148,21 +151,26 @@ def arrivals(
     ]
     return {
         "draws": len(times),
-        "dives": DIVES,
+        "dives": dives,
         "waypoints": waypoints,
         "areas": shares,
     }
 
 
 def _draw(
-    replay: Replay, targets: list[Place], V: float, T: float, rng: np.random.Generator
+    replay: Replay,
+    targets: list[Place],
+    V: float,
+    T: float,
+    dives: int,
+    rng: np.random.Generator,
 ) -> tuple[list[float], list[tuple[Place, Place]]]:
     """Draw the dives to come once: times of arrival, s since 1970, and the ends of each way."""
     learned = replay.imagined()
     start = learned.start(rng)
     arrived: list[float] = []
     legs: list[tuple[Place, Place]] = []
-    for _ in range(DIVES):
+    for _ in range(dives):
         target = targets[len(arrived)]
         leg = aim(learned, start, target, V, T)
         plan = leg.ahead.plan

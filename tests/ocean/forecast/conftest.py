@@ -8,7 +8,6 @@ from typer.testing import CliRunner
 
 from clpt_control.app.cli import application
 from clpt_control.gliders import sample_dives
-from clpt_control.ocean.forecast import route
 from clpt_control.replay import replay_dives
 
 
@@ -27,12 +26,6 @@ def command():
 def follow():
     """Run `clpt watch FOLDER WORDS` for one look."""
     return lambda folder, *words: run("watch", folder, "--patience", "0", *words)
-
-
-@pytest.fixture
-def few_draws(monkeypatch):
-    """The dives to come are drawn a few times."""
-    monkeypatch.setattr(route, "DRAWS", 5)
 
 
 class Sample(NamedTuple):

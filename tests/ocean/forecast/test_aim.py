@@ -198,22 +198,16 @@ def test_a_speed_that_no_vehicle_has_is_refused():
 STAY, V = 600.0, 0.25  # s, m/s of the made vehicle
 
 
-@pytest.fixture(autouse=True)
-def thirty_draws(monkeypatch):
-    monkeypatch.setattr(route, "DRAWS", 30)
-
-
 @pytest.fixture(scope="module")
 def steady():
     """A vehicle in a steady current that it knows; it lies where it was at each fix."""
     return replay_dives(vehicle(1, 40, flow="steady"))
 
 
-def arrival(replay, east, north, areas=(), speed=V):
+def arrival(replay, east, north, areas=(), speed=V, draws=30, **more):
     """What is drawn of a waypoint so far from 40 N 8 E, m, and its row."""
-    found = route.arrivals(
-        replay, [place_from(40.0, 8.0, east, north)], areas, speed, 14400.0
-    )
+    place = place_from(40.0, 8.0, east, north)
+    found = route.arrivals(replay, [place], areas, speed, 14400.0, draws=draws, **more)
     return found, found["waypoints"][0]
 
 
@@ -250,13 +244,10 @@ def test_who_knows_less_arrives_less_surely(steady):
     assert width[1] > 2 * width[0]
 
 
-def test_a_waypoint_against_the_current_is_not_made(steady, monkeypatch):
-    monkeypatch.setattr(route, "DIVES", 5)
-    # of 5 dives each: three of thirty draws
-    monkeypatch.setattr(route, "MOST_DRAWN", 12)
-    found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05)
+def test_a_waypoint_against_the_current_is_not_made(steady):
+    found, one = arrival(steady, -30_000.0, 15_000.0, speed=0.05, draws=50, dives=3)
     assert (one["made"], one["time"], one["not_before"]) == (0, None, None)
-    assert (found["dives"], found["draws"]) == (5, 3)
+    assert (found["dives"], found["draws"]) == (3, 40)
 
 
 def test_the_same_draws_say_the_same(steady):
@@ -328,8 +319,8 @@ def test_what_is_no_route_is_one_sentence(tmp_path):
 
 @pytest.mark.usefixtures("undrawn")
 def test_the_command_draws_the_way(command, tmp_path):
-    line = shape("LineString", [8.47, -42.93], [8.47, -42.92])
-    ring = [[8.46, -42.94], [8.48, -42.94], [8.48, -42.92], [8.46, -42.94]]
+    line = shape("LineString", [8.45, -42.93], [8.45, -42.925])
+    ring = [[8.44, -42.94], [8.46, -42.94], [8.46, -42.92], [8.44, -42.94]]
     (tmp_path / "route.json").write_text(
         json.dumps(together(line, shape("Polygon", ring)))
     )

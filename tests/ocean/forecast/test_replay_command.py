@@ -183,22 +183,22 @@ def test_a_plan_of_the_next_dive(command):
     assert "min, in 4.1 h from the end of the last dive" in said
 
 
-@pytest.mark.usefixtures("few_draws")
 def test_aiming_by_the_command(command, sample, tmp_path):
-    (tmp_path / "way.txt").write_text("-42.5 8.0\n-42.6 -351.9\n")
+    (tmp_path / "way.txt").write_text("-42.92 8.43\n-42.9 -351.58\n")
     words = ("--sample", "--route", tmp_path / "way.txt")
     found = json.loads(command(*words, "--json").stdout)
     assert [(leg["latitude"], leg["longitude"]) for leg in found["aim"]] == [
-        (-42.5, 8),
-        (-42.6, -351.9),
+        (-42.92, 8.43),
+        (-42.9, -351.58),
     ]
     assert (found["each_dive"], sample.found["aim"]) == (sample.found["each_dive"], [])
-    first, words = found["aim"][0], ("--sample", "--aim", "-42.5", "8.0")
-    said = command(*words).stdout
+    first = found["aim"][0]
     assert (
         f"heading {first['heading']:03.0f} (magnetic {first['heading_magnetic']:03.0f})"
-        in said
+        in command("--sample", "--aim", "-42.92", "8.43").stdout
     )
+    words = ("--sample", "--aim", "-42.5", "8.0")
+    said = command(*words).stdout
     assert "aim at 42 30.00 S 8 00.00 E (42.5000 S 8.0000 E)" in said
     assert "m made good of" in said
     slow = command(*words, "--speed", "0.01", "--hours", "6", "--json")
@@ -275,30 +275,27 @@ def test_what_the_dives_so_far_do_not_allow_is_told_and_work_goes_on(
     assert two.exit_code == 0
 
 
-@pytest.mark.usefixtures("undrawn", "few_draws")
+@pytest.mark.usefixtures("undrawn")
 def test_the_line_of_following(follow, tmp_path):
     dives = sample_dives()[:3]
     one_file_each(tmp_path, dives)
     # what it is near is made: the next is aimed at
     way, (*_, last) = (tmp_path / "way.txt", dives)
-    way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-42.5 8.0\n")
+    way.write_text(f"{last.lat_gpse + 0.001} {last.lon_gpse}\n-43.05 8.4\n")
     done = follow(tmp_path, "--route", way, "--json")
     line = next(line for line in done.stderr.splitlines() if "dives used" in line)
     said = r"3 new files, 3 dives used; dive 306: position error \d+ m; next surfacing 2016-02-01"
     assert re.search(said, line)
     assert "h from the end of the last dive, near 43 " in line
-    assert "; aim at 42 30.00 S 8 00.00 E" in line
+    assert "; aim at 43 03.00 S 8 24.00 E" in line
     assert len(json.loads(done.stdout)["aim"]) == 1
-
-
-WAIT = "clpt_control.base.progress.interrupt.wait"  # for the next look
 
 
 @pytest.mark.usefixtures("undrawn")
 def test_sigterm_ends_following_with_its_results(clpt, tmp_path, monkeypatch):
     one_file_each(tmp_path, sample_dives()[:1])
     before = signal.getsignal(TERM)
-    monkeypatch.setattr(WAIT, lambda _: signal.raise_signal(TERM))
+    monkeypatch.setattr(time, "sleep", lambda _: signal.raise_signal(TERM))
     outcome = clpt("watch", tmp_path, "--out", tmp_path / "out", "--json")
     assert outcome.err.startswith("1 new file, 1 dive used; dive 304")
     assert (outcome.status, json.loads(outcome.out)["used"]) == (0, 1)
@@ -365,20 +362,25 @@ def test_following_without_dives_says_so(clpt, tmp_path):
     assert outcome.out.count("\n") == 2
 
 
-def test_patience_is_time(clpt, tmp_path, monkeypatch):
-    """Waits are asked of a clock that moves by them alone."""
-    now, waits = [0.0], []
+@pytest.mark.parametrize(("every", "seen"), [(1000, ["3"]), (10, ["1", "2"])])
+def test_patience_is_time(clpt, tmp_path, monkeypatch, every, seen):
+    """The clock moves by waits alone; files arrive at 1 s, 11 s and 15 s."""
+    now, arrive = [0.0], iter([1.0, 11.0, 15.0, np.inf])
+    following = [next(arrive)]
 
-    def wait(seconds):
-        waits.append(seconds)
+    def sleep(seconds):
         now[0] += seconds
+        if now[0] >= following[0]:
+            (tmp_path / f"{following[0]}.nc").write_bytes(b"CDF\x01")
+            following[0] = next(arrive)
 
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
-    monkeypatch.setattr(WAIT, wait)
-    for every, expected in (("1000", [25.0]), ("10", [10.0, 10.0, 5.0])):
-        waits.clear()
-        words = ("--every", every, "--patience", "25")
-        assert (clpt("watch", tmp_path, *words).status, waits) == (0, expected)
+    monkeypatch.setattr(time, "sleep", sleep)
+    ended = clpt("watch", tmp_path, "--every", every, "--patience", 25)
+    assert ended.status == 0
+    assert re.findall(r"^(\d) new file", ended.err, re.MULTILINE) == ["0", *seen]
+    # after the last file that was seen
+    assert now[0] == pytest.approx(50.0 if every > 25 else 45.0)
 
 
 @pytest.fixture
