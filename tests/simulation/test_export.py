@@ -42,8 +42,8 @@ def library(text, folder):
 class InC:
     """A diagram's C, compiled."""
 
-    def __init__(self, system, folder, **given):
-        self.text = clpt.export(system, folder / "made.c", **given)
+    def __init__(self, system, folder, export=clpt.export, **given):
+        self.text = export(system, folder / "made.c", **given)
         assert re.findall(r"#include.*", self.text) == ["#include <math.h>"]
         assert not re.search(r"\b(malloc|calloc|free|printf)\b", self.text)
         self.library = library((folder / "made.c").read_bytes(), folder)

@@ -87,11 +87,11 @@ def runge_kutta(rates, x, times, u):
     return np.array(states)
 
 
-def compared(scenario, folder, duration, h):
+def compared(scenario, folder, duration, h, **export):
     """Return the largest difference of a learner in C from python-control's rates."""
     scenario = scenario.with_values({"run.duration": duration, "run.output_step": h})
     run = clpt.simulate(clpt.closed_loop(scenario))
-    learner = OnBoard(clpt.closed_loop(scenario, external="zc"), folder)
+    learner = OnBoard(clpt.closed_loop(scenario, external="zc"), folder, **export)
     u = inputs_of(run, learner.inputs)
     times = run.time.values
     diagram = clpt.closed_loop(scenario, external=learner.inputs)
@@ -229,12 +229,11 @@ def labels(learner, letter):
 
 
 @needs_cc
-def test_altered_signs_are_found(tmp_path, monkeypatch):
+def test_altered_signs_are_found(tmp_path):
     """A minus of the rates, made a plus, changes the numbers; phi(z) cancels in Eq. (8)."""
-    export = clpt.export
     centers = {"basis.centers": [[1.0, 2.0], [10.0, 9.0], [5.0, 4.0]]}
     scenario = paper_of(3, **centers)
-    text = export(scenario, part="learner")
+    text = clpt.export(scenario, part="learner")
     begin, end = text.index("rates_("), text.index("static void signals_")
     places = enumerate(re.findall(r"/\* (\S+) \*/", text[text.index("_x1_0,") : begin]))
     centers_z = [k for k, label in places if label.startswith("basis_z.centers")]
@@ -250,8 +249,7 @@ def test_altered_signs_are_found(tmp_path, monkeypatch):
             path.write_text(altered.replace("learner_", "made_"))
             return path.read_text()
 
-        monkeypatch.setattr(clpt, "export", written)
-        found = compared(scenario, folder, 5.0, 0.05)
+        found = compared(scenario, folder, 5.0, 0.05, export=written)
         assert not found <= 1e-6, altered
 
 
