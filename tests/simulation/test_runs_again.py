@@ -12,11 +12,11 @@ import control
 import law_blocks
 import numpy as np
 import pytest
+from engine_runs import NativeDiagram
 from random_diagrams import random_diagram
 from scipy.interpolate import interp1d
 
 import clpt_control as clpt
-from clpt_control.engine.solver.native_diagram import NativeDiagram
 
 TIMES = np.linspace(0.0, 1.0, 11)
 RATE, TABLE = 1.0, [1.0]

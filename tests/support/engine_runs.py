@@ -1,4 +1,4 @@
-"""The engine's inner names that its tests share, engines that are compared, and runs side by side.
+"""The engine's inner names that tests use, engines that are compared, and runs side by side.
 
 Tests of `tests/engine` and `tests/simulation` import these names here: a file of the engine that is
 merged or moved changes this file alone.
@@ -8,44 +8,91 @@ from functools import partial
 
 import numpy as np
 
+from clpt_control.engine.codegen import machine, vectors
+from clpt_control.engine.codegen.c_library import compiler
+from clpt_control.engine.codegen.elementary import FUNCTIONS
+from clpt_control.engine.codegen.fused_expressions import Component, Write
 from clpt_control.engine.codegen.llvm_text import print_program
-from clpt_control.engine.codegen.machine import LANES
+from clpt_control.engine.codegen.machine import (
+    LANES,
+    Machine,
+    cache_code,
+    cached_code,
+    code_name,
+)
+from clpt_control.engine.codegen.plan import Nest, Program
+from clpt_control.engine.codegen.vectors import PRIMITIVES
 from clpt_control.engine.conformance.all_backends import readings
-from clpt_control.engine.conformance.checks import check_block
+from clpt_control.engine.conformance.checks import (
+    check_block,
+    differ,
+    python_values,
+    random_samples,
+    roles,
+)
 from clpt_control.engine.conformance.confirmation import Confirmation
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
-from clpt_control.engine.methods.table import EXPLICIT, RK4
+from clpt_control.engine.methods.table import EXPLICIT, METHODS, RK4, ROWS
 from clpt_control.engine.model.declaration import Each
 from clpt_control.engine.model.system import linear
+from clpt_control.engine.record.operations import ELEMENTWISE, TABLE, UFUNCS, Row
 from clpt_control.engine.record.unread import Unread
+from clpt_control.engine.solver import solver_layout
 from clpt_control.engine.solver.batch import Batch
 from clpt_control.engine.solver.native_diagram import NativeDiagram, compile
 from clpt_control.engine.solver.runner import PythonDiagram
 from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.solver.termination import sampled_start
+from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
 
 __all__ = [
+    "ELEMENTWISE",
     "ENGINES",
+    "FUNCTIONS",
     "LANES",
+    "METHODS",
+    "PRIMITIVES",
+    "ROWS",
+    "TABLE",
+    "UFUNCS",
     "Batch",
+    "Component",
     "Confirmation",
     "Diagram",
     "Each",
+    "Machine",
     "NativeDiagram",
+    "Nest",
+    "Program",
     "PythonDiagram",
+    "Row",
     "Status",
     "Unread",
+    "Write",
     "blocks_of",
+    "cache_code",
+    "cached_code",
     "check_block",
+    "code_name",
     "compile",
+    "compiler",
+    "differ",
+    "heaps",
     "linear",
+    "machine",
     "print_program",
+    "python_values",
+    "random_samples",
     "reachable",
     "readings",
+    "roles",
     "run_many",
     "side_by_side",
+    "solver_layout",
+    "tracing",
+    "vectors",
     "wiring_of",
 ]
 

@@ -7,16 +7,19 @@ from functools import cache
 import mpmath
 import numpy as np
 import pytest
-from engine_runs import print_program
+from engine_runs import (
+    ELEMENTWISE,
+    FUNCTIONS,
+    PRIMITIVES,
+    Component,
+    Machine,
+    Nest,
+    Program,
+    Write,
+    print_program,
+)
 from hypothesis import given, settings
 from hypothesis import strategies as st
-
-from clpt_control.engine.codegen.elementary import FUNCTIONS
-from clpt_control.engine.codegen.fused_expressions import Component, Write
-from clpt_control.engine.codegen.machine import Machine
-from clpt_control.engine.codegen.plan import Nest, Program
-from clpt_control.engine.codegen.vectors import PRIMITIVES
-from clpt_control.engine.record.operations import ELEMENTWISE
 
 mpmath.mp.dps = 40
 COLUMNS = 8

@@ -14,19 +14,21 @@ import control
 import llvmlite.binding as llvm
 import numpy as np
 import pytest
-from engine_runs import NativeDiagram, print_program, run_many
+from engine_runs import (
+    Machine,
+    NativeDiagram,
+    Program,
+    cache_code,
+    cached_code,
+    code_name,
+    machine,
+    print_program,
+    run_many,
+)
 from paths import ROOT
 
 from clpt_control import Block
 from clpt_control.base.files import CACHE, cache_folder, trusted, write_cached
-from clpt_control.engine.codegen import machine
-from clpt_control.engine.codegen.machine import (
-    Machine,
-    cache_code,
-    cached_code,
-    code_name,
-)
-from clpt_control.engine.codegen.plan import Program
 
 EMPTY = hashlib.sha256(b"").digest()  # a file with no code
 

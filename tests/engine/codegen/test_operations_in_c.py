@@ -5,14 +5,12 @@ import math
 
 import numpy as np
 import pytest
-from engine_runs import readings
+from engine_runs import TABLE, UFUNCS, Row, compiler, readings
 from recorded_blocks import static
 from scipy.special import gamma
 
 import clpt_control as clpt
 from clpt_control import lookup
-from clpt_control.engine.codegen.c_library import compiler
-from clpt_control.engine.record.operations import TABLE, UFUNCS, Row
 
 NUMBERS = (-4.0, -2.5, -1.0, -0.3, 0.0, 0.4, 1.0, 3.0, 20.0)
 BY_HAND = {  # rows that no ufunc is traced as

@@ -5,11 +5,11 @@ import math
 import control
 import numpy as np
 import pytest
+from engine_runs import heaps, tracing
 from error_sentences import says
 from scipy.integrate import solve_ivp
 
 import clpt_control as clpt
-from clpt_control.engine.trace import heaps, tracing
 
 
 def system_of(rate, name="r", **more):

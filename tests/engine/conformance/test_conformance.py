@@ -7,20 +7,22 @@ import re
 import control
 import numpy as np
 import pytest
-from engine_runs import check_block, linear, readings
+from engine_runs import (
+    check_block,
+    differ,
+    linear,
+    python_values,
+    random_samples,
+    readings,
+    roles,
+    vectors,
+)
 from error_sentences import says
 from package_blocks import EACH
 from recorded_blocks import static
 
 import clpt_control as clpt
 from clpt_control import ArgumentError, Block, BlockError, ClptError, check
-from clpt_control.engine.codegen import vectors
-from clpt_control.engine.conformance.checks import (
-    differ,
-    python_values,
-    random_samples,
-    roles,
-)
 
 
 @pytest.mark.parametrize("block", EACH)

@@ -3,10 +3,10 @@
 import control
 import numpy as np
 import pytest
+from engine_runs import METHODS, ROWS
 from tsit5 import ERROR, LAST, TIMES, TSIT5, A
 
 import clpt_control as clpt
-from clpt_control.engine.methods.table import METHODS, ROWS
 
 TURNS = np.linspace(0.0, 20.0, 401)
 

@@ -8,16 +8,20 @@ import time
 
 import numpy as np
 import pytest
-from engine_runs import Batch, NativeDiagram, PythonDiagram, Status, wiring_of
+from engine_runs import (
+    Batch,
+    NativeDiagram,
+    PythonDiagram,
+    Status,
+    solver_layout,
+    wiring_of,
+)
 from paths import ROOT
 from random_diagrams import random_diagram
 from text_systems import ticking, written
 
 import clpt_control as clpt
 from clpt_control import Block, Guard
-from clpt_control.engine.solver import solver_layout
-from clpt_control.ensemble.members import Ensemble
-from clpt_control.ensemble.varied_scenario import VariedScenario
 
 # benchmarks/ is no installed package
 sys.path.insert(0, str(ROOT))
@@ -283,31 +287,21 @@ def test_the_first_step_is_the_one_asked_for():
 # --- ensembles ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lanes", [False, True])
-def test_stiff_members_are_run_one_by_one_and_change_no_other(lanes):
+def test_stiff_members_are_run_one_by_one_and_change_no_other():
     values = {"run.duration": 20, "run.rtol": 1e-6, "run.atol": 1e-8}
-    scenario, times = (
-        clpt.paper_scenario().with_values(values),
-        np.array([0.0, 10.0, 20.0]),
-    )
-    ensemble = Ensemble(VariedScenario(scenario), ["learning.gain"])
-    ensemble.lanes = ensemble.lanes if lanes else 1
+    scenario = clpt.paper_scenario().with_values(values)
 
     def ended(*gains):
-        return ensemble.run(ensemble.members({"learning.gain": np.array(gains)}), times)
+        vary = {"learning.gain": gains}
+        data = clpt.run_ensemble(scenario, vary, trajectories=True)
+        assert np.all(data.status == Status.FINISHED)
+        return np.stack([data.position.values, data.predicted_position.values], 1)
 
     found = ended(0.01, 1e7, 0.02, 3e5)
-    assert list(found.status) == [Status.FINISHED] * 4
-    np.testing.assert_array_equal(found.states[[0, 2]], ended(0.01, 0.02).states)
+    np.testing.assert_array_equal(found[[0, 2]], ended(0.01, 0.02))
     # others, each stiff in its time
     beside = ended(3e5, *np.geomspace(1e4, 1e7, 9), 1e7)
-    np.testing.assert_array_equal(beside.states[[-1, 0]], found.states[[1, 3]])
-    np.testing.assert_array_equal(
-        ended(*[1e7] * 8).states, np.tile(found.states[1], (8, 1, 1))
-    )
-    runner, start = loop_of({**values, "learning.gain": 1e7})
-    whole = runner.run(start, times, rtol=1e-6, atol=1e-8)
-    assert "Rodas5P" in whole.method
-    # lanes sum in another order, so that errors are others
-    apart = 1e-3 if lanes else 1e-12
-    np.testing.assert_allclose(found.states[1], whole.x, rtol=0, atol=apart)
+    np.testing.assert_array_equal(beside[[-1, 0]], found[[1, 3]])
+    # of one member, and of as many as run side by side
+    np.testing.assert_array_equal(ended(1e7)[0], found[1])
+    np.testing.assert_array_equal(ended(*[1e7] * 8), np.tile(found[1], (8, 1, 1, 1)))

@@ -12,15 +12,13 @@ from refusals import refuses
 
 import clpt_control as clpt
 from clpt_control import ArgumentError, ClptError, DataError, ScenarioError
-from clpt_control.base.geodesy import LocalPlane
 from clpt_control.currents import (
     explained_variance,
     fit_current,
+    flow_velocity,
     read_currents,
     sample_currents,
 )
-from clpt_control.engine.model.block import evaluate
-from clpt_control.paper.blocks.field import gridded_flow
 
 MARACOOS = sample_currents()
 BOX = (40.9, 41.55, -69.9, -69.0)
@@ -336,17 +334,19 @@ def test_nantucket_fit(nantucket):
 def test_nantucket_field_is_close_to_what_was_measured(nantucket):
     """The spline field at the measured cells: half a cell of resampling costs little."""
     currents = read_currents(MARACOOS, BOX)
-    plane = LocalPlane(41.225, -69.45)
-    lat, lon = currents.lat[:, None], currents.lon[None, :]
-    x1, x2 = plane.to_plane(lat, lon)
-    u, v = plane.rotate(lat, lon, currents.u, currents.v)
-    g = nantucket[0].field
+    lon, lat = np.meshgrid(currents.lon, currents.lat)
+    x1, x2 = np.divide(PLANE(lon, lat), 1000)
+    turned = np.subtract(PLANE(lon, lat + 1e-5), PLANE(lon, lat))  # north, in the plane
+    east, north = turned / np.hypot(*turned)
+    u = currents.u * north + currents.v * east
+    v = currents.v * north - currents.u * east
+    g, scenario = nantucket[0].field, nantucket[1]
     inside = (x1 >= g.x1[0]) & (x1 <= g.x1[-1]) & (x2 >= g.x2[0]) & (x2 <= g.x2[-1])
     kept = currents.measured & inside
     t, y1, y2 = (
         np.broadcast_to(w, u.shape)[kept]
         for w in (currents.time[:, None, None], x1, x2)
     )
-    field = evaluate(gridded_flow(g), t, np.column_stack([y1, y2])) / 3.6
+    field = flow_velocity(scenario, np.column_stack([y1, y2]), t) / 3.6
     error = np.hypot(field[:, 0] - u[kept], field[:, 1] - v[kept])
     assert np.sqrt(np.mean(error**2)) < 0.02  # m/s, of 0.51
