@@ -14,6 +14,7 @@ import clpt_control
 
 PACKAGE = Path(clpt_control.__file__).parent
 PUBLIC_MODULES = sorted({path.stem for path in PACKAGE.glob("*.pyi")} - {"__init__"})
+PUBLIC_PACKAGES = {path.parent.name for path in PACKAGE.glob("*/__init__.pyi")}
 # subpackages; a subpackage of one of two parts, such as ocean, has rows of its own
 ROWS = [
     ("app.cli",),
@@ -202,6 +203,32 @@ def test_there_are_no_circles(level):
     TopologicalSorter(below).prepare()  # else an error that names the circle
 
 
+TESTS = Path(__file__).parent
+OF_TUPLES = {"_asdict", "_fields", "_replace"}  # of a `NamedTuple`
+
+
+def inner_names(path):
+    """Return the inner modules that a test imports, and the private names that it reads."""
+    modules, private = set(), set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            name = node.module.removeprefix("clpt_control.")
+            candidates = {name, *(f"{name}.{alias.name}" for alias in node.names)}
+            if node.module.startswith("clpt_control."):
+                modules |= candidates & FILES.keys() - {*PUBLIC_PACKAGES}
+        if isinstance(node, ast.Attribute) and node.attr[0] == "_" != node.attr[1]:
+            of_test = ast.unparse(node.value) in ("self", "super()")
+            if not (of_test or node.attr.startswith("_repr_")):
+                private |= {node.attr} - OF_TUPLES
+    return modules, private
+
+
+def test_tests_use_public_names():
+    found = {path.name: inner_names(path) for path in TESTS.rglob("test_*.py")}
+    assert {name: private for name, (_, private) in found.items() if private} == {}
+    assert len([name for name, (modules, _) in found.items() if modules]) <= 30
+
+
 def test_files_of_tests_have_names_of_their_own():
-    names = [path.name for path in Path(__file__).parent.rglob("test_*.py")]
+    names = [path.name for path in TESTS.rglob("test_*.py")]
     assert sorted(names) == sorted(set(names))  # pytest imports them by name alone
