@@ -17,7 +17,6 @@ import clpt_control as clpt
 from clpt_control.base.figures import figure_of
 from clpt_control.base.files import write_file
 from clpt_control.simulation.summary import run_and_report
-from clpt_control.theory.design import search
 from clpt_control.theory.design.track_design import learned, linear_gains, time_below
 from clpt_control.theory.design.waypoint_tracks import (
     Tracks,
@@ -36,21 +35,17 @@ design_track = partial(clpt.theory.design_track, goal="kappa")
 SLOW = pytest.mark.slow
 
 
-QUICK = {"SAMPLES": 32, "STARTS": 4, "SHORT_CLIMB": 2, "LONG_CLIMB": 4}
-
-
-def quickly(*scenario, **options):
-    """Design with few samples and short climbs: enough for all but the best track."""
-    with pytest.MonkeyPatch.context() as patch:
-        for name, value in QUICK.items():
-            patch.setattr(search, name, value)
-        return design_track(*scenario, **options)
+@pytest.fixture(scope="module")
+def three(paper):
+    """Three waypoints, of which a track is designed in a second."""
+    values = {"reference.count": 3, "reference.dwell": 10.0, "run.duration": 60}
+    return paper.with_values(values)
 
 
 @pytest.fixture(scope="module")
-def short(paper):
+def short(three):
     """A design over a short window."""
-    return quickly(paper, window=60.0)
+    return design_track(three, window=30.0)
 
 
 @pytest.fixture(scope="module")
@@ -101,15 +96,15 @@ def test_the_best_track_between_two_places(two_places, limit):
 def test_limits_are_kept_over_the_whole_run(paper):
     """Speed through the water is that of the diagram itself."""
     area = (-4.0, 4.5, -3.5, 4.5)
-    six = paper.with_values({"reference.count": 6, "reference.dwell": 15.0})
+    three = paper.with_values({"reference.count": 3, "reference.dwell": 15.0})
     limits = {"length": 12.0, "max_speed": 2.6, "area": area}
-    found = quickly(six, window=90, start=60, seed=3, **limits)
+    found = design_track(three, window=45, start=45, seed=3, **limits)
     made, after, times = (
         found.scenario,
         found.report["after"],
         np.linspace(0, 400, 7001),
     )
-    assert (made.waypoints.shape, made.reference.dwell) == ((6, 2), 15.0)
+    assert (made.waypoints.shape, made.reference.dwell) == ((3, 2), 15.0)
     assert closed_length(made.waypoints) <= 12.0 * (1 + 1e-9)
     run = clpt.simulate(
         clpt.closed_loop(made), times, initial_state=clpt.initial_state(made)
@@ -124,20 +119,20 @@ def test_limits_are_kept_over_the_whole_run(paper):
     )
 
 
-def test_the_eigenvalue_is_that_of_the_learner_started_true(paper, short):
+def test_the_eigenvalue_is_that_of_the_learner_started_true(three, short):
     """Where the learner is true from the start, e = 0 and z = x."""
     window, start = short.report["window"], short.report["start"]
-    for scenario, key in ((paper, "before"), (short.scenario, "after")):
+    for scenario, key in ((three, "before"), (short.scenario, "after")):
         for source, name in (
             (started_true(scenario), "smallest_eigenvalue"),
             (scenario, "of_the_run"),
         ):
             least = gramian(source, window, start).smallest
-            assert short.report[key][name] == pytest.approx(least, rel=1e-5)
+            assert short.report[key][name] == pytest.approx(least, rel=1e-4)
 
 
-def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(paper, short):
-    same, other = (quickly(paper, seed=s, window=60.0) for s in (0, 1))
+def test_no_design_is_worse_than_the_start_and_a_seed_repeats_it(three, short):
+    same, other = (design_track(three, seed=s, window=30.0) for s in (0, 1))
     assert all(one.report["ratio"] >= 1 for one in (short, same, other))
     assert (short.scenario, short.report) == (same.scenario, same.report)
     assert short.scenario != other.scenario
@@ -214,13 +209,13 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
 
 
 @pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=SLOW)])
-def test_no_design_for_a_law_learns_later(paper, law):
-    """A short search finds little: then the scenario's own track stays, and that is said."""
-    scenario = paper.with_values({"learning.law": law, "run.duration": 200})
-    found = quickly(scenario, goal="law", window=60.0, level=0.02)
+def test_no_design_for_a_law_learns_later(three, law):
+    """Where a search finds nothing, the scenario's own track stays, and that is said."""
+    scenario = three.with_values({"learning.law": law})
+    found = design_track(scenario, goal="law", window=30.0, level=0.02)
     first, last = found.tracks
     assert last.cost <= first.cost
-    same = found.scenario.waypoints.tolist() == paper.waypoints.tolist()
+    same = found.scenario.waypoints.tolist() == three.waypoints.tolist()
     assert found.report["own_track_kept"] == same
 
 
