@@ -291,6 +291,8 @@ def test_routes_are_read(tmp_path):
     path.write_text(json.dumps(shape("MultiLineString", *parts)))  # as QGIS saves lines
     places = [(-42.8, 8.4), (-42.7, 8.3), (-42.6, 8.2), (-42.5, 8.1)]
     assert route.read_route(path)[0] == places
+    path.write_text("-42.8 8.4\n" * 100)
+    assert route.read_route(path)[0] == [(-42.8, 8.4)] * 100
 
 
 RING = [[8.0, 40.0 + 1e-6 * k] for k in range(20_001)]
