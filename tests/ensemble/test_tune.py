@@ -54,7 +54,7 @@ def test_CLPE_of_members_does_not_hang_on_their_samples(paper):
     run = clpt_control.simulate(strong, np.linspace(0.0, 200.0, 20_001))
     square = np.sum(run.clpe.values**2, axis=1)
     rms = np.sqrt(np.trapezoid(square, run.time.values) / 200.0)
-    assert data.clpe_rms.values[0, -1] == pytest.approx(rms, rel=0.02)
+    assert data.clpe_rms.values[0, -1] == pytest.approx(rms, rel=1e-4)
 
 
 def test_the_answer_is_not_seen_and_runs_are_by_the_scenarios_method(short):
