@@ -52,8 +52,8 @@ def test_work_of_two_seconds_is_shown_now_and_then(monkeypatch, terminal, shown)
     monkeypatch.setattr("sys.stderr", screen := io.StringIO())
     screen.isatty = lambda: terminal
     clock = [0.0, 1.0, 1.9, 3.0, 3.05, 4.0, 12.9, 15.0, 25.0]
-    of_day = (50.0 + seconds for seconds in clock)
-    monkeypatch.setattr(time, "monotonic", of_day.__next__)
+    later = (50.0 + seconds for seconds in clock)
+    monkeypatch.setattr(time, "monotonic", later.__next__)
     with progress.progress_bar("running", 100.0) as report:
         for seconds in clock[1:]:
             report(int(seconds))
