@@ -15,8 +15,7 @@ import numpy as np
 import typer
 
 from clpt_control.gliders import Dive, read_dives, sample_dives
-from clpt_control.ocean.estimation.fix_model import FixModel
-from clpt_control.ocean.estimation.priors import Priors
+from clpt_control.ocean.estimation.fix_model import FixModel, Priors
 from clpt_control.ocean.forecast.replay import replay_with
 from clpt_control.ocean.forecast.replay_summary import clpe_rms
 

@@ -216,7 +216,7 @@ FORECAST = Recipe(
             "the level is 0.9",
             (
                 (
-                    "clpt_control/ocean/estimation/learned_fix.py",
+                    "clpt_control/ocean/estimation/fix_model.py",
                     "LEVEL = 0.9 ",
                     "LEVEL = 0.95 ",
                 ),

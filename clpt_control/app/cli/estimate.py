@@ -150,10 +150,9 @@ def _recorded(
     as_json: bool,
 ) -> None:
     """Learn from a table or files."""
-    from ...ocean.estimation.flow_plot import learned_flow_plot
     from ...ocean.estimation.recorded_fixes import flow_of_legs
     from ...ocean.gliders.legs import read_legs
-    from ..pages.fixes_page import report_of, results_of
+    from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 
     out, figure, results = paths
     legs, skipped = read_legs(source, drifter)

@@ -11,20 +11,29 @@ the dive, as gliders report it (D. L. Rudnick, J. T. Sherman, A. P. Wu,
 "Depth-average velocity from Spray underwater gliders", J. Atmos. Oceanic
 Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
 `pyproj.Geod`, resolved east and north at the start fix.
+
+Columns of a vehicle's log, in tables and in lines of JSON: `latitude`, `longitude` (degrees) are a
+fix; `course` (degrees from true north) and `speed` (m/s) are the motion through the water until the
+next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m).
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from math import nan
+from math import cos, isfinite, nan, radians, sin
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...base.arguments import OrNaN, public
+from ...base.errors import DataError
 from ...base.geodesy import displacement
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
+PLACE = ("latitude", "longitude")
+STEERING = ("course", "speed")
+STRETCH = ("dr_east_m", "dr_north_m")
+COURSES = -180.0, 540.0  # degrees
 
 
 class ThroughWater(NamedTuple):
@@ -244,3 +253,21 @@ def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         return dive.track
     ends = np.array([[0.0, dive.duration], [0.0, dive.dr_east], [0.0, dive.dr_north]])
     return ends[0], ends[1], ends[2]
+
+
+def velocity_of(course: float, speed: float, where: str) -> tuple[float, float]:
+    """Return the velocity to the east and to the north, m/s; NaN if it is not known.
+
+    >>> velocity_of(90.0, 1.0, "line 2")[0]
+    1.0
+    """
+    low, high = COURSES
+    if isfinite(course) and not low <= course <= high:
+        raise DataError(
+            f"{where}: course is {course:g}; must be {low:g} to {high:g} degrees"
+        )
+    if speed < 0:
+        raise DataError(f"{where}: speed is {speed:g}; must be 0 or more, m/s")
+    if speed == 0:
+        return 0.0, 0.0
+    return speed * sin(radians(course)), speed * cos(radians(course))

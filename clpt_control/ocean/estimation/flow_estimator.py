@@ -24,9 +24,9 @@ Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 """
 
 import copy
-from dataclasses import asdict
-from math import log
-from typing import Any
+from dataclasses import asdict, dataclass
+from math import hypot, log
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,17 +35,76 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
 from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
-from .fix_settings import FixSettings
-from .learned_fix import LEVEL, Ahead, Learned
+from .fix_model import FAR, LEVEL
+from .fix_settings import FixSettings, LocalFrame
 from .leg_track import Leg, LegTrack
-from .local_frame import LocalFrame
 
-FAR = -2 * log(0.001)  # chi-squared of two components, 99.9 %
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 PRIOR_ERRORS = 4.0  # weight of r as it is set, in position errors on an axis
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
+
+
+class Ahead(NamedTuple):
+    """A forecast of a fix.
+
+    Attributes
+    ----------
+    time, latitude, longitude : float
+        s since 1970 UTC, degrees.
+    radius : float
+        Radius of the region that contains the fix with probability `LEVEL`, m.
+    """
+
+    time: float
+    latitude: float
+    longitude: float
+    radius: float
+
+
+@dataclass(frozen=True)
+class Learned:
+    """Results of one fix.
+
+    Attributes
+    ----------
+    time, latitude, longitude : float
+        Of the fix: s since 1970 UTC, degrees.
+    flow_parameters : ndarray, shape (2, N)
+        Estimate of theta after the fix, m/s.
+    standard_error : ndarray, shape (N,)
+        Of each parameter on both axes, m/s.
+    flow : tuple of float
+        Learned flow at the fix, m/s to the east and to the north.
+    forecast : Ahead or None
+        Forecast of this fix before it was learned; None for a fix that begins a leg.
+    error_east, error_north : float
+        Fix less forecast, m; NaN for a fix that begins a leg.
+    note : str
+        A remark in plain words, or empty.
+    """
+
+    time: float
+    latitude: float
+    longitude: float
+    flow_parameters: np.ndarray
+    standard_error: np.ndarray
+    flow: tuple[float, float]
+    forecast: Ahead | None = None
+    error_east: float = np.nan
+    error_north: float = np.nan
+    note: str = ""
+
+    @property
+    def error(self) -> float:
+        """Length of the position error, m; NaN for a fix that begins a leg."""
+        return hypot(self.error_east, self.error_north)
+
+    @property
+    def inside(self) -> bool:
+        """True if the fix lies in the region of its forecast."""
+        return self.forecast is not None and self.error <= self.forecast.radius
 
 
 @public

@@ -24,9 +24,9 @@ from ...base.files.reading import read_text
 from ...base.units import finite_or_none, seconds_since_1970
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
-from .flow_estimator import FlowEstimator
-from .learned_fix import LEVEL, Ahead, Learned
-from .log_columns import PLACE, STEERING, STRETCH, velocity_of
+from .dive import PLACE, STEERING, STRETCH, velocity_of
+from .fix_model import LEVEL
+from .flow_estimator import Ahead, FlowEstimator, Learned
 
 PARTS = (PLACE, STEERING, STRETCH)
 KEYS = {"time", "plan", *(key for part in PARTS for key in part)}

@@ -19,8 +19,8 @@ from ...base.errors import DataError
 from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
 from .dive import Dive, reckoned
-from .flow_estimator import FlowEstimator
-from .learned_fix import PERCENT, Learned
+from .fix_model import PERCENT
+from .flow_estimator import FlowEstimator, Learned
 
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left

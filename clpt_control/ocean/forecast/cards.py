@@ -12,7 +12,7 @@ from typing import Any
 from ...base.geodesy import displacement, distance
 from ...base.html import safe
 from ...base.units import seconds_since_1970
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from . import geographic, table_rows
 from .dive_statistics import Way
 from .surfacing import CLOCK, overdue_times

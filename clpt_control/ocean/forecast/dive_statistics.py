@@ -41,7 +41,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.geodesy import displacement
-from ..estimation.learned_fix import LEVEL
+from ..estimation.fix_model import LEVEL
 from ..gliders.dives import Dive
 from .geographic import direction
 

@@ -38,7 +38,7 @@ from ...base.files.reading import read_text
 from ...base.html import document, safe
 from ...base.progress import tell
 from ...base.units import seconds_since_1970
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from .cards import attributes, overdue_marks, unbroken
 from .geographic import clock, date, in_minutes
 from .replay_page import cell_table

@@ -20,7 +20,7 @@ import numpy as np
 
 from ...base.geodesy import displacement, place_from
 from ...base.map_files import BLUE, ORANGE, PURPLE, Feature
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from .geographic import Place, compass, velocity
 from .surfacing import ELLIPSE
 from .table_rows import ellipse_words, is_outside, place_in, within

@@ -30,7 +30,7 @@ import numpy as np
 
 from ...base.geodesy import displacement, distance
 from ..estimation.dive import Dive
-from ..estimation.priors import Priors
+from ..estimation.fix_model import Priors
 from ..gliders.usable_dives import FASTEST, follows
 
 WIND = 0.5  # m/s at the surface, in addition to the current

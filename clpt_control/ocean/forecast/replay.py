@@ -35,9 +35,8 @@ from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
 from ...paper.currents.identifiability import check_separable
 from ..estimation.dive import Dive, Fix
-from ..estimation.estimator import Estimator
 from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import FLOW, OTHERS, FixModel
+from ..estimation.fix_model import FLOW, OTHERS, Estimator, FixModel
 from ..gliders.usable_dives import follows
 from .advected_dives import FlowModel, carried
 from .dead_reckoning_check import MOST, check_dead_reckoning

@@ -11,7 +11,7 @@ from typing import Any
 
 from ...base.figures import figure_of, inline_svg, legend_below
 from ...base.html import document, listing, safe
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from . import table_rows, text_report
 from .cards import cards, time_of_computing, unbroken
 from .map_layers import layers_of, words_of_dive

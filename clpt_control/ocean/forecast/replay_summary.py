@@ -24,8 +24,7 @@ import numpy as np
 
 from ...base.arguments import public
 from ..estimation.dive import dac_difference
-from ..estimation.fix_model import OTHERS
-from ..estimation.learned_fix import LEVEL
+from ..estimation.fix_model import LEVEL, OTHERS
 from ..gliders.dives import Skipped
 from .advected_dives import FlowModel
 from .geographic import velocity

@@ -19,7 +19,7 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
-from ..estimation.estimator import Estimator
+from ..estimation.fix_model import Estimator
 from ..gliders.dives import Dive
 from .dive_statistics import Way
 from .geographic import direction, placed, utc, vector

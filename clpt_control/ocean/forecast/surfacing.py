@@ -23,7 +23,7 @@ import numpy as np
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
 from ...base.units import seconds_since_1970
-from ..estimation.learned_fix import LEVEL
+from ..estimation.fix_model import LEVEL
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .dive_statistics import CHI_SQUARED, REPEATED, Guess

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from math import hypot
 from typing import Any
 
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from .dive_statistics import GIVEN
 from .geographic import Place, clock, compass, date, velocity
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from .geographic import clock, compass, place
 from .table_rows import (
     AGAINST,

@@ -30,7 +30,7 @@ from ...base.figures import (
 )
 from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
-from ..estimation.learned_fix import PERCENT
+from ..estimation.fix_model import PERCENT
 from .geographic import Place, clock, degrees_minutes
 from .map_layers import layers_of
 from .netcdf_export import Source, report_of

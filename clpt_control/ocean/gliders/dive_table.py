@@ -29,8 +29,14 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...paper.currents.text_table import other_marks, table_of
-from ..estimation.dive import Dive, dac_difference, make_dive, without_current
-from ..estimation.log_columns import STEERING, velocity_of
+from ..estimation.dive import (
+    STEERING,
+    Dive,
+    dac_difference,
+    make_dive,
+    velocity_of,
+    without_current,
+)
 from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
 from .fix_log import AS_TIME, is_log, log_legs, row_number
 from .samples import HEADINGS, VARIATIONS

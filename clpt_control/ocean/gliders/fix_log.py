@@ -24,8 +24,7 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970
-from ..estimation.dive import Dive, Fix, make_dive
-from ..estimation.log_columns import STEERING, STRETCH, velocity_of
+from ..estimation.dive import STEERING, STRETCH, Dive, Fix, make_dive, velocity_of
 from .dives import name_of
 
 NAMES = {

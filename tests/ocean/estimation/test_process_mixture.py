@@ -10,14 +10,21 @@ from scipy.integrate import quad
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import further, vehicle
 
-from clpt_control.ocean.estimation.dive_regression import (
+from clpt_control.ocean.estimation.estimators import (
+    DROPPED,
     LENGTH,
+    MOST,
+    ProcessMixture,
     integral_covariance,
     position_covariance,
 )
-from clpt_control.ocean.estimation.fix_model import FixModel, inertial_frequency
-from clpt_control.ocean.estimation.priors import DAY, Priors, Sea
-from clpt_control.ocean.estimation.process_mixture import DROPPED, MOST, ProcessMixture
+from clpt_control.ocean.estimation.fix_model import (
+    DAY,
+    FixModel,
+    Priors,
+    Sea,
+    inertial_frequency,
+)
 from clpt_control.replay import replay_dives
 
 
