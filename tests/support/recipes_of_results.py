@@ -167,8 +167,7 @@ FORMAT = Recipe(
                 '''
                 """Toy glider: a line `toy`, then duration (s) and way east (m) of a dive."""
 
-                from ..estimation.dive import ThroughWater
-                from .dives import dive_between
+                from .dives import ThroughWater, dive_between
 
 
                 def is_known(text):

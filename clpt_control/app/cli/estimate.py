@@ -151,7 +151,7 @@ def _recorded(
 ) -> None:
     """Learn from a table or files."""
     from ...ocean.estimation.recorded_fixes import flow_of_legs
-    from ...ocean.gliders.legs import read_legs
+    from ...ocean.gliders.dive_files import read_legs
     from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 
     out, figure, results = paths

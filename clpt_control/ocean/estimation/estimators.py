@@ -86,7 +86,7 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
-from .dive import Dive
+from ..gliders.dives import Dive
 from .fix_model import DAY, FAR, Estimator, FixModel, Sea
 
 MOST, DROPPED = 120, 40  # dives of the regression, and oldest dives dropped beyond

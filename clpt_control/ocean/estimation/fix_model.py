@@ -45,7 +45,7 @@ import numpy as np
 
 from ...base.errors import ScenarioError
 from ...paper.scenario.tidal_periods import SPEEDS, period
-from .dive import Dive
+from ..gliders.dives import Dive
 
 LEVEL = 0.9  # probability of the region of a forecast
 PERCENT = f"{100 * LEVEL:g} %"

@@ -24,7 +24,7 @@ from ...base.files.reading import read_text
 from ...base.units import finite_or_none, seconds_since_1970
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import scenario_to_text
-from .dive import PLACE, STEERING, STRETCH, velocity_of
+from ..gliders.dives import PLACE, STEERING, STRETCH, velocity_of
 from .fix_model import LEVEL
 from .flow_estimator import Ahead, FlowEstimator, Learned
 

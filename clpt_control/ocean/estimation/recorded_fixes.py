@@ -1,6 +1,6 @@
 """Flow learned from recorded legs, a leg at a time, as a Dataset.
 
-Each leg (`dive.Dive`: two fixes and the way through the water between them) goes through
+Each leg (`dives.Dive`: two fixes and the way through the water between them) goes through
 `FlowEstimator`, so that feeding legs at once is feeding their fixes one by one.  The learned flow
 along the track is that of the parameters after the last leg, at each fix.
 """
@@ -18,7 +18,7 @@ import xarray
 from ...base.errors import DataError
 from ...base.progress.interrupt import check
 from ...paper.scenario.experiment import Scenario
-from .dive import Dive, reckoned
+from ..gliders.dives import Dive, reckoned
 from .fix_model import PERCENT
 from .flow_estimator import FlowEstimator, Learned
 

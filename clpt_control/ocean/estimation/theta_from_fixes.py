@@ -16,8 +16,8 @@ from ...base.units import METRES, SECONDS
 from ...engine.model.block import Block
 from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
+from ..gliders.dives import Dive
 from .between_fixes import METHODS, whitened
-from .dive import Dive
 from .recorded_fixes import flow_of_legs
 from .run_segments import run_scenario, run_segments
 

@@ -28,7 +28,7 @@ from scipy.integrate import solve_ivp
 
 from ...base.arguments import public
 from ...base.errors import ClptError
-from ..estimation.dive import Dive, reckoned
+from ..gliders.dives import Dive, reckoned
 
 Flow = Callable[[float, float, float], tuple[float, float]]
 LONGEST_STEP = 900.0  # s; a glider crosses no cell of a forecast in less

@@ -18,7 +18,7 @@ from math import log
 import numpy as np
 
 from ...base.errors import DataError
-from ..estimation.dive import Dive
+from ..gliders.dives import Dive
 
 FEWEST, MOST = 4, 40  # dives that are compared, the last ones
 SURE = log(1e5)  # log-likelihood ratio

@@ -33,7 +33,8 @@ from ..gliders.dive_files import (
     named_by_file,
     read_dive_file,
 )
-from ..gliders.dives import Dive, NotYet, Skipped, before_each, in_order, is_segment
+from ..gliders.dives import Dive, NotYet, Skipped
+from ..gliders.mission_files import before_each, in_order, is_segment
 
 LOCK = ".clpt-lock"
 FORMAT = 5  # of the state

@@ -29,8 +29,8 @@ from math import hypot
 import numpy as np
 
 from ...base.geodesy import displacement, distance
-from ..estimation.dive import Dive
 from ..estimation.fix_model import Priors
+from ..gliders.dives import Dive
 from ..gliders.usable_dives import FASTEST, follows
 
 WIND = 0.5  # m/s at the surface, in addition to the current

@@ -34,9 +34,9 @@ from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
 from ...paper.currents.identifiability import check_separable
-from ..estimation.dive import Dive, Fix
 from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import FLOW, OTHERS, Estimator, FixModel
+from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
 from .advected_dives import FlowModel, carried
 from .dead_reckoning_check import MOST, check_dead_reckoning

@@ -23,9 +23,8 @@ from typing import Any
 import numpy as np
 
 from ...base.arguments import public
-from ..estimation.dive import dac_difference
 from ..estimation.fix_model import LEVEL, OTHERS
-from ..gliders.dives import Skipped
+from ..gliders.dives import Skipped, dac_difference
 from .advected_dives import FlowModel
 from .geographic import velocity
 from .replay import Replay

@@ -16,6 +16,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import resources
 from itertools import pairwise
+from math import isfinite
 from pathlib import Path
 from stat import S_ISDIR
 from typing import Any
@@ -24,10 +25,11 @@ from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
-from ..estimation.dive import Dive
-from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
+from . import og1, quantities, seaexplorer, seaglider, slocum, usable_dives
 from .dive_table import table_dives
-from .dives import SEAEXPLORER, SLOCUM, Skipped, in_order, is_segment, name_of
+from .dives import Dive, Skipped, name_of
+from .fix_log import NO_MOTION
+from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .usable_dives import LEAST_DURATION
 
 MOST_BYTES = 4 * 10**9  # of memory that the dives of a file may take
@@ -131,7 +133,7 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
         for dialect, kind in ((seaglider, "Seaglider"), (og1, None)):
             if dialect.is_known(data):
-                unflagged, notes = samples.unflagged(data)
+                unflagged, notes = quantities.unflagged(data)
                 rows = dialect.dives_of(unflagged, path)
                 noted = [
                     row
@@ -293,3 +295,25 @@ def read_all_dives(
     reason = skipped[0].why if skipped else "no dives"
     where = files[0] if len(files) == 1 else f"{len(files)} files"
     raise DataError(f"{where}: no dive. First reason: {reason}")
+
+
+def read_legs(
+    path: str | Path, drifting: bool = False
+) -> tuple[list[Dive], list[Skipped]]:
+    """Return the usable legs of a table or of vehicle files, and what was skipped.
+
+    With `drifting` an unknown displacement through the water is 0.
+    """
+    legs, skipped = read_all_dives(path)
+    known = [isfinite(leg.dr_east) and isfinite(leg.dr_north) for leg in legs]
+    if drifting:
+        legs = [
+            leg if is_known else replace(leg, dr_east=0.0, dr_north=0.0, notes=())
+            for leg, is_known in zip(legs, known, strict=True)
+        ]
+    elif not any(known) and all(NO_MOTION in leg.notes for leg in legs):
+        raise DataError(f"{path}: {NO_MOTION}")
+    used, unused = usable_dives.usable(legs, least_duration=0.0)
+    if not used:
+        raise DataError(f"{path}: no usable leg. First reason: {unused[0].why}")
+    return used, [*skipped, *unused]

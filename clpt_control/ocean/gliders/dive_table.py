@@ -29,23 +29,27 @@ from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
 from ...paper.currents.text_table import other_marks, table_of
-from ..estimation.dive import (
+from .dives import (
+    NUMBERS,
     STEERING,
+    STRETCH,
     Dive,
+    Skipped,
     dac_difference,
     make_dive,
+    name_of,
     velocity_of,
+    whole_number,
+    with_dac_note,
     without_current,
 )
-from .dives import NUMBERS, Skipped, name_of, whole_number, with_dac_note
 from .fix_log import AS_TIME, is_log, log_legs, row_number
-from .samples import HEADINGS, VARIATIONS
+from .quantities import HEADINGS, VARIATIONS
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
-THROUGH_WATER = ("dr_east_m", "dr_north_m")
 CURRENT = ("dac_east", "dac_north")
-REQUIRED = ("dive", *START, *END, *THROUGH_WATER)
+REQUIRED = ("dive", *START, *END, *STRETCH)
 OTHERWISE = (
     "; course (degrees), speed (m/s), or dac_east, dac_north (m/s), the vehicle's own current, may "
     "stand instead of dr_east_m, dr_north_m"
@@ -119,8 +123,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
     line = ",".join(header)
     missing = [column for column in REQUIRED if column not in header]
     otherwise = set(CURRENT) <= set(header) or set(STEERING) <= set(header)
-    if otherwise and not set(header) & set(THROUGH_WATER):
-        missing = [column for column in missing if column not in THROUGH_WATER]
+    if otherwise and not set(header) & set(STRETCH):
+        missing = [column for column in missing if column not in STRETCH]
     if missing:
         marks = other_marks(line, REQUIRED[0])
         begins = f"a table of dives begins with {','.join(REQUIRED)}{OTHERWISE}"
@@ -164,16 +168,15 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         finite = value is not None and isfinite(value)
         cells[column] = value if finite else nan if column in REQUIRED else None
     start, end, through_water = (
-        tuple(cells[column] for column in columns)
-        for columns in (START, END, THROUGH_WATER)
+        tuple(cells[column] for column in columns) for columns in (START, END, STRETCH)
     )
-    if not set(THROUGH_WATER) & set(row) and set(STEERING) <= set(row):
+    if not set(STRETCH) & set(row) and set(STEERING) <= set(row):
         course, speed = (row_number(row[column], False) for column in STEERING)
         course, speed = (nan if x is None else x for x in (course, speed))
         velocity = velocity_of(course, speed, where)
         duration = end[0] - start[0]
         through_water = velocity[0] * duration, velocity[1] * duration
-    elif not set(THROUGH_WATER) & set(row):
+    elif not set(STRETCH) & set(row):
         current = cells["dac_east"], cells["dac_north"]
         if None in current:
             through_water = nan, nan

@@ -1,4 +1,16 @@
-"""The dives of a file (`estimation.dive`), and lines and files that hold none.
+"""A dive of a glider: two fixes and the displacement through the water between them.
+
+A vehicle that dives knows where it is at the last fix before the dive (GPS2)
+and at the first one after it (GPSE).  Between them it moves through the water
+by its dead reckoning; what is left,
+
+    miss = (displacement between the fixes) - (displacement through the water),
+
+is its CLPE without a flow model, and miss / duration the current averaged over
+the dive, as gliders report it (D. L. Rudnick, J. T. Sherman, A. P. Wu,
+"Depth-average velocity from Spray underwater gliders", J. Atmos. Oceanic
+Technol. 35, 1665-1673, 2018).  Displacements are WGS84 geodesics by
+`pyproj.Geod`, resolved east and north at the start fix.
 
 The depth-averaged current c that a file reports should be
 
@@ -11,38 +23,34 @@ between the fixes and by the minutes at the surface: some 2 mm/s, five at most i
 sound dives that were tried.  More says that the samples in the file are not all
 that its current was made of.
 
-A dive lies between two fixes, far enough apart in time, with a time under water between them.
+In a file a dive lies between two fixes, far enough apart in time, with a time under water between
+them.
 
-It may begin in one file and end in a later one.  Such a file is a segment of a Slocum's
-mission, rosie_713-2019-166-0-156.sbd or 00970156.sbd, or of a SeaExplorer's navigation,
-sea035.10.gli.sub.3 or .gz.  It gives the dives that end in it; the files before it, of the
-same vehicle in the same folder, are merged with it.
+Columns of a vehicle's log, in tables and in lines of JSON: `latitude`, `longitude` (degrees) are a
+fix; `course` (degrees from true north) and `speed` (m/s) are the motion through the water until the
+next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m).
 """
 
-import re
-from bisect import bisect_left
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, replace
-from itertools import groupby, pairwise
-from math import atan2, degrees, hypot, inf
-from operator import itemgetter
-from pathlib import Path
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from math import atan2, cos, degrees, hypot, inf, isfinite, nan, radians, sin
+from typing import Any, NamedTuple
 
 import numpy as np
-import pandas
 
-from ...base.arguments import public
+from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
 from ...base.units import finite_or_none
 from ...paper.currents.flags import number
-from ..estimation.dive import Dive as Dive
-from ..estimation.dive import Fix as Fix
-from ..estimation.dive import ThroughWater, dac_difference
-from ..estimation.dive import make_dive as make_dive
 
+Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
+Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
+PLACE = ("latitude", "longitude")
+STEERING = ("course", "speed")
+STRETCH = ("dr_east_m", "dr_north_m")
+COURSES = -180.0, 540.0  # degrees
 MENTIONED = 0.01  # m/s
 LEAST_DEPTH = 5.0  # m that a dive reaches
 # of a dive: first of the stay before it, before, after it
@@ -50,25 +58,196 @@ Three = tuple[Fix | None, Fix, Fix]
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
 LONGEST_NAME = 40  # letters; a longer one is no name
-BACK = 6  # files before one that are merged with it at most
-SLOCUM_FILES = (
-    ".sbd",
-    ".mbd",
-    ".dbd",
-    ".scd",
-    ".mcd",
-    ".dcd",
-    ".sba",
-    ".mba",
-    ".dba",
-    ".asc",
-)
-SLOCUM = re.compile(
-    r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I
-)
-SEAEXPLORER = re.compile(
-    r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I
-)
+
+
+class ThroughWater(NamedTuple):
+    """Displacement east and north (m), NaN where it is not known, its track, notes."""
+
+    total: tuple[float, float] = (nan, nan)
+    track: Track | None = None
+    notes: Sequence[str] = ()
+    turned: float | None = None  # by which a magnetic heading was turned, degrees east
+
+
+@public
+@dataclass(frozen=True)
+class Dive:
+    """One dive; what is not known is NaN, or None if optional.
+
+    Attributes
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    t_gps2, lat_gps2, lon_gps2 : float
+        Last fix before the dive: s since 1970 UTC, degrees north and east.
+    t_gpse, lat_gpse, lon_gpse : float
+        First fix after it.
+    gps_east, gps_north : float
+        Displacement between the two fixes, m.
+    dr_east, dr_north : float
+        Dead-reckoned displacement through the water, m.
+    t_gps1, lat_gps1, lon_gps1 : float or None
+        First fix of the surfacing before the dive.
+    dac_east, dac_north : float or None
+        Depth-averaged current in the file, m/s.
+    dac_qc : float or None
+        Its quality flag, as the file has it.
+    magvar : float or None
+        Magnetic variation, degrees east.
+    depth_max : float or None
+        Greatest depth, m.
+    turned : float or None
+        Variation by which a magnetic heading was turned to make the dead reckoning, degrees
+        east; None where it is the file's own, or of a true heading.
+    doubt : float
+        Standard error of the displacement between fixes that disagree with a neighbour's, m.
+    model_east, model_north : float or None
+        Displacement that a chosen flow model gives the vehicle, m (`flow_models`).
+    uncovered : str or None
+        Why that model says nothing of the dive.
+    next_course : float or None
+        Course of the next dive by the plan in this one's file, degrees clockwise from true north.
+    vehicle : str or None
+        Its name, as the file has it.
+    kind : str or None
+        Seaglider, Slocum or SeaExplorer, where its files say so.
+    track : tuple of ndarray or None
+        Time since `t_gps2` (s), displacement east and north through the water (m).
+    notes : tuple of str
+        What was repaired or looks odd, in plain words.
+
+    Examples
+    --------
+    >>> dive = Dive(1, 0.0, 0.0, 8.0, 9000.0, 0.0, 8.1, 11132.0, 0.0, 9332.0, 0.0)
+    >>> dive.miss_east / dive.duration  # m/s
+    0.2
+    >>> dive
+    <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
+    """
+
+    number: int
+    t_gps2: OrNaN
+    lat_gps2: OrNaN
+    lon_gps2: OrNaN
+    t_gpse: OrNaN
+    lat_gpse: OrNaN
+    lon_gpse: OrNaN
+    gps_east: OrNaN
+    gps_north: OrNaN
+    dr_east: OrNaN
+    dr_north: OrNaN
+    t_gps1: OrNaN | None = None
+    lat_gps1: OrNaN | None = None
+    lon_gps1: OrNaN | None = None
+    dac_east: OrNaN | None = None
+    dac_north: OrNaN | None = None
+    dac_qc: OrNaN | None = None
+    magvar: OrNaN | None = None
+    depth_max: OrNaN | None = None
+    turned: OrNaN | None = None
+    doubt: OrNaN = 0.0
+    model_east: OrNaN | None = None
+    model_north: OrNaN | None = None
+    next_course: OrNaN | None = None
+    vehicle: str | None = field(default=None, compare=False)
+    kind: str | None = field(default=None, compare=False)
+    uncovered: str | None = field(default=None, compare=False)
+    track: Track | None = field(default=None, compare=False, repr=False)
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+    def __repr__(self) -> str:
+        vehicle = f" of {self.vehicle}" if self.vehicle else ""
+        return (
+            f"<Dive {self.number}{vehicle}: {self.duration / 3600:.2f} h, miss "
+            f"{self.miss_east:.0f} m east, {self.miss_north:.0f} m north>"
+        )
+
+    @property
+    def duration(self) -> float:
+        """Time between the two fixes, s."""
+        return self.t_gpse - self.t_gps2
+
+    @property
+    def start(self) -> tuple[float, float]:
+        """Place of the last fix before the dive, degrees north and east."""
+        return self.lat_gps2, self.lon_gps2
+
+    @property
+    def end(self) -> tuple[float, float]:
+        """Place of the first fix after the dive, degrees north and east."""
+        return self.lat_gpse, self.lon_gpse
+
+    @property
+    def over_ground(self) -> tuple[float, float]:
+        """Displacement between the two fixes, east and north, m."""
+        return self.gps_east, self.gps_north
+
+    @property
+    def through_water(self) -> tuple[float, float]:
+        """Dead-reckoned displacement, east and north, m."""
+        return self.dr_east, self.dr_north
+
+    @property
+    def mid_time(self) -> float:
+        """Middle of the dive, s since 1970 UTC."""
+        return 0.5 * (self.t_gps2 + self.t_gpse)
+
+    @property
+    def miss(self) -> np.ndarray:
+        """Position error of the dead reckoning, east and north, m."""
+        return np.array([self.miss_east, self.miss_north])
+
+    @property
+    def miss_east(self) -> float:
+        """Position error to the east of the dead reckoning, m."""
+        return self.gps_east - self.dr_east
+
+    @property
+    def miss_north(self) -> float:
+        """Position error to the north of the dead reckoning, m."""
+        return self.gps_north - self.dr_north
+
+
+@public
+def make_dive(
+    number: int,
+    start: Fix,
+    end: Fix,
+    through_water: tuple[OrNaN, OrNaN],
+    **optional: Any,
+) -> Dive:
+    """Make a dive of its fixes and its displacement through water.
+
+    Parameters
+    ----------
+    number : int
+        The vehicle's own number of the dive.
+    start, end : tuple of float
+        Time (s since 1970 UTC), latitude and longitude (degrees) of a fix.
+    through_water : tuple of float
+        East and north, m.
+    **optional : float, tuple or None
+        Other fields of `Dive`.
+
+    Returns
+    -------
+    Dive
+        With the displacement between the fixes.
+
+    Examples
+    --------
+    >>> dive = make_dive(1, (0.0, 0.0, 8.0), (9000.0, 0.0, 8.1), (9332.0, 0.0))
+    >>> round(dive.gps_east), round(dive.miss_east)
+    (11132, 1800)
+    """
+    return Dive(
+        number,
+        *start,
+        *end,
+        *displacement(*start[1:], *end[1:]),
+        *through_water,
+        **optional,
+    )
 
 
 @public
@@ -223,85 +402,48 @@ def name_of(*values: Any) -> str | None:
     return None
 
 
-def is_segment(path: Path) -> bool:
-    """Return whether a name is that of a segment.
+def without_current(
+    start: Fix, end: Fix, current: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the displacement through the water that a depth-averaged current (m/s) leaves, m."""
+    east, north = displacement(*start[1:], *end[1:])
+    duration = end[0] - start[0]
+    return east - current[0] * duration, north - current[1] * duration
 
-    >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
-    [True, True, False]
+
+def dac_difference(dive: Dive) -> float:
+    """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
+    if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
+        return nan
+    return float(
+        np.hypot(*(dive.miss / dive.duration - (dive.dac_east, dive.dac_north)))
+    )
+
+
+def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return dead reckoning: time since the fix before the dive (s), east and north (m).
+
+    A straight line at constant speed where the dive has no track; its end fix is not read.
     """
-    return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
+    if dive.track is not None:
+        return dive.track
+    ends = np.array([[0.0, dive.duration], [0.0, dive.dr_east], [0.0, dive.dr_north]])
+    return ends[0], ends[1], ends[2]
 
 
-def in_order(path: Path) -> tuple[list[str | int], str]:
-    """Return the key that sorts files as a vehicle numbers them.
+def velocity_of(course: float, speed: float, where: str) -> tuple[float, float]:
+    """Return the velocity to the east and to the north, m/s; NaN if it is not known.
 
-    >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
-    'sea035.1.gli.sub.9'
+    >>> velocity_of(90.0, 1.0, "line 2")[0]
+    1.0
     """
-    pieces = re.split(r"(\d+)", path.name)
-    return [int(piece) if k % 2 else piece for k, piece in enumerate(pieces)], path.name
-
-
-def files_before(path: Path) -> list[Path]:
-    """Return the files before one of the same vehicle in its folder, the nearest last."""
-    try:
-        inside = [file for file in path.parent.iterdir() if file.name[:1] != "."]
-    except OSError:
-        return []
-    return before_each(dict.fromkeys([*inside, path]))[path]
-
-
-def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
-    """Return for each file of a folder those before it of the same vehicle, the nearest last."""
-    earlier = {}
-    ordered = sorted((*_order(file), file) for file in files)
-    for _, group in groupby(ordered, itemgetter(0)):
-        numbered = list(group)
-        for _, order, file in numbered:
-            k = bisect_left(numbered, order, key=itemgetter(1))
-            earlier[file] = [
-                earlier_file for *_, earlier_file in numbered[max(k - BACK, 0) : k]
-            ]
-    return earlier
-
-
-def dives_across_files(
-    path: Path,
-    last: pandas.DataFrame,
-    read: Callable[[Path], pandas.DataFrame],
-    fixes_and_wet: Callable[[pandas.DataFrame], tuple[list[Fix], np.ndarray]],
-) -> tuple[pandas.DataFrame, list[Three]]:
-    """Return a file's log, `last`, merged with those of files before it, and all dives' fixes.
-
-    A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
-    under water; `fixes_and_wet` returns the fixes and the times under water.
-    """
-    logs = [last]
-    for before in reversed(files_before(path)):
-        fixes, wet = fixes_and_wet(_merged(logs))
-        if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
-            break
-        with suppress(DataError):  # named where it is read for itself
-            logs.insert(0, read(before))
-    merged = _merged(logs)
-    return merged, cut_dives(*fixes_and_wet(merged), LEAST_GAP)
-
-
-def _merged(logs: list[pandas.DataFrame]) -> pandas.DataFrame:
-    """Return logs as one, by time; at each time the first number of each column, NaN if none."""
-    merged = pandas.concat(logs)
-    return merged.where(np.isfinite(merged)).groupby(level=0).first()
-
-
-def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
-    """Return the times at which some columns of a log all have a number, and these numbers."""
-    return log[[*names]].dropna().reset_index().to_numpy().T
-
-
-def _order(path: Path) -> tuple[str, list[int]]:
-    """Return the vehicle and kind of a file, and its place among theirs."""
-    matched = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
-    if not matched:
-        return path.name, []
-    vehicle = f"{matched['who']}{matched['kind']}".lower()
-    return vehicle, [int(number) for number in re.findall(r"\d+", matched["order"])]
+    low, high = COURSES
+    if isfinite(course) and not low <= course <= high:
+        raise DataError(
+            f"{where}: course is {course:g}; must be {low:g} to {high:g} degrees"
+        )
+    if speed < 0:
+        raise DataError(f"{where}: speed is {speed:g}; must be 0 or more, m/s")
+    if speed == 0:
+        return 0.0, 0.0
+    return speed * sin(radians(course)), speed * cos(radians(course))

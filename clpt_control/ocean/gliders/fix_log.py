@@ -24,8 +24,7 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970
-from ..estimation.dive import STEERING, STRETCH, Dive, Fix, make_dive, velocity_of
-from .dives import name_of
+from .dives import STEERING, STRETCH, Dive, Fix, make_dive, name_of, velocity_of
 
 NAMES = {
     "time": ("time", "date", "datetime"),

@@ -33,17 +33,27 @@ import pandas
 import xarray
 
 from ...base.errors import DataError
-from ..estimation.dive import Dive, Fix, ThroughWater, without_current
-from .dives import LEAST_DEPTH, LEAST_GAP, Skipped, Three, cut_dives, dive_between
+from .dives import (
+    LEAST_DEPTH,
+    LEAST_GAP,
+    Dive,
+    Fix,
+    Skipped,
+    Three,
+    ThroughWater,
+    cut_dives,
+    dive_between,
+    without_current,
+)
 from .og1_columns import (
     currents_of,
     fixes_and_others,
     has_ends,
     measurements_of,
     segments_of,
+    with_steady_clock,
 )
 from .og1_columns import is_known as is_known
-from .sample_clock import with_steady_clock
 from .samples import deepest, summed, variation
 
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion

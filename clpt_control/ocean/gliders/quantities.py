@@ -4,30 +4,147 @@ One table serves OG1 (`og1_columns`) and the Seaglider basestation (`seaglider`)
 matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its vocabulary `WCUR_X`,
 `WCUR_Y` and `DEAD_RECKONING`; numbers of dives, displacements, the flight model's speed and the
 depth-averaged current are named as by seagliderOG1 and votoutils, or by the basestation.
+
+Files of different makers give the same sample as seconds since 1970 or as nanoseconds since the
+first of them, a depth as m or cm, a speed as cm/s or m s-1; a variable without units is taken as s,
+m or m/s.
 """
 
+import re
 from collections.abc import Iterator
+from math import nan
 
 import numpy as np
 import xarray
 
 from ...base.errors import DataError
-from ...paper.currents.flags import said
-from .samples import (
-    HEADINGS,
-    VARIATIONS,
-    metres,
-    metres_per_second,
-    seconds,
-    values,
-    within,
-)
+from ...base.units import length_in_metres, speed_in_metres_per_second
+from ...paper.currents.cf_times import decoded
+from ...paper.currents.flags import IS_FLAG, number, said, without_flagged
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
 PLACE = ("lat", "lon")
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 # of a dive: how names end
 ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
+# degrees; a heading of a whole turn may have a variation added, without starting again from 0
+HEADINGS, VARIATIONS, PITCHES = (-180.0, 540.0), (-180.0, 180.0), (-90.0, 90.0)
+READ = re.compile(  # names of the variables that dives are made of
+    r"(^|_)(time|lat|lon|east_disp|north_disp|head|velo|speed|davg|[uvw]cur|dac_|depth$)",
+    re.IGNORECASE,
+)
+NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
+
+
+def degrees(ddmm: np.ndarray) -> np.ndarray:
+    """Return degrees of ddmm.mmm, NaN where it has 60 minutes or more.
+
+    >>> degrees(np.array([5138.0368, -12818.26, 69696969.0])).round(5)
+    array([  51.63395, -128.30433,          nan])
+    """
+    with np.errstate(invalid="ignore"):  # of what is endless
+        whole_degrees, minutes = np.divmod(np.abs(ddmm), 100.0)
+    return np.where(
+        (minutes < 60.0) & (whole_degrees < 400.0),
+        np.sign(ddmm) * (whole_degrees + minutes / 60),
+        nan,
+    )
+
+
+def within(
+    angles: np.ndarray, limits: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return angles, NaN outside limits such as `HEADINGS`, and which were outside.
+
+    >>> within(np.array([350.0, -999.0, np.nan, 9.97e36]), HEADINGS)
+    (array([350.,  nan,  nan,  nan]), array([False,  True, False,  True]))
+    """
+    low, high = limits
+    outside = (angles < low) | (angles > high)
+    return np.where(outside, nan, angles), outside
+
+
+def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
+    """Return a file with NaN where what dives are made of is flagged bad, and notes on it.
+
+    A depth-averaged current of a Seaglider stays, because its dives have its flag, `dac_qc`.
+    """
+    columns, notes = dict[str, xarray.DataArray](), list[str]()
+    names = [name for name in map(str, data.variables) if READ.search(name)]
+    flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
+    few = data[[*names, *flags]]  # of hundreds of variables
+    for name in names:
+        is_fix = "GPS" in name.upper()
+        values, flagged = without_flagged(few, [name], is_fix=is_fix)
+        if flagged:
+            columns[name] = values
+            notes += flagged
+    return data.assign(columns) if columns else data, notes
+
+
+def values(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return a variable as floats, NaN where it is no number."""
+    raw = np.atleast_1d(data[name].values)
+    if raw.dtype.kind in "iufb":
+        return raw.astype(float)
+    return np.reshape([number(item) for item in raw.ravel()], raw.shape)
+
+
+def scalar(data: xarray.Dataset, name: str) -> float | None:
+    """Return a single finite number, or None."""
+    if name not in data.variables:
+        return None
+    numbers = values(data, name)
+    return (
+        float(numbers.flat[0])
+        if numbers.size and np.isfinite(numbers.flat[0])
+        else None
+    )
+
+
+def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return times as seconds since 1970 UTC, NaN where missing.
+
+    >>> import xarray
+    >>> units = {"units": "nanoseconds since 2010-07-29 13:31:04"}
+    >>> data = xarray.Dataset({"TIME": ("n", np.array([0, 234_000_000_000]), units)})
+    >>> seconds(data, "TIME") - 1280410264.0
+    array([  0., 234.])
+    """
+    numbers = values(data, name)
+    numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
+    units = said(data[name])
+    if " since " not in units.lower():
+        return numbers
+    dates = decoded(np.array([0.0, 1.0]), units)  # of two numbers, so that digits stay
+    if dates is None:
+        raise DataError(
+            f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
+        )
+    epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
+        1, "s"
+    )
+    return epoch + step * numbers
+
+
+def metres(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return lengths in m, depths positive down, NaN where missing.
+
+    >>> import xarray
+    >>> data = xarray.Dataset({"eng_depth": ("n", [150.0], {"units": "cm"})})
+    >>> metres(data, "eng_depth")
+    array([1.5])
+    """
+    units = said(data[name]) or "m"
+    size = length_in_metres(units, name)
+    up = said(data[name], "positive").lower() == "up"
+    return values(data, name) * (-size if up else size)
+
+
+def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return speeds in m/s, NaN where missing."""
+    units = said(data[name]) or "m/s"
+    return values(data, name) * speed_in_metres_per_second(units, name)
 
 
 def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:

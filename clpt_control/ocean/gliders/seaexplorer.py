@@ -5,7 +5,7 @@ A text of columns between `;`: Timestamp (day/month/year), NavState, Heading and
 in ddmm.mmm.  A fix is a place that is new where NavState is 116, at the surface.
 
 A dive lies between two fixes with a depth of more than 5 m between them.  It often ends in the
-file after that in which it began (`dives`).  The vehicle flies along its nose,
+file after that in which it began (`mission_files`).  The vehicle flies along its nose,
 
     u = -(dz/dt)/tan(pitch),    dr = sum_i u_i (t_i - t_{i-1}) (sin h_i, cos h_i),
 
@@ -25,16 +25,10 @@ import pandas
 from ...base.errors import DataError
 from ...base.files.reading import LARGEST, read_bytes, text_of
 from ...paper.currents.text_table import table_of
-from ..estimation.dive import Dive, Fix, ThroughWater
-from .dives import (
-    LEAST_DEPTH,
-    Three,
-    dive_between,
-    dives_across_files,
-    fixes_in,
-    logged,
-)
-from .samples import HEADINGS, PITCHES, VARIATIONS, deepest, degrees, summed, within
+from .dives import LEAST_DEPTH, Dive, Fix, Three, ThroughWater, dive_between, fixes_in
+from .mission_files import dives_across_files, logged
+from .quantities import HEADINGS, PITCHES, VARIATIONS, degrees, within
+from .samples import deepest, summed
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"

@@ -36,29 +36,21 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement
-from ..estimation.dive import Dive, Fix, ThroughWater
 from .dives import (
     LEAST_DEPTH,
     LEAST_GAP,
+    Dive,
+    Fix,
     Three,
+    ThroughWater,
     cut_dives,
     dive_between,
-    dives_across_files,
     fixes_in,
-    logged,
     planned_course,
 )
-from .samples import (
-    HEADINGS,
-    LONGEST_GAP,
-    SURFACE,
-    deepest,
-    degrees,
-    hole_under_water,
-    turned,
-    variation,
-    within,
-)
+from .mission_files import dives_across_files, logged
+from .quantities import HEADINGS, degrees, within
+from .samples import LONGEST_GAP, SURFACE, deepest, hole_under_water, turned, variation
 from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
 

@@ -1,0 +1,124 @@
+"""Files of a mission: their order, and dives that begin in one file and end in a later one.
+
+A segment of a Slocum's mission, rosie_713-2019-166-0-156.sbd or 00970156.sbd, or of a SeaExplorer's
+navigation, sea035.10.gli.sub.3 or .gz, gives the dives that end in it; the files before it, of the
+same vehicle in the same folder, are merged with it.
+"""
+
+import re
+from bisect import bisect_left
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from itertools import groupby
+from operator import itemgetter
+from pathlib import Path
+
+import numpy as np
+import pandas
+
+from ...base.errors import DataError
+from .dives import LEAST_GAP, Fix, Three, cut_dives
+
+BACK = 6  # files before one that are merged with it at most
+SLOCUM_FILES = (
+    ".sbd",
+    ".mbd",
+    ".dbd",
+    ".scd",
+    ".mcd",
+    ".dcd",
+    ".sba",
+    ".mba",
+    ".dba",
+    ".asc",
+)
+SLOCUM = re.compile(
+    r"(?P<who>.*?)-?(?P<order>\d+-\d+-\d+-\d+|\d{8})(?P<kind>\.\w+)", re.I
+)
+SEAEXPLORER = re.compile(
+    r"(?P<who>.*)(?P<kind>\.gli\.(?:sub|raw))\.(?P<order>\d+)(?:\.gz)?", re.I
+)
+
+
+def is_segment(path: Path) -> bool:
+    """Return whether a name is that of a segment.
+
+    >>> [is_segment(Path(name)) for name in ("00970156.SBD", "sea035.10.gli.sub.3.gz", "p1.nc")]
+    [True, True, False]
+    """
+    return path.suffix.lower() in SLOCUM_FILES or bool(SEAEXPLORER.fullmatch(path.name))
+
+
+def in_order(path: Path) -> tuple[list[str | int], str]:
+    """Return the key that sorts files as a vehicle numbers them.
+
+    >>> sorted(map(Path, ("sea035.1.gli.sub.10", "sea035.1.gli.sub.9")), key=in_order)[0].name
+    'sea035.1.gli.sub.9'
+    """
+    pieces = re.split(r"(\d+)", path.name)
+    return [int(piece) if k % 2 else piece for k, piece in enumerate(pieces)], path.name
+
+
+def files_before(path: Path) -> list[Path]:
+    """Return the files before one of the same vehicle in its folder, the nearest last."""
+    try:
+        inside = [file for file in path.parent.iterdir() if file.name[:1] != "."]
+    except OSError:
+        return []
+    return before_each(dict.fromkeys([*inside, path]))[path]
+
+
+def before_each(files: Iterable[Path]) -> dict[Path, list[Path]]:
+    """Return for each file of a folder those before it of the same vehicle, the nearest last."""
+    earlier = {}
+    ordered = sorted((*_order(file), file) for file in files)
+    for _, group in groupby(ordered, itemgetter(0)):
+        numbered = list(group)
+        for _, order, file in numbered:
+            k = bisect_left(numbered, order, key=itemgetter(1))
+            earlier[file] = [
+                earlier_file for *_, earlier_file in numbered[max(k - BACK, 0) : k]
+            ]
+    return earlier
+
+
+def dives_across_files(
+    path: Path,
+    last: pandas.DataFrame,
+    read: Callable[[Path], pandas.DataFrame],
+    fixes_and_wet: Callable[[pandas.DataFrame], tuple[list[Fix], np.ndarray]],
+) -> tuple[pandas.DataFrame, list[Three]]:
+    """Return a file's log, `last`, merged with those of files before it, and all dives' fixes.
+
+    A log is a table by time, s since 1970.  It goes back until a fix stands before the first time
+    under water; `fixes_and_wet` returns the fixes and the times under water.
+    """
+    logs = [last]
+    for before in reversed(files_before(path)):
+        fixes, wet = fixes_and_wet(_merged(logs))
+        if fixes and (wet.size == 0 or fixes[0][0] <= wet[0]):
+            break
+        with suppress(DataError):  # named where it is read for itself
+            logs.insert(0, read(before))
+    merged = _merged(logs)
+    return merged, cut_dives(*fixes_and_wet(merged), LEAST_GAP)
+
+
+def _merged(logs: list[pandas.DataFrame]) -> pandas.DataFrame:
+    """Return logs as one, by time; at each time the first number of each column, NaN if none."""
+    merged = pandas.concat(logs)
+    return merged.where(np.isfinite(merged)).groupby(level=0).first()
+
+
+def logged(log: pandas.DataFrame, *names: str) -> np.ndarray:
+    """Return the times at which some columns of a log all have a number, and these numbers."""
+    return log[[*names]].dropna().reset_index().to_numpy().T
+
+
+def _order(path: Path) -> tuple[str, list[int]]:
+    """Return the vehicle and kind of a file, and its place among theirs."""
+    matched = SLOCUM.fullmatch(path.name) or SEAEXPLORER.fullmatch(path.name)
+    if not matched:
+        return path.name, []
+    vehicle = f"{matched['who']}{matched['kind']}".lower()
+    return vehicle, [int(number) for number in re.findall(r"\d+", matched["order"])]
