@@ -3,7 +3,7 @@
 import re
 from datetime import UTC, datetime
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context
-from math import isfinite
+from math import isfinite, nan
 from typing import Any
 
 from .errors import DataError
@@ -41,6 +41,14 @@ WORDS = {  # also in the plural
         "kn": "knot",
     },
 }
+
+
+def number(cell: Any) -> float:
+    """Return the number that a cell or an attribute is, NaN where it is none."""
+    try:
+        return float(cell)
+    except (TypeError, ValueError, OverflowError):
+        return nan
 
 
 def finite_or_none(value: Any) -> Any:

@@ -12,7 +12,7 @@ from scipy.integrate import trapezoid
 import clpt_control as clpt
 from clpt_control.app.cli.replay_report import Job
 from clpt_control.gliders import Dive, make_dive, write_dive_table
-from clpt_control.ocean.forecast.advected_dives import FlowModel
+from clpt_control.ocean.forecast.flow_models import FlowModel
 from clpt_control.replay import replay_dataset, replay_dives
 
 STEADY = (0.1, -0.05)

@@ -396,7 +396,7 @@ def look_at(
     """Replay each vehicle below a folder and write the fleet's page; return what is found."""
     from ...ocean.forecast.fleet import Alerts, fleet_page, ordered, standing, unread
     from ...ocean.forecast.follow import following
-    from ...ocean.forecast.geographic import utc
+    from ...ocean.forecast.table_rows import utc
     from ...ocean.gliders.dive_files import FROM_GLIDER
 
     if not top.is_dir():

@@ -125,7 +125,7 @@ class Job:
 
     def summary(self, skipped: Sequence[Any] = ()) -> Report:
         """Return what `--json` prints: the summary, where the next dive ends, aim and paste."""
-        from ...ocean.forecast.kml_geojson import paste
+        from ...ocean.forecast.aim_files import paste
         from ...ocean.forecast.route import DRAWS, arrivals
 
         replay = self.replay
@@ -152,8 +152,7 @@ class Job:
         self, dives: tuple[Any, Any], files: int, out: Path
     ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
-        from ...ocean.forecast.geographic import place
-        from ...ocean.forecast.table_rows import when
+        from ...ocean.forecast.table_rows import place, when
         from ...ocean.forecast.text_report import aim_sentence
 
         summary = self.found(*dives)
@@ -236,7 +235,7 @@ def write(
     will be written anew.
     """
     from ...base.figures import figure_of
-    from ...ocean.forecast.kml_geojson import next_geojson, track_kml
+    from ...ocean.forecast.map_layers import next_geojson, track_kml
     from ...ocean.forecast.netcdf_export import replay_dataset
     from ...ocean.forecast.plots import replay_plot
     from ...ocean.forecast.replay_page import replay_page

@@ -32,10 +32,19 @@ from ...base.geodesy import angle_near, displacement, distance, is_place
 from ...base.units import finite_or_none
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
-from .geographic import Place, direction, in_minutes, placed, utc, vector
 from .replay import Replay
 from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
-from .table_rows import AGAINST, REACHED, UNDER_WAY
+from .table_rows import (
+    AGAINST,
+    REACHED,
+    UNDER_WAY,
+    Place,
+    direction,
+    in_minutes,
+    placed,
+    utc,
+    vector,
+)
 from .text_report import aim_sentence
 
 YEAR = 365 * 24.0  # hours

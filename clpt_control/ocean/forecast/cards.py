@@ -13,11 +13,9 @@ from ...base.geodesy import displacement, distance
 from ...base.html import safe
 from ...base.units import seconds_since_1970
 from ..estimation.fix_model import PERCENT
-from . import geographic, table_rows
-from .dive_statistics import Way
-from .surfacing import CLOCK, overdue_times
-from .table_rows import ellipse_words, half_axes, is_outside, place_in
-from .text_report import BASES
+from . import table_rows
+from .surfacing import CLOCK, Way, overdue_times
+from .table_rows import BASES, ellipse_words, half_axes, is_outside, place_in
 
 Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
@@ -54,7 +52,7 @@ def cards(report: Report) -> list[str]:
 def time_of_computing(report: Report) -> str:
     """Return the line on the time that hours count from."""
     ahead = report["next_dive"]
-    when = unbroken(geographic.clock(ahead["now"]))
+    when = unbroken(table_rows.clock(ahead["now"]))
     if ahead["now_is"] != CLOCK:
         line = f"An old record: hours count from the end of its last dive, {when}."
     else:
@@ -68,8 +66,8 @@ def overdue_marks(ahead: Report, end: str) -> dict[str, str]:
     late, until = overdue_times(ahead, end)
     return {
         "time": ahead["time"],
-        "overdue": geographic.utc(late),
-        "until": geographic.utc(until),
+        "overdue": table_rows.utc(late),
+        "until": table_rows.utc(until),
     }
 
 
@@ -94,7 +92,7 @@ def card(
 
 def _surfacing(report: Report) -> str:
     ahead = report["next_dive"]
-    value = f"{geographic.clock(ahead['time'])} {table_rows.within(ahead)}"
+    value = f"{table_rows.clock(ahead['time'])} {table_rows.within(ahead)}"
     below = table_rows.from_now(ahead["hours_from_now"])
     if ahead["now_is"] != CLOCK:
         below = f"{below} from the {ahead['now_is']}"
@@ -109,7 +107,7 @@ def _surfacing(report: Report) -> str:
 
 def _place(report: Report) -> str:
     ahead = report["next_dive"]
-    where = geographic.in_degrees(ahead["latitude"], ahead["longitude"])
+    where = table_rows.in_degrees(ahead["latitude"], ahead["longitude"])
     texts = [where, ellipse_words(ahead), table_rows.wide(ahead)]
     below = "; ".join(filter(None, texts))
     return card("Place of the next surfacing", ahead["place"], below, FIRST)
@@ -133,7 +131,7 @@ def _aim(report: Report, leg: Report) -> str:
 def _to_go(report: Report, leg: Report) -> str:
     value = f"{leg['distance'] / 1000:.1f} km"
     if leg["bearing"] is not None:
-        value += f" to {geographic.compass(leg['bearing'])}"
+        value += f" to {table_rows.compass(leg['bearing'])}"
     texts = [f"waypoint {leg['place']}"]
     if leg["dives"] is not None:
         texts.append(f"there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h")
@@ -150,9 +148,9 @@ def _plan(report: Report) -> str:
     ahead = report["next_dive"]
     east, north = ahead["dr_east"], ahead["dr_north"]
     value = f"{ahead['duration'] / 3600:.2f} h, {hypot(east, north):.0f} m"
-    angle = geographic.direction(east, north)
+    angle = table_rows.direction(east, north)
     if angle is not None:
-        value += f" to {geographic.compass(angle)}"
+        value += f" to {table_rows.compass(angle)}"
     below = f"through the water; {BASES[ahead['basis']]}"
     return card("Next dive", value, below)
 
@@ -163,7 +161,7 @@ def _last_dive(report: Report) -> str:
     if last["depth_max"] is not None:
         depth = f"{last['depth_max']:.0f} m deep"
     duration = f"{last['duration'] / 3600:.2f} h"
-    title, end = f"Last dive, {last['dive']}", geographic.clock(last["end"])
+    title, end = f"Last dive, {last['dive']}", table_rows.clock(last["end"])
     if ahead["now_is"] != CLOCK:
         return card(title, end, f"surfaced after {duration}; {depth}")
     hours = _age_hours(report)
@@ -209,8 +207,8 @@ def _made_good(report: Report) -> str:
     east, north, seconds = made_good(rows)
     speed = hypot(east, north) / seconds
     value = f"{speed:.2f} m/s, {speed * DAY / 1000:.1f} km per day"
-    angle = geographic.direction(east, north)
-    toward = "" if angle is None else f"to {geographic.compass(angle)}; "
+    angle = table_rows.direction(east, north)
+    toward = "" if angle is None else f"to {table_rows.compass(angle)}; "
     below = f"{toward}fix to fix, dives {rows[0]['dive']} to {rows[-1]['dive']}"
     return card(f"Speed made good, last {_hours(rows)}", value, below)
 
@@ -218,7 +216,7 @@ def _made_good(report: Report) -> str:
 def _current(report: Report) -> str:
     last = report["each_dive"][-1]
     error = max(last["current_east_error"], last["current_north_error"])
-    current = geographic.velocity(last["current_east"], last["current_north"])
+    current = table_rows.velocity(last["current_east"], last["current_north"])
     return card(f"Current, dive {last['dive']}", current, f"+- {error:.2f} m/s")
 
 

@@ -40,10 +40,19 @@ from ...base.progress import tell
 from ...base.units import seconds_since_1970
 from ..estimation.fix_model import PERCENT
 from .cards import attributes, overdue_marks, unbroken
-from .geographic import clock, date, in_minutes
 from .replay_page import cell_table
 from .surfacing import RECENT, overdue_times
-from .table_rows import Columns, age, cells, half_axes, is_outside, within
+from .table_rows import (
+    Columns,
+    age,
+    cells,
+    clock,
+    date,
+    half_axes,
+    in_minutes,
+    is_outside,
+    within,
+)
 
 OVERDUE, OUT, UNREAD = "overdue", "OUT", "cannot be read"
 ORDER = (OVERDUE, OUT, UNREAD)

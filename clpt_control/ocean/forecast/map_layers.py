@@ -1,4 +1,4 @@
-"""Map layers of a replay, made of what `clpt replay --json` prints.
+"""Map layers of a replay, made of what `clpt replay --json` prints; GeoJSON and KML of them.
 
 A layer is a list of points, lines or rings of one kind.  Four writers take them: the map of the
 page, replay.png, GeoJSON and KML.
@@ -19,14 +19,22 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.geodesy import displacement, place_from
-from ...base.map_files import BLUE, ORANGE, PURPLE, Feature
+from ...base.map_files import BLUE, ORANGE, PURPLE, Feature, geojson, kml
 from ..estimation.fix_model import PERCENT
-from .geographic import Place, compass, velocity
 from .surfacing import ELLIPSE
-from .table_rows import ellipse_words, is_outside, place_in, within
+from .table_rows import (
+    Place,
+    compass,
+    ellipse_words,
+    is_outside,
+    place_in,
+    velocity,
+    within,
+)
 
 CORNERS = 48
 LAST = 5  # dives whose ellipses are drawn
+AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
 
 
 def ring_of(row: dict[str, Any], begin: Place, end: Place) -> list[Place]:
@@ -134,3 +142,21 @@ def _feature(kind: str, row: dict[str, Any]) -> Feature:
     if kind == "next":
         properties = {"description": words, **properties}
     return Feature(name.format_map(row), shape, places, colour, when, words, properties)
+
+
+def next_geojson(report: dict[str, Any]) -> str:
+    """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
+    layers, row = layers_of(report), report["each_dive"][-1]
+    properties = {"dive": row["dive"], "time": row["end"]}
+    last_place = layers["way"][0].places[:1]
+    last = Feature("last fix", "Point", last_place, BLUE, properties=properties)
+    return geojson([last, *(feature for kind in AHEAD for feature in layers[kind])])
+
+
+def track_kml(report: dict[str, Any], name: str) -> str:
+    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
+    layers = layers_of(report)
+    fixes, first = layers["fix"], layers["track"][0]
+    places = [first.places[0], *(fix.places[0] for fix in fixes)]
+    ahead = (feature for kind in AHEAD for feature in layers[kind])
+    return kml([first._replace(places=places), *fixes, *ahead], name)

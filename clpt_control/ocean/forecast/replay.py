@@ -11,7 +11,7 @@ the dead reckoning carried by a modelled flow:
 d is the dead-reckoned displacement, y = fix - dead reckoning and T the duration
 of a dive.  Duration and d of the dive are taken as known, its end fix is not.
 The first used dive is forecast with no flow.  If a dive starts too far from the end of
-the last one, one of the two fixes is wrong (`quality_flags`): before the dive is forecast
+the last one, one of the two fixes is wrong (`quality_control`): before the dive is forecast
 the last one is learned again, its forecast as it was.  An outlier, a dive outside the 99 % ellipse
 of its forecast, is learned with doubt and without.  The start of the next dive chooses between the
 two for the forecast of that dive, its end for good.  A flow model is no part of
@@ -38,19 +38,11 @@ from ..estimation.estimators import make_estimator
 from ..estimation.fix_model import FLOW, OTHERS, Estimator, FixModel
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
-from .advected_dives import FlowModel, carried
-from .dead_reckoning_check import MOST, check_dead_reckoning
-from .dive_statistics import (
-    CHI_SQUARED,
-    GIVEN,
-    DiveStatistics,
-    Guess,
-    drift,
-    has_course,
-)
-from .quality_flags import (
+from .flow_models import FlowModel, carried
+from .quality_control import (
     OUTLYING,
     Forecast,
+    check_dead_reckoning,
     doubt_one_fix,
     doubt_outlier,
     is_confirmed,
@@ -58,7 +50,18 @@ from .quality_flags import (
     squared_distance,
 )
 from .step import FLOW_MODEL, MODELS, Step, check_next
-from .surfacing import NORMAL, NextDive, check_flown, unflown
+from .surfacing import (
+    CHI_SQUARED,
+    GIVEN,
+    NORMAL,
+    DiveStatistics,
+    Guess,
+    NextDive,
+    check_flown,
+    drift,
+    has_course,
+    unflown,
+)
 from .table_rows import cells
 
 SURE = OUTLYING / 2  # log odds beyond which a confirmed fix is doubted after all
@@ -162,7 +165,7 @@ class Replay:
         dead reckoning looks swapped, reversed or in km.
         """
         check_next(dive, self.steps[-1].dive if self.steps else None)
-        check_dead_reckoning([*(step.dive for step in self.steps[-MOST:]), dive])
+        check_dead_reckoning([*(step.dive for step in self.steps), dive])
         headline = self.surfacing() if self.steps else None
         dive = self._settle_last(dive)
         self._take(dive, self.ahead(dive), headline)

@@ -25,10 +25,10 @@ import numpy as np
 from ...base.arguments import public
 from ..estimation.fix_model import LEVEL, OTHERS
 from ..gliders.dives import Skipped, dac_difference
-from .advected_dives import FlowModel
-from .geographic import velocity
+from .flow_models import FlowModel
 from .replay import Replay
 from .step import FLOW_MODEL, Step
+from .table_rows import velocity
 
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing

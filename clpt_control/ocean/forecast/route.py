@@ -2,7 +2,7 @@
 
 The coming dives are drawn `DRAWS` times; `NOWHERE` times if none arrives.  Each dive is aimed at
 the next waypoint (`aim`), by what is known when it begins; its way through the water, its duration
-and the drift before it are drawn from their spread (`dive_statistics`), its position error from
+and the drift before it are drawn from their spread (`surfacing`), its position error from
 the forecast's mean and covariance.  A drawn dive is learned before the next one is aimed: drawn one
 after the other, each given those before it, position errors have their joint distribution.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
@@ -30,9 +30,8 @@ from ...base.geodesy import angle_near, distance, is_place, place_from
 from ...base.progress.interrupt import check
 from ..gliders.dives import Fix, make_dive
 from .aim import ARRIVED, aim, usual
-from .geographic import Place, in_minutes, placed, utc
 from .replay import Replay
-from .table_rows import REACHED
+from .table_rows import REACHED, Place, in_minutes, placed, utc
 
 DRAWS, DIVES, SEED = 100, 100, 1
 NOWHERE = 40  # draws of a vehicle that arrives nowhere

@@ -21,9 +21,8 @@ from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
 from ..estimation.fix_model import Estimator
 from ..gliders.dives import Dive
-from .dive_statistics import Way
-from .geographic import direction, placed, utc, vector
-from .surfacing import ELLIPSE, NextDive, ellipse
+from .surfacing import ELLIPSE, NextDive, Way, ellipse
+from .table_rows import direction, placed, utc, vector
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given

@@ -10,13 +10,46 @@ scatter of d and T (d by the learned speed and compass), as wide as their own re
 
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
 last dive, else from that end, as for a record of years ago.
+
+The last dives of a vehicle, and the plan in their files, tell of the next one.  It is guessed
+`PLANNED`, along the course that the last file holds, as long and as quick as the last dives were,
+or `REPEATED`, as the last dive went: by what has scattered less.  A guess has a direction, a
+length L and a duration T.  What comes is, in its measure,
+
+    z = (along / L, to its left / L, log(duration / T)).
+
+Of N dives, each counting 0.95 of the one after it, z has mean m and covariance S, behind a prior
+c, S0 that counts as much as k dives for the one and n for the other:
+
+    m = (k c + sum z) / (k + N)
+    S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
+
+So few dives say little, and 90 % of what comes lies within  n' (0.1^(-2/n') - 1)  of its
+covariance, n' = n + N (normal: 2 ln 10).
+
+How often a headline holds is counted.  The width of the next one is that of the last one
+
+    exp(0.3 * (0.9 where it did not hold, else -0.1)) times,
+
+for the place and for the time each, so that in the long run a tenth does not hold, whatever the
+vehicle does (I. Gibbs, E. Candes, "Adaptive conformal inference under distribution shift",
+Advances in Neural Information Processing Systems 34, 2021).
+
+Fixes alone say how a vehicle drifts at the surface,
+
+    drift before a dive = start of the dive - end of the dive before,
+
+where the numbers of the two follow one another; where they do not, or the dive is the first
+known, from the first fix of the surfacing (GPS1), if the file has it.  Ways are geodesics.
 """
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import nan
-from statistics import NormalDist
-from typing import Any
+from math import cos, exp, hypot, isfinite, log, nan, radians, sin
+from operator import itemgetter
+from statistics import NormalDist, median
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -26,16 +59,230 @@ from ...base.units import seconds_since_1970
 from ..estimation.fix_model import LEVEL
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
-from .dive_statistics import CHI_SQUARED, REPEATED, Guess
-from .geographic import clock, in_minutes, placed, utc, vector
-from .quality_flags import squared_distance
+from .quality_control import squared_distance
+from .table_rows import (
+    GIVEN,
+    PLANNED,
+    REPEATED,
+    clock,
+    direction,
+    in_minutes,
+    placed,
+    utc,
+    vector,
+)
 
+CENTRE = np.array([1.0, 0.0, 0.0])  # c
+# standard deviations of S0
+SPREAD = {PLANNED: (0.25, 0.25, 0.2), REPEATED: (0.25, 0.3, 0.2)}
+MEANS, SPREADS = 2.0, 3.0  # dives that a prior counts as: k and n
+FADING = 0.95  # of what a dive counts, at the next one
+OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
+STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
+LEAST = 1.0  # m of a guess
+RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
+CHI_SQUARED = -2.0 * log(1.0 - LEVEL)  # of two components
+SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
+LONGEST_STAY = 86400.0  # s; a longer stay is more than waiting for a fix
 NORMAL = NormalDist().inv_cdf((1.0 + LEVEL) / 2.0)  # standard deviations
 SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
 RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
 # as `ellipse` has them
 ELLIPSE = ("ellipse_long", "ellipse_short", "ellipse_bearing")
+
+
+class Way(NamedTuple):
+    """A way over ground: m east and north, and the time it took, s."""
+
+    east: float
+    north: float
+    seconds: float
+
+    def as_dict(self) -> dict[str, float | None]:
+        """Return length (m), speed (m/s), direction (degrees) and time (s), None if unknown."""
+        length = hypot(self.east, self.north)
+        return {
+            "distance": length,
+            "duration": self.seconds,
+            "speed": length / self.seconds if self.seconds >= SHORTEST_STAY else None,
+            "direction": direction(self.east, self.north),
+        }
+
+
+def drift(dive: Dive, before: Dive | None) -> Way | None:
+    """Return the drift at the surface before a dive; None where it is not known."""
+    fix: tuple[Any, Any, Any] = dive.t_gps1, dive.lat_gps1, dive.lon_gps1
+    if before is not None and dive.number == before.number + 1:
+        fix = before.t_gpse, *before.end
+    if any(value is None or not isfinite(value) for value in fix):
+        return None
+    seconds = dive.t_gps2 - fix[0]
+    displaced = displacement(*fix[1:], *dive.start)
+    is_known = 0.0 <= seconds <= LONGEST_STAY and isfinite(displaced[0])
+    return Way(*displaced, seconds) if is_known else None
+
+
+def has_course(dive: Dive) -> bool:
+    """Return whether the file of a dive has a course for the next one."""
+    return dive.next_course is not None and isfinite(dive.next_course)
+
+
+class Guess(NamedTuple):
+    """A dive to come: way through the water (2,), m, duration, s, and what both scatter by.
+
+    `scatter` (3, 3) is the covariance of east, north (m) and the logarithm of the duration,
+    `freedom` how many dives it stands on, `basis` which guess it is.
+    """
+
+    way: np.ndarray
+    duration: float
+    scatter: np.ndarray
+    freedom: float
+    basis: str
+
+    @property
+    def tails(self) -> float:
+        """Return how many times 90 % of what comes is wider than of a normal pair, squared."""
+        return (
+            self.freedom * ((1.0 - LEVEL) ** (-2.0 / self.freedom) - 1.0) / CHI_SQUARED
+        )
+
+
+class Evidence(NamedTuple):
+    """Evidence of the dives so far for one guess: N, sum z, sum z z^T."""
+
+    dives: float = 0.0
+    total: np.ndarray = np.zeros(3)
+    square: np.ndarray = np.zeros((3, 3))
+
+    def moments(self, name: str) -> tuple[np.ndarray, np.ndarray]:
+        """Return m (3,) and S (3, 3)."""
+        k = MEANS + self.dives
+        m = (MEANS * CENTRE + self.total) / k
+        scatter = SPREADS * np.diag(SPREAD[name]) ** 2 + self.square
+        scatter = scatter + MEANS * np.outer(CENTRE, CENTRE)
+        return m, (scatter - k * np.outer(m, m)) / (SPREADS + self.dives) * (
+            1.0 + 1.0 / k
+        )
+
+
+class DiveStatistics:
+    """Statistics of a vehicle's dives, updated dive by dive; `last` is the last dive.
+
+    `means` are sums of 1, length and log duration, `drifts` of 1, east, north and their square.
+    `width` is how many times wider the next headline's place and time are by its record.
+    """
+
+    def __init__(self) -> None:
+        self.last: Dive | None = None
+        self.evidence = dict.fromkeys(SPREAD, Evidence())
+        self.means, self.drifts = np.zeros(3), np.zeros(4)
+        self.stays: list[float] = []
+        self.width: tuple[float, ...] = (1.0, 1.0)
+
+    def _frames(self, last: Dive) -> dict[str, tuple[np.ndarray, float]]:
+        """Return, for each guess, the matrix from z to m, (3, 3), and the log of its duration."""
+        frames = {REPEATED: (_frame(*last.through_water), log(last.duration))}
+        if last.next_course is not None and has_course(last):
+            usual, usually = self.means[1:] / self.means[0]  # length, log duration
+            course, length = radians(last.next_course), max(usual, LEAST)
+            frames[PLANNED] = (
+                _frame(length * sin(course), length * cos(course)),
+                usually,
+            )
+        return frames
+
+    def guess(self) -> Guess:
+        """Return the next dive, of one dive at least."""
+        assert self.last is not None
+        candidates = []
+        for name, (B, log_time) in self._frames(self.last).items():
+            m, S = self.evidence[name].moments(name)
+            mean, scatter, dives = B @ m, B @ S @ B.T, self.evidence[name].dives
+            guess = Guess(
+                mean[:2], exp(mean[2] + log_time), scatter, SPREADS + dives, name
+            )
+            candidates.append((float(np.trace(scatter[:2, :2])), guess))
+        return min(candidates, key=itemgetter(0))[1]
+
+    def guess_of(self, displacement: tuple[float, float], duration: float) -> Guess:
+        """Return a dive of a given displacement (m) and duration (s) with its scatter."""
+        # of one dive, not of two
+        late = self.evidence[REPEATED].moments(REPEATED)[1][2, 2] / 2
+        B = _frame(*displacement)
+        S = np.diag([OFF_SPEED**2 + late, OFF_COURSE**2, late])
+        S[0, 2] = S[2, 0] = late
+        return Guess(
+            np.array(displacement),
+            duration,
+            B @ S @ B.T,
+            SPREADS + self.evidence[REPEATED].dives,
+            GIVEN,
+        )
+
+    def stay(self) -> tuple[float, float]:
+        """Return how long the vehicle stays up, s: median and standard deviation about it."""
+        usual = float(median(self.stays or [0.0]))
+        away = sum((seconds - usual) ** 2 for seconds in self.stays)
+        return usual, ((MEANS * STAY**2 + away) / (MEANS + len(self.stays))) ** 0.5
+
+    def drift(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the drift at the surface to come: mean (2,), m, covariance (2, 2), m^2."""
+        n, total, square = self.drifts[0], self.drifts[1:3], self.drifts[3]
+        mean = total / (MEANS + n)
+        away = max(square - 2 * mean @ total + n * mean @ mean, 0.0) / 2
+        return mean, (MEANS * DRIFT**2 + away) / (MEANS + n) * np.eye(2)
+
+    def learn(
+        self, dive: Dive, surface_drift: Way | None, was_inside: Sequence[bool] = ()
+    ) -> None:
+        """Learn from a dive, the drift before it, and whether place and time of its headline held.
+
+        Nothing that could be changed in place is: a copy of this needs no depth.
+        """
+        came = np.array([*dive.through_water, log(dive.duration)])
+        if self.last is not None:
+            for name, (B, log_time) in self._frames(self.last).items():
+                z, was = (
+                    np.linalg.solve(B, came - (0.0, 0.0, log_time)),
+                    self.evidence[name],
+                )
+                total, square = (
+                    FADING * was.total + z,
+                    FADING * was.square + np.outer(z, z),
+                )
+                self.evidence = {
+                    **self.evidence,
+                    name: Evidence(FADING * was.dives + 1.0, total, square),
+                }
+        if surface_drift is not None:
+            size = surface_drift.east**2 + surface_drift.north**2
+            self.drifts = FADING * self.drifts + (
+                1.0,
+                surface_drift.east,
+                surface_drift.north,
+                size,
+            )
+            self.stays = [*self.stays, surface_drift.seconds]
+        if was_inside:
+            wider = (
+                w * exp(RATE * (LEVEL - inside))
+                for w, inside in zip(self.width, was_inside, strict=True)
+            )
+            self.width = tuple(min(max(width, NARROWEST), WIDEST) for width in wider)
+        self.means = FADING * self.means + (1.0, hypot(*came[:2]), came[2])
+        self.last = dive
+
+
+def _frame(east: float, north: float) -> np.ndarray:
+    """Return the matrix from (along, to the left, log duration) to (m east, m north, the same).
+
+    Along a way, m, which is taken as `LEAST` to the north where it is shorter.
+    """
+    if hypot(east, north) <= LEAST:
+        east, north = 0.0, LEAST
+    return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
 
 
 def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:

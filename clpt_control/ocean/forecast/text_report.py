@@ -3,23 +3,20 @@
 from typing import Any
 
 from ..estimation.fix_model import PERCENT
-from .geographic import clock, compass, place
 from .table_rows import (
     AGAINST,
+    BASES,
     REACHED,
     UNDER_WAY,
     against,
+    clock,
+    compass,
     ellipse_words,
     heading_words,
+    place,
     when,
     wide,
 )
-
-BASES = {  # what the next dive is guessed by
-    "planned": "duration and speed of the last dives, along the plan in the files",
-    "repeated": "mean of the last dives, with their spread",
-    "given": "as given or aimed, with the spread of the last dives",
-}
 
 
 def next_surfacing(ahead: dict[str, Any]) -> str:

@@ -31,10 +31,9 @@ from ...base.figures import (
 from ...base.geodesy import angle_near, distance, east_of
 from ...base.html import plain
 from ..estimation.fix_model import PERCENT
-from .geographic import Place, clock, degrees_minutes
 from .map_layers import layers_of
 from .netcdf_export import Source, report_of
-from .table_rows import is_outside
+from .table_rows import Place, clock, degrees_minutes, is_outside
 
 FEW = 20  # dives, whose marks are large
 SIZE, LEAST = 5.6, 4.6  # inches of the longer side; least width

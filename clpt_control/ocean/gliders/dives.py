@@ -42,8 +42,7 @@ import numpy as np
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
-from ...base.units import finite_or_none
-from ...paper.currents.flags import number
+from ...base.units import finite_or_none, number
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north

@@ -18,9 +18,9 @@ import numpy as np
 import xarray
 
 from ...base.errors import DataError
-from ...base.units import length_in_metres, speed_in_metres_per_second
+from ...base.units import length_in_metres, number, speed_in_metres_per_second
 from ...paper.currents.cf_times import decoded
-from ...paper.currents.flags import IS_FLAG, number, said, without_flagged
+from ...paper.currents.flags import IS_FLAG, said, without_flagged
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
 PLACE = ("lat", "lon")

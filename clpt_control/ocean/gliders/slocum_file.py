@@ -28,7 +28,7 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.files.reading import read_bytes
-from ...paper.currents.flags import number
+from ...base.units import number
 from .dives import NotYet
 
 MAGIC = b"dbd_"  # first bytes of `dbd_label:`

@@ -11,7 +11,7 @@ starts further than
     max(5 m/s * time between them, `ASTRAY`)
 
 from both fixes of the one before is of another vehicle.  What is less far, and yet further than it
-can be, tells of a wrong fix, which costs no dive: a replay judges it (`forecast.quality_flags`).
+can be, tells of a wrong fix, which costs no dive: a replay judges it (`forecast.quality_control`).
 
 A record ends at a break of more than a day, or where the next dive starts beyond
 

@@ -25,10 +25,11 @@ from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import open_netcdf, shown_name
 from ...base.geodesy import angle_near
+from ...base.units import number
 from . import cf
 from .cf_times import dates_of
 from .constituents import check_increasing, checked_latitude
-from .flags import number, said
+from .flags import said
 from .text_table import is_table, read_table
 from .valid_values import mark_gaps
 

@@ -18,6 +18,8 @@ from typing import Any
 import numpy as np
 import xarray
 
+from ...base.units import number
+
 NAMED = r"{0}_?(qc|quality_?control|quality|flags?|qartod)\w*|(qc|flag)_{0}"
 IS_FLAG = re.compile(r"qc|flag|qartod|quality")
 WRONG = (
@@ -36,14 +38,6 @@ SCALE = 9.0  # largest flag of the scale
 def said(variable: xarray.DataArray | xarray.Variable, attribute: str = "units") -> str:
     """Return an attribute as text, '' where there is none."""
     return str(variable.attrs.get(attribute, "")).strip()
-
-
-def number(cell: Any) -> float:
-    """Return the number that a cell or an attribute is, NaN where it is none."""
-    try:
-        return float(cell)
-    except (TypeError, ValueError, OverflowError):
-        return np.nan
 
 
 def flag_names(data: xarray.Dataset, name: str) -> list[str]:

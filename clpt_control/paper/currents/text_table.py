@@ -34,9 +34,10 @@ import xarray
 
 from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
+from ...base.units import number
 from .cf import VELOCITY
 from .constituents import checked_times
-from .flags import number, without_flagged
+from .flags import without_flagged
 from .valid_values import check_fill_value, speed_unit
 
 COMMENT = re.compile(r"#\s*(\w+)\s*[:=](.*)")

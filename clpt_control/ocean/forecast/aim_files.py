@@ -1,10 +1,6 @@
-"""A replay for other programs: GeoJSON, KML, and the aim as a vehicle takes it.
+"""The aim of a replay as a vehicle takes it: a file to upload, or lines to type.
 
-GeoJSON and KML (`map_files`) are made of what `clpt replay --json` prints; rings turn
-counter-clockwise.
-
-The aim is a file to upload, or lines to type.  Places are degrees and minutes in one number,
-ddmm.mmmm, south and west negative.
+Places are degrees and minutes in one number, ddmm.mmmm, south and west negative.
 
 Seaglider (University of Washington, Parameter Reference Manual 67; basestation3, validate.py).
 `$HEADING` in the cmdfile, degrees from true north, puts a target 20 km away; the targets file
@@ -25,33 +21,9 @@ from math import cos, radians, sin
 from typing import Any
 
 from ...base.geodesy import east_of, place_from
-from ...base.map_files import BLUE, Feature, geojson, kml
 from ..gliders.slocum import CORRECTS
 from .aim import ARRIVED
-from .geographic import compass, minutes
-from .map_layers import layers_of
-from .table_rows import REACHED, place_in
-
-AHEAD = ("way", "next", "ring next", "target", "made", "ring aimed")
-
-
-def next_geojson(report: dict[str, Any]) -> str:
-    """Return the next surfacing as GeoJSON: last fix, way, forecast, ellipse, waypoints."""
-    layers, row = layers_of(report), report["each_dive"][-1]
-    properties = {"dive": row["dive"], "time": row["end"]}
-    last_place = layers["way"][0].places[:1]
-    last = Feature("last fix", "Point", last_place, BLUE, properties=properties)
-    return geojson([last, *(feature for kind in AHEAD for feature in layers[kind])])
-
-
-def track_kml(report: dict[str, Any], name: str) -> str:
-    """Return the whole track as KML: fixes with times, the next surfacing, waypoints."""
-    layers = layers_of(report)
-    fixes, first = layers["fix"], layers["track"][0]
-    places = [first.places[0], *(fix.places[0] for fix in fixes)]
-    ahead = (feature for kind in AHEAD for feature in layers[kind])
-    return kml([first._replace(places=places), *fixes, *ahead], name)
-
+from .table_rows import REACHED, compass, minutes, place_in
 
 FAR = 20_000.0  # m along the heading, as Seaglider has it
 MOST = 8  # waypoints that a goto_list holds
