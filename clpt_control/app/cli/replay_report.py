@@ -152,8 +152,8 @@ class Job:
         self, dives: tuple[Any, Any], files: int, out: Path
     ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
+        from ...ocean.forecast.replay_summary import aim_sentence
         from ...ocean.forecast.table_rows import place, when
-        from ...ocean.forecast.text_report import aim_sentence
 
         summary = self.found(*dives)
         used = len(self.replay.steps)
@@ -193,11 +193,11 @@ def fitted(
 
 def results(summary: Report) -> list[Result]:
     """Return a summary as tables and sentences: dives, misses, what was learned, what comes."""
-    from ...ocean.forecast import table_rows, text_report
+    from ...ocean.forecast import replay_summary, table_rows
 
     rows, sentences = (
         summary["each_dive"],
-        [*text_report.remarks(summary), *text_report.coming(summary)],
+        [*replay_summary.remarks(summary), *replay_summary.coming(summary)],
     )
     if summary.get("paste"):
         sentences += [

@@ -174,7 +174,7 @@ def _title_of(run: "xarray.Dataset") -> str:
 def _replay(replay: dict[str, Any], title: str | None) -> tuple[str, Sequence[str]]:
     """Return the page of a replay and its sentence."""
     from ...ocean.forecast.replay_page import replay_page
-    from ...ocean.forecast.text_report import next_surfacing
+    from ...ocean.forecast.replay_summary import next_surfacing
 
     try:
         return replay_page(replay, title=title), [next_surfacing(replay["next_dive"])]

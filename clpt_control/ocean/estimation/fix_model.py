@@ -51,6 +51,8 @@ LEVEL = 0.9  # probability of the region of a forecast
 PERCENT = f"{100 * LEVEL:g} %"
 FAR = 13.82  # chi-squared of two components, 99.9 %
 DAY = 86400.0  # s
+# share of a prior's standard error; a parameter with more is not learned
+LEARNED = 0.87
 SHALLOW = 100.0  # m, where shear is zero
 ROTATION = 7.292115e-5  # rad/s, of the Earth
 OTHERS = ("inertial", "shear", "gaussians", "model")  # parts that are no tide
@@ -397,6 +399,35 @@ class Estimator(ABC):
         variance = np.diagonal(self.covariance, axis1=1, axis2=2) + spread**2
         share = np.sqrt((weights * variance).sum(axis=0)) / self.model.prior_sd
         return *mixed(self.mean, self.covariance, self.weights), share
+
+    def learned(self, dive: Dive) -> dict[str, Any]:
+        """Return what is known after a dive, by the names of `forecast.step.Step`."""
+        names, (p, P, prior_share) = self.model.names, self.estimate()
+        flow = np.arange(len(names) - 2 * self.model.learn_speed)
+        H = self.model.regressor(dive)[:, flow] / dive.duration
+        known = {
+            "current": H @ p[flow],
+            "current_error": np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T)),
+            "parameters": dict(zip(names, p.tolist(), strict=True)),
+            "parts": self.parts(),
+            "not_learned": tuple(
+                name
+                for name, share in zip(names, prior_share, strict=True)
+                if share >= LEARNED
+            ),
+        }
+        if not self.model.learn_speed:
+            return known
+        a, b = 1.0 + p[-2], p[-1]  # f cos psi, f sin psi
+        f = np.hypot(a, b)
+        by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
+        factor, compass = np.sqrt(np.diag(by @ P[-2:, -2:] @ by.T))
+        return known | {
+            "speed": float(f),
+            "speed_error": float(factor),
+            "compass": math.degrees(math.atan2(b, a)),
+            "compass_error": math.degrees(compass),
+        }
 
 
 def mixed(

@@ -33,6 +33,7 @@ from ...base.units import finite_or_none
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
 from .replay import Replay
+from .replay_summary import aim_sentence
 from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
 from .table_rows import (
     AGAINST,
@@ -45,7 +46,6 @@ from .table_rows import (
     utc,
     vector,
 )
-from .text_report import aim_sentence
 
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians

@@ -46,7 +46,7 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance
 from ..estimation.fix_model import Priors
 from ..gliders.dives import Dive
-from ..gliders.usable_dives import FASTEST, follows
+from ..gliders.usable_dives import FASTEST
 
 WIND = 0.5  # m/s at the surface, in addition to the current
 FIXES = 5.0  # standard deviations of two fixes, a poor one among them
@@ -67,16 +67,17 @@ Forecast = tuple[
 
 
 def doubt_one_fix(
-    before: Dive, dive: Dive, forecast: Forecast, priors: Priors
+    before: Dive, dive: Dive, is_next: bool, forecast: Forecast, priors: Priors
 ) -> tuple[Dive, Dive]:
     """Return both dives, of two fixes that disagree the wrong one doubted; else the same ones.
 
-    The forecast is that of the end of the one before.
+    The forecast is that of the end of the one before; `is_next` is false if other dives may lie
+    between them.
     """
     separation = distance(*before.end, *dive.start)
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
     current = float(np.hypot(*before.miss)) / before.duration
-    fastest = min(current + WIND, FASTEST) if follows(dive, before) else FASTEST
+    fastest = min(current + WIND, FASTEST) if is_next else FASTEST
     if not separation > fastest * since + FIXES * priors.fix:
         return before, dive
     start_displacement = displacement(*before.start, *dive.start)

@@ -217,7 +217,7 @@ class Replay:
         The dive statistics learn nothing of it.
         """
         self._learner.update(dive)
-        self.steps = [replace(self.steps[-1], dive=dive).learned(self._learner)]
+        self.steps = [replace(self.steps[-1], dive=dive, **self._learner.learned(dive))]
 
     def surfacing(
         self, guess: Guess | None = None, start: Fix | None = None
@@ -262,7 +262,8 @@ class Replay:
         last = self.steps[-1]
         before = last.dive if self._outlier is None else self._outlier[0]
         forecast = last.forecast, last.covariance
-        doubted, judged = doubt_one_fix(before, dive, forecast, self.model.priors)
+        is_next, priors = follows(dive, before), self.model.priors
+        doubted, judged = doubt_one_fix(before, dive, is_next, forecast, priors)
         if doubted is not before:
             self._learn_again(doubted)
         elif (
@@ -287,7 +288,8 @@ class Replay:
         assert self._outlier is not None
         last, step, learner = self._learner, self.steps[-1], self._outlier[1]
         self._learner = copy.copy(learner)
-        self.steps[-1] = replace(step, dive=self._outlier[0]).learned(learner)
+        dive = self._outlier[0]
+        self.steps[-1] = replace(step, dive=dive, **learner.learned(dive))
         self._outlier = step.dive, last
 
     def _take(self, dive: Dive, forecast: Forecast, headline: NextDive | None) -> None:
@@ -303,8 +305,8 @@ class Replay:
         mean, covariance = forecast
         inside = squared_distance(dive.miss, mean, covariance) <= CHI_SQUARED
         clpe = self._clpe(dive, last, mean)
-        step = Step(dive, clpe, mean, covariance, inside, surface_drift, headline, held)
-        self.steps.append(step.learned(self._learner))
+        judged = clpe, mean, covariance, inside, surface_drift, headline, held
+        self.steps.append(Step(dive, *judged, **self._learner.learned(dive)))
 
     def _learn(self, dive: Dive, forecast: Forecast) -> Dive:
         """Learn from a dive, and return it; an outlier is doubted until the next dive agrees."""

@@ -12,7 +12,7 @@ from typing import Any
 from ...base.figures import figure_of, inline_svg, legend_below
 from ...base.html import document, listing, safe
 from ..estimation.fix_model import PERCENT
-from . import table_rows, text_report
+from . import replay_summary, table_rows
 from .cards import cards, time_of_computing, unbroken
 from .map_layers import layers_of, words_of_dive
 from .plots import current_plot, dive_clpe_plot
@@ -57,7 +57,7 @@ def replay_page(
             f'<div class="cards"{mark}>{"".join(cards(report))}</div>',
             *(
                 f"<p>{unbroken(sentence)}</p>"
-                for sentence in text_report.beyond_cards(report)
+                for sentence in replay_summary.beyond_cards(report)
             ),
             f'<div class="body"><div><div class="map">{map_svg(report)}',
             f'<div class="buttons"></div></div>{_legend(report)}'
@@ -164,7 +164,7 @@ def _style(rank: int) -> str:
 
 
 def _remarks(report: dict[str, Any]) -> list[str]:
-    lines = [f"<li>{safe(remark)}</li>" for remark in text_report.remarks(report)]
+    lines = [f"<li>{safe(remark)}</li>" for remark in replay_summary.remarks(report)]
     return (
         [
             "<h2>Learned parameters, notes and skipped dives</h2>",

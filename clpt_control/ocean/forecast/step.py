@@ -19,7 +19,6 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
-from ..estimation.fix_model import Estimator
 from ..gliders.dives import Dive
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
 from .table_rows import direction, placed, utc, vector
@@ -27,8 +26,6 @@ from .table_rows import direction, placed, utc, vector
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
 SPEED = ("speed_factor", "speed_factor_error", "compass", "compass_error")
-# share of a prior's standard error; a parameter with more is not learned
-LEARNED = 0.87
 
 
 @dataclass
@@ -39,8 +36,9 @@ class Step:
     (2,) and `covariance` (2, 2) are the hindsight, of the fix less dead reckoning, m;
     `inside_hindsight` is true if the vehicle surfaced in its ellipse. `current` (2,) is the learned
     flow over the dive, m/s, `speed` the factor, `compass` the error in degrees clockwise, each with
-    its standard error. `parts` has the probability that each part of the flow is present; the
-    parameters `not_learned` are hardly better known than before any dive. `headline` is the
+    its standard error, and `parameters` has the numbers behind them by name. `parts` has the
+    probability that each part of the flow is present; the parameters `not_learned` are hardly
+    better known than before any dive. `headline` is the
     forecast before the dive, `headline_held` whether its place and its time held: None for the
     first dive, and where dives between may be missing. `drift` is that before the dive.
     """
@@ -53,40 +51,15 @@ class Step:
     drift: Way | None
     headline: NextDive | None
     headline_held: tuple[bool, bool] | None
-
-    def learned(self, learner: Estimator) -> "Step":
-        """Take what an estimator knows that has learned the dive."""
-        p, P, prior_share = learner.estimate()
-        model = learner.model
-        flow = [
-            k for k, name in enumerate(model.parts) if name not in ("speed", "compass")
-        ]
-        H = model.regressor(self.dive)[:, flow] / self.dive.duration
-        self.current = H @ p[flow]
-        self.current_error = np.sqrt(np.diag(H @ P[np.ix_(flow, flow)] @ H.T))
-        self.parts = learner.parts()
-        self.not_learned = tuple(
-            name
-            for name, share in zip(model.names, prior_share, strict=True)
-            if share >= LEARNED
-        )
-        self.speed, self.speed_error, self.compass, self.compass_error = (
-            1.0,
-            0.0,
-            0.0,
-            0.0,
-        )
-        if model.learn_speed:
-            k = model.names.index("speed")
-            a, b = 1.0 + p[k], p[k + 1]  # f cos psi, f sin psi
-            f = np.hypot(a, b)
-            by = np.array([[a, b], [-b / f, a / f]]) / f  # derivatives of f and psi
-            factor, compass = np.sqrt(np.diag(by @ P[k : k + 2, k : k + 2] @ by.T))
-            self.speed, self.speed_error = float(f), float(factor)
-            self.compass, self.compass_error = np.degrees(
-                (np.arctan2(b, a), compass)
-            ).tolist()
-        return self
+    current: np.ndarray
+    current_error: np.ndarray
+    parameters: dict[str, float]
+    parts: dict[str, float]
+    not_learned: tuple[str, ...]
+    speed: float = 1.0
+    speed_error: float = 0.0
+    compass: float = 0.0
+    compass_error: float = 0.0
 
     @property
     def response(self) -> np.ndarray:

@@ -35,7 +35,6 @@ from .dives import (
     STRETCH,
     Dive,
     Skipped,
-    dac_difference,
     make_dive,
     name_of,
     velocity_of,
@@ -90,7 +89,7 @@ def table_dives(text: str, path: str | Path) -> list[Dive | Skipped]:
 
 def _check_current(dives: list[Dive], path: str | Path) -> None:
     """Refuse dives whose own current contradicts their dead reckoning in most of them."""
-    dives_with_current = [dive for dive in dives if isfinite(dac_difference(dive))]
+    dives_with_current = [dive for dive in dives if isfinite(dive.dac_difference)]
     if not dives_with_current:
         return
     currents = np.array(

@@ -206,6 +206,14 @@ class Dive:
         """Position error to the north of the dead reckoning, m."""
         return self.gps_north - self.dr_north
 
+    @property
+    def dac_difference(self) -> float:
+        """Miss over duration less the file's own current, m/s; NaN if not known."""
+        if self.dac_east is None or self.dac_north is None or not self.duration > 0:
+            return nan
+        own = self.dac_east, self.dac_north
+        return float(np.hypot(*(self.miss / self.duration - own)))
+
 
 @public
 def make_dive(
@@ -369,7 +377,7 @@ def dive_between(
 
 def with_dac_note(dive: Dive) -> Dive:
     """Return a dive with a note if miss / duration is 10 mm/s off the file's own current."""
-    difference = dac_difference(dive)
+    difference = dive.dac_difference
     if not MENTIONED < difference < inf:
         return dive
     note = (
@@ -408,15 +416,6 @@ def without_current(
     east, north = displacement(*start[1:], *end[1:])
     duration = end[0] - start[0]
     return east - current[0] * duration, north - current[1] * duration
-
-
-def dac_difference(dive: Dive) -> float:
-    """Return how far miss over duration is from the file's own current, m/s; NaN if not known."""
-    if dive.dac_east is None or dive.dac_north is None or not dive.duration > 0:
-        return nan
-    return float(
-        np.hypot(*(dive.miss / dive.duration - (dive.dac_east, dive.dac_north)))
-    )
 
 
 def reckoned(dive: Dive) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

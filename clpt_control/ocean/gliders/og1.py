@@ -46,6 +46,7 @@ from .dives import (
     without_current,
 )
 from .og1_columns import (
+    FIXES,
     currents_of,
     fixes_and_others,
     has_ends,
@@ -53,10 +54,16 @@ from .og1_columns import (
     segments_of,
     with_steady_clock,
 )
-from .og1_columns import is_known as is_known
+from .quantities import known_names
 from .samples import deepest, summed, variation
 
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
+
+
+def is_known(data: xarray.Dataset) -> bool:
+    """Return whether a NetCDF file is an OG1 trajectory."""
+    names = known_names(data)
+    return "N_MEASUREMENTS" in data.dims or any(name in names for name in FIXES)
 
 
 def through_water(

@@ -65,12 +65,6 @@ USUAL = 5.0  # times the usual step that a step beside the fall may have
 MOST_FALLS = 5  # ; a file with more of them is not in order of time
 
 
-def is_known(data: xarray.Dataset) -> bool:
-    """Return whether a NetCDF file is an OG1 trajectory."""
-    names = known_names(data)
-    return "N_MEASUREMENTS" in data.dims or any(name in names for name in FIXES)
-
-
 def measurements_of(data: xarray.Dataset) -> pandas.DataFrame:
     """Return the columns of a file by name, and in `attrs` what it says of them.
 
