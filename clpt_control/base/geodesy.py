@@ -73,6 +73,18 @@ def place_from(
     return lat2, lon2
 
 
+def direction(east: float, north: float) -> float | None:
+    """Return where a vector points, degrees clockwise from north; None where it has no length.
+
+    >>> direction(-1.0, 0.0), direction(0.0, 0.0)
+    (270.0, None)
+    """
+    if hypot(east, north) == 0.0:
+        return None
+    angle = degrees(atan2(east, north)) % 360.0
+    return 0.0 if angle == 360.0 else angle  # of -1e-15
+
+
 def angle_near(lon: Any, reference: Any) -> Any:
     """Return an angle plus full turns that is within 180 degrees of a reference.
 

@@ -225,7 +225,7 @@ def of_run(
     import numpy as np
     import xarray
 
-    from ...ocean.estimation.run_segments import run_scenario
+    from ...ocean.estimation.between_fixes import run_scenario
 
     data = clpt.load_run(run)
     scenario = run_scenario(data)

@@ -49,7 +49,8 @@ from ..gliders.dives import Dive
 
 LEVEL = 0.9  # probability of the region of a forecast
 PERCENT = f"{100 * LEVEL:g} %"
-FAR = 13.82  # chi-squared of two components, 99.9 %
+CHI_SQUARED = -2.0 * math.log(1.0 - LEVEL)  # of two components
+FAR = 13.82  # the same of 99.9 %
 DAY = 86400.0  # s
 # share of a prior's standard error; a parameter with more is not learned
 LEARNED = 0.87

@@ -25,7 +25,7 @@ Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 
 import copy
 from dataclasses import asdict, dataclass
-from math import hypot, log
+from math import hypot
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,7 +35,7 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
 from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
-from .fix_model import FAR, LEVEL
+from .fix_model import CHI_SQUARED, FAR
 from .fix_settings import FixSettings, LocalFrame
 from .leg_track import Leg, LegTrack
 
@@ -282,7 +282,7 @@ class FlowEstimator:
         finally:
             self.leg = now
         z, m = self._track.end(leg, self.theta)
-        radius = float(np.sqrt(-2 * log(1 - LEVEL) * self._variance(leg, m)))
+        radius = float(np.sqrt(CHI_SQUARED * self._variance(leg, m)))
         return Ahead(frame.date(leg.time), *frame.position(z), radius * frame.metres)
 
     # --- results --------------------------------------------------------------------------------

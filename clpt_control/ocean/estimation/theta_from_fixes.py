@@ -1,7 +1,7 @@
 """theta of Eq. (3) from fixes of a run, for the known-flow law (Remark 3.2).
 
-The vehicle of a run has a fix each so often; `run_segments` makes segments of them, and
-`between_fixes` has the methods.
+The vehicle of a run has a fix each so often; `between_fixes` makes segments of them and has the
+methods.
 """
 
 from dataclasses import dataclass, field
@@ -17,9 +17,8 @@ from ...engine.model.block import Block
 from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
 from ..gliders.dives import Dive
-from .between_fixes import METHODS, whitened
+from .between_fixes import METHODS, run_scenario, run_segments, whitened
 from .recorded_fixes import flow_of_legs
-from .run_segments import run_scenario, run_segments
 
 
 @dataclass(frozen=True)

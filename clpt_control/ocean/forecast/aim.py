@@ -34,7 +34,7 @@ from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
 from .replay import Replay
 from .replay_summary import aim_sentence
-from .surfacing import ELLIPSE, NextDive, check_flown, ellipse
+from .surfacing import NextDive, check_flown, ellipse
 from .table_rows import (
     AGAINST,
     REACHED,
@@ -120,7 +120,7 @@ class Aim:
             **placed("end_", self.ahead.latitude, self.ahead.longitude),
             **vector("current_", *fields.pop("current")),
             "expected_miss": sqrt(float(np.trace(self.ahead.covariance))),
-            **dict(zip(ELLIPSE, ellipse(self.ahead.covariance), strict=True)),
+            **ellipse(self.ahead.covariance),
             **fields,
         }
 

@@ -33,12 +33,12 @@ from ..gliders.dive_files import (
     named_by_file,
     read_dive_file,
 )
+from ..gliders.dive_table import END, START
 from ..gliders.dives import Dive, NotYet, Skipped
 from ..gliders.mission_files import before_each, in_order, is_segment
 
 LOCK = ".clpt-lock"
 FORMAT = 5  # of the state
-FIXES = ("t_gps2", "lat_gps2", "lon_gps2", "t_gpse", "lat_gpse", "lon_gpse")
 
 
 @public
@@ -225,7 +225,7 @@ def _stamp(status: os.stat_result, before: list[Path]) -> tuple[int, int, int]:
 
 def _fixes(dive: Dive) -> str:
     """Return times and fixes of a dive, to compare; as text, NaN is NaN."""
-    return repr([float(getattr(dive, name)) for name in FIXES])
+    return repr([float(getattr(dive, name)) for name in (*START, *END)])
 
 
 def _inside(folder: Path, fault: str) -> list[Path]:

@@ -35,7 +35,7 @@ from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
 from ...paper.currents.identifiability import check_separable
 from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import FLOW, OTHERS, Estimator, FixModel
+from ..estimation.fix_model import CHI_SQUARED, FLOW, OTHERS, Estimator, FixModel
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
 from .flow_models import FlowModel, carried
@@ -51,7 +51,6 @@ from .quality_control import (
 )
 from .step import FLOW_MODEL, MODELS, Step, check_next
 from .surfacing import (
-    CHI_SQUARED,
     GIVEN,
     NORMAL,
     DiveStatistics,

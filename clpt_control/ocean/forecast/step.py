@@ -138,7 +138,7 @@ class Step:
             **vector("", east, north),
             **vector("variance_", *np.diag(self.covariance)),
             "covariance": float(self.covariance[0, 1]),
-            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            **ellipse(self.covariance),
             "inside": self.inside_hindsight,
         }
 

@@ -56,7 +56,7 @@ import numpy as np
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
 from ...base.units import seconds_since_1970
-from ..estimation.fix_model import LEVEL
+from ..estimation.fix_model import CHI_SQUARED, LEVEL
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
 from .quality_control import squared_distance
@@ -81,7 +81,6 @@ OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
 RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
-CHI_SQUARED = -2.0 * log(1.0 - LEVEL)  # of two components
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
 LONGEST_STAY = 86400.0  # s; a longer stay is more than waiting for a fix
 NORMAL = NormalDist().inv_cdf((1.0 + LEVEL) / 2.0)  # standard deviations
@@ -285,7 +284,7 @@ def _frame(east: float, north: float) -> np.ndarray:
     return np.array([[east, -north, 0.0], [north, east, 0.0], [0.0, 0.0, 1.0]])
 
 
-def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
+def ellipse(covariance: np.ndarray) -> dict[str, float]:
     """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
 
     The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
@@ -293,7 +292,7 @@ def ellipse(covariance: np.ndarray) -> tuple[float, float, float]:
     size, axes = np.linalg.eigh(covariance)
     short, long = np.sqrt(CHI_SQUARED * size)
     bearing = np.degrees(np.arctan2(axes[0, 1], axes[1, 1])) % 180.0
-    return float(long), float(short), float(bearing)
+    return dict(zip(ELLIPSE, map(float, (long, short, bearing)), strict=True))
 
 
 @dataclass(frozen=True)
@@ -350,7 +349,7 @@ class NextDive:
             **vector("dr_", *self.plan.through_water),
             **placed("", self.latitude, self.longitude),
             "place": in_minutes(self.latitude, self.longitude),
-            **dict(zip(ELLIPSE, ellipse(self.covariance), strict=True)),
+            **ellipse(self.covariance),
             "why_uncovered": self.plan.uncovered,
         }
 

@@ -10,10 +10,10 @@ A direction is where something goes to, clockwise from true north, [0, 360).
 
 from collections.abc import Callable
 from datetime import UTC, datetime
-from math import atan2, degrees, hypot
+from math import hypot
 from typing import Any
 
-from ...base.geodesy import east_of
+from ...base.geodesy import direction, east_of
 from ..estimation.fix_model import PERCENT
 
 Place = tuple[float, float]  # degrees north and east
@@ -49,18 +49,6 @@ def clock(time: str) -> str:
     '2016-02-01 02:12 UTC'
     """
     return f"{time[:10]} {time[11:16]} UTC"
-
-
-def direction(east: float, north: float) -> float | None:
-    """Return where a vector points, degrees clockwise from north; None where it has no length.
-
-    >>> direction(-1.0, 0.0), direction(0.0, 0.0)
-    (270.0, None)
-    """
-    if hypot(east, north) == 0.0:
-        return None
-    angle = degrees(atan2(east, north)) % 360.0
-    return 0.0 if angle == 360.0 else angle  # of -1e-15
 
 
 def compass(angle: float) -> str:

@@ -30,6 +30,7 @@ from ...base.errors import DataError
 from ...base.files import write_file
 from ...paper.currents.text_table import other_marks, table_of
 from .dives import (
+    CONTRADICTS,
     NUMBERS,
     STEERING,
     STRETCH,
@@ -55,7 +56,6 @@ OTHERWISE = (
 )
 GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
 ANGLES = {"magvar": VARIATIONS, "next_course": HEADINGS}
-CONTRADICTS = 0.03  # m/s, as `slocum.CLEAR`
 TIMES = (GPS1[0], START[0], END[0])
 TEXTS = ("vehicle", "kind")
 OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")

@@ -34,14 +34,14 @@ next row, `dr_east_m` and `dr_north_m` its displacement since the row before (m)
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from math import atan2, cos, degrees, hypot, inf, isfinite, nan, radians, sin
+from math import cos, hypot, inf, isfinite, nan, radians, sin
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
-from ...base.geodesy import displacement, is_place
+from ...base.geodesy import direction, displacement, is_place
 from ...base.units import finite_or_none, number
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
@@ -50,7 +50,8 @@ PLACE = ("latitude", "longitude")
 STEERING = ("course", "speed")
 STRETCH = ("dr_east_m", "dr_north_m")
 COURSES = -180.0, 540.0  # degrees
-MENTIONED = 0.01  # m/s
+# m/s by which a file's own current may be off
+MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches
 # of a dive: first of the stay before it, before, after it
 Three = tuple[Fix | None, Fix, Fix]
@@ -339,9 +340,7 @@ def planned_course(
     if not (is_place(*target) and is_fix(*fix[1:])):
         return None
     east, north = displacement(*fix[1:], *target)
-    return (
-        None if hypot(east, north) <= reached else degrees(atan2(east, north)) % 360.0
-    )
+    return None if hypot(east, north) <= reached else direction(east, north)
 
 
 def fixes_in(time: np.ndarray, lat: np.ndarray, lon: np.ndarray) -> list[Fix]:

@@ -37,6 +37,7 @@ import pandas
 from ...base.errors import DataError
 from ...base.geodesy import displacement
 from .dives import (
+    CONTRADICTS,
     LEAST_DEPTH,
     LEAST_GAP,
     Dive,
@@ -56,7 +57,6 @@ from .slocum_file import MAGIC as MAGIC
 
 SHORT = 60.0  # s of a dive's end without a place that are left alone
 CORRECTS = "the glider corrects for the current itself (u_use_current_correction)"
-CLEAR = 0.03  # m/s that w may be off
 OWN_CURRENT = 1800.0  # s after the fix in which the glider has worked its current out
 
 
@@ -162,14 +162,14 @@ def reconciled(
     end = path[1:, -1]
     if np.isfinite(now).all():
         off = float(np.hypot(*((gps - end) / duration - now)))
-        if off <= CLEAR:
+        if off <= CONTRADICTS:
             return path, end, note
         note = f"dead reckoning contradicts the glider's own current by {1e3 * off:.0f} mm/s"
         return None, gps - now * duration, f"{note}: not used, that current is"
     if used == 0 or note:
         return path, end, note
     note = "no file says whether the glider's dead reckoning holds a current of its own"
-    if used == 1 or size > CLEAR:
+    if used == 1 or size > CONTRADICTS:
         return None, np.full(2, nan), f"{note}: not used"
     return path, end, note
 

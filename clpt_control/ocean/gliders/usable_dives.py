@@ -26,6 +26,7 @@ from collections.abc import Iterable
 from datetime import UTC, datetime
 from itertools import pairwise
 from math import hypot, isfinite
+from operator import attrgetter
 
 import numpy as np
 
@@ -219,16 +220,14 @@ def _with_a_repeated_start(dives: list[Dive]) -> set[int]:
 
     The receiver then had no fix between the two dives.
     """
-    timed = sorted((dive for dive in dives if isfinite(dive.t_gps2)), key=_start_time)
+    timed = sorted(
+        (dive for dive in dives if isfinite(dive.t_gps2)), key=attrgetter("t_gps2")
+    )
     return {
         id(dive)
         for before, dive in pairwise(timed)
         if dive.t_gps2 >= before.t_gpse and before.start == before.end == dive.start
     }
-
-
-def _start_time(dive: Dive) -> float:
-    return dive.t_gps2
 
 
 def _fix_fault(name: str, time: float, lat: float, lon: float) -> str:

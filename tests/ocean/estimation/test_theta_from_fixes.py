@@ -16,8 +16,8 @@ from clpt_control.ocean.estimation.between_fixes import (
     Segments,
     batch_least_squares,
     kalman,
+    run_segments,
 )
-from clpt_control.ocean.estimation.run_segments import run_segments
 
 estimate = clpt.currents.flow_estimate
 PAPER = clpt.paper_scenario()
