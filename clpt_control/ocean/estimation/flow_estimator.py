@@ -374,10 +374,14 @@ class FlowEstimator:
             f"{unknown * frame.seconds:.0f} s before it is not known"
         )
 
+    def _bend(self, leg: Leg) -> float:
+        """Return the error of a way that may have been bent, length."""
+        return self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+
     def _variance(self, leg: Leg, m: np.ndarray) -> float:
         """Return the variance of a position error on each axis, length squared."""
         noise = self.scale * self.settings.noise_of(leg.time - leg.start)
-        bend = self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+        bend = self._bend(leg)
         return float(noise**2 + bend**2 + m @ self.covariance @ m)
 
     def _learn(self, place: np.ndarray) -> str:
@@ -394,7 +398,7 @@ class FlowEstimator:
         between_fixes = self.scenario.learning.row.between_fixes
         assert between_fixes is not None
         P = between_fixes(self.P, duration, self.settings.p)
-        bend = self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+        bend = self._bend(leg)
         noise = float(np.hypot(self.settings.noise_of(duration), bend))
         y = place - z
         distance = float(y @ y) / float(noise**2 + m @ P @ m)

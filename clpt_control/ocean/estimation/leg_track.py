@@ -81,20 +81,20 @@ class LegTrack:
 
         `drift` is a velocity in addition to flow and velocity through the water.
         """
-        state = np.array(leg.place), np.zeros(theta.shape[1])
+        state = np.append(leg.place, np.zeros(theta.shape[1]))  # z and m
         x, u = SimpleNamespace(alpha=-theta), SimpleNamespace()
 
-        def rates(time: float, state: tuple[Any, Any]) -> tuple[Any, Any]:
-            u.phi_z = self.phi(time, state[0])
+        def rates(time: float, state: np.ndarray) -> np.ndarray:
+            u.phi_z = self.phi(time, state[:2])
             rate = predict(time, x, u, None)
-            return rate["z"], rate["m"]
+            return np.append(rate["z"], rate["m"])
 
         t = leg.start
         for end, east, north in leg.way:
             span = end - t
             if span > 0:
                 u.v_x = np.array([east, north]) / span + drift
-                flow = theta @ self.phi(t, state[0])
+                flow = theta @ self.phi(t, state[:2])
                 way = hypot(*u.v_x) * span + hypot(*flow) * span
                 count = self._steps(way, span)
                 for k in range(count):
@@ -102,7 +102,7 @@ class LegTrack:
                         rates, t + k * span / count, state, span / count
                     )
             t = end
-        return state
+        return state[:2], state[2:]
 
     def bend(self, leg: Leg, fastest: float) -> float:
         """Return the time by which an unknown bend of stretches counts: root of sum of squares."""
@@ -122,19 +122,14 @@ class LegTrack:
 
 
 def runge_kutta(
-    rates: Callable[..., Any], t: float, state: tuple[Any, ...], step: float
-) -> tuple[Any, Any]:
-    """Return two states after one step."""
-
-    def after(factor: float, slopes: tuple[Any, ...]) -> tuple[Any, Any]:
-        first, second = (
-            x + factor * slope for x, slope in zip(state, slopes, strict=True)
-        )
-        return first, second
-
+    rates: Callable[[float, np.ndarray], np.ndarray],
+    t: float,
+    state: np.ndarray,
+    step: float,
+) -> np.ndarray:
+    """Return a state after one step."""
     k1 = rates(t, state)
-    k2 = rates(t + step / 2, after(step / 2, k1))
-    k3 = rates(t + step / 2, after(step / 2, k2))
-    k4 = rates(t + step, after(step, k3))
-    slopes = zip(k1, k2, k3, k4, strict=True)
-    return after(step, tuple((a + 2 * b + 2 * c + d) / 6 for a, b, c, d in slopes))
+    k2 = rates(t + step / 2, state + step / 2 * k1)
+    k3 = rates(t + step / 2, state + step / 2 * k2)
+    k4 = rates(t + step, state + step * k3)
+    return state + step * ((k1 + 2 * k2 + 2 * k3 + k4) / 6)

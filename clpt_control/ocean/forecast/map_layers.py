@@ -28,6 +28,7 @@ from .table_rows import (
     ellipse_words,
     is_outside,
     place_in,
+    placed,
     velocity,
     within,
 )
@@ -107,11 +108,7 @@ def layers_of(report: dict[str, Any]) -> dict[str, list[Feature]]:
     """
     dives, ahead = report["each_dive"], report.get("next_dive")
     stays = [
-        {
-            **row,
-            "before_latitude": before["end_latitude"],
-            "before_longitude": before["end_longitude"],
-        }
+        {**row, **placed("before_", *place_in(before, "end_"))}
         for before, row in pairwise(dives)
     ]
     forecasts = [row | row["forecast"] for row in dives if row["forecast"] is not None]

@@ -21,7 +21,7 @@ from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
 from ..gliders.dives import Dive
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
-from .table_rows import direction, placed, utc, vector
+from .table_rows import direction, place_in, placed, utc, vector
 
 MODELS = ("no_flow", "previous_dive", "adaptive")
 FLOW_MODEL = "flow_model"  # a forecast or a fit that was given
@@ -121,9 +121,8 @@ class Step:
         fields = self.headline.as_dict()
         keys = ("time", "time_half_width", "latitude", "longitude", *ELLIPSE, "basis")
         inside, on_time = self.headline_held
-        place = fields["latitude"], fields["longitude"]
         return {key: fields[key] for key in keys} | {
-            "error": distance(*place, *self.dive.end),
+            "error": distance(*place_in(fields, ""), *self.dive.end),
             "inside": inside,
             "on_time": on_time,
         }

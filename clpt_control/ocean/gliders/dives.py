@@ -209,7 +209,7 @@ class Dive:
 
     @property
     def dac_difference(self) -> float:
-        """Miss over duration less the file's own current, m/s; NaN if not known."""
+        """Miss over duration less the file's current, m/s; or NaN."""
         if self.dac_east is None or self.dac_north is None or not self.duration > 0:
             return nan
         own = self.dac_east, self.dac_north

@@ -34,6 +34,7 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...paper.currents.constituents import YEARS
 from .dives import NUMBERS, Dive, Skipped, is_fix, noted
+from .quantities import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
@@ -251,16 +252,12 @@ def _in_minutes(lat: float, lon: float) -> str:
     ('', '')
     """
     large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
-    degrees = [
-        np.sign(coordinate) * (abs(coordinate) // 100 + abs(coordinate) % 100 / 60)
-        for coordinate in (lat, lon)
-    ]
-    minutes = large and abs(lat) % 100 < 60 and abs(lon) % 100 < 60
-    if not (minutes and is_place(*degrees) and abs(degrees[1]) <= 180.0):
+    in_degrees = degrees(np.array([lat, lon])).tolist()
+    if not (large and is_place(*in_degrees) and abs(in_degrees[1]) <= 180.0):
         return ""
     return (
         "looks like ddmm.mmm, degrees and minutes. Give decimal degrees, "
-        f"{degrees[0]:.6f} {degrees[1]:.6f}"
+        f"{in_degrees[0]:.6f} {in_degrees[1]:.6f}"
     )
 
 
