@@ -5,7 +5,7 @@ Each leg (`dives.Dive`: two fixes and the way through the water between them) go
 along the track is that of the parameters after the last leg, at each fix.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from importlib.metadata import version
 from itertools import pairwise
 from math import hypot
@@ -44,15 +44,6 @@ def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
     return estimator.fix(leg.t_gpse, *leg.end)
 
 
-def learn_legs(
-    estimator: FlowEstimator, legs: Iterable[Dive]
-) -> Iterator[tuple[Dive, Learned]]:
-    """Yield each leg with what its end fix taught."""
-    for leg in legs:
-        check()
-        yield leg, learn_leg(estimator, leg)
-
-
 def flow_of_legs(
     legs: list[Dive], scenario: Scenario
 ) -> tuple[xarray.Dataset, FlowEstimator]:
@@ -60,7 +51,10 @@ def flow_of_legs(
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
     estimator = FlowEstimator(scenario)
-    learned = [result for _, result in learn_legs(estimator, legs)]
+    learned = []
+    for leg in legs:
+        check()
+        learned.append(learn_leg(estimator, leg))
     frame, _ = estimator.under_way
     flow = [estimator.flow(r.time, r.latitude, r.longitude) for r in learned]
     forecasts = [result.forecast for result in learned]

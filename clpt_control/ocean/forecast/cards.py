@@ -164,18 +164,11 @@ def _last_dive(report: Report) -> str:
     title, end = f"Last dive, {last['dive']}", table_rows.clock(last["end"])
     if ahead["now_is"] != CLOCK:
         return card(title, end, f"surfaced after {duration}; {depth}")
-    hours = _age_hours(report)
+    hours = max(seconds_since_1970(ahead["now"]) - last["end_time"], 0.0) / 3600
     below = f"surfaced {end} after {duration}; {depth}"
     return card(
         title, f"{table_rows.age(hours)} ago", below, marks={"end": last["end"]}
     )
-
-
-def _age_hours(report: Report) -> float:
-    """Return the age of the last dive at the time of computing, hours."""
-    ahead, last = report["next_dive"], report["each_dive"][-1]
-    now = seconds_since_1970(ahead["now"])
-    return max(now - last["end_time"], 0.0) / 3600
 
 
 def _last_day(rows: list[Report]) -> list[Report]:

@@ -298,7 +298,8 @@ def _speed(row: Row) -> str | None:
     )
 
 
-def _drift(drift: Row | None) -> str:
+def _drift(row: Row) -> str:
+    drift = row["drift"]
     return "-" if drift is None else f"{drift['distance']:.0f}, {_toward(drift)}"
 
 
@@ -325,7 +326,7 @@ COLUMNS: Columns = {
     "current E N (m/s)": (6, _current),
     "speed": (3, _speed),
     "over ground": (7, lambda row: _toward(row["over_ground"])),
-    "drift (m) to": (8, lambda row: _drift(row["drift"])),
+    "drift (m) to": (8, _drift),
     "E N of DR (m)": (
         9,
         lambda row: (

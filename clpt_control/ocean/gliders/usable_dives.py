@@ -251,9 +251,10 @@ def _in_minutes(lat: float, lon: float) -> str:
     >>> _in_minutes(51.68, -128.3), _in_minutes(199.0, 8.0)
     ('', '')
     """
-    large = abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)
+    if not (abs(lat) > 360.0 or (abs(lat) > 90.0 and abs(lon) > 360.0)):
+        return ""
     in_degrees = degrees(np.array([lat, lon])).tolist()
-    if not (large and is_place(*in_degrees) and abs(in_degrees[1]) <= 180.0):
+    if not (is_place(*in_degrees) and abs(in_degrees[1]) <= 180.0):
         return ""
     return (
         "looks like ddmm.mmm, degrees and minutes. Give decimal degrees, "
