@@ -8,12 +8,13 @@ from typing import Any
 
 from .errors import DataError
 
+DAY = 86400.0  # s
 METRES = {"m": 1.0, "km": 1000.0, "cm": 0.01, "mm": 0.001}
 SECONDS = {
     "s": 1.0,
     "min": 60.0,
     "h": 3600.0,
-    "d": 86400.0,
+    "d": DAY,
     "ms": 1e-3,
     "us": 1e-6,
     "ns": 1e-9,

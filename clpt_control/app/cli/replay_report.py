@@ -19,6 +19,7 @@ from ...base.errors import DataError, ScenarioError
 from ...base.files import write_together
 from ...base.html import Result
 from ...base.progress import interrupt, progress_bar, tell
+from ...base.units import DAY
 from .printing import LONG, Report, terminal_width
 
 EDGES, EDGE = 3, 1  # letters around a cell, and of the table's own edge
@@ -27,7 +28,7 @@ ROWS = {
     "clpe_rms_all": "all, the first with no flow",
     "clpe_rms_after_3": "after the third dive",
 }
-LONGEST = 86400.0  # s between looks
+LONGEST = DAY  # s between looks
 
 
 @dataclass

@@ -1,5 +1,5 @@
-"""Estimates of the flow parameters theta from data.
+"""Estimates of the flow parameters theta from fixes.
 
-Samples of a flow: `least_squares`.  Fixes of a run: `theta_from_fixes`.  Surfacings of a glider,
-which has no position between them: `fix_model` and the estimators.
+Fixes of a run: `theta_from_fixes`.  Legs of a vehicle, recorded or live: `flow_estimator`.
+Surfacings of a glider, which has no position between them: `fix_model` and `estimators`.
 """

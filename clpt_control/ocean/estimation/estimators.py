@@ -86,8 +86,9 @@ import numpy as np
 from ...base.arguments import public
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
+from ...base.units import DAY
 from ..gliders.dives import Dive
-from .fix_model import DAY, FAR, Estimator, FixModel, Sea
+from .fix_model import FAR, Estimator, FixModel, Sea
 
 MOST, DROPPED = 120, 40  # dives of the regression, and oldest dives dropped beyond
 LENGTH = 28e3  # m, l: that of gaussians which are 20 km wide

@@ -44,6 +44,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...base.errors import ScenarioError
+from ...base.units import DAY
 from ...paper.scenario.tidal_periods import SPEEDS, period
 from ..gliders.dives import Dive
 
@@ -51,7 +52,6 @@ LEVEL = 0.9  # probability of the region of a forecast
 PERCENT = f"{100 * LEVEL:g} %"
 CHI_SQUARED = -2.0 * math.log(1.0 - LEVEL)  # of two components
 FAR = 13.82  # the same of 99.9 %
-DAY = 86400.0  # s
 # share of a prior's standard error; a parameter with more is not learned
 LEARNED = 0.87
 SHALLOW = 100.0  # m, where shear is zero

@@ -22,11 +22,11 @@ import numpy as np
 
 from ...base.errors import ScenarioError
 from ...base.geodesy import LocalPlane
-from ...base.units import METRES, SECONDS
+from ...base.units import DAY, METRES, SECONDS
 from ...paper.laws.table import LAWS
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.tables import Units
-from .fix_model import DAY, leg_variance
+from .fix_model import leg_variance
 
 PRIOR = 0.5  # m/s
 SCATTER = 0.02  # m/s, flow that the functions do not express, in the mean over a leg

@@ -11,7 +11,7 @@ from typing import Any
 
 from ...base.geodesy import displacement, distance
 from ...base.html import safe
-from ...base.units import seconds_since_1970
+from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import PERCENT
 from . import table_rows
 from .surfacing import CLOCK, Way, overdue_times
@@ -19,7 +19,6 @@ from .table_rows import BASES, ellipse_words, half_axes, is_outside, place_in
 
 Report = dict[str, Any]
 FIRST, ALARM = "first", "alarm"  # styles of a card
-DAY, WEEK = 86400.0, 604800.0  # s
 UNBROKEN = re.compile(  # angles, times and sizes that stay on one line
     r"\d+(?: \d\d)?\.\d+ [NSEW]\b|\+- [\d.]+ \w+|\d+ x \d+ m\b|\d+ of \d+|"
     r"(?:\d{4}-)?\d\d-\d\d \d\d:\d\d"
@@ -228,7 +227,7 @@ def _factor(row: Report) -> str:
 
 def _week_ago(rows: list[Report]) -> Report | None:
     """Return the last dive that ended a week before the last one, None of a shorter record."""
-    until = rows[-1]["end_time"] - WEEK
+    until = rows[-1]["end_time"] - 7 * DAY
     return next((row for row in reversed(rows) if row["end_time"] <= until), None)
 
 

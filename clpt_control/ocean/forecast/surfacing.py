@@ -55,7 +55,7 @@ import numpy as np
 
 from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
-from ...base.units import seconds_since_1970
+from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import CHI_SQUARED, LEVEL
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import FASTEST
@@ -82,10 +82,10 @@ STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
 RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
-LONGEST_STAY = 86400.0  # s; a longer stay is more than waiting for a fix
+LONGEST_STAY = DAY  # a longer stay is more than waiting for a fix
 NORMAL = NormalDist().inv_cdf((1.0 + LEVEL) / 2.0)  # standard deviations
-SHORTEST, LONGEST = 1.0, 30 * 86400.0  # s, of a plan
-RECENT = 30 * 86400.0  # s; a record whose last dive ended earlier is old
+SHORTEST, LONGEST = 1.0, 30 * DAY  # s, of a plan
+RECENT = 30 * DAY  # s; a record whose last dive ended earlier is old
 CLOCK, LAST_END = "clock", "end of the last dive"
 # as `ellipse` has them
 ELLIPSE = ("ellipse_long", "ellipse_short", "ellipse_bearing")

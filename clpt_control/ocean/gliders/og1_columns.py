@@ -35,6 +35,7 @@ import pandas
 import xarray
 
 from ...base.errors import DataError
+from ...base.units import DAY
 from ...paper.currents.flags import said
 from .dives import LEAST_DEPTH, Fix, fixes_in, is_fix
 from .quantities import (
@@ -53,7 +54,7 @@ from .quantities import (
     values,
 )
 from .samples import SURFACE
-from .usable_dives import DAY, SMALLER
+from .usable_dives import SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")
 FLAG = "DEAD_RECKONING"  # 0 where a place is a fix

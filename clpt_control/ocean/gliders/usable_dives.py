@@ -32,6 +32,7 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
+from ...base.units import DAY
 from ...paper.currents.constituents import YEARS
 from .dives import NUMBERS, Dive, Skipped, is_fix, noted
 from .quantities import degrees
@@ -39,7 +40,6 @@ from .quantities import degrees
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
-DAY = 86400.0  # s
 FILLS = (999.0, 9999.0, 99999.0)
 # in one second
 SMALLER = {"milliseconds": 1e3, "microseconds": 1e6, "nanoseconds": 1e9}

@@ -10,6 +10,7 @@ from scipy.integrate import quad
 from scipy.stats import multivariate_normal, multivariate_t
 from synthetic_vehicle import further, vehicle
 
+from clpt_control.base.units import DAY
 from clpt_control.ocean.estimation.estimators import (
     DROPPED,
     LENGTH,
@@ -19,7 +20,6 @@ from clpt_control.ocean.estimation.estimators import (
     position_covariance,
 )
 from clpt_control.ocean.estimation.fix_model import (
-    DAY,
     FixModel,
     Priors,
     Sea,
