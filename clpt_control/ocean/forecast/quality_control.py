@@ -140,6 +140,23 @@ def _doubted(dive: Dive, doubt: float, note: str) -> Dive:
     return replace(dive, doubt=hypot(dive.doubt, doubt), notes=(*dive.notes, note))
 
 
+def check_next(dive: Dive, last: Dive | None) -> None:
+    """Refuse a dive that is not finite or ends before the last one."""
+    numbers = [dive.miss_east, dive.miss_north, *dive.start]
+    numbers += [dive.model_east or 0, dive.model_north or 0]
+    numbers += [np.sum(column) for column in dive.track or ()]
+    if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
+        raise DataError(
+            f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
+            "duration above 0"
+        )
+    if last is not None and dive.t_gpse <= last.t_gpse:
+        raise DataError(
+            f"dive {dive.number} ends before dive {last.number}, which was learned. Feed dives "
+            "in the order of their ends"
+        )
+
+
 def check_dead_reckoning(dives: Sequence[Dive]) -> None:
     """Refuse dives whose way over ground shows that their dead reckoning is wrong."""
     dives = dives[-COMPARED:]

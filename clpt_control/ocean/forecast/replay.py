@@ -43,13 +43,14 @@ from .quality_control import (
     OUTLYING,
     Forecast,
     check_dead_reckoning,
+    check_next,
     doubt_one_fix,
     doubt_outlier,
     is_confirmed,
     log_density,
     squared_distance,
 )
-from .step import FLOW_MODEL, MODELS, Step, check_next
+from .step import FLOW_MODEL, MODELS, Step
 from .surfacing import (
     GIVEN,
     NORMAL,

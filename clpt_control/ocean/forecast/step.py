@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 
-from ...base.errors import DataError
 from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
 from ..gliders.dives import Dive
@@ -140,20 +139,3 @@ class Step:
             **ellipse(self.covariance),
             "inside": self.inside_hindsight,
         }
-
-
-def check_next(dive: Dive, last: Dive | None) -> None:
-    """Refuse a dive that is not finite or ends before the last one."""
-    numbers = [dive.miss_east, dive.miss_north, *dive.start]
-    numbers += [dive.model_east or 0, dive.model_north or 0]
-    numbers += [np.sum(column) for column in dive.track or ()]
-    if not (np.all(np.isfinite(numbers)) and dive.duration > 0):
-        raise DataError(
-            f"dive {dive.number}: fixes, dead reckoning and flow model must be finite, its "
-            "duration above 0"
-        )
-    if last is not None and dive.t_gpse <= last.t_gpse:
-        raise DataError(
-            f"dive {dive.number} ends before dive {last.number}, which was learned. Feed dives "
-            "in the order of their ends"
-        )
