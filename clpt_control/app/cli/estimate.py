@@ -150,7 +150,7 @@ def _recorded(
     as_json: bool,
 ) -> None:
     """Learn from a table or files."""
-    from ...ocean.estimation.recorded_fixes import flow_of_legs
+    from ...ocean.estimation.theta_from_fixes import flow_of_legs
     from ...ocean.gliders.dive_files import read_legs
     from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 

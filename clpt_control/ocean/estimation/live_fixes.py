@@ -1,6 +1,6 @@
 """Learning from fixes that arrive, a line of JSON each.
 
-A line is a row of a log (`gliders.fix_log`), with the same names:
+A line is a row of a log (`gliders.dive_table`), with the same names:
 
     {"time": T, "latitude": LAT, "longitude": LON}     a fix
     {"time": T, "course": DEG, "speed": M_PER_S}       holds until the next line

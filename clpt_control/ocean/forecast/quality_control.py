@@ -45,8 +45,7 @@ import numpy as np
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance
 from ..estimation.fix_model import Priors
-from ..gliders.dives import Dive
-from ..gliders.usable_dives import FASTEST
+from ..gliders.dives import FASTEST, Dive
 
 WIND = 0.5  # m/s at the surface, in addition to the current
 FIXES = 5.0  # standard deviations of two fixes, a poor one among them

@@ -57,8 +57,7 @@ from ...base.errors import ScenarioError
 from ...base.geodesy import displacement
 from ...base.units import DAY, seconds_since_1970
 from ..estimation.fix_model import CHI_SQUARED, LEVEL
-from ..gliders.dives import Dive, Fix
-from ..gliders.usable_dives import FASTEST
+from ..gliders.dives import FASTEST, Dive, Fix
 from .quality_control import squared_distance
 from .table_rows import (
     GIVEN,

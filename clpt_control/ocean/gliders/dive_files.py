@@ -25,10 +25,9 @@ from ...base.arguments import public
 from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
-from . import og1, quantities, seaexplorer, seaglider, slocum, usable_dives
-from .dive_table import table_dives
+from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
+from .dive_table import NO_MOTION, table_dives
 from .dives import Dive, Skipped, name_of
-from .fix_log import NO_MOTION
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .usable_dives import LEAST_DURATION
 
@@ -133,7 +132,7 @@ def _of_netcdf(path: Path) -> tuple[Sequence[Dive | Skipped], str | None, str | 
     with open_netcdf(path, MOST_BYTES) as data, naming(path):
         for dialect, kind in ((seaglider, "Seaglider"), (og1, None)):
             if dialect.is_known(data):
-                unflagged, notes = quantities.unflagged(data)
+                unflagged, notes = samples.unflagged(data)
                 rows = dialect.dives_of(unflagged, path)
                 noted = [
                     row

@@ -53,6 +53,7 @@ COURSES = -180.0, 540.0  # degrees
 # m/s by which a file's own current may be off
 MENTIONED, CONTRADICTS = 0.01, 0.03
 LEAST_DEPTH = 5.0  # m that a dive reaches
+FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 # of a dive: first of the stay before it, before, after it
 Three = tuple[Fix | None, Fix, Fix]
 NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits

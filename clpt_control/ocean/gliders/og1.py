@@ -54,8 +54,7 @@ from .og1_columns import (
     segments_of,
     with_steady_clock,
 )
-from .quantities import known_names
-from .samples import deepest, summed, variation
+from .samples import deepest, known_names, summed, variation
 
 UNDER_WATER = (1, 2, 4, 5)  # PHASE: ascent, descent, parking, inflexion
 

@@ -1,4 +1,4 @@
-"""Columns of an OG1 file under common names (`quantities`), in SI units.
+"""Columns of an OG1 file under common names (`samples`), in SI units.
 
 Every column has one number per row, NaN where there is none.  Rows are those of
 `N_MEASUREMENTS`; fixes that stand on a dimension of their own follow as further
@@ -38,13 +38,14 @@ from ...base.errors import DataError
 from ...base.units import DAY
 from ...paper.currents.flags import said
 from .dives import LEAST_DEPTH, Fix, fixes_in, is_fix
-from .quantities import (
+from .samples import (
     ANGLES,
     ENDS,
     HEADING,
     PLACE,
     PLACES,
     QUANTITIES,
+    SURFACE,
     checked_angles,
     columns_of,
     known_names,
@@ -53,7 +54,6 @@ from .quantities import (
     seconds,
     values,
 )
-from .samples import SURFACE
 from .usable_dives import SMALLER
 
 FIXES = ("TIME_GPS", "LATITUDE_GPS", "LONGITUDE_GPS")

@@ -1,4 +1,13 @@
-"""Samples of a dive: steps summed to dead reckoning, and magnetic variation.
+"""Samples of a file: quantities under common names in SI units, their sums, magnetic variation.
+
+One table, `QUANTITIES`, serves OG1 (`og1_columns`) and the Seaglider basestation (`seaglider`).
+Case does not matter.  OG1 1.0 standardizes the fixes, `TIME`, `DEPTH` and `PHASE`, its vocabulary
+`WCUR_X`, `WCUR_Y` and `DEAD_RECKONING`; numbers of dives, displacements, the flight model's speed
+and the depth-averaged current are named as by seagliderOG1 and votoutils, or by the basestation.
+
+Files of different makers give the same sample as seconds since 1970 or as nanoseconds since the
+first of them, a depth as m or cm, a speed as cm/s or m s-1; a variable without units is taken as s,
+m or m/s.
 
 A step is the displacement since the sample before, so a track is their running sum, from rest at
 the fix before the dive to rest at the fix after it.  A step that is not finite, or longer than
@@ -13,24 +22,252 @@ coefficients `ppigrf` carries.  Good to about half a degree at sea; near the mag
 compass is of use.
 """
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from math import isfinite, nan
 
 import numpy as np
+import xarray
 from numpy.typing import ArrayLike
 
-from ...base.errors import import_optional
-from .dives import Dive, ThroughWater, Track
-from .usable_dives import FASTEST
+from ...base.errors import DataError, import_optional
+from ...base.units import length_in_metres, number, speed_in_metres_per_second
+from ...paper.currents.cf_times import decoded
+from ...paper.currents.flags import IS_FLAG, said, without_flagged
+from .dives import FASTEST, Dive, ThroughWater, Track
 
+PLACES = ("TIME", "LATITUDE", "LONGITUDE")
+PLACE = ("lat", "lon")
+HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
+# of a dive: how names end
+ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
+# degrees; a heading of a whole turn may have a variation added, without starting again from 0
+HEADINGS, VARIATIONS, PITCHES = (-180.0, 540.0), (-180.0, 180.0), (-90.0, 90.0)
+READ = re.compile(  # names of the variables that dives are made of
+    r"(^|_)(time|lat|lon|east_disp|north_disp|head|velo|speed|davg|[uvw]cur|dac_|depth$)",
+    re.IGNORECASE,
+)
+NOT_A_TIME = -(2.0**63)  # smallest integer of 64 bits: how a missing time is stored
 SURFACE = 20.0  # m: a vehicle last seen above needs no samples until its fix
 LARGEST_HOLE = 0.1  # share of a dive that may be without samples under water
 LONGEST_GAP = 900.0  # s between samples that is mentioned
 LONGEST_STEP = 100.0  # m, beyond what is possible at 5 m/s
 REPAIRABLE = 0.05  # largest share of samples that is filled from their neighbours
 DEEPEST = 12000.0  # m: no sea is deeper
+
+
+def degrees(ddmm: np.ndarray) -> np.ndarray:
+    """Return degrees of ddmm.mmm, NaN where it has 60 minutes or more.
+
+    >>> degrees(np.array([5138.0368, -12818.26, 69696969.0])).round(5)
+    array([  51.63395, -128.30433,          nan])
+    """
+    with np.errstate(invalid="ignore"):  # of what is endless
+        whole_degrees, minutes = np.divmod(np.abs(ddmm), 100.0)
+    return np.where(
+        (minutes < 60.0) & (whole_degrees < 400.0),
+        np.sign(ddmm) * (whole_degrees + minutes / 60),
+        nan,
+    )
+
+
+def within(
+    angles: np.ndarray, limits: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return angles, NaN outside limits such as `HEADINGS`, and which were outside.
+
+    >>> within(np.array([350.0, -999.0, np.nan, 9.97e36]), HEADINGS)
+    (array([350.,  nan,  nan,  nan]), array([False,  True, False,  True]))
+    """
+    low, high = limits
+    outside = (angles < low) | (angles > high)
+    return np.where(outside, nan, angles), outside
+
+
+def unflagged(data: xarray.Dataset) -> tuple[xarray.Dataset, list[str]]:
+    """Return a file with NaN where what dives are made of is flagged bad, and notes on it.
+
+    A depth-averaged current of a Seaglider stays, because its dives have its flag, `dac_qc`.
+    """
+    columns, notes = dict[str, xarray.DataArray](), list[str]()
+    names = [name for name in map(str, data.variables) if READ.search(name)]
+    flags = [name for name in map(str, data.variables) if IS_FLAG.search(name.lower())]
+    few = data[[*names, *flags]]  # of hundreds of variables
+    for name in names:
+        is_fix = "GPS" in name.upper()
+        values, flagged = without_flagged(few, [name], is_fix=is_fix)
+        if flagged:
+            columns[name] = values
+            notes += flagged
+    return data.assign(columns) if columns else data, notes
+
+
+def values(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return a variable as floats, NaN where it is no number."""
+    raw = np.atleast_1d(data[name].values)
+    if raw.dtype.kind in "iufb":
+        return raw.astype(float)
+    return np.reshape([number(item) for item in raw.ravel()], raw.shape)
+
+
+def scalar(data: xarray.Dataset, name: str) -> float | None:
+    """Return a single finite number, or None."""
+    if name not in data.variables:
+        return None
+    numbers = values(data, name)
+    return (
+        float(numbers.flat[0])
+        if numbers.size and np.isfinite(numbers.flat[0])
+        else None
+    )
+
+
+def seconds(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return times as seconds since 1970 UTC, NaN where missing.
+
+    >>> import xarray
+    >>> units = {"units": "nanoseconds since 2010-07-29 13:31:04"}
+    >>> data = xarray.Dataset({"TIME": ("n", np.array([0, 234_000_000_000]), units)})
+    >>> seconds(data, "TIME") - 1280410264.0
+    array([  0., 234.])
+    """
+    numbers = values(data, name)
+    numbers = np.where(numbers == NOT_A_TIME, nan, numbers)
+    units = said(data[name])
+    if " since " not in units.lower():
+        return numbers
+    dates = decoded(np.array([0.0, 1.0]), units)  # of two numbers, so that digits stay
+    if dates is None:
+        raise DataError(
+            f"{name} is in '{units}'; use a unit such as 'seconds since 1970-01-01 00:00:00'"
+        )
+    epoch, step = (dates - [np.datetime64("1970-01-01"), dates[0]]) / np.timedelta64(
+        1, "s"
+    )
+    return epoch + step * numbers
+
+
+def metres(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return lengths in m, depths positive down, NaN where missing.
+
+    >>> import xarray
+    >>> data = xarray.Dataset({"eng_depth": ("n", [150.0], {"units": "cm"})})
+    >>> metres(data, "eng_depth")
+    array([1.5])
+    """
+    units = said(data[name]) or "m"
+    size = length_in_metres(units, name)
+    up = said(data[name], "positive").lower() == "up"
+    return values(data, name) * (-size if up else size)
+
+
+def metres_per_second(data: xarray.Dataset, name: str) -> np.ndarray:
+    """Return speeds in m/s, NaN where missing."""
+    units = said(data[name]) or "m/s"
+    return values(data, name) * speed_in_metres_per_second(units, name)
+
+
+def _degrees(data: xarray.Dataset, name: str) -> np.ndarray:
+    radians = said(data[name]).lower().startswith("rad")
+    return np.degrees(values(data, name)) if radians else values(data, name)
+
+
+ANGLES = {"heading": HEADINGS, "magvar": VARIATIONS}
+
+
+def checked_angles(
+    angles: np.ndarray, key: str, units: str, name: str
+) -> tuple[np.ndarray, list[str]]:
+    """Return angles (degrees), NaN outside their limits, and notes."""
+    low, high = ANGLES[key]
+    angles, outside = within(angles, (low, high))
+    notes = []
+    if outside.any():
+        notes.append(
+            f"{outside.sum()} numbers of {name} are not within {low:g} to {high:g} degrees: "
+            "taken as gaps"
+        )
+    if key == "heading":
+        notes += _doubtful_units(angles[np.isfinite(angles)], units, name)
+    return angles, notes
+
+
+def _doubtful_units(angles: np.ndarray, units: str, name: str) -> list[str]:
+    """Refuse headings that look like radians and do not say so; return notes on the units."""
+    small = angles.any() and np.abs(angles).max() <= 2 * np.pi
+    if units.lower().startswith("rad") or not small:
+        return []
+    said_degrees = units.lower().startswith("deg") or "\N{DEGREE SIGN}" in units
+    if said_degrees and np.ptp(angles) <= np.pi:
+        doubt = f"{name} has only numbers within 2 pi, and the units {units!r}"
+        return [f"{doubt}; if they are radians, set its units to 'radian'"]
+    raise DataError(
+        f"{name} has the units {units!r} and only numbers within 2 pi, which look like radians. "
+        "Set its units to 'radian', or to 'degrees' if they are degrees"
+    )
+
+
+QUANTITIES = {  # of a measurement: what files call it, and how it is read
+    "east": (("EAST_DISPLACEMENT", "EAST_DISPLACEMENT_GSM"), metres),
+    "north": (("NORTH_DISPLACEMENT", "NORTH_DISPLACEMENT_GSM"), metres),
+    "speed": (
+        ("GLIDER_HORZ_VELO_MODEL", "HORZ_SPEED", "HORZ_SPEED_GSM", "HORZ_GLIDER_SPEED"),
+        metres_per_second,
+    ),
+    "heading": (HEADING, _degrees),
+    "u": (
+        ("DAVG_CURR_EAST", "UCUR", "DAC_EAST", "DEPTH_AVG_CURR_EAST", "WCUR_X"),
+        metres_per_second,
+    ),
+    "v": (
+        ("DAVG_CURR_NORTH", "VCUR", "DAC_NORTH", "DEPTH_AVG_CURR_NORTH", "WCUR_Y"),
+        metres_per_second,
+    ),
+    "number": (
+        ("DIVE_NUMBER", "DIVE_NUM", "DIVENUM", "DIVE_NUM_CAST", "PROFILE_INDEX"),
+        values,
+    ),
+    "qc": (
+        ("DAVG_CURR_EAST_QC", "DAVG_CURR_QC", "DEPTH_AVG_CURR_QC", "WCUR_QC"),
+        values,
+    ),
+    "magvar": (("MAGNETIC_VARIATION",), _degrees),
+    "depth": (("DEPTH", "GLIDER_DEPTH", "CTD_DEPTH", "ENG_DEPTH"), metres),
+    "depth_max": (("DEPTH_MAX",), metres),
+    "phase": (("PHASE",), values),
+    **{
+        f"{key}_{end}": ((f"{name}{suffix}",), read)
+        for end, suffix in ENDS.items()
+        for key, name, read in zip(
+            ("time", *PLACE), PLACES, (seconds, values, values), strict=True
+        )
+    },
+}
+
+
+def known_names(data: xarray.Dataset) -> dict[str, str]:
+    """Return names in the file by their capitals; a name in capitals goes before others."""
+    return {
+        str(name).upper(): str(name)
+        for name in sorted(map(str, data.variables), reverse=True)
+    }
+
+
+def columns_of(data: xarray.Dataset, key: str) -> Iterator[tuple[str, np.ndarray]]:
+    """Yield name and numbers of the variables that have a quantity, the preferred one before."""
+    names, (candidates, read) = known_names(data), QUANTITIES[key]
+    for name in (names[known] for known in candidates if known in names):
+        yield name, read(data, name)
+
+
+def pairs_of(data: xarray.Dataset, key: str, other: str) -> Iterator[tuple[str, str]]:
+    """Yield names of the variables of two components, such as east and north."""
+    names = known_names(data)
+    for pair in zip(QUANTITIES[key][0], QUANTITIES[other][0], strict=True):
+        if {*pair} <= {*names}:
+            yield names[pair[0]], names[pair[1]]
 
 
 def fill(time: np.ndarray, steps: np.ndarray, bad: np.ndarray) -> np.ndarray:

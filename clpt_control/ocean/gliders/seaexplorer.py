@@ -27,8 +27,7 @@ from ...base.files.reading import LARGEST, read_bytes, text_of
 from ...paper.currents.text_table import table_of
 from .dives import LEAST_DEPTH, Dive, Fix, Three, ThroughWater, dive_between, fixes_in
 from .mission_files import dives_across_files, logged
-from .quantities import HEADINGS, PITCHES, VARIATIONS, degrees, within
-from .samples import deepest, summed
+from .samples import HEADINGS, PITCHES, VARIATIONS, deepest, degrees, summed, within
 
 GZIP = b"\x1f\x8b"
 FIRST = "Timestamp;"

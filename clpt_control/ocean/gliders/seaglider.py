@@ -31,7 +31,7 @@ import xarray
 from ...base.errors import DataError
 from ...base.units import finite_or_none
 from ...paper.currents.flags import BAD_FIX_CODES
-from . import quantities
+from . import samples
 from .dives import (
     NUMBERS,
     Dive,
@@ -44,8 +44,7 @@ from .dives import (
     planned_course,
     whole_number,
 )
-from .quantities import columns_of, pairs_of
-from .samples import deepest, summed
+from .samples import columns_of, deepest, pairs_of, summed
 
 FIXES = ("log_gps_time", "log_gps_lat", "log_gps_lon")
 NAMES = ("GPS1", "GPS2", "GPSE")
@@ -65,8 +64,8 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
             "its fixes there"
         )
     columns = [
-        quantities.seconds(data, FIXES[0]),
-        *(quantities.values(data, name) for name in FIXES[1:]),
+        samples.seconds(data, FIXES[0]),
+        *(samples.values(data, name) for name in FIXES[1:]),
     ]
     if any(column.shape != (3,) for column in columns):
         raise DataError(
@@ -75,7 +74,7 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
     notes, of = [], np.array(columns)
     hdop, flags = (_of_fixes(data, name) for name in ("log_gps_hdop", "log_gps_qc"))
     for k, name in enumerate(NAMES):
-        flag = quantities.scalar(data, f"{name}_qc") or flags[k]
+        flag = samples.scalar(data, f"{name}_qc") or flags[k]
         if hdop[k] >= FAILED:
             of[:, k] = nan
             notes.append(f"{name} has a hdop of {hdop[k]:g}: the receiver found no fix")
@@ -99,7 +98,7 @@ def fixes_of(data: xarray.Dataset, first_sample: float) -> tuple[Three, list[str
 
 def _of_fixes(data: xarray.Dataset, name: str) -> np.ndarray:
     """Return a number of each of three fixes, NaN where there are none."""
-    numbers = quantities.values(data, name) if name in data.variables else np.empty(0)
+    numbers = samples.values(data, name) if name in data.variables else np.empty(0)
     return numbers if numbers.shape == (3,) else np.full(3, nan)
 
 
@@ -140,7 +139,7 @@ def _number(data: xarray.Dataset, path: Path) -> int:
     """Return the number of the dive."""
     named = (
         data.attrs.get("dive_number"),
-        quantities.scalar(data, "log_DIVE"),
+        samples.scalar(data, "log_DIVE"),
         number_in_name(path),
     )
     for value in named:
@@ -166,21 +165,21 @@ def _variation(data: xarray.Dataset) -> float | None:
     stated = _number_of(data, "magvar")
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
-    degrees, _ = quantities.within(np.array(stated), quantities.VARIATIONS)
+    degrees, _ = samples.within(np.array(stated), samples.VARIATIONS)
     return finite_or_none(float(degrees))
 
 
 def _next_course(data: xarray.Dataset, end: Fix) -> float | None:
     """Return the course of the next dive by the plan of this one, None where there is none."""
-    heading = quantities.scalar(data, "log_HEADING")
+    heading = samples.scalar(data, "log_HEADING")
     if heading is not None and 0.0 <= heading <= 360.0:
         return heading % 360.0
     text = data["log_TGT_LATLONG"].values if "log_TGT_LATLONG" in data else np.array("")
     words = text.astype(str).item().split(",") if text.size == 1 else []
     if len(words) != 2:
         return None
-    target = quantities.degrees(np.array([*map(quantities.number, words)])).tolist()
-    return planned_course(end, target, quantities.scalar(data, "log_TGT_RADIUS") or 0.0)
+    target = samples.degrees(np.array([*map(samples.number, words)])).tolist()
+    return planned_course(end, target, samples.scalar(data, "log_TGT_RADIUS") or 0.0)
 
 
 def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str]:
@@ -191,7 +190,7 @@ def _times(data: xarray.Dataset, reference: str) -> tuple[np.ndarray | None, str
     for name in ("ctd_time", "time", *time_names):
         if name not in data or data[name].dims != data[reference].dims:
             continue
-        time = quantities.seconds(data, name)
+        time = samples.seconds(data, name)
         if time.size and np.all(np.isfinite(time)) and np.all(np.diff(time) > 0):
             return time, ""
     return None, f"no track: no times in order with the dimension of {reference}"
@@ -212,7 +211,7 @@ def _dead_reckoning(
     notes = []
     if names[0].endswith("_gsm"):
         notes.append(f"dead reckoning of the glide-slope model ({names[0]})")
-    east, north = (quantities.metres(data, name) for name in names)
+    east, north = (samples.metres(data, name) for name in names)
     if east.shape != north.shape or east.ndim != 1 or not east.size:
         wrong = f"{names[0]} and {names[1]} differ in length or are empty"
         return ThroughWater(notes=[*notes, wrong])

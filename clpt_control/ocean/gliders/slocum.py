@@ -50,8 +50,17 @@ from .dives import (
     planned_course,
 )
 from .mission_files import dives_across_files, logged
-from .quantities import HEADINGS, degrees, within
-from .samples import LONGEST_GAP, SURFACE, deepest, hole_under_water, turned, variation
+from .samples import (
+    HEADINGS,
+    LONGEST_GAP,
+    SURFACE,
+    deepest,
+    degrees,
+    hole_under_water,
+    turned,
+    variation,
+    within,
+)
 from .slocum_file import FIX, LOCAL, PLACE, PLAN, WATER, Segment, read_segment
 from .slocum_file import MAGIC as MAGIC
 

@@ -34,11 +34,10 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY
 from ...paper.currents.constituents import YEARS
-from .dives import NUMBERS, Dive, Skipped, is_fix, noted
-from .quantities import degrees
+from .dives import FASTEST, NUMBERS, Dive, Skipped, is_fix, noted
+from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes
-FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 LATEST = datetime(YEARS[1], 1, 1, tzinfo=UTC).timestamp()  # s since 1970
 FILLS = (999.0, 9999.0, 99999.0)
 # in one second
