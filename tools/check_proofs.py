@@ -20,8 +20,7 @@ import numpy as np
 
 import clpt_control as clpt
 from clpt_control.paper.laws.table import LAWS
-from clpt_control.theory.coq.compiling import COQC
-from clpt_control.theory.coq.files import RECORD, coq_files, record_of, templates
+from clpt_control.theory.coq.files import COQC, RECORD, coq_files, record_of, templates
 from clpt_control.theory.coq.printing import text_of
 from clpt_control.theory.coq.running import WIRED, equations_of, law_and_V, law_loop
 

@@ -223,7 +223,7 @@ def _print_outcomes(
 
 def _prove_by_coq(folder: Path, as_json: bool) -> None:
     """Write the theorems as files of Coq, and print what Coq checked."""
-    from ...theory.coq.compiling import PACKAGES, write_proofs
+    from ...theory.coq.files import PACKAGES, write_proofs
 
     with progress_bar("coqc", 1.0) as report:
         proofs = write_proofs(folder, report)

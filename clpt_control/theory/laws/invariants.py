@@ -54,13 +54,12 @@ from ..proofs.certificates import Ways
 from ..proofs.conclusions import Condition, for_sizes
 from ..proofs.judge import Fall, Verdict, judge
 from ..proofs.steps import Step, exact, exact_step, first_failure
-from .bounded_states import held
 from .invariant_loop import NOTHING, SIZES
 from .law_certificates import of_invariants
 from .law_equations import LoopCandidate
 from .paper_loop import mean_square
-from .relations_of_states import off_at_the_start, off_at_zero, repels
 from .semidefinite import SemidefiniteLoop
+from .states_of_laws import held, off_at_the_start, off_at_zero, repels
 from .theorem_loop import decay, rate_of_V
 
 Claims = dict[str, tuple[str, Callable[[SemidefiniteLoop], bool | str]]]

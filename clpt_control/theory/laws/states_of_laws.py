@@ -1,0 +1,182 @@
+"""States of a law beside alpha, K and Gamma: their relations, and which of them are bounded."""
+
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.core.function import AppliedUndef
+
+from ...engine.record.symbolic import rational
+from ...paper.laws.law import LEARNED
+from ...simulation.initial_states import state_columns, state_of
+from ...simulation.loop_blocks import paper_blocks
+from ..algebra.decide import never_positive
+from ..algebra.exact import as_factors, vanishes
+from ..algebra.numeric_values import NO_VALUE
+from ..algebra.sums_of_squares import contains_all, squares
+from ..algebra.texts import short
+from ..proofs.symbolic_loop import equated
+from .invariant_loop import InvariantLoop, arbitrary
+from .promises import truth_of
+from .semidefinite import SemidefiniteLoop
+from .theorem_loop import ErrorCoordinates, theorem_scenario
+
+REPELS = 1e-9  # of the largest eigenvalue: a positive real part that is no rounding
+START = (0.4, -0.7)  # of vehicle and learner
+
+
+def off_at_the_start(case: InvariantLoop) -> str:
+    """Name the states whose relation does not hold where a run begins, whatever alpha is."""
+    alpha, theta = np.random.default_rng(0).normal(size=(2, 2, case.N)).tolist()
+    drawn = {
+        "flow.parameters": theta,
+        "vehicle.position": START,
+        "learning.position": START,
+    }
+    drawn |= {} if case.law.alpha_is_constant else {"learning.parameters": alpha}
+    scenario = theorem_scenario(case.N, case.law.name).with_values(drawn)
+    blocks = paper_blocks(scenario)
+    start, columns = state_of(scenario, blocks), state_columns(blocks)
+    states = {
+        port: start[columns[port]].reshape(s.shape) for port, s in case.states.items()
+    }
+    assert case.law.invariants is not None
+    p = case.law.parameters_of(scenario.known_to_law)
+    values = case.law.invariants(states, p, truth_of(scenario))
+    off = [
+        s
+        for s, value in values.items()
+        if not np.allclose(np.ravel(value), np.ravel(states[s]))
+    ]
+    return ", ".join(f"{name} at the start" for name in off)
+
+
+def off_at_zero(case: InvariantLoop) -> str:
+    """Return a state that is not what the truth makes it where all of a law's own are 0, or "".
+
+    No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
+    """
+    own = case.states.keys() - {"x", "z", *LEARNED}
+    start: dict[Any, sympy.Expr] = {}
+    for name in own | case.start.keys():
+        value = np.asarray(case.start.get(name, 0.0), float)
+        values = np.broadcast_to(value, case.states[name].shape)
+        start |= equated(case.states, {name: np.vectorize(rational)(values)})
+    for symbol, value in case.stated.items():
+        residual = (symbol - value).xreplace(start)
+        if residual.has(*NO_VALUE):  # P = R^-1 from R = 0: another start is meant
+            continue
+        if not vanishes(residual):
+            begins = start.get(symbol, "anything")
+            relation = f"{symbol} = {short(sympy.nsimplify(value), 40)}"
+            return f"{relation} does not hold at the start, where it is {begins}"
+    return ""
+
+
+def repels(case: InvariantLoop) -> str:
+    """Return which relation pushes away states that leave it by rounding, or "".
+
+    With r = s - value beside each relation, r' = J r where r is small.  J is judged where it
+    is constant; elsewhere by the sign of its trace, the rate at which volumes of r grow.
+    """
+    if not case.relations:
+        return ""
+    offsets = {s: sympy.Dummy(f"r_{s}", real=True) for s in case.relations}
+    moved = {s: case.relations[s] + r for s, r in offsets.items()}
+    rates = [
+        case.masked(case.loop.derivative(s - value)).xreplace(moved)
+        for s, value in case.relations.items()
+    ]
+    zero = dict.fromkeys(offsets.values(), sympy.S.Zero)
+    J = sympy.Matrix(rates).jacobian([*offsets.values()]).xreplace(zero)
+    J = J.xreplace(case.loop.values).applyfunc(sympy.expand)
+    if J.is_zero_matrix:
+        return ""
+    if not J.free_symbols and not J.atoms(AppliedUndef):
+        eigenvalues = np.linalg.eigvals(np.array(J, dtype=float))
+        grows = eigenvalues.real.max() > REPELS * np.abs(eigenvalues).max()
+    else:
+        trace = sympy.expand(J.trace())
+        grows = trace != 0 and never_positive(-trace, set())
+    if not grows:
+        return ""
+    names = ", ".join(f"{s} = {short(v, 40)}" for s, v in case.relations.items())
+    return f"{names}: a distance from it that rounding leaves grows"
+
+
+def held(case: SemidefiniteLoop) -> tuple[set, set, list[str]]:
+    """Return states that are bounded, others that exist, and matrices positive at the start.
+
+    V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
+    it began above one.  M that keeps a ceiling is bounded, with an estimate whose error over M
+    never rises, and what is made of bounded states.
+    """
+    loop, V, law = case.loop, case.V, case.law
+    grown, bounded, exist = list[str](), set[Any](), set[Any]()
+    for port, M in case.matrices.items():
+        c = arbitrary(len(M))
+        rate = c @ case.rates[port] @ c
+        flows = not loop.jumps
+        same = equated(case.matrices, {port: case.symmetric[port]})
+        grown += [port] * (flows and case.not_negative(rate, set(c)))
+        at_zero = rate.xreplace(dict.fromkeys(M.flat, sympy.S.Zero))
+        excess = (rate - at_zero).xreplace(same)
+        has_bound = port == "P" and law.weighted_error is not None
+        made = {*M.flat}
+        made |= {*case.states["theta_hat"].flat} if law.makes_estimate else set()
+        if has_bound or keeps_a_ceiling(case, port):
+            bounded |= made
+        elif flows and as_factors(excess).is_nonpositive:
+            if at_zero == 0:
+                bounded |= made
+            elif not at_zero.free_symbols & {*loop.motion}:
+                exist |= made
+        bound = sympy.eye(len(M)) if port in grown else sympy.zeros(len(M))
+        V = V.xreplace(dict(zip(M.flat, bound, strict=True)))
+    in_V = [port for port in LEARNED if port in loop.states]
+    if law.error_left:  # its w falls, each parameter's error is w times the first one
+        bounded |= {*case.states[law.error_left].flat, *case.states["alpha"].flat}
+    if law.error_left or law.weighted_error is not None:
+        in_V.remove("alpha")
+    coordinates = ErrorCoordinates(loop)
+    e, V = coordinates.e, V.xreplace(coordinates.in_e)
+    learned = [s for port in in_V for s in loop.states[port].flat]
+    total = squares(V, V.free_symbols - {*e, *learned}, functions_are_free=False)
+    if total and contains_all(total, [*e, *learned]):
+        bounded |= {*coordinates.x, *coordinates.z, *learned}
+        if law.weighted_error is not None:  # tr(eta P^-1 eta^T) bounds eta
+            bounded |= {*case.states["alpha"].flat}
+    for s, rate in loop.motion.items():
+        share = sympy.cancel(rate / s) if s not in bounded else s
+        if not share.has(s) and case.not_negative(-share):
+            bounded.add(s)  # s' = -f s, f >= 0
+    for _ in case.relations:
+        for s, value in case.relations.items():
+            states = value.free_symbols & loop.motion.keys()
+            if states <= bounded and value.is_polynomial(*states):
+                bounded.add(s)
+    return bounded, exist, grown
+
+
+def keeps_a_ceiling(case: SemidefiniteLoop, port: str) -> bool:
+    """Return whether c^T M' c = 0 where M c = K c, K > 0 diagonal: then M <= K is kept.
+
+    M begins at 0; K is made of parameters.
+    """
+    for after in case.loop.jumps.values():
+        if any(after.get(m, m) != m for m in case.matrices[port].flat):
+            return False
+    K = np.array([sympy.Dummy(positive=True) for _ in case.matrices[port]])
+    rate = case.rate_where(port, K)
+    for factor in sympy.Mul.make_args(as_factors(rate)):
+        base, power = factor.as_base_exp()
+        is_linear = base.has(*K) and sympy.Poly(base, *K).total_degree() == 1
+        if not (power.is_positive and is_linear):
+            continue
+        moving = base.free_symbols - {*K, *case.loop.values}
+        moving |= base.atoms(AppliedUndef)
+        equations = sympy.Poly(base, *moving).coeffs() if moving else [base]
+        solutions = [*sympy.linsolve(equations, *K)]
+        if solutions and all(k.is_positive for k in solutions[0]):
+            return not case.forks(rate)
+    return False
