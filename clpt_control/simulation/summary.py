@@ -17,6 +17,7 @@ import numpy as np
 
 from ..base.arguments import check_holds
 from ..base.errors import DataError
+from ..engine.methods.table import ROWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
 from ..paper.scenario.run_constants import ARGUMENTS
@@ -71,7 +72,7 @@ def run_and_report(
     times = union(run_times, error_times, even_times)
     dense = simulate(system, times, progress=progress, **options)
     plain = None
-    if dense.attrs["method"] != "DOP853":  # whose steps end at samples
+    if dense.attrs["method"] not in [m.name for m in ROWS if not m.ends_at_samples]:
         plain = simulate(system, **options)
     dense.encoding[ARGUMENTS] = options
     reached = dense.time.values

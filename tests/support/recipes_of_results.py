@@ -20,7 +20,7 @@ INTEGRATOR = Recipe(
         ),
         Step(
             "table",
-            "must be one of auto, dop853, rodas5p",
+            "run.method = 'tsit5': must be",
             (
                 (
                     TABLE,
@@ -31,13 +31,18 @@ INTEGRATOR = Recipe(
             ),
         ),
         Step(
-            "scenarios",
-            "run.method",
+            "page of scenarios",
+            "test_a_row_is_named_where_users_look[Tsit5]",
+            (("docs/scenario.md", "`rodas5p`, for", "`tsit5`, `rodas5p`, for"),),
+        ),
+        Step(
+            "docstring",
+            "test_a_row_is_named_where_users_look[Tsit5]",
             (
                 (
-                    "clpt_control/paper/scenario/tables.py",
-                    '"dop853", "rodas5p"]',
-                    '"dop853", "rodas5p", "tsit5"]',
+                    "clpt_control/simulation/integrate.py",
+                    '``"rodas5p"``, for',
+                    '``"tsit5"``, ``"rodas5p"``, for',
                 ),
             ),
         ),
@@ -48,7 +53,7 @@ INTEGRATOR = Recipe(
     run = clpt.simulate(clpt.paper_scenario().with_values(values))
     assert run.attrs["method"] == "Tsit5"
     """,
-    (),
+    ("tests/engine/solver/test_methods.py", "-k", "a_row"),
 )
 TRACKS = "clpt_control/app/cli/tracks.py"
 OPTION = Recipe(

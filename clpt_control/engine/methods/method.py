@@ -29,3 +29,8 @@ class Method:
     implicit: bool = False
     discrete: bool = False
     dense_stages: int = 0
+
+    @property
+    def ends_at_samples(self) -> bool:
+        """True if each sample ends a step, so that steps depend on the samples."""
+        return self.implicit or not self.adaptive

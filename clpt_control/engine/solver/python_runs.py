@@ -19,6 +19,7 @@ from scipy.integrate import DOP853, LSODA
 
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
+from ..methods.table import METHODS
 from .batch import PAUSE, pace
 from .evaluation_pass import rounding
 from .event_checks import CLEAR, FACTORS, SHARES
@@ -34,7 +35,6 @@ from .termination import (
     trouble_at,
 )
 
-METHODS = {"auto": LSODA, "dop853": DOP853, "rodas5p": LSODA}
 BEND = 200.0  # tolerances of an input: a run stops where it bends off its line by more
 SHARE = 1 / 30  # of the tolerances, for LSODA
 MOST_SEGMENTS = (
@@ -57,8 +57,9 @@ def integrate(
     diagram: Any, start: ndarray, times: ndarray, inputs: Inputs | None, options: Any
 ) -> Solution:
     """Return the solution of a diagram in Python, or raise an error on what stopped it."""
-    method: Any = METHODS[options.method]
-    if method is LSODA and getattr(_inside, "lsoda", False):
+    may_be_stiff = options.method == "auto" or METHODS[options.method].implicit
+    method: Any = LSODA if may_be_stiff else DOP853
+    if getattr(_inside, "lsoda", False):
         method = DOP853
     if method is not DOP853:
         try:

@@ -114,8 +114,7 @@ class PythonDiagram:
             place of DOP853, without tolerances and progress; steps end at
             every breakpoint and sample.
         method : str, optional
-            ``"dop853"``, explicit, of order 8; ``"rodas5p"``, for stiff equations, of order 5; or
-            ``"auto"``, as without: DOP853, and Rodas5P from where the equations are stiff.
+            As `simulate` takes it; ``"auto"`` without.
         max_step, first_step : float, optional
             The longest step, and the first that is tried.
 

@@ -17,6 +17,7 @@ from pydantic_core import PydanticCustomError
 
 from ...base.errors import ScenarioError
 from ...base.html import shortened
+from ...engine.methods.table import METHODS
 from ..blocks.disturbance import KINDS, DisturbanceKind
 from ..blocks.flow import KERNELS
 from ..laws.law import Fixes
@@ -368,7 +369,7 @@ class Run(Table):
     output_step: Positive = 1.0
     rtol: Annotated[Positive, Field(ge=1e-13, lt=1)] = 1e-8
     atol: Positive = 1e-10
-    method: Literal["auto", "dop853", "rodas5p"] = "auto"
+    method: Literal[*METHODS] = "auto"  # type: ignore[valid-type]
 
     @property
     def solver(self) -> dict[str, Any]:

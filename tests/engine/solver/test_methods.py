@@ -1,14 +1,20 @@
 """Integration methods are rows of facts: one more is one file and one entry."""
 
+import re
+
 import control
 import numpy as np
 import pytest
 from engine_runs import METHODS, ROWS
+from paths import ROOT
 from tsit5 import ERROR, LAST, TIMES, TSIT5, A
 
 import clpt_control as clpt
 
 TURNS = np.linspace(0.0, 20.0, 401)
+EACH = pytest.mark.parametrize(
+    "row", [row for row in ROWS if row.adaptive], ids=lambda row: row.name
+)
 
 
 def oscillator():
@@ -63,9 +69,7 @@ def order_of(method, steps):
     return np.log(errors[0] / errors[1]) / np.log(steps[0] / steps[1])
 
 
-@pytest.mark.parametrize(
-    "row", [row for row in ROWS if row.adaptive], ids=lambda r: r.name
-)
+@EACH
 def test_errors_fall_at_least_with_the_order_of_the_row(row):
     steps = (0.5, 0.25) if row.order == 8 else (0.1, 0.05)
     assert order_of(row.name.lower(), steps) > row.order - 0.6
@@ -73,3 +77,24 @@ def test_errors_fall_at_least_with_the_order_of_the_row(row):
 
 def test_errors_of_the_added_method_fall_with_its_order(tsit5):
     assert order_of("tsit5", (0.1, 0.05)) == pytest.approx(5, abs=0.6)
+
+
+@EACH
+def test_a_row_runs_in_python_too(row):
+    """By a method of SciPy: an implicit one for the stiff."""
+    scenario = clpt.paper_scenario().with_values(
+        {"run.duration": 20.0, "run.method": row.name.lower()}
+    )
+    compiled, run = (clpt.simulate(scenario, engine=e) for e in ("native", "python"))
+    assert compiled.attrs["method"] == row.name
+    assert run.attrs["method"] == ("LSODA" if row.implicit else "DOP853")
+    assert np.abs(run.states - compiled.states).max() < 1e-5
+
+
+@EACH
+def test_a_row_is_named_where_users_look(row):
+    page = (ROOT / "docs" / "scenario.md").read_text("utf-8")
+    (line,) = re.findall(r".*`run\.method`.*", page)
+    name = row.name.lower()
+    assert f"`{name}`" in line
+    assert f'``"{name}"``' in clpt.simulate.__doc__
