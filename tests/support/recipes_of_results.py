@@ -212,6 +212,7 @@ FORMAT = Recipe(
     """,
     (),
 )
+LEVELLED = "surfacing", "replay", "replay_command", "replay_page"
 FORECAST = Recipe(
     "Add to results",
     (
@@ -222,7 +223,7 @@ FORECAST = Recipe(
                 (
                     "clpt_control/ocean/estimation/fix_model.py",
                     "LEVEL = 0.9 ",
-                    "LEVEL = 0.95 ",
+                    "LEVEL = 0.8 ",
                 ),
             ),
         ),
@@ -230,14 +231,20 @@ FORECAST = Recipe(
     """
     import json, subprocess, sys
     words = [sys.executable, "-m", "clpt_control", "replay", "--sample"]
+    words += ["--route", "build-recipe.txt"]
+    open("build-recipe.txt", "w").write("-42.8 8.4")
     done = subprocess.run([*words, "--json"], capture_output=True, text=True)
-    report = json.loads(done.stdout)
-    ahead, level = report["next_dive"], report["level"]
-    assert level == 0.95, f"the level is {level}"
+    level = json.loads(done.stdout)["level"]
+    assert level == 0.8, f"the level is {level}"
     plain = subprocess.run(words, capture_output=True, text=True).stdout
-    assert "95 % ellipse" in plain and "90 %" not in plain, plain
+    assert "80 % ellipse" in plain and "(80 %)" in plain and "90 %" not in plain, plain
     """,
-    (),
+    (
+        *(f"tests/ocean/forecast/test_{n}.py" for n in LEVELLED),
+        *("--doctest-modules", "clpt_control/ocean/forecast", "-k"),
+        "long_run or say_the_same or ring_is or 180_degrees or test_the_command or keeps_what "
+        "or cf_trajectory or clpt_control",
+    ),
 )
 MESSAGE = Recipe(
     "Add to results",

@@ -3,8 +3,8 @@
 Each row is made of what `clpt replay --json` prints of a vehicle, at a time, now.  It asks for a
 pilot where
 
-    overdue         now is past the time of the next surfacing by more than its 90 %
-    OUT             two dives running, at least, surfaced outside their 90 % ellipses
+    overdue         now is past the time of the next surfacing by more than its half width
+    OUT             two dives running, at least, surfaced outside their ellipses
     cannot be read  there is no replay, for a reason that the row says
 
 in this order, which is that of the rows; then come those that surface next.  A record that ended

@@ -247,8 +247,8 @@ def uncovered(ahead: dict[str, Any]) -> str:
 def record_sentence(forecast: dict[str, Any]) -> str:
     """Return how many surfacings were as forecast.
 
-    >>> record_sentence({"judged": 13, "inside": 12, "on_time": 13})
-    'forecast, made before the dive: 12 of 13 inside their 90 % ellipse, 13 within their 90 % time'
+    >>> record_sentence({"judged": 13, "inside": 12, "on_time": 13}).replace(PERCENT, "P %")
+    'forecast, made before the dive: 12 of 13 inside their P % ellipse, 13 within their P % time'
     """
     count = forecast["judged"]
     if not count:
@@ -316,8 +316,8 @@ def route_sentences(route: dict[str, Any]) -> list[str]:
         ]
         early, middle, late = times
         text = f"there {middle}" if middle else "not there"
-        text += f"; cannot be made before {early} (90 %)" if early else ""
-        text += f", made by {late} (90 %)" if late else ""
+        text += f"; cannot be made before {early} ({PERCENT})" if early else ""
+        text += f", made by {late} ({PERCENT})" if late else ""
         if waypoint["made"] < 1:
             share = f"{100 * waypoint['made']:.0f} % of {route['draws']} draws"
             text += f"; made within {route['dives']} dives in {share}"

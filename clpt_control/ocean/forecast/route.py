@@ -7,9 +7,9 @@ the forecast's mean and covariance.  A drawn dive is learned before the next one
 after the other, each given those before it, position errors have their joint distribution.
 A waypoint is made by the dive that is to end there, or ends within `ARRIVED` of it.
 
-The times of arrival are the 10 %, 50 % and 90 % quantiles of the draws; a draw that does not arrive
-within `DIVES` dives counts as later than all.  An area is entered where the straight way of a dive
-meets its outer ring, on the plane of longitude and latitude.
+The times of arrival are the quantiles 1 - `LEVEL`, 1/2 and `LEVEL` of the draws; a draw that does
+not arrive within `DIVES` dives counts as later than all.  An area is entered where the straight way
+of a dive meets its outer ring, on the plane of longitude and latitude.
 
 A file of a route is GeoJSON (RFC 7946): points and lines are waypoints in their order, polygons
 areas to stay out of, with their property `name`; or a text with a latitude and a longitude a line.
@@ -28,6 +28,7 @@ from ...base.errors import DataError, naming
 from ...base.files.reading import read_text
 from ...base.geodesy import angle_near, distance, is_place, place_from
 from ...base.progress.interrupt import check
+from ..estimation.fix_model import LEVEL
 from ..gliders.dives import Fix, make_dive
 from .aim import ARRIVED, aim, usual
 from .replay import Replay
@@ -37,7 +38,7 @@ DRAWS, DIVES, SEED = 100, 100, 1
 NOWHERE = 40  # draws of a vehicle that arrives nowhere
 MOST_PLACES = 20_000  # of all areas
 LARGEST = 10**7  # bytes of a file
-SHARES = {"not_before": 0.1, "time": 0.5, "by": 0.9}
+SHARES = {"not_before": round(1.0 - LEVEL, 9), "time": 0.5, "by": LEVEL}
 # places of an area, by its name, or of waypoints
 Shape = tuple[str | None, list[Place]]
 Area = tuple[str, list[Place]]  # a name and a ring

@@ -1,12 +1,12 @@
 """The record of one dive: its forecast, its misses, and what is known after it.
 
 The forecast of a dive is made before the dive. The hindsight has the dead reckoning and the
-duration of the dive too. The 90 % ellipse of either,
+duration of the dive too. The ellipse of either,
 
-    (x - m)^T P^-1 (x - m) = 2 ln 10
+    (x - m)^T P^-1 (x - m) = c,  c = -2 ln(1 - LEVEL)
 
-holds a normal pair of mean m and covariance P with probability 0.9; its half axes are
-sqrt(2 ln 10 l), l the eigenvalues of P.
+holds a normal pair of mean m and covariance P with probability `LEVEL`; its half axes are
+sqrt(c l), l the eigenvalues of P.
 """
 
 from dataclasses import dataclass

@@ -5,8 +5,8 @@ It is the forecast of a dive not yet flown,
     z(T) = last fix + drift at the surface + d + forecast of the miss
 
 d is the displacement through the water and T the duration of the dive, as planned, as aimed or as
-`DiveStatistics` expects.  The ellipse and the time are for 90 %: of the miss, of the drift, of the
-scatter of d and T (d by the learned speed and compass), as wide as their own record asks.
+`DiveStatistics` expects.  The ellipse and the time are for `LEVEL`: of the miss, of the drift, of
+the scatter of d and T (d by the learned speed and compass), as wide as their own record asks.
 
 Hours are counted from now: from the clock where it is at most `RECENT` after the end of the
 last dive, else from that end, as for a record of years ago.
@@ -24,16 +24,17 @@ c, S0 that counts as much as k dives for the one and n for the other:
     m = (k c + sum z) / (k + N)
     S = (n S0 + k c c^T + sum z z^T - (k + N) m m^T) / (n + N) (1 + 1 / (k + N))
 
-So few dives say little, and 90 % of what comes lies within  n' (0.1^(-2/n') - 1)  of its
-covariance, n' = n + N (normal: 2 ln 10).
+So few dives say little, and a share p, `LEVEL`, of what comes lies within
+n' ((1 - p)^(-2/n') - 1) of its covariance, n' = n + N (normal: -2 ln(1 - p)).
 
 How often a headline holds is counted.  The width of the next one is that of the last one
 
-    exp(0.3 * (0.9 where it did not hold, else -0.1)) times,
+    exp(0.3 * (p where it did not hold, else p - 1)) times,
 
-for the place and for the time each, so that in the long run a tenth does not hold, whatever the
+for the place and for the time each, so that in the long run a share p holds, whatever the
 vehicle does (I. Gibbs, E. Candes, "Adaptive conformal inference under distribution shift",
-Advances in Neural Information Processing Systems 34, 2021).
+Advances in Neural Information Processing Systems 34, 2021).  It is at least 2^(10 p - 10), to
+which 23 headlines in a row that hold narrow it, whatever p is: luck narrows it no further.
 
 Fixes alone say how a vehicle drifts at the surface,
 
@@ -79,7 +80,8 @@ FADING = 0.95  # of what a dive counts, at the next one
 OFF_SPEED, OFF_COURSE = 0.1, 0.17  # of a given dive: standard deviations, share and rad
 STAY, DRIFT = 600.0, 200.0  # s, m: standard deviations before any dive
 LEAST = 1.0  # m of a guess
-RATE, NARROWEST, WIDEST = 0.3, 0.5, 5.0  # of the width by its own record
+RATE, WIDEST = 0.3, 5.0  # of the width by its own record
+NARROWEST = 0.5 ** (10.0 - 10.0 * LEVEL)  # 0.5 at 90 %
 SHORTEST_STAY = 60.0  # s; a fix of 4 m makes more than 0.1 m/s of less
 LONGEST_STAY = DAY  # a longer stay is more than waiting for a fix
 NORMAL = NormalDist().inv_cdf((1.0 + LEVEL) / 2.0)  # standard deviations
@@ -141,7 +143,7 @@ class Guess(NamedTuple):
 
     @property
     def tails(self) -> float:
-        """Return how many times 90 % of what comes is wider than of a normal pair, squared."""
+        """Return how many times `LEVEL` of what comes is wider than of a normal pair, squared."""
         return (
             self.freedom * ((1.0 - LEVEL) ** (-2.0 / self.freedom) - 1.0) / CHI_SQUARED
         )
@@ -284,7 +286,7 @@ def _frame(east: float, north: float) -> np.ndarray:
 
 
 def ellipse(covariance: np.ndarray) -> dict[str, float]:
-    """Return half axes of the 90 % ellipse (m) and the bearing of the long one (degrees).
+    """Return half axes of the ellipse of `LEVEL` (m) and the bearing of the long one (degrees).
 
     The covariance (2, 2) is east and north, m^2; the bearing clockwise from north, 0 to 180.
     """
@@ -299,8 +301,8 @@ class NextDive:
     """A forecast surfacing: latitude and longitude in degrees.
 
     `plan` is a dive from where it should begin, without an end; `forecast` (2,), m, is of its fix
-    less dead reckoning; `covariance` (2, 2), m^2, of the place, whose 90 % ellipse is as wide as
-    the record asks; the time holds 90 % within `time_half_width`, s; `fix` is where and when the
+    less dead reckoning; `covariance` (2, 2), m^2, of the place, whose ellipse is as wide as the
+    record asks; the time is within `time_half_width`, s, as probably; `fix` is where and when the
     vehicle surfaced last; `basis` is what the dive is guessed by; `plan_in_files` says that the
     last file has a course for the dive.
     """

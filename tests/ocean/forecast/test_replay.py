@@ -209,7 +209,7 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         ]
         inside = [row["forecast"]["inside"] for row in rows[1:]]
         assert data.forecast_inside.values.tolist() == [-1, *inside]
-        assert data.attrs["level"] == 0.9
+        assert data.attrs["level"] == summary(sg542)["level"]
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
     bare = replay_dives(vehicle(1, 3), flow=("steady",), learn_speed=False)

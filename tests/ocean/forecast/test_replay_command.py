@@ -38,6 +38,11 @@ def rows_of(text):
     return titles, rows
 
 
+def percent(found):
+    """The level of forecasts in words."""
+    return f"{100 * found['level']:g} %"
+
+
 def test_the_command(sample, command):
     found = sample.found
     assert (found["dives"], found["used"], found["skipped"]) == (14, 14, [])
@@ -50,7 +55,7 @@ def test_the_command(sample, command):
         15,
         ["next", ahead["time"][5:16].replace("T", " ")],
     )
-    assert " x " in rows[-1][titles.index("90 % half axes (m), deg")]
+    assert " x " in rows[-1][titles.index(f"{percent(found)} half axes (m), deg")]
     assert rows[-1][titles.index("adaptive")] == ""
     table = command(
         "--sample", "--no-learn-speed", "--flow", "steady", "--estimator", "gradient"
@@ -68,12 +73,12 @@ def test_the_table_keeps_what_matters(width, sample, command, monkeypatch):
     assert "…" not in said
     titles, (*rows, ahead) = rows_of(said)
     assert ahead[0] == "next"
-    assert {"dive", "previous", "adaptive", "90 %"} <= set(titles)
+    assert {"dive", "previous", "adaptive", percent(found)} <= set(titles)
     assert all(titles)
     for row, dive in zip(rows, found["each_dive"], strict=True):
         assert row[titles.index("dive")] == str(dive["dive"])
         assert row[titles.index("adaptive")] == f"{dive['clpe']['adaptive']:.0f}"
-        assert row[titles.index("90 %")] in ("in", "OUT", "-")
+        assert row[titles.index(percent(found))] in ("in", "OUT", "-")
     if width >= 60:
         table = [line for line in said.splitlines() if line[:1] in "┏┃┡│└"]
         assert max(map(len, table)) <= width

@@ -164,11 +164,16 @@ def shapes_of(places):
     }
 
 
+def ring_of(found, shapes):
+    """Return the outline of the forecast's ellipse."""
+    return shapes[f"{100 * found['level']:g} % ellipse"][0]
+
+
 @pytest.mark.parametrize("lat", [-43.0, 0.0, 67.0, 80.0])
 @pytest.mark.usefixtures("undrawn")
 def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
     found, places, _ = replayed(fixes_of(5, lat))
-    forecast, ring = found["next_dive"], shapes_of(places)["90 % ellipse"][0]
+    forecast, ring = found["next_dive"], ring_of(found, shapes_of(places))
     centre = forecast["longitude"], forecast["latitude"]
     assert ring[0] == ring[-1]
     far = [WGS84.inv(*centre, *point)[2] for point in ring]
@@ -184,7 +189,7 @@ def test_a_ring_is_the_ellipse_on_the_earth(replayed, lat):
 def test_geojson_is_read_back_and_longitudes_count_on_at_180_degrees(replayed, lon):
     found, places, track = replayed(fixes_of(5, 51.0, lon))
     ahead, last, shapes = found["next_dive"], found["each_dive"][-1], shapes_of(places)
-    ring, goal = np.array(shapes["90 % ellipse"][0]), shapes["next surfacing"]
+    ring, goal = np.array(ring_of(found, shapes)), shapes["next surfacing"]
     assert ring[0].tolist() == ring[-1].tolist()
     # counter-clockwise
     assert np.linalg.det(np.stack([ring[:-1], ring[1:]], axis=1)).sum() > 0

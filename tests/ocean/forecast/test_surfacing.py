@@ -63,15 +63,15 @@ STILL = {"estimator": "gradient", "flow": ("steady",)}  # the fastest
 
 
 @pytest.mark.parametrize("wild", [False, True])
-def test_in_the_long_run_nine_of_ten_hold(wild):
-    """Whatever a vehicle does, the width follows its record."""
+def test_in_the_long_run_forecasts_hold_at_their_level(wild):
+    """Whatever a vehicle does and whatever the level is, the width follows its record."""
     rng = np.random.default_rng(5)
     turns = rng.normal(0, 60, 300) if wild else rng.standard_t(2, 300) * 10
     ways = [along(course, 3000.0) for course in np.cumsum(turns)]
     dives = [(way, way, 14400.0 * rng.uniform(0.6, 1.4)) for way in ways]
-    _, *steps = replay_dives(chained(dives, stay=900.0), **STILL).steps
-    held = np.mean([step.headline_held for step in steps], axis=0)
-    assert held == pytest.approx([0.9, 0.9], abs=0.04)
+    replay = replay_dives(chained(dives, stay=900.0), **STILL)
+    held = np.mean([step.headline_held for step in replay.steps[1:]], axis=0)
+    assert held == pytest.approx(summary(replay)["level"], abs=0.04)
 
 
 def test_the_record_is_of_what_was_said_before_each_dive(sg542, tmp_path):
@@ -106,7 +106,9 @@ def test_terminal_page_and_files_say_the_same(sample):
     ahead = sample.found["next_dive"]
     within = f"+- {ahead['time_half_width'] / 60:.0f} min"
     half = f"{ahead['ellipse_long']:.0f} x {ahead['ellipse_short']:.0f} m"
-    record = "11 of 13 inside their 90 % ellipse, 13 within their 90 % time"
+    percent, counts = f"{100 * sample.found['level']:g} %", sample.found["forecast"]
+    record = f"{counts['inside']} of 13 inside their {percent} ellipse, "
+    record += f"{counts['on_time']} within their {percent} time"
     page, kml = (
         (sample.folder / name).read_text() for name in ("replay.html", "track.kml")
     )
