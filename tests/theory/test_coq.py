@@ -142,11 +142,6 @@ def test_a_function_that_cancels_is_refused(no_coqc, refused, own_sigma):
     assert "log(z_1): has no form in Coq" in refused("prove", "--coq", "out")
 
 
-def test_no_other_option_is_taken(refused):
-    assert "--coq DIR" in refused("prove", "--coq", "out", "--theorem", "3.2")
-    assert "--coq DIR" in refused("prove", "--coq", "out", "--again")
-
-
 @pytest.mark.coq
 def test_coq_checks_all_theorems(printed):
     found = printed("prove", "--coq", "out")["coq"]

@@ -159,3 +159,21 @@ def test_the_command_says_that_nothing_was_found(clpt, refused, tmp_path):
     assert "known-flow: not refuted by" in outcome.out
     assert not (tmp_path / "none.toml").exists()
     assert "seed = -5" in refused("prove", "known-flow", "--search", 60, "--seed", -5)
+
+
+OF_PROOFS = ("--theorem", "3.2"), ("--again",), ("--certificates", "folder")
+OF_SEARCH = ("--seed", 0), ("--out", "broken.toml")
+UNUSED = [
+    *(("--coq", "folder", *words) for words in (*OF_PROOFS, *OF_SEARCH, ("sigma",))),
+    *(("sigma", "--search", 1, *words) for words in OF_PROOFS),
+    *(("sigma", *words) for words in OF_SEARCH),
+]
+
+
+@pytest.mark.parametrize("words", UNUSED, ids=lambda words: " ".join(map(str, words)))
+def test_an_option_that_would_be_ignored_is_refused(
+    words, refused, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    assert words[0 if words[0] == "--coq" else 1] in refused("prove", *words)
+    assert [*tmp_path.iterdir()] == []

@@ -95,7 +95,7 @@ def prove(
         "SECONDS",
         "Search for a run that breaks a promise of LAW instead, by five runs a second.",
     ),
-    seed: int = opt("NUMBER", "Seed of --search.", default=0),
+    seed: int | None = opt("NUMBER", "Seed of --search; default: 0."),
     out: Path | None = opt(
         "FILE", "With --search: scenario that breaks the promise, to write."
     ),
@@ -119,16 +119,26 @@ def prove(
         clpt prove --coq coq
         clpt prove concurrent --search 20 --out broken.toml
     """
+    of_proofs, of_search = (theorem, again or None, certificates), (search, seed, out)
     if coq is not None:
-        if law is not None or theorem is not None or again or search is not None:
+        if {law, *of_proofs, *of_search} != {None}:
             raise ClptError("--coq DIR: writes all theorems. Give no other option")
         _prove_by_coq(coq, as_json)
         return
     if search is not None:
         if law is None:
             raise ClptError("--search SECONDS: needs LAW. Name the law to search")
-        _search_counterexample(law, search, seed, out, as_json)
+        if {*of_proofs} != {None}:
+            raise ClptError(
+                "--search SECONDS: proves nothing. Leave --theorem, --again and "
+                "--certificates out"
+            )
+        _search_counterexample(law, search, seed or 0, out, as_json)
         return
+    if {*of_search} != {None}:
+        raise ClptError(
+            "--seed and --out: are options of --search. Give --search SECONDS, too"
+        )
     if law is not None:
         _refuse_unknown(law)
         if theorem is not None:
