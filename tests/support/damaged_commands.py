@@ -132,8 +132,9 @@ def make_valid(folder):
     )
     model.to_netcdf(folder / "model.nc")
     call("fit model.nc --rows 2 --columns 2 --width-km 60 --out fit.toml", folder)
-    for name in ("basestation", "sg171", "og1", "sea035", "slocum_rosie"):
-        shutil.copytree(DATA / "glider" / name, folder / name)
+    for source in (DATA / "glider").iterdir():
+        if source.is_dir():
+            shutil.copytree(source, folder / source.name)
     for path in sorted((folder / "slocum_rosie/sbd").iterdir())[3:]:
         path.unlink()
     packed = gzip.compress((folder / "sea035/SEA035.10.gli.sub.003").read_bytes())

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Any
 import clpt_control as clpt
 
 from ...base.errors import ClptError, DataError, ScenarioError
-from ...base.files import check_writable, write_together
+from ...base.files import write_together
 from ...base.html import Result
 from ...base.progress import tell
 from ...base.units import finite_or_none
 from .printing import (
+    FIGURE,
+    SCENARIO,
     Json,
     arg,
     cell_text,
@@ -82,10 +84,9 @@ def estimate(
         clpt estimate - --scenario mine.toml --state state.json
         clpt estimate run.nc --method kalman --out known.toml
     """
-    check_out(out, "a scenario")
-    check_out(figure, "a figure")
-    if results is not None:
-        check_writable(results, "the results", (".nc",))
+    check_out(out, *SCENARIO)
+    check_out(figure, *FIGURE)
+    check_out(results, "the results", (".nc",))
     given = {
         name: value
         for name, value in locals().items()

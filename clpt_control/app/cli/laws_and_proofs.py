@@ -8,7 +8,17 @@ from ...base.errors import ClptError, SimulationError
 from ...base.html import Result
 from ...base.progress import progress_bar
 from .certificate_files import write_certificates
-from .printing import Json, Report, arg, cell_text, check_out, finish, flag, opt
+from .printing import (
+    SCENARIO,
+    Json,
+    Report,
+    arg,
+    cell_text,
+    check_out,
+    finish,
+    flag,
+    opt,
+)
 
 JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
@@ -272,7 +282,7 @@ def _search_counterexample(
     from ...theory.laws.promises import promises_in_words
     from ...theory.laws.refuting import refute as search
 
-    check_out(out, "a scenario")
+    check_out(out, *SCENARIO)
     with progress_bar(f"searching {law}", 1.0) as report:
         outcome = search(law, budget=budget, seed=seed, progress=report)
     text = None if outcome.scenario is None else scenario_to_text(outcome.scenario)

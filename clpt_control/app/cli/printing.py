@@ -151,13 +151,14 @@ Formats = Annotated[
 ]
 
 
-ENDINGS = {"a figure": (".png", ".pdf", ".svg"), "a scenario": (".toml",)}
+FIGURE = "a figure", (".png", ".pdf", ".svg")
+SCENARIO = "a scenario", (".toml",)
 
 
-def check_out(path: Path | None, kind: str) -> None:
-    """Refuse what cannot be written, "a figure" or "a scenario", before work begins."""
+def check_out(path: Path | None, kind: str, endings: Sequence[str]) -> None:
+    """Refuse, before work begins, a file of a kind that cannot be written, if one is named."""
     if path is not None:
-        check_writable(path, kind, ENDINGS[kind])
+        check_writable(path, kind, endings)
 
 
 def draw_figure(path: Path | None, plot: Callable[..., Any], *args: Any) -> None:

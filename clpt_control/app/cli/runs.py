@@ -17,6 +17,8 @@ from ...base.files import check_writable, make_folder, write_together
 from ...base.html import Result
 from ...base.progress import progress_bar
 from .printing import (
+    FIGURE,
+    SCENARIO,
     Formats,
     Json,
     Report,
@@ -264,7 +266,7 @@ def ensemble(
     from ..pages.ensemble_page import ensemble_result
 
     experiment = load_vehicle_scenario(scenario)
-    check_out(figure, "a figure")
+    check_out(figure, *FIGURE)
     if members is None:
         members, design = (
             grid_count([read_vary(text) for text in vary]),
@@ -344,7 +346,7 @@ def tune(
     from ...paper.scenario.file import load_vehicle_scenario
 
     experiment = load_vehicle_scenario(scenario)
-    check_out(out, "a scenario")
+    check_out(out, *SCENARIO)
     with progress_bar(f"tuning {scenario.name}", 1.0) as report:
         tuned = clpt.tune_law(
             experiment,

@@ -11,6 +11,8 @@ from ...base.html import Result
 from ...base.progress import progress_bar
 from ...base.units import at_least, at_most
 from .printing import (
+    FIGURE,
+    SCENARIO,
     Json,
     Report,
     ScenarioFile,
@@ -64,7 +66,7 @@ def excitation(
     )
     if figure is not None and is_team(source):
         raise ClptError("--figure: is for one vehicle. Leave it out for a team")
-    check_out(figure, "a figure")
+    check_out(figure, *FIGURE)
     excitation = clpt.gramian(source, window, start)
     if figure is not None:
         draw_figure(figure, excitation.plot)
@@ -130,8 +132,8 @@ def tune_waypoints(
     if out is None:
         raise ClptError("--waypoints: needs --out. Give the scenario file to write")
     experiment = load_vehicle_scenario(scenario)
-    check_out(out, "a scenario")
-    check_out(figure, "a figure")
+    check_out(out, *SCENARIO)
+    check_out(figure, *FIGURE)
     with progress_bar(f"designing {scenario.name}", 1.0) as report:
         design = clpt.theory.design_track(
             experiment, **search._asdict(), progress=report

@@ -421,7 +421,7 @@ def replay_dives(
     dives : iterable of Dive
         In the order of their ends, as `read_dives` returns them.
     estimator : str, optional
-        ``"gaussian-process"`` or ``"gradient"``.
+        As in `Replay`.
     flow : sequence of str, optional
         Parts of the flow: ``"steady"``, then any of ``"inertial"``, ``"shear"``, ``"gaussians"`` (a
         steady current that depends on position), ``"model"`` (a factor on the flow model) and

@@ -16,7 +16,7 @@ import control
 import numpy as np
 import pytest
 from command_outputs import COMMANDS, FOLLOW, seldom, write, write_each
-from paths import TESTS
+from paths import ROOT, TESTS
 from responses import states_of
 from subprocesses import (
     CLPT,
@@ -366,6 +366,11 @@ def test_the_page_lists_every_command_in_one_line(clpt, words):
     groups = out.partition("Simulation:\n")[2]
     assert sorted(re.findall(r"^  (\w+) +[A-Z]", groups, re.M)) == CALLED
     assert "  clpt init mine.toml" in out
+
+
+def test_the_cheat_sheet_has_every_command():
+    page = (ROOT / "docs" / "cheatsheet.md").read_text("utf-8")
+    assert set(re.findall(r"`clpt (\w+)", page)) == set(CALLED)
 
 
 @pytest.mark.parametrize("name", ["", *CALLED])

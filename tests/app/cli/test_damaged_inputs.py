@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command_outputs import RUN, write
+from command_outputs import COMMANDS, RUN, write
+from damaged_commands import OPTIONS, USES
 from error_sentences import says
 from gridded_currents import uniform_field
+from paths import DATA
 from subprocesses import ran
 
 import clpt_control
@@ -352,3 +354,17 @@ def test_long_headers_and_comments_are_read(refused_for):
     ):
         Path("r.csv").write_text(text)
         refused_for([said], "fit", "r.csv", "--tides", "--constituents", "M2")
+
+
+def test_files_of_each_command_and_each_glider_are_damaged(clpt):
+    """`make test-slow` damages what `USES` and `OPTIONS` list."""
+    names = {words[0] for words in COMMANDS} - {"--help", "init"}  # which writes
+    helped = {name: clpt(name, "--help").out for name in names}
+    reads = {
+        name for name in names if re.search(r"Arguments:\n  (?!LAW)", helped[name])
+    }
+    lines = [*USES, *(words for words, _ in OPTIONS)]
+    assert {line.split()[0] for line in lines} == reads
+    for folder in (DATA / "glider").iterdir():
+        if folder.is_dir() and any(folder.iterdir()):
+            assert any(f" {folder.name}/" in use for use in USES), folder.name

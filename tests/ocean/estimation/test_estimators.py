@@ -1,19 +1,20 @@
 """Estimators between fixes: what they learn of made vehicles, and how sure they are."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from geodesics import place_from
+from paths import ROOT
 from refusals import refuses
-from synthetic_vehicle import STEADY, clpe_rms, further, turned, vehicle
+from synthetic_vehicle import ESTIMATORS, STEADY, clpe_rms, further, turned, vehicle
 
 from clpt_control import ScenarioError
 from clpt_control.gliders import Dive
-from clpt_control.replay import replay_dataset, replay_dives
+from clpt_control.replay import Replay, replay_dataset, replay_dives
 
-ESTIMATORS = ("gaussian-process", "gradient")
 STEADY_ONLY = {"flow": ("steady",)}
 
 
@@ -35,6 +36,17 @@ def test_errors_are_no_larger_than_is_said(estimator, count):
         off.append([(step.speed - factor) / step.speed_error, *current])
         assert np.all(step.current_error < 0.1)  # it says something: the prior has 0.3
     assert np.all(np.mean(np.square(off), axis=0) < 1)
+
+
+@pytest.mark.parametrize("estimator", ESTIMATORS)
+def test_an_estimator_is_named_where_users_look(estimator, clpt):
+    page = (ROOT / "docs" / "gliders_method.md").read_text("utf-8")
+    assert re.search(rf"`(--estimator )?{estimator}`", page)
+    assert f'``"{estimator}"``' in Replay.__doc__
+    for command in ("replay", "watch"):
+        assert re.search(
+            rf"--estimator +NAME.*\b{estimator}\b", clpt(command, "-h").out
+        )
 
 
 def test_a_tide_is_learned():

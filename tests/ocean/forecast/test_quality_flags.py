@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from geodesics import displacement, place_from
-from synthetic_vehicle import along, chained, clpe_rms
+from synthetic_vehicle import ESTIMATORS, along, chained, clpe_rms
 
 from clpt_control.gliders import read_dives
 from clpt_control.replay import Replay, replay_dives, summary
 
-ESTIMATORS = ("gaussian-process", "gradient")
 CURRENT = np.array([0.12, -0.05])  # m/s
 T, STAY, SWUM = 9000.0, 300.0, 2500.0  # s, s, m
 WILD = 4  # the dive with a wild fix
