@@ -9,10 +9,11 @@ import textwrap
 import pytest
 from paths import ROOT
 from recipes import RECIPES as ADDITIONS
+from recipes_of_dives import DIVES
 from recipes_of_results import RESULTS
 from subprocesses import GUARD
 
-RECIPES = ADDITIONS | RESULTS
+RECIPES = ADDITIONS | RESULTS | DIVES
 LEFT_OUT = [
     pytest.param(name, k, id=f"{name} without {step.name}")
     for name, recipe in RECIPES.items()

@@ -179,6 +179,11 @@ COMMAND = Recipe(
                 ),
             ),
         ),
+        Step(
+            "cheat sheet",
+            "test_the_cheat_sheet_has_every_command",
+            (("docs/cheatsheet.md", "`clpt laws`,", "`clpt laws`, `clpt place`,"),),
+        ),
     ),
     """
     import json, subprocess, sys
@@ -186,7 +191,7 @@ COMMAND = Recipe(
     done = subprocess.run(words, capture_output=True, text=True)
     assert json.loads(done.stdout or "{}") == {"position": [0.0, 0.0]}, done
     """,
-    ("tests/app/cli/test_cli.py", "-k", "page_lists or (help_is and place)"),
+    ("tests/app/cli/test_cli.py", "-k", "page_lists or cheat or (help_is and place)"),
 )
 ROW = "        np.cbrt,\n"
 

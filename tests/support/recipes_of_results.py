@@ -1,4 +1,4 @@
-"""Recipes of CONTRIBUTING on methods, options, results and messages, as data."""
+"""Recipes of CONTRIBUTING on methods, options, figures and messages, as data."""
 
 from paths import TESTS
 from recipes import Recipe, Step, row
@@ -95,57 +95,59 @@ OPTION = Recipe(
     """,
     (),
 )
-COLUMN = Recipe(
-    "Add to results",
-    (
-        Step(
-            "column",
-            "no deepest",
-            (
-                (
-                    "clpt_control/ocean/forecast/table_rows.py",
-                    "    PERCENT: (0, in_words),\n",
-                    '    "deepest (m)": (10, lambda row: metres(row["depth_max"])),\n'
-                    "    PERCENT: (0, in_words),\n",
-                ),
-            ),
-        ),
-    ),
-    """
-    import clpt_control as clpt
-    replay = clpt.replay.replay_dives(clpt.gliders.sample_dives()[:3])
-    assert "deepest (m)" in replay._repr_html_(), "no deepest"
-    """,
-    (),
-)
 RUN_PAGE = "clpt_control/app/pages/run_page.py"
 FIGURE = Recipe(
     "Add to results",
     (
         Step(
             "plot",
-            "speed_plot",
+            "norm_plot",
             row(
                 "simulation/run_plots.py",
                 '''
-                def speed_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
-                    """Draw the size of CLPE over time."""
+                def norm_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
+                    """Draw the error of the flow parameters over time."""
                     ax = axes_for(ax, 6.4, 3.0)
-                    ax.plot(run.time, np.hypot(*run.clpe.values.T))
+                    errors = run.flow_parameters_estimate - run.flow_parameters
+                    ax.plot(run.time, (errors**2).sum(("axis", "basis")))
                     return ax
                 ''',
             ),
         ),
         Step(
             "section",
-            "no figure of the speed",
+            "no figure of the error",
             (
                 (
                     RUN_PAGE,
                     "    figures = []\n",
-                    "    from ...simulation.run_plots import speed_plot\n"
-                    '    clpe.append(figure("speed", 3.0, "Of the speed.", speed_plot))\n'
+                    "    from ...simulation.run_plots import norm_plot\n"
+                    '    clpe.append(figure("norm", 3.0, "Of the error.", norm_plot))\n'
                     "    figures = []\n",
+                ),
+            ),
+        ),
+        Step(
+            "condition",
+            "has no attribute 'flow_parameters'",
+            (
+                (
+                    RUN_PAGE,
+                    '    clpe.append(figure("norm"',
+                    '    if "flow_parameters" in run:\n'
+                    '        clpe.append(figure("norm"',
+                ),
+            ),
+        ),
+        Step(
+            "accessor",
+            "plot 'norm': must be",
+            (
+                (
+                    "clpt_control/app/notebook/accessor.py",
+                    '        "clpe": ("simulation.run_plots", "clpe_plot"),\n',
+                    '        "clpe": ("simulation.run_plots", "clpe_plot"),\n'
+                    '        "norm": ("simulation.run_plots", "norm_plot"),\n',
                 ),
             ),
         ),
@@ -154,97 +156,14 @@ FIGURE = Recipe(
     import pathlib
     import clpt_control as clpt
     scenario = clpt.paper_scenario().with_values({"run.duration": 20.0})
-    clpt.report(clpt.simulate(scenario), "build-recipe.html")
+    run = clpt.simulate(scenario)
+    clpt.report(run, "build-recipe.html")
     text = pathlib.Path("build-recipe.html").read_text("utf-8")
-    assert "Of the speed." in text, "no figure of the speed"
+    assert "Of the error." in text, "no figure of the error"
+    run.clpt.plot("norm")
+    clpt.report(run.drop_vars("flow_parameters"), "build-recipe.html")
     """,
-    (),
-)
-DIVE_FILES = "clpt_control/ocean/gliders/dive_files.py"
-FORMAT = Recipe(
-    "Add a glider file format",
-    (
-        Step(
-            "reader",
-            "cannot import name 'toy'",
-            row(
-                "ocean/gliders/toy.py",
-                '''
-                """Toy glider: a line `toy`, then duration (s) and way east (m) of a dive."""
-
-                from .dives import ThroughWater, dive_between
-
-
-                def is_known(text):
-                    """Return whether a text is of a toy glider."""
-                    return text.startswith("toy")
-
-
-                def dives_of(text, path):
-                    """Return the dives of a text."""
-                    rows = [line.split() for line in text.splitlines()[1:]]
-                    fixes = None, (1e9, 40.0, 8.0), (1e9 + float(rows[0][0]), 40.0, 8.02)
-                    return [dive_between(1, fixes, ThroughWater((float(rows[0][1]), 0.0)))]
-                ''',
-            ),
-        ),
-        Step(
-            "call",
-            "no column dive",
-            (
-                (DIVE_FILES, "slocum, usable_dives", "slocum, toy, usable_dives"),
-                (
-                    DIVE_FILES,
-                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
-                    "    if toy.is_known(text):\n"
-                    '        return _dives_and_skipped(toy.dives_of(text, path), name, "Toy")\n'
-                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
-                ),
-            ),
-        ),
-    ),
-    """
-    import pathlib
-    from clpt_control import gliders
-    pathlib.Path("build-recipe.csv").write_text("toy\\n9000 500\\n")
-    (dive,), _ = gliders.read_dives("build-recipe.csv")
-    assert (dive.kind, dive.duration, dive.dr_east) == ("Toy", 9000.0, 500.0)
-    """,
-    (),
-)
-LEVELLED = "surfacing", "replay", "replay_command", "replay_page"
-FORECAST = Recipe(
-    "Add to results",
-    (
-        Step(
-            "level",
-            "the level is 0.9",
-            (
-                (
-                    "clpt_control/ocean/estimation/fix_model.py",
-                    "LEVEL = 0.9 ",
-                    "LEVEL = 0.8 ",
-                ),
-            ),
-        ),
-    ),
-    """
-    import json, subprocess, sys
-    words = [sys.executable, "-m", "clpt_control", "replay", "--sample"]
-    words += ["--route", "build-recipe.txt"]
-    open("build-recipe.txt", "w").write("-42.8 8.4")
-    done = subprocess.run([*words, "--json"], capture_output=True, text=True)
-    level = json.loads(done.stdout)["level"]
-    assert level == 0.8, f"the level is {level}"
-    plain = subprocess.run(words, capture_output=True, text=True).stdout
-    assert "80 % ellipse" in plain and "(80 %)" in plain and "90 %" not in plain, plain
-    """,
-    (
-        *(f"tests/ocean/forecast/test_{n}.py" for n in LEVELLED),
-        *("--doctest-modules", "clpt_control/ocean/forecast", "-k"),
-        "long_run or say_the_same or ring_is or 180_degrees or test_the_command or keeps_what "
-        "or cf_trajectory or clpt_control",
-    ),
+    ("tests/app/pages/test_html_reports.py", "-k", "run_has_its_page"),
 )
 MESSAGE = Recipe(
     "Add to results",
@@ -286,9 +205,6 @@ MESSAGE = Recipe(
 RESULTS = {
     "integrator": INTEGRATOR,
     "option": OPTION,
-    "column": COLUMN,
     "figure": FIGURE,
-    "format": FORMAT,
-    "forecast": FORECAST,
     "message": MESSAGE,
 }

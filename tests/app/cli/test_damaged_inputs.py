@@ -368,3 +368,4 @@ def test_files_of_each_command_and_each_glider_are_damaged(clpt):
     for folder in (DATA / "glider").iterdir():
         if folder.is_dir() and any(folder.iterdir()):
             assert any(f" {folder.name}/" in use for use in USES), folder.name
+            assert folder.name in (DATA / "README.md").read_text("utf-8"), "README"

@@ -1,0 +1,211 @@
+"""Recipes of CONTRIBUTING on dives: columns, formats, levels and estimators, as data."""
+
+from recipes import Recipe, Step, row
+
+COLUMN = Recipe(
+    "Add to results",
+    (
+        Step(
+            "column",
+            "no deepest",
+            (
+                (
+                    "clpt_control/ocean/forecast/table_rows.py",
+                    "    PERCENT: (0, in_words),\n",
+                    '    "deepest (m)": (10, lambda row: metres(row["depth_max"])),\n'
+                    "    PERCENT: (0, in_words),\n",
+                ),
+            ),
+        ),
+    ),
+    """
+    import clpt_control as clpt
+    replay = clpt.replay.replay_dives(clpt.gliders.sample_dives()[:3])
+    assert "deepest (m)" in replay._repr_html_(), "no deepest"
+    """,
+    (),
+)
+DIVE_FILES = "clpt_control/ocean/gliders/dive_files.py"
+FORMAT = Recipe(
+    "Add a glider file format",
+    (
+        Step(
+            "reader",
+            "cannot import name 'toy'",
+            row(
+                "ocean/gliders/toy.py",
+                '''
+                """Toy glider: a line `toy`, then duration (s) and way east (m) of a dive."""
+
+                from .dives import ThroughWater, dive_between
+
+
+                def is_known(text):
+                    """Return whether a text is of a toy glider."""
+                    return text.startswith("toy")
+
+
+                def dives_of(text, path):
+                    """Return the dives of a text."""
+                    rows = [line.split() for line in text.splitlines()[1:]]
+                    fixes = None, (1e9, 40.0, 8.0), (1e9 + float(rows[0][0]), 40.0, 8.02)
+                    return [dive_between(1, fixes, ThroughWater((float(rows[0][1]), 0.0)))]
+                ''',
+            ),
+        ),
+        Step(
+            "call",
+            "no column dive",
+            (
+                (DIVE_FILES, "slocum, usable_dives", "slocum, toy, usable_dives"),
+                (
+                    DIVE_FILES,
+                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
+                    "    if toy.is_known(text):\n"
+                    '        return _dives_and_skipped(toy.dives_of(text, path), name, "Toy")\n'
+                    "    return _dives_and_skipped(table_dives(text, path), name, None)\n",
+                ),
+            ),
+        ),
+        Step(
+            "damaged inputs",
+            "AssertionError: toy",
+            (
+                (
+                    "tests/support/damaged_commands.py",
+                    "USES = (\n",
+                    'USES = (\n    "replay toy --json | toy/toy.csv",\n',
+                ),
+            ),
+        ),
+        Step(
+            "origin",
+            "README",
+            (("tests/data/README.md", "", "\n`glider/toy`: of nobody.\n"),),
+        ),
+    ),
+    """
+    import pathlib
+    from clpt_control import gliders
+    folder = pathlib.Path("tests/data/glider/toy")
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "toy.csv").write_text("toy\\n9000 500\\n")
+    (dive,), _ = gliders.read_dives(folder)
+    assert (dive.kind, dive.duration, dive.dr_east) == ("Toy", 9000.0, 500.0)
+    """,
+    ("tests/app/cli/test_damaged_inputs.py", "-k", "are_damaged"),
+)
+LEVELLED = "surfacing", "replay", "replay_command", "replay_page"
+FORECAST = Recipe(
+    "Add to results",
+    (
+        Step(
+            "level",
+            "the level is 0.9",
+            (
+                (
+                    "clpt_control/ocean/estimation/fix_model.py",
+                    "LEVEL = 0.9 ",
+                    "LEVEL = 0.8 ",
+                ),
+            ),
+        ),
+    ),
+    """
+    import json, subprocess, sys
+    words = [sys.executable, "-m", "clpt_control", "replay", "--sample"]
+    words += ["--route", "build-recipe.txt"]
+    open("build-recipe.txt", "w").write("-42.8 8.4")
+    done = subprocess.run([*words, "--json"], capture_output=True, text=True)
+    level = json.loads(done.stdout)["level"]
+    assert level == 0.8, f"the level is {level}"
+    plain = subprocess.run(words, capture_output=True, text=True).stdout
+    assert "80 % ellipse" in plain and "(80 %)" in plain and "90 %" not in plain, plain
+    """,
+    (
+        *(f"tests/ocean/forecast/test_{n}.py" for n in LEVELLED),
+        *("--doctest-modules", "clpt_control/ocean/forecast", "-k"),
+        "long_run or say_the_same or ring_is or 180_degrees or test_the_command or keeps_what "
+        "or cf_trajectory or clpt_control",
+    ),
+)
+ESTIMATORS = "clpt_control/ocean/estimation/estimators.py"
+NAMED = "test_an_estimator_is_named_where_users_look[copied]"
+ESTIMATOR = Recipe(
+    "Add an estimator or a benchmark",
+    (
+        Step(
+            "class",
+            "Copied",
+            (
+                (
+                    ESTIMATORS,
+                    "\n\nESTIMATORS: dict",
+                    '\n\nclass Copied(Gradient):\n    """The gradient law under another name."""\n'
+                    "\n\nESTIMATORS: dict",
+                ),
+            ),
+        ),
+        Step(
+            "entry",
+            "estimator 'copied': must be one of",
+            (
+                (
+                    ESTIMATORS,
+                    '"gradient": Gradient,',
+                    '"gradient": Gradient,\n    "copied": Copied,',
+                ),
+            ),
+        ),
+        Step(
+            "page",
+            NAMED,
+            (
+                (
+                    "docs/gliders_method.md",
+                    "`gradient` is",
+                    "`copied` and `gradient` are",
+                ),
+            ),
+        ),
+        Step(
+            "docstring",
+            NAMED,
+            (
+                (
+                    "clpt_control/ocean/forecast/replay.py",
+                    'or ``"gradient"``.',
+                    '``"copied"`` or ``"gradient"``.',
+                ),
+            ),
+        ),
+        Step(
+            "help",
+            NAMED,
+            (
+                (
+                    "clpt_control/app/cli/replay.py",
+                    "process or gradient.",
+                    "process, copied or gradient.",
+                ),
+            ),
+        ),
+    ),
+    """
+    import clpt_control as clpt
+    dives = clpt.gliders.sample_dives()
+    assert len(clpt.replay.replay_dives(dives, "copied").steps) == 14
+    """,
+    (
+        "tests/ocean/estimation/test_estimators.py",
+        "tests/ocean/forecast/test_quality_flags.py",
+        "-k",
+        "copied",
+    ),
+)
+DIVES = {
+    "column": COLUMN,
+    "format": FORMAT,
+    "forecast": FORECAST,
+    "estimator": ESTIMATOR,
+}
