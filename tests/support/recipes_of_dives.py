@@ -129,7 +129,7 @@ FORECAST = Recipe(
         "or cf_trajectory or clpt_control",
     ),
 )
-ESTIMATORS = "clpt_control/ocean/estimation/estimators.py"
+ESTIMATORS = "ocean/estimation/estimators.py"
 NAMED = "test_an_estimator_is_named_where_users_look[copied]"
 ESTIMATOR = Recipe(
     "Add an estimator or a benchmark",
@@ -137,25 +137,18 @@ ESTIMATOR = Recipe(
         Step(
             "class",
             "Copied",
-            (
-                (
-                    ESTIMATORS,
-                    "\n\nESTIMATORS: dict",
-                    '\n\nclass Copied(Gradient):\n    """The gradient law under another name."""\n'
-                    "\n\nESTIMATORS: dict",
-                ),
+            row(
+                ESTIMATORS,
+                '''
+                class Copied(Gradient):
+                    """The gradient law under another name."""
+                ''',
             ),
         ),
         Step(
             "entry",
             "estimator 'copied': must be one of",
-            (
-                (
-                    ESTIMATORS,
-                    '"gradient": Gradient,',
-                    '"gradient": Gradient,\n    "copied": Copied,',
-                ),
-            ),
+            row(ESTIMATORS, 'ESTIMATORS["copied"] = Copied\n'),
         ),
         Step(
             "page",
