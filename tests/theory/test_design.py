@@ -96,13 +96,14 @@ def test_the_best_track_between_two_places(two_places, limit):
 def test_limits_are_kept_over_the_whole_run(paper):
     """Speed through the water is that of the diagram itself."""
     area = (-4.0, 4.5, -3.5, 4.5)
-    three = paper.with_values({"reference.count": 3, "reference.dwell": 15.0})
+    values = {"reference.count": 3, "reference.dwell": 15.0, "run.duration": 110}
+    three = paper.with_values(values)
     limits = {"length": 12.0, "max_speed": 2.6, "area": area}
     found = design_track(three, window=45, start=45, seed=3, **limits)
     made, after, times = (
         found.scenario,
         found.report["after"],
-        np.linspace(0, 400, 7001),
+        np.linspace(0, 110, 2001),
     )
     assert (made.waypoints.shape, made.reference.dwell) == ((3, 2), 15.0)
     assert closed_length(made.waypoints) <= 12.0 * (1 + 1e-9)
@@ -208,14 +209,22 @@ def test_a_track_for_a_law_is_one_on_which_it_learns_sooner(law, level, times):
     assert found["after"]["closed_length"] <= found["limits"]["length"] * (1 + 1e-9)
 
 
-@pytest.mark.parametrize("law", ["learned-flow", pytest.param("sigma", marks=SLOW)])
-def test_no_design_for_a_law_learns_later(three, law):
+@pytest.mark.parametrize(
+    ("law", "count", "window"),
+    [
+        ("learned-flow", 2, 10.0),
+        ("learned-flow", 3, 30.0),
+        pytest.param("sigma", 3, 30.0, marks=SLOW),
+    ],
+)
+def test_no_design_for_a_law_learns_later(three, law, count, window):
     """Where a search finds nothing, the scenario's own track stays, and that is said."""
-    scenario = three.with_values({"learning.law": law})
-    found = design_track(scenario, goal="law", window=30.0, level=0.02)
+    values = {"learning.law": law, "reference.count": count, "run.duration": 10 * count}
+    scenario = three.with_values(values)
+    found = design_track(scenario, goal="law", window=window, level=0.02)
     first, last = found.tracks
     assert last.cost <= first.cost
-    same = found.scenario.waypoints.tolist() == three.waypoints.tolist()
+    same = found.scenario.waypoints.tolist() == scenario.waypoints.tolist()
     assert found.report["own_track_kept"] == same
 
 
