@@ -170,6 +170,10 @@ def open_netcdf(path: AnyPath, most: float = inf) -> "Iterator[xarray.Dataset]":
     import xarray
 
     with opened(path, inf, "must be a NetCDF file") as file:
+        if Path(path).suffix == ".toml":
+            raise DataError(
+                f"{path}: is a scenario. Make a run of it: clpt run {path} --out run.nc"
+            )
         _check_header(file, path)
         name, engine = opened_name(file.fileno(), path), netcdf_engine()
         try:

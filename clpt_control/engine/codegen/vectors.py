@@ -13,6 +13,7 @@ from typing import Any
 
 from llvmlite import ir
 
+from ...base.errors import BlockError
 from ..record.graph import Operation
 from ..record.operations import TABLE
 from ..trace.arrays import Tape, operand
@@ -249,6 +250,11 @@ PRIMITIVES: dict[str, Primitive] = {
 @cache
 def tape_of(name: str, count: int) -> list[Operation]:
     """Return the operations of a function of `count` leaves; the last one is its value."""
+    if name not in FUNCTIONS:
+        raise BlockError(
+            f"{name}: has no machine code. Write it in engine/codegen/elementary.py and enter it "
+            "in FUNCTIONS, or give llvm"
+        )
     tape = Tape()
     leaves = [tape.add("leaf", (), (), ("u", k)) for k in range(count)]
     value = FUNCTIONS[name](*leaves)

@@ -265,6 +265,12 @@ def close(
     return is_close | ((a != a) & (b != b)) if equal_nan else is_close
 
 
+def sinc(a):
+    """Return np.sinc(a) = sin(pi a)/(pi a), which is 1 at 0."""
+    angle = np.pi * placed(a == 0.0, 1e-20, a)
+    return np.sin(angle) / angle
+
+
 # --- reductions, and functions composed of others ------------------------------------------------
 
 
@@ -379,8 +385,11 @@ AS_GIVEN: dict[Any, Callable] = {
     np.stack: views.stack,
     np.concatenate: views.join,
     **{
-        function: lambda *_, name=function.__name__: refuse(f"np.{name}")
-        for function in (np.shares_memory, np.may_share_memory, np.ix_)
+        function: lambda *_, name=function.__name__, **__: refuse(f"np.{name}")
+        for function in (
+            *(np.shares_memory, np.may_share_memory, np.ix_),
+            *(np.quantile, np.percentile, np.partition, np.argpartition),
+        )
     },
 }
 OF_AN_ARRAY: dict[Any, Callable] = {
@@ -405,6 +414,7 @@ OF_AN_ARRAY: dict[Any, Callable] = {
     np.gradient: gradient,
     np.sort: sort,
     np.clip: clip,
+    np.sinc: sinc,
     np.interp: interpolated,
     np.take: taken,
     **dict.fromkeys((np.round, np.around), rounded),

@@ -58,8 +58,10 @@ def apply_ufunc(
 
 def check_doubles(dtype: Any) -> None:
     """Refuse types other than doubles, and an array to write into given by position."""
-    if dtype is not None and (isinstance(dtype, Array) or np.dtype(dtype) != float):
-        refuse(f"numbers of {np.dtype(dtype)}")
+    if dtype is None:
+        return
+    if isinstance(dtype, Array) or np.dtype(dtype) not in (np.float64, np.object_):
+        refuse(f"an operation in {np.dtype(dtype)}")
 
 
 def _apply(tape: Tape, ufunc: Any, method: str, inputs: Any, options: dict) -> Any:

@@ -110,7 +110,9 @@ def fresh(tape: Tape, value: Any) -> Any:
 
 def refuse(operation: str) -> Any:
     """Raise that an operation of signals is not traced."""
-    raise Unread(f"{operation} of signals")
+    raise Unread(
+        f"{operation} of signals is not traced. Write its arithmetic, or call it before the run"
+    )
 
 
 def repacked(tape: Tape, value: Any) -> Any:
@@ -145,10 +147,7 @@ def on_objects(tape: Tape, function: Any, inputs: Any, options: dict) -> Any:
         raise
     except Exception:
         module = function.__module__.replace("numpy", "np", 1)
-        raise Unread(
-            f"{module}.{function.__name__} of signals is not traced. Write its arithmetic, or call "
-            "it before the run"
-        ) from None
+        refuse(f"{module}.{function.__name__}")
     if result is None and not inputs:
         refuse(f"np.{function.__name__} with names of what it writes into,")
     if result is None:  # NumPy wrote into its first argument
@@ -539,7 +538,7 @@ def converted(a, dtype=float, *arguments, **options):
     if kind == TRUTH:
         return a if a._is_condition else a != 0
     if kind not in (np.float64, np.object_):  # objects are the numbers themselves
-        refuse(f"numbers of {kind}")
+        refuse(f"a conversion to {kind}")
     new = copied(as_number(a))
     counted = isinstance(new, Array) and new._whole is not False
     return Array(new._tape, new._ref, new.shape) if counted else new

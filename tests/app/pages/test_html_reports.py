@@ -362,16 +362,13 @@ def test_what_cannot_be_read_is_one_sentence(run, refused_for, tmp_path, monkeyp
         held = {"summary": ((), summary), "clpe_adaptive": ("dive", [1.0])}
         xarray.Dataset(held, attrs={"estimator": "gradient"}).to_netcdf(name)
     half = whole[: len(whole) // 2]
-    no_page = {
-        "empty.nc": b"",
-        "bytes.nc": bytes(range(256)) * 9,
-        "a.toml": b"[run]",
-        "b.nc": half,
-    }
+    no_page = {"empty.nc": b"", "bytes.nc": bytes(range(256)) * 9, "b.nc": half}
     for name, content in no_page.items():
         Path(name).write_bytes(content)
+    clpt.save_scenario(clpt.paper_scenario(), "a.toml")
     for name, said in {
         **{name: said for name, (_, said) in NO_SUMMARY.items()},
+        "a.toml": "a.toml: is a scenario. Make a run of it: clpt run a.toml --out run.nc",
         **dict.fromkeys(no_page, "cannot be read as NetCDF"),
         **{"folder": "Give ", "nowhere.nc": "no such file"},
     }.items():

@@ -1,6 +1,7 @@
 """Functions of NumPy, tables and special numbers are read as they run."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from engine_runs import Unread, readings
 from recorded_blocks import as_it_runs, recorded, static
 from scipy import special
 
+import clpt_control as clpt
 from clpt_control import lookup
 
 U = (0.8, 0.4, 2.0)
@@ -70,6 +72,28 @@ def test_a_function_of_numbers_is_read_or_named(call):
         block.array_record("output")
 
 
+REFUSED = {  # each call, and the name in its sentence
+    "np.fmax(u[0], u[1])": "np.fmax",
+    "np.logaddexp2(u[0], u[1])": "np.logaddexp2",
+    "np.quantile(u, 0.3)": "np.quantile",
+    "np.percentile(u, 30, method='lower')": "np.percentile",
+    "np.partition(u, 1)[0]": "np.partition",  # of NumPy's own code NaN has another place
+    "np.nanmax(u)": "np.nanmax",
+    "np.add(u, 1.0, dtype=np.float32)[0]": "an operation in float32",
+    "u.astype(np.float32)[0]": "a conversion to float32",
+}
+
+
+@pytest.mark.parametrize("call", REFUSED)
+def test_a_function_that_is_not_traced_is_named_with_what_to_do(call):
+    space = {"np": np}
+    exec(f"def f(t, x, u, p):\n    u = u.u\n    return 1.0 * {call}", space)
+    block = clpt.Block("b", output=space["f"], inputs={"u": 2}, outputs={"y": 1})
+    said = f"f, line 3: {REFUSED[call]} of signals is not traced. Write its arithmetic, or call "
+    with pytest.raises(clpt.BlockError, match=re.escape(said + "it before the run\n")):
+        clpt.check(block)
+
+
 ARRAYS = """
     np.sum(u) ; np.prod(u) ; np.mean(u) ; np.max(u) ; np.min(u) ; np.ptp(u) ;
     np.ptp([np.sin(k + u) for k in range(12)], axis=0)[1] ;
@@ -91,6 +115,7 @@ ARRAYS = """
     np.polyval([1.0, -2.0, 3.0], u[0]) ; np.select([u[0] > 1, u[0] > 0], [1.0, u[1]], 3.0) ;
     np.piecewise(u, [u < 1, u >= 1], [lambda a: a, lambda a: -a])[2] ; np.clip(u, 0.5, 1.0)[2] ;
     np.where(u > 0.5, u, v)[1] ; np.heaviside(u[0] - 1.0, 0.5) ; np.sinc(u[0]) ;
+    np.sinc(u)[1] ; np.sinc(np.outer(u, [0.0, 1.0]))[1, 0] ;
     np.hypot(*u[:2]) ; np.concatenate([u, v])[4] ; np.hstack([u, 1.0])[3] ;
     np.vstack([u, v])[1, 0] ; np.column_stack([u, v])[2, 1] ; np.stack([u, v], axis=1)[2, 1] ;
     np.block([u, v])[3] ; np.append(u, 4.0)[3] ; np.insert(u, 1, 4.0)[1] ; np.squeeze(u[:1]) ;
