@@ -38,8 +38,9 @@ VARIABLES = {  # name -> (port, long name, unit of length or none, powers of 1/t
     "alpha": ("alpha", "adapted parameter alpha", 1, 1),
     "true_flow": ("flow_x", "true flow at the vehicle", 1, 1),
 }
-# velocities that are not in the table
 SPEEDS = ("flow_z", "v_x", "v_c", "v_z", "psi", "delta", "unflown")
+# ports without a variable: powers of length and 1/time
+OTHER_PORTS = {"fix": (1, 0), **dict.fromkeys(SPEEDS, (1, 1))}
 LIMITED = {  # of a vehicle with a speed limit
     "velocity": ("v_x", "velocity through the water, as flown", 1, 1),
     "commanded_velocity": ("v_c", "velocity through the water, as commanded", 1, 1),
@@ -77,7 +78,6 @@ def scenario_template(
     """
     units = scenario.units
     N = scenario.basis.N
-    speed = unit_of(units, 1, 1)
     replaced = own_parts(attributes)
     if OWN_LAW in attributes:
         replaced |= {LAW}
@@ -103,7 +103,8 @@ def scenario_template(
         if port in ports and port not in in_table
     }
     port_units = {
-        port: unit or (speed if port in SPEEDS else "") for port, unit in ports.items()
+        port: unit or unit_of(units, *OTHER_PORTS.get(port, (0, 0)))
+        for port, unit in ports.items()
     }
     dim_names = {N: "basis", 2: "axis"}
     extra_variables, axes = port_variables(

@@ -25,7 +25,7 @@ from ..paper.blocks import (
 from ..paper.blocks.localization import TRUE
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.tables import Units
-from .dataset import LIMITED, MEASURED, SPEEDS, VARIABLES, unit_of
+from .dataset import LIMITED, MEASURED, OTHER_PORTS, VARIABLES, unit_of
 from .user_components import UNCHANGED, Changes, functions_of, inserted, replaced
 
 
@@ -170,12 +170,12 @@ def _injection(scenario: Scenario, law: Part | None, alpha_M: np.ndarray) -> Blo
 def units_of_ports(units: Units) -> dict[str, str]:
     """Return the unit of each port of the paper's blocks that has one."""
     tables = (VARIABLES, MEASURED, LIMITED)
-    port_units = {
-        port: unit_of(units, lengths, rates)
+    powers = OTHER_PORTS | {
+        port: (lengths, rates)
         for table in tables
         for port, _, lengths, rates in table.values()
     }
-    return port_units | dict.fromkeys(SPEEDS, unit_of(units, 1, 1))
+    return {port: unit_of(units, *powers[port]) for port in powers}
 
 
 def remaining_blocks(

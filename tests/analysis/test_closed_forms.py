@@ -309,11 +309,15 @@ def test_a_late_thruster_overshoots(run):
     assert table["0.1"][2] == pytest.approx(0.8, abs=1e-3)
 
 
+def test_the_shelf_has_a_panel_for_each_part():
+    assert sorted(one.__name__ for one in shelf.PANELS) == sorted(clpt.parts.__all__)
+
+
 @pytest.mark.slow
-def test_the_shelf_has_a_panel_for_each_part(tmp_path):
+def test_panels_of_the_shelf_are_near_closed_forms(tmp_path):
     shelf.main(tmp_path)
     table = rows((tmp_path / "parts.md").read_text("utf-8"))
-    assert sorted(table) == sorted(clpt.parts.__all__)
+    assert len(table) == len(shelf.PANELS)
     off = [row[1] for row in table.values() if row[1] != ""]
     assert len(off) >= 12
     assert max(off) < 1e-8

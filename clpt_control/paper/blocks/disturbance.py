@@ -56,7 +56,7 @@ class DisturbanceKind(NamedTuple):
     keys: dict[str, bool]  # keys of a scenario besides the amplitude; True if required
     bounded: bool  # True if |Delta_i| <= a_i at all times
     random: bool  # True if Delta depends on the seed
-    rms: float  # root mean square of Delta_i over a_i
+    rms: float  # root mean square of Delta_i over a_i, in the long run
 
 
 PERIOD = {"period": True}

@@ -1,6 +1,7 @@
 """Values known by hand; controllers, learner and laws have reference numbers and proofs."""
 
 import math
+import re
 from types import SimpleNamespace
 
 import hypothesis
@@ -9,6 +10,7 @@ import pytest
 from error_sentences import says
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from paths import ROOT
 from scipy import stats
 from source_checks import CHECKS
 
@@ -42,7 +44,7 @@ FORMULAS = {
 }
 
 
-@pytest.mark.parametrize("kernel", FORMULAS)
+@pytest.mark.parametrize("kernel", flow.KERNELS)
 def test_a_block_is_asked_at_many_places_and_times(kernel):
     one = [[1.0, -2.0]], [3.0], [0.7], [-math.pi / 2]
     block = flow.flow_basis("basis_x", "x", kernel, *one)
@@ -53,6 +55,17 @@ def test_a_block_is_asked_at_many_places_and_times(kernel):
         found = evaluate(block, t, x)[:, 0]
         np.testing.assert_allclose(found, shape * np.sin(0.7 * np.array(t)), atol=1e-14)
     assert evaluate(block, 5.0, x[0]).shape == (1, 1)
+
+
+def test_documentation_and_the_example_name_each_kernel():
+    page = (ROOT / "docs/scenario.md").read_text("utf-8")
+    example = (ROOT / "clpt_control/data/paper.toml").read_text("utf-8")
+    (row,) = re.findall(r"(?m)^\| `basis\.kernel` .*", page)
+    (comment,) = re.findall(r"(?m)^kernel = .*# (.*)", example)
+    kernels = list(flow.KERNELS)
+    assert re.findall(r"`([\w-]+)`: ", row) == kernels
+    assert re.findall(r"([\w-]+): ", comment) == kernels
+    assert re.findall(r'(?m)^    "([\w-]+)" ', flow.__doc__) == kernels
 
 
 # --- flows, Eqs. (3), (4), (32) ---------------------------------------------------------------

@@ -11,10 +11,11 @@ from paths import ROOT
 from subprocesses import ran
 
 import clpt_control as clpt
+from clpt_control.paper.blocks import disturbance
 from clpt_control.paper.blocks.disturbance import KINDS, DisturbanceKind
 
 PAPER = clpt.paper_scenario()
-AMPLITUDE, PERIOD, PERIODS = np.array([0.5, 0.3]), 0.5, 400
+AMPLITUDE, PERIOD, PERIODS = np.array([0.5, 0.3]), 0.5, 440
 
 
 def with_kind(kind, **keys):
@@ -36,7 +37,8 @@ def delta(kind, **keys):
 def test_bound_and_rms_of_the_row_are_those_of_delta(kind):
     row, values = KINDS[kind], delta(kind)
     assert (np.abs(values) <= AMPLITUDE).all() == row.bounded
-    rms = np.sqrt(np.mean(values**2, axis=0)) / AMPLITUDE
+    settled = values[40 * 40 :]  # 400 periods, after 40
+    rms = np.sqrt(np.mean(settled**2, axis=0)) / AMPLITUDE
     # of 400 independent normal numbers within 4 standard errors, 1/sqrt(800)
     np.testing.assert_allclose(rms, row.rms, atol=4 / 800**0.5 if row.random else 1e-12)
 
@@ -79,6 +81,7 @@ def test_documentation_and_the_example_name_each_kind():
         r".*`flow\.disturbance`.*", (ROOT / "docs/scenario.md").read_text()
     )
     assert set(KINDS) <= set(re.findall(r"`(\w+)`", row))
+    assert re.findall(r"(?m)^    (\w+) +Delta = ", disturbance.__doc__) == [*KINDS]
     example = (ROOT / "clpt_control/data/paper.toml").read_text()
     (comment,) = re.findall(r'# kind = "square" +# (.*)', example)
     assert comment == f"{', '.join([*KINDS][:-1])} or {[*KINDS][-1]}"
