@@ -212,6 +212,12 @@ def test_every_part_has_a_row_on_the_page():
     assert {name for name, _ in CALLS} == {*parts.__all__}
 
 
+def test_every_part_is_in_a_test():
+    files = Path(__file__).parent.glob("test_*.py")
+    text = "".join(file.read_text("utf-8") for file in files)
+    assert [name for name in parts.__all__ if f"parts.{name}(" not in text] == []
+
+
 # --- as blocks: mistakes, names ------------------------------------------------------------------
 
 MISTAKES = r"""

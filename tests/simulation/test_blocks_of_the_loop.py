@@ -5,6 +5,7 @@ The scenarios are those of each law, and the example with each line that is comm
 
 import re
 import tomllib
+from pathlib import Path
 
 import pytest
 from package_blocks import BLOCKS
@@ -12,6 +13,7 @@ from paths import ROOT
 from small_scenarios import paper_of
 
 import clpt_control as clpt
+from clpt_control.paper.scenario.quantities import keys_of
 
 EXAMPLE = (ROOT / "clpt_control/data/paper.toml").read_text("utf-8")
 HEADER = re.compile(r"(# )?\[([\w.]+)\]")
@@ -62,6 +64,16 @@ def test_each_block_is_tested_and_has_a_row_on_its_page():
     rows = "".join(re.findall(r"(?m)^\| (`.*?) \|", page))
     assert [name for name in MADE if f"`{name}`" not in rows] == []
     assert {"disturbance", "fixes", "measurement", "hedging"} < {*MADE}
+
+
+def test_another_test_has_numbers_of_each_block():
+    """It names the block or one of its keys."""
+    files = {*(ROOT / "tests").rglob("test_*.py")} - {Path(__file__)}
+    text = "".join(file.read_text("utf-8") for file in files)
+    for name, (scenario, block) in MADE.items():
+        parameters = [f"{name}.{field}" for field in block.parameters._asdict()]
+        keys = {key for one in parameters for key in keys_of(scenario, one)}
+        assert any(word in text for word in (name, *keys)), name
 
 
 @pytest.mark.parametrize("block", sorted(MADE.keys() - {LAW, "reference"}))

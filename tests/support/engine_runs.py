@@ -46,11 +46,13 @@ from clpt_control.engine.solver.solver_layout import Status
 from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
+from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
 
 __all__ = [
     "ELEMENTWISE",
     "ENGINES",
     "FUNCTIONS",
+    "IMPLEMENTED",
     "LANES",
     "METHODS",
     "PRIMITIVES",

@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from engine_runs import Unread, readings
+from engine_runs import IMPLEMENTED, Unread, readings
 from recorded_blocks import as_it_runs, recorded, static
 from scipy import special
 
@@ -78,6 +78,9 @@ REFUSED = {  # each call, and the name in its sentence
     "np.quantile(u, 0.3)": "np.quantile",
     "np.percentile(u, 30, method='lower')": "np.percentile",
     "np.partition(u, 1)[0]": "np.partition",  # of NumPy's own code NaN has another place
+    "np.argpartition(u, 1)[0]": "np.argpartition",
+    "np.shares_memory(u, u)": "np.shares_memory",
+    "np.may_share_memory(u, u)": "np.may_share_memory",
     "np.nanmax(u)": "np.nanmax",
     "np.add(u, 1.0, dtype=np.float32)[0]": "an operation in float32",
     "u.astype(np.float32)[0]": "a conversion to float32",
@@ -150,6 +153,14 @@ ARRAYS = """
     math.modf(-1.7 * u[0])[0] ; np.modf(3.0 * u)[1][2] ; np.logaddexp(u, 800.0 * v)[1] ;
     special.gamma(u)[0] ; math.isclose(u[0], 0.8, rel_tol=1e-3) + u[1] ;
     np.linalg.norm(np.outer(v, v) + 1.0, 2) * u[0] ; np.gradient(np.outer(v, v))[0][1, 2] + u[0] ;
+    np.searchsorted([0.0, 1.0], u[0]) ; np.digitize(u, [0.0, 1.0])[1] ; np.ones_like(u)[1] + u[0] ;
+    np.diagonal(np.outer(u, v))[1] ; np.broadcast_to(u, (2, 3))[1, 2] ; np.rot90([u, v])[0, 1] ;
+    np.rollaxis(np.outer(u, v), 1)[2, 0] ; np.atleast_3d(u)[0, 1, 0] ; np.split(u, 3)[1][0] ;
+    np.array_split(u, 2)[1][0] ; np.vsplit(np.outer(u, v), 3)[1][0, 2] ; np.real(u)[1] ;
+    np.dsplit(u[0] * CUBE, 3)[1][1, 2, 0] ; np.imag(u)[1] + u[0] ; np.isreal(u)[1] + u[0] ;
+    np.ndim(u) * u[0] ; np.iscomplexobj(u) + u[0] ; np.isrealobj(u) + u[0] ; np.amax(u) ;
+    np.amin(u) ; np.around(10 * u)[1] ; np.fix(3.0 * u)[2] ; np.copy(u)[1] ; np.shape(u)[0] * u[0] ;
+    np.empty_like(u)[:0].sum() + u[0] ; np.size(u) * u[0] ;
     np.sort(np.outer(v, v), axis=0)[0, 1] + u[0] ; np.median(np.outer(v, v), axis=1)[2] * u[0]
 """
 CUBE = np.random.default_rng(5).normal(size=(2, 3, 3))
@@ -162,6 +173,15 @@ def test_a_function_of_arrays_is_read_as_it_computes(call):
     block = static(space["f"], parameters={"v": np.array([0.5, -1.5, 2.0])})
     for u in (U, (2.0, 0.3, 0.7), (-0.4, 1.2, 0.1)):
         as_it_runs(block, "output", 0.0, [], u, 1e-13)
+
+
+def test_each_function_of_the_tables_is_called():
+    names = [
+        f"{function.__module__.replace('numpy', 'np')}.{function.__name__}("
+        for function in IMPLEMENTED
+    ]
+    calls = ARRAYS + "".join(REFUSED)
+    assert [name for name in names if name not in calls] == []
 
 
 def longest_served(t, x, u, p):
