@@ -8,12 +8,14 @@ import textwrap
 
 import pytest
 from paths import ROOT
-from recipes import RECIPES as ADDITIONS
+from recipes import ADDITIONS
+from recipes_of_blocks import BLOCKS
 from recipes_of_dives import DIVES
+from recipes_of_operations import OPERATIONS
 from recipes_of_results import RESULTS
 from subprocesses import GUARD
 
-RECIPES = ADDITIONS | RESULTS | DIVES
+RECIPES = ADDITIONS | BLOCKS | OPERATIONS | RESULTS | DIVES
 LEFT_OUT = [
     pytest.param(name, k, id=f"{name} without {step.name}")
     for name, recipe in RECIPES.items()

@@ -202,7 +202,8 @@ CALLS = re.findall(r"^\| `(\w+)\((.*?)\)` \|", PAGE, flags=re.MULTILINE)
 def test_a_row_of_the_page_is_a_call(name, arguments):
     """Places before the first keyword are those of the signature; keywords are its names."""
     names = [*inspect.signature(getattr(parts, name)).parameters]
-    places = [word for word in arguments.split(", ") if "=" not in word]
+    words = filter(None, arguments.split(", "))
+    places = [word for word in words if "=" not in word]
     keywords = re.findall(r"(\w+)=", arguments)
     assert places == names[: len(places)]
     assert {*keywords} <= {*names}

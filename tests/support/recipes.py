@@ -1,4 +1,4 @@
-"""Recipes of CONTRIBUTING as data: steps, what is promised, and tests that then pass."""
+"""Recipes of CONTRIBUTING on rows as data: steps, what is promised, and tests that then pass."""
 
 import textwrap
 from typing import NamedTuple
@@ -46,6 +46,17 @@ KIND = Recipe(
             ),
         ),
         Step(
+            "line of the docstring",
+            "disturbance.__doc__",
+            (
+                (
+                    "clpt_control/paper/blocks/disturbance.py",
+                    "\n\na is the amplitude",
+                    "\n    half       Delta = a/2\n\na is the amplitude",
+                ),
+            ),
+        ),
+        Step(
             "page of scenarios",
             "docs/scenario.md",
             (
@@ -79,6 +90,7 @@ KIND = Recipe(
         "test_documentation_and_the_example_name_each_kind",
     ),
 )
+FORMULAS = "tests/paper/blocks/test_blocks_closed_forms.py"
 KERNEL = Recipe(
     "Add a flow",
     (
@@ -96,6 +108,50 @@ KERNEL = Recipe(
                 ''',
             ),
         ),
+        Step(
+            "line of the docstring",
+            "flow.__doc__",
+            (
+                (
+                    "clpt_control/paper/blocks/flow.py",
+                    "\n\nA steady function",
+                    '\n    "rational"        1 / (1 + d^2 / s^2)\n\nA steady function',
+                ),
+            ),
+        ),
+        Step(
+            "page of scenarios",
+            're.findall(r"`',
+            (
+                (
+                    "docs/scenario.md",
+                    "exp(-d²/s)",
+                    "exp(-d²/s); `rational`: 1/(1 + d²/s²)",
+                ),
+            ),
+        ),
+        Step(
+            "example",
+            "comment)",
+            (
+                (
+                    "clpt_control/data/paper.toml",
+                    "exp(-d^2/s)",
+                    "exp(-d^2/s); rational: 1/(1 + d^2/s^2)",
+                ),
+            ),
+        ),
+        Step(
+            "formula",
+            "KeyError: 'rational'",
+            (
+                (
+                    FORMULAS,
+                    "FORMULAS = {",
+                    'FORMULAS = {\n    "rational": lambda d: 1 / (1 + d * d / 9),',
+                ),
+            ),
+        ),
     ),
     """
     import clpt_control as clpt
@@ -103,7 +159,7 @@ KERNEL = Recipe(
     clpt.check(scenario.basis_block())
     assert clpt.simulate(scenario, [0.0, 20.0]).attrs["engine"] == "native"
     """,
-    (),
+    (FORMULAS, "-k", "each_kernel or many_places or functions_"),
 )
 LAW = Recipe(
     "Add a law",
@@ -129,6 +185,11 @@ LAW = Recipe(
         Step(
             "page of laws", "'copied'", (("docs/laws.md", "", "\n`copied`: a copy.\n"),)
         ),
+        Step(
+            "page of Coq",
+            "test_every_law_has_a_file_or_a_reason",
+            (("docs/machine_checked.md", "`dead-zone`.", "`dead-zone`, `copied`."),),
+        ),
     ),
     """
     import clpt_control as clpt
@@ -136,7 +197,10 @@ LAW = Recipe(
     assert clpt.prove(law.of(2, gain=0.5), points=200).status == "proved"
     assert clpt.check(law.of(2, gain=0.5)) is not False
     """,
-    ("tests/test_documentation.py::test_the_page_of_laws_names_each",),
+    (
+        "tests/test_documentation.py::test_the_page_of_laws_names_each",
+        "tests/theory/test_coq.py::test_every_law_has_a_file_or_a_reason",
+    ),
 )
 COMMANDS = "clpt_control/app/cli/__init__.py"
 COMMAND = Recipe(
@@ -193,162 +257,4 @@ COMMAND = Recipe(
     """,
     ("tests/app/cli/test_cli.py", "-k", "page_lists or cheat or (help_is and place)"),
 )
-ROW = "        np.cbrt,\n"
-
-
-def part(name, without, text):
-    """Return the step that adds a field to the row of an operation."""
-    edit = "clpt_control/engine/record/operations.py", ROW, f"{ROW}        {text},\n"
-    return Step(name, without, (edit,))
-
-
-OPERATION = Recipe(
-    "Add an operation",
-    (
-        Step(
-            "row and NumPy function",
-            "no cbrt in C",
-            (
-                (
-                    "clpt_control/engine/record/operations.py",
-                    '    "log10": _libm(',
-                    f'    "cbrt": Row(\n{ROW}    ),\n    "log10": _libm(',
-                ),
-            ),
-        ),
-        part(
-            "slopes",
-            "the derivative of `cbrt`",
-            "slopes=(lambda a, f: 1.0 / (3.0 * f * f),)",
-        ),
-        part(
-            "SymPy",
-            "the backend 'symbolic'",
-            "sympy=lambda s, a: s.sign(a) * s.Abs(a) ** s.Rational(1, 3)",
-        ),
-        part("machine code", "cbrt: has no machine code", 'llvm="libm"'),
-        part("C", "missing 1 required keyword-only argument: 'c'", 'c="cbrt"'),
-    ),
-    """
-    import numpy as np, warnings
-    import clpt_control as clpt
-
-    def root(t, x, u, p):
-        return np.cbrt(u[0])
-
-    block = clpt.Block("root", output=root, inputs={"u": 1}, outputs={"y": 1})
-    warnings.simplefilter("error")
-    clpt.check(block)
-    assert clpt.simulate(block, [0.0, 1.0], 8.0).y.values.tolist() == [2.0, 2.0]
-    assert "cbrt(" in clpt.export(block), "no cbrt in C"
-    slope = clpt.linearize(block, [], [8.0]).D[0, 0]
-    assert abs(slope - 1 / 12) < 1e-12, f"slope {slope}"
-    """,
-    ("tests/engine/codegen/test_operations_in_c.py",),
-)
-FUNCTION = Recipe(
-    "Add an operation",
-    (
-        Step(
-            "row",
-            "np.real_if_close",
-            (
-                (
-                    "clpt_control/engine/trace/numpy_functions.py",
-                    "OF_AN_ARRAY: dict[Any, Callable] = {",
-                    "OF_AN_ARRAY: dict[Any, Callable] = {\n"
-                    "    np.real_if_close: lambda a, tol=100: a,",
-                ),
-            ),
-        ),
-    ),
-    """
-    import numpy as np, warnings
-    import clpt_control as clpt
-
-    def real(t, x, u, p):
-        return np.real_if_close(u.u)
-
-    block = clpt.Block("real", output=real, inputs={"u": 2}, outputs={"y": 2})
-    warnings.simplefilter("error")
-    clpt.check(block)
-    run = clpt.simulate(block, [0.0, 1.0], [1.0, 3.0])
-    assert (run.attrs["engine"], run.y.values[0].tolist()) == ("native", [1.0, 3.0])
-    """,
-    (),
-)
-FIRST = '    "backlash": ['
-PART = Recipe(
-    "Add a block",
-    (
-        Step(
-            "equations and maker",
-            "flip",
-            row(
-                "parts/flip.py",
-                '''
-                """Sign change: y = -u. Source: section II."""
-
-                from ..base.arguments import public
-                from ..engine.model.block import Block
-
-
-                def flipped(t, x, u, p):
-                    """y = -u, section II."""
-                    return -u.u
-
-
-                @public
-                def flip() -> Block:
-                    """Return the negative of a signal.
-
-                    Returns
-                    -------
-                    Block
-                        With the input u[1] and the output y[1].
-
-                    Examples
-                    --------
-                    >>> flip().output(0, [], [2.0]).tolist()
-                    [-2.0]
-                    """
-                    return Block("flip", output=flipped, inputs={"u": 1}, outputs={"y": 1})
-                ''',
-            ),
-        ),
-        Step(
-            "stub",
-            "flip",
-            (
-                (
-                    "clpt_control/parts/__init__.pyi",
-                    "from .lags import delay",
-                    "from .flip import flip as flip\nfrom .lags import delay",
-                ),
-            ),
-        ),
-        Step(
-            "conformance",
-            "'flip'",
-            (
-                (
-                    "tests/support/package_blocks.py",
-                    FIRST,
-                    f'    "flip": [((), {{}})],\n{FIRST}',
-                ),
-            ),
-        ),
-    ),
-    """
-    import clpt_control as clpt
-    clpt.check(clpt.parts.flip())
-    """,
-    (
-        "tests/test_documentation.py::test_every_public_name_stands_in_the_reference",
-        "tests/engine/conformance/test_conformance.py",
-        "-k",
-        "reference or every_part or flip or docstrings_name",
-    ),
-)
-RECIPES = {"kind": KIND, "kernel": KERNEL, "law": LAW, "command": COMMAND}
-RECIPES |= {"operation": OPERATION, "function": FUNCTION, "part": PART}
+ADDITIONS = {"kind": KIND, "kernel": KERNEL, "law": LAW, "command": COMMAND}
