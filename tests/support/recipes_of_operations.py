@@ -166,7 +166,7 @@ FUNCTIONS["logaddexp2"] = logaddexp2
         ),
         Step(
             "C",
-            "'c' refuses",
+            "'c' refuses: logaddexp2_: is not in data/numpy.c",
             (
                 (
                     "clpt_control/data/numpy.c",

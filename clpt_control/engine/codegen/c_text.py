@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from ...base.errors import BlockError
 from ..record.graph import deep
 from ..record.operations import CONDITIONS, TABLE
 from .diagram_record import DiagramRecord, Layout
@@ -225,6 +226,8 @@ class CPrinter(LoopPrinter):
     def call(self, function: str, arguments: list[str]) -> str:
         """Return a call of a function, of the C library or of `numpy.c`."""
         if function.endswith("_"):
+            if function not in HELPERS:
+                raise BlockError(f"{function}: is not in data/numpy.c. Write it in C99")
             self.program.helpers[function] = None
         return f"{function}({', '.join(arguments)})"
 
