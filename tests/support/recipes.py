@@ -171,11 +171,16 @@ LAW = Recipe(
                 "paper/laws/robust.py",
                 '''
                 def copied(t, x, u, p):
-                    """The rates of Eqs. (21)-(23). Source: section III."""
-                    return learned_flow(t, x, u, p)
+                    """The rates of Eqs. (21)-(23) with 2 e. Source: section III."""
+                    return driven_by(2 * u.e, u, p)
+
+                def twice(t, x, u, p):
+                    """V of Eq. (24) with |e|^2 in place of |e|^2/2."""
+                    V = lyapunov.level(u.e, u, p) + lyapunov.flow_level(u, p)
+                    return {"V": V + u.e @ u.e / 2}
 
                 from .paper import LEARNED_FLOW
-                COPIED = LEARNED_FLOW._replace(name="copied", rates=copied)
+                COPIED = LEARNED_FLOW._replace(name="copied", rates=copied, candidate=twice)
                 ''',
             ),
         ),
@@ -183,7 +188,20 @@ LAW = Recipe(
             "table", "'copied'", row("paper/laws/robust.py", "LAWS = (*LAWS, COPIED)\n")
         ),
         Step(
-            "page of laws", "'copied'", (("docs/laws.md", "", "\n`copied`: a copy.\n"),)
+            "own V",
+            "test_V_is_zero_at_the_truth_and_e_squared_over_2_beside_it[copied]",
+            (
+                (
+                    "tests/paper/blocks/test_table_of_laws.py",
+                    "OWN_V = {",
+                    'OWN_V = {\n    "copied": lambda e, p: np.dot(e, e),',
+                ),
+            ),
+        ),
+        Step(
+            "page of laws",
+            "'copied'",
+            (("docs/laws.md", "", "\n`copied`: twice the rates.\n"),),
         ),
         Step(
             "page of Coq",
@@ -200,6 +218,7 @@ LAW = Recipe(
     (
         "tests/test_documentation.py::test_the_page_of_laws_names_each",
         "tests/theory/test_coq.py::test_every_law_has_a_file_or_a_reason",
+        "tests/paper/blocks/test_table_of_laws.py",
     ),
 )
 COMMANDS = "clpt_control/app/cli/__init__.py"
