@@ -47,8 +47,10 @@ from clpt_control.engine.solver.termination import sampled_start
 from clpt_control.engine.trace import heaps, tracing
 from clpt_control.engine.trace.fingerprint import reachable
 from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
+from clpt_control.engine.trace.ufuncs import COMPOSED
 
 __all__ = [
+    "COMPOSED",
     "ELEMENTWISE",
     "ENGINES",
     "FUNCTIONS",

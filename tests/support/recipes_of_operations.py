@@ -17,7 +17,7 @@ OPERATION = Recipe(
     (
         Step(
             "row and NumPy function",
-            "no cbrt in C",
+            "np.cbrt of signals is not traced",
             (
                 (
                     "clpt_control/engine/record/operations.py",
@@ -38,6 +38,17 @@ OPERATION = Recipe(
         ),
         part("machine code", "cbrt: has no machine code", 'llvm="libm"'),
         part("C", "missing 1 required keyword-only argument: 'c'", 'c="cbrt"'),
+        Step(
+            "no composition",
+            "test_a_function_is_an_operation_or_made_of_others",
+            (
+                (
+                    "clpt_control/engine/trace/ufuncs.py",
+                    '    "cbrt": lambda a: np.sign(a) * np.fabs(a) ** (1 / 3),\n',
+                    "",
+                ),
+            ),
+        ),
     ),
     """
     import numpy as np, warnings

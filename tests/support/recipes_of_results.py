@@ -36,6 +36,17 @@ INTEGRATOR = Recipe(
             (("docs/scenario.md", "`rodas5p`, for", "`tsit5`, `rodas5p`, for"),),
         ),
         Step(
+            "example",
+            "test_a_row_is_named_where_users_look[Tsit5]",
+            (
+                (
+                    "clpt_control/data/paper.toml",
+                    "dop853 for others",
+                    "dop853 and tsit5 for others",
+                ),
+            ),
+        ),
+        Step(
             "docstring",
             "test_a_row_is_named_where_users_look[Tsit5]",
             (

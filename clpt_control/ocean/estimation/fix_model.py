@@ -392,13 +392,14 @@ class Estimator(ABC):
     def estimate(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return mean (n,), covariance (n, n) and the share of the prior's error left (n,).
 
-        The share is computed from the distributions that have the parameter.
+        The share is computed from the distributions that have the parameter; 1 where none has.
         """
         weights = self.weights[:, None] * self.has_parameter
         weights /= np.maximum(weights.sum(axis=0), 1e-300)
         spread = self.mean - (weights * self.mean).sum(axis=0)
         variance = np.diagonal(self.covariance, axis1=1, axis2=2) + spread**2
         share = np.sqrt((weights * variance).sum(axis=0)) / self.model.prior_sd
+        share[~self.has_parameter.any(axis=0)] = 1.0
         return *mixed(self.mean, self.covariance, self.weights), share
 
     def learned(self, dive: Dive) -> dict[str, Any]:

@@ -200,8 +200,8 @@ class Law(NamedTuple):
     # a function whose docstring is the page of several laws
     family: Callable[..., Any] | None = None
     needs: str = ""  # one line
-    # parameter -> `Setting` of its own table, name of a context's attribute, or function of the
-    # context
+    # parameter -> `Setting` of its own table, name of an attribute of the context (a gain or what
+    # else has a name at call time), or function of the context
     parameters: Mapping[str, Any] = GAINS
     one_gain: bool = False  # True if one gain for all is one parameter, as in the paper
     keys: Mapping[str, Setting] = {}  # keys of its own table that are not parameters

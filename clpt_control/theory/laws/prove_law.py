@@ -191,7 +191,8 @@ def _checked_law(law: Block | Diagram | control.NonlinearIOSystem) -> Block:
         if paper_name(law.name, field) not in (None, "gamma"):
             raise DiagramError(
                 f"{law.name}: its parameter {field} would be taken for what the paper's "
-                "block of this name holds, which no law knows. Give the law another name"
+                "block of this name holds, which no law knows. Give the parameter, or the "
+                "block, another name"
             )
     read_anew(law)
     return law

@@ -1,11 +1,11 @@
-"""Each row of the table of operations: its C99 gives NumPy's numbers."""
+"""Each row of the table of operations: its C99, and its SymPy, give NumPy's numbers."""
 
 import itertools
 import math
 
 import numpy as np
 import pytest
-from engine_runs import TABLE, UFUNCS, Row, compiler, readings
+from engine_runs import COMPOSED, TABLE, UFUNCS, Row, compiler, readings
 from recorded_blocks import static
 from scipy.special import gamma
 
@@ -62,6 +62,32 @@ def test_each_row_in_c_gives_the_numbers_of_numpy():
                     wanted = math.nan
                 near = pytest.approx(float(finite(wanted)), rel=1e-13, abs=1e-15)
                 assert value == near, (name, point)
+
+
+def test_each_row_has_slopes_or_is_constant_between_jumps():
+    without = {
+        name
+        for name, row in TABLE.items()
+        if not (row.slopes or row.chosen is not None)
+    }
+    assert {name for name in without if TABLE[name].smoothness < 4} == {"where", "pick"}
+
+
+@pytest.mark.parametrize("name", [n for n, row in TABLE.items() if not row.exact])
+def test_sympy_of_a_row_that_loses_digits_is_its_function(name):
+    """`clpt.check` compares NumPy's function in its place."""
+    (function,) = functions_of(name)
+    block = static(lambda t, x, u, p: [function(u)], 2, 1)
+    eq = clpt.equations(block)
+    for point in [(0.4, 1.5), (2.0, -0.7), (-0.3, 3.0)]:
+        value = eq["y"].xreplace(dict(zip(eq.inputs["u"], point, strict=True)))
+        assert float(value) == pytest.approx(
+            float(function(np.array(point))), rel=1e-12
+        )
+
+
+def test_a_function_is_an_operation_or_made_of_others():
+    assert not {ufunc.__name__ for ufunc in UFUNCS} & COMPOSED.keys()
 
 
 def test_a_row_without_its_c_is_refused():

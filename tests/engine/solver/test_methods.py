@@ -97,4 +97,7 @@ def test_a_row_is_named_where_users_look(row):
     (line,) = re.findall(r".*`run\.method`.*", page)
     name = row.name.lower()
     assert f"`{name}`" in line
+    example = (ROOT / "clpt_control" / "data" / "paper.toml").read_text("utf-8")
+    (line,) = re.findall(r".*\bmethod = .*", example)
+    assert name in line
     assert f'``"{name}"``' in clpt.simulate.__doc__
