@@ -7,18 +7,23 @@ BENCH := build/benchmarks/venv
 LOWEST := build/lowest
 DIST := build/dist
 SITE := .venv/.docs
+USUAL := not (slow or processes or browser or board or coq)
 ENGINE := tests/engine/codegen tests/engine/solver tests/engine/conformance \
 	tests/ensemble/test_members.py tests/simulation/test_models_as_they_stand.py
 
 unexport PYTHONDONTWRITEBYTECODE  # else each of the processes that tests start compiles the package
 
-.PHONY: paper solver solver-check test test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
+.PHONY: paper solver solver-check test test-long test-slow proofs test-processes test-board test-browser test-generic test-lowest lint format clean bench bench-quick dist try-wheel docs linkcheck
 
 paper: $(READY)  ## section IV of the paper: figures and the table of claims
 	$(BIN)/clpt paper --out paper
 
-test: $(READY)  ## every test but the slow ones
-	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal
+test: $(READY)  ## every test but the long and the slow ones
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal -m "not long and $(USUAL)"
+
+test-long: $(READY)  ## proofs of many laws, and recipes: seconds each
+	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal --no-header \
+		-m "long and $(USUAL)"
 
 test-slow: $(READY)  ## the minutes-long tests
 	OPENBLAS_NUM_THREADS=1 $(BIN)/pytest -n 2 --dist worksteal -m slow --no-header

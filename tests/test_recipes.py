@@ -15,6 +15,8 @@ from recipes_of_operations import OPERATIONS
 from recipes_of_results import RESULTS
 from subprocesses import GUARD
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 RECIPES = ADDITIONS | BLOCKS | OPERATIONS | RESULTS | DIVES
 LEFT_OUT = [
     pytest.param(name, k, id=f"{name} without {step.name}")

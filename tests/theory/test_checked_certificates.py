@@ -13,6 +13,8 @@ import pytest
 
 import clpt_control as clpt
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 ROOT = Path(__file__).parents[2]
 CHECKER = ROOT / "tools" / "check_certificate.py"
 LAWS = {  # with settings that a law needs

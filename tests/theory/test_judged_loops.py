@@ -7,6 +7,8 @@ from judged_loops import RIGHT, WRONG
 
 import clpt_control as clpt
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 SLOW = (  # a refuting point is searched for: some by `make test`, all by `make test-slow`
     "a claim of zero",
     "a cube that grows",

@@ -20,6 +20,8 @@ from source_checks import CHECKS
 import clpt_control as clpt
 from clpt_control.theory import audit, misprints
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 LAWS, Truth = clpt.laws(), namedtuple("Truth", "theta KD GammaD")
 FIRST = {"clpe": "3.3"}  # where to look first; every theorem is tried before giving up
 SOURCES = (".flow", "reference", "disturbance", "field", "localization")

@@ -10,6 +10,8 @@ from model_reference import PROJECTIONS, V, loop, stopped_in_a_ball, stopped_smo
 
 from clpt_control import lyapunov
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 FAST = ("if", "a box")
 
 

@@ -16,6 +16,8 @@ from user_laws import LEARNED, V_of, beside, formula
 import clpt_control as clpt
 from clpt_control import prove
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 LAWS = clpt.laws()
 LAW = LAWS["concurrent"]
 POINTS = 100

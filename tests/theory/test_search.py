@@ -11,6 +11,8 @@ from text_systems import NUMPY, written
 import clpt_control as clpt
 from clpt_control import lyapunov
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 TURNED = "a pendulum that hangs at pi"
 # rates, a state to start from, and what is concluded; the strongest that is true is
 # "asymptotically stable" but for pendulums and the gain, which have many rests

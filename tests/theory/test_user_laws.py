@@ -29,6 +29,8 @@ from wrong_laws import WRONG
 import clpt_control as clpt
 from clpt_control import ClptError, DiagramError, prove
 
+pytestmark = pytest.mark.long  # by `make test-long`
+
 POINTS = 100  # of running blocks in each case; the default is 10,000
 LONG = ("eps and its cube", "eps exp(-eps^2)")  # of seconds: by `make test-slow`
 OFTEN = [*WRONG][::10]  # of wrong laws by `make test`; all by `make test-slow`
