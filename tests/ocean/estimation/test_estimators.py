@@ -13,6 +13,8 @@ from synthetic_vehicle import ESTIMATORS, STEADY, clpe_rms, further, turned, veh
 
 from clpt_control import ScenarioError
 from clpt_control.gliders import Dive
+from clpt_control.ocean.estimation.estimators import ESTIMATORS as ESTIMATORS_BY_NAME
+from clpt_control.ocean.estimation.estimators import Gradient
 from clpt_control.replay import Replay, replay_dataset, replay_dives, summary
 
 STEADY_ONLY = {"flow": ("steady",)}
@@ -76,6 +78,20 @@ def test_ellipses_hold_what_they_promise(case):
     inside = [step.inside_hindsight for replay in replays for step in replay.steps]
     level = summary(replays[0])["level"]
     assert level - 0.07 < np.mean(inside) <= 1
+
+
+class Steady(Gradient):
+    """An estimator of the parts that no sea lacks."""
+
+    def __init__(self, model):
+        super().__init__(model)
+        self.has_parameter &= [part not in model.optional for part in model.parts]
+
+
+def test_what_no_distribution_has_is_not_learned(monkeypatch):
+    monkeypatch.setitem(ESTIMATORS_BY_NAME, "steady", Steady)
+    step = replay_dives(vehicle(0), "steady").steps[-1]
+    assert any(name.startswith("M2") for name in step.not_learned)
 
 
 def test_what_is_not_excited_is_held():
