@@ -43,6 +43,7 @@ def system(function, n):
     return control.nlsys(function, None, states=n, inputs=0, outputs=n, name="cells")
 
 
+@pytest.mark.long
 def test_a_limiter_is_as_exact_as_a_tight_run_of_scipy():
     run = clpt.simulate(system(cells, CELLS), TIMES, None, WAVE)
     assert "without locating kinks" in run.attrs["method"]
@@ -131,7 +132,11 @@ def random_network(random):
 
 
 @pytest.mark.parametrize(
-    "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))]
+    "seed",
+    [
+        pytest.param(0, marks=pytest.mark.long),
+        *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20)),
+    ],
 )
 def test_random_networks_with_kinks_are_as_exact_as_tight_runs_of_scipy(seed):
     random = np.random.default_rng(seed)

@@ -95,6 +95,7 @@ def test_a_bound_on_rounding_holds_and_is_near():
     assert off > 1e-12 * b  # each of 320 sums rounds the same way
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("part", range(TESTS))
 def test_random_diagrams_are_read_alike(part):
     ask_all(range(part * IN_A_TEST, (part + 1) * IN_A_TEST))

@@ -141,7 +141,13 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize(
+    "case",
+    [
+        pytest.param(name, marks=[pytest.mark.long] if name == "four masses" else [])
+        for name in CASES
+    ],
+)
 def test_dry_friction_in_several_joints_sticks_and_slips(case):
     joints, start, end = CASES[case]
     tight = {"rtol": 1e-10, "atol": 1e-12}
