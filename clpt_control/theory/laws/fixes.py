@@ -26,7 +26,7 @@ from ..proofs.steps import Step, exact_step
 from ..proofs.symbolic_loop import equated, symbolic_loop
 from .theorem_loop import law_and_V, rate_of_V, theorem_scenario
 
-SIZES = (1, 2)  # numbers of functions; 3 takes half a minute
+SIZES_AT_FIXES = (1, 2)  # numbers of functions; 3 takes half a minute
 SEND, ARRIVE = 1, 2  # intervals that begin with a fix, and with its arrival
 # what comes from blocks that are left out
 OUTSIDE = ("phi_x", "phi_z", "v_x", "fix", "taken")
@@ -142,7 +142,7 @@ class AtFixes:
 
 def fix_steps(law: Law, points: int) -> list[Step]:
     """Check a law that learns at fixes, for N = 1, 2."""
-    cases = [AtFixes(law, N, late) for N in SIZES for late in (False, True)]
+    cases = [AtFixes(law, N, late) for N in SIZES_AT_FIXES for late in (False, True)]
     claims = {
         "between fixes V' = 0, P' = 0 and (x - z - eta m)' = 0 where phi(x) = phi(z), "
         "whatever v is flown": AtFixes.stays,

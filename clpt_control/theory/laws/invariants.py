@@ -1,96 +1,298 @@
 """The proof of a law whose states have invariants, such as P beside the information.
 
 A law's row says which `invariants` its states have (state = expression of the others), which
-matrices are `semidefinite`, what V' `losses` are beyond e^T KD e, products of factors
-that are not negative, and what is a `perturbation` beside.  Each is then shown:
+matrices are `semidefinite`, what V' `losses` are beyond e^T KD e, products of factors that are not
+negative, and what is a `perturbation` beside.  `Invariants` shows each for one N:
 
     s' = (expression)'                    where the relations hold: what starts there stays
     c^T M' c >= 0  where  M c = 0         M stays semidefinite (Nagumo)
+    F = F(M = 0) + sum tr(M S) >= 0       if F(M = 0) >= 0 and each S >= 0
     V' = -e^T KD e - losses + perturbation    where the relations hold, V and losses not negative
 
 A law without a perturbation is proved, one with e^T d, which bounds the mean square of e by that of
-d, is bounded by it.  All is exact for N = 1, 2, 3,
-and the running blocks give the same V'.  Where its states jump, at times that may be any, x and
-inputs being those right before:
+d, is bounded by it.  All is exact for N = 1, 2, 3, and the running blocks give the same V'.  Where
+its states jump, at times that may be any, x and inputs being those right before:
 
     the relations before give the relations after,  M >= 0 gives M+ >= 0,  V+ <= V
 
-so that between and across jumps V falls.
-Of a law that makes an estimate theta_hat = theta + d with its covariance M it is shown as well that
+so that between and across jumps V falls.  Of a law that makes an estimate theta_hat = theta + d
+with its covariance M it is shown as well that
 
     (d M^-1 d^T)' = error_growth <= 0                     so d never grows in this norm
 
 A law of which no parameter's error ever rises, eta = w eta(0), w' = -f w, f >= 0, takes no part of
 e into alpha', so that V' is perturbed by e^T eta phi; its readout is theta where its condition
-holds.
-
-More is said of laws with a covariance P of least squares:
-
-    P'   = lambda P - P phi_f phi_f^T P/r^2,    lambda = lambda_0 (1 - tr P/k_0)
-    rho' = -lambda rho
-
-    (k_0 - tr P)'              = |P phi_f|^2/r^2 >= 0 where tr P = k_0, so tr P <= k_0
-    (rho P)'                   = -rho (P phi_f) (P phi_f)^T/r^2, so P <= P(0)/rho
-    P' + P phi_f phi_f^T P/r^2 = lambda P >= 0, so P >= (P(0)^-1 + int phi_f phi_f^T/r^2)^-1
-    |p P|^2 <= tr P p P p^T    for every row p, so |eta|^2 <= k_0 tr(eta P^-1 eta^T)
-
-and where CLPE does not drive alpha, tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda times it.
-With lambda_0 = 0 rho is 1 at all times, and the second is P^-1 >= P(0)^-1.
+holds.  `covariance_bounds` adds what is known of the P of least squares.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import replace
-from functools import partial
-from itertools import chain, combinations, filterfalse
+import math
+from collections import Counter
+from collections.abc import Callable, Mapping, Set
+from functools import cache, cached_property
+from itertools import chain, combinations_with_replacement, filterfalse
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import sympy
+from sympy.core.function import AppliedUndef
 
+from ...engine.model.block import Block
+from ...engine.record.symbolic import extent
 from ...paper.laws.law import Law
-from ..algebra.exact import vanishes
-from ..algebra.facts import MAXIMUM, WHERE
+from ..algebra.decide import groups_never_positive
+from ..algebra.exact import as_factors, nonzero_residual, vanishes
+from ..algebra.facts import MAXIMUM, WHERE, is_positive_maximum
+from ..algebra.texts import short
 from ..proofs.certificates import Ways
-from ..proofs.conclusions import Condition, for_sizes
-from ..proofs.judge import Fall, Verdict, judge
-from ..proofs.steps import Step, exact, exact_step, first_failure
-from .invariant_loop import NOTHING, SIZES
+from ..proofs.conclusions import Condition
+from ..proofs.judge import Fall
+from ..proofs.steps import Step, exact, exact_step
+from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
+from .covariance_bounds import covariance_claims
+from .law_candidate import LoopCandidate
 from .law_certificates import of_invariants
-from .law_equations import LoopCandidate
 from .paper_loop import mean_square
-from .semidefinite import SemidefiniteLoop
-from .states_of_laws import held, off_at_the_start, off_at_zero, repels
-from .theorem_loop import decay, rate_of_V
+from .promises import truth_of
+from .states_of_laws import arbitrary, held, off_at_the_start, off_at_zero, repels
+from .theorem_loop import (
+    Hedging,
+    decay,
+    law_and_V,
+    law_loop,
+    rate_of_V,
+    symbols_of_V,
+    theorem_scenario,
+    truth_in,
+)
 
-Claims = dict[str, tuple[str, Callable[[SemidefiniteLoop], bool | str]]]
-MIDDLE = 2  # of `SIZES`: the running blocks are compared for it
+Claims = dict[str, tuple[str, Callable[[Any], bool | str]]]
+NOTHING = MappingProxyType[str, Any]({})
 IN_THE_MEAN = "|e| <= |eta phi| over the least of KD"
 
 
-class Invariants(SemidefiniteLoop, LoopCandidate):
+class Invariants(LoopCandidate):
     """A law with invariants, on its loop for one N: a law of the table, or your own."""
 
     def __init__(
         self,
         law: Law,
         N: int,
-        points: int,
+        points: int = 1,
         seed: int = 0,
         blocks: tuple | None = None,
         start: Mapping[str, Any] = NOTHING,
+        speed: Hedging = "no limit",
     ):
-        SemidefiniteLoop.__init__(self, law, N, blocks=blocks, start=start)
-        self.points, self.seed = points, seed
-        self.eq, self.motion = self.loop, self.loop.motion
-        self.fixed, self.residual = {*self.loop.values}, self.beside
-        self.sizes = f"N = {N}"
-        self.rate = rate_of_V(self.loop).xreplace(self.tied)
+        """Read the loop of a law's row, or of `blocks`: a law and what makes its V of the truth."""
+        self.law, self.N, self.is_row, self.start = law, N, blocks is None, start
+        self.points, self.seed, self.sizes = points, seed, f"N = {N}"
+        true = truth_of(theorem_scenario(N, "learned-flow"))
+        block, V = (
+            law_and_V(law, N, speed) if blocks is None else (blocks[0], blocks[1](true))
+        )
+        self.eq = self.loop = symbolic_loop(law_loop(law, block, V, speed), jumps=True)
+        self.motion, self.fixed = self.loop.motion, {*self.loop.values}
         self.undefined = self.loop.undefined
-        bounded, self.exist, self.grown = held(self)
-        self.forms = [*bounded]
+        self.words: dict[Any, sympy.Symbol] = {}
+        self.states, self.rates = (
+            {port.rpartition(":")[2]: values for port, values in ports.items()}
+            for ports in (self.loop.states, self.loop.rates)
+        )
+        self.V, self.rate = self.loop.signals["V"][0], rate_of_V(self.loop)
+        self._read_row(block, V, true, None if blocks is None else blocks[1])
+
+    def _read_row(self, block: Block, V: Block, true: Any, own_V: Any) -> None:
+        """Read what the law's row states of its states, and what the numbers of V are."""
+        law, loop = self.law, self.loop
+        p, truth = loop.parameters[block.name], truth_in(loop)
+        assert law.invariants is not None
+        self.parameters, self.c = p, arbitrary(2 * self.N).reshape(2, self.N)
+        self.stated = equated(self.states, law.invariants(self.states, p, truth))
+        self.relations = _solved(self.stated)
+        self.matrices = {port: self.states[port] for port in law.semidefinite}
+        if own_V is None:
+            self.tied = symbols_of_V(
+                loop, V, law.V, (block.parameters, p), (true, truth)
+            )
+        else:
+            self.tied = loop.numbers_of(block.name, V.name)
+            self.tied |= symbols_of_V(loop, V, own_V, (true, truth))
+        self.V, self.rate = self.V.xreplace(self.tied), self.rate.xreplace(self.tied)
+        # of signals, rates, and d P^-1, d = theta_hat - theta
+        rates = {f"{port}'": rate for port, rate in self.rates.items()}
+        signals = {**loop.inputs, **self.states, **rates, "d P^-1": self.c}
+        self.losses = [
+            tuple(sympy.sympify(factor).xreplace(self.tied) for factor in product)
+            for product in law.losses(signals, p, truth)
+        ]
+        self.error_growth = sympy.sympify(law.error_growth(signals, p, truth))
+        perturbation = law.perturbation(signals, p, truth) if law.perturbation else 0
+        pushed = sympy.sympify(perturbation).xreplace(self.tied)
+        # what V' has beyond -e^T KD e
+        self.residual = pushed - sum(map(math.prod, self.losses))
+        self.weighted_error, self.free = None, dict[Any, Any]()
+        if law.weighted_error:
+            self.weighted_error = law.weighted_error(self.states, p, truth)
+            self.free = _free_symbols_for(self.weighted_error)
+        fresh = (value.free_symbols for value in self.free.values())
+        truths = {*np.ravel(truth.theta), *truth.KD, *truth.GammaD}
+        self.apart = {*loop.motion, *truths}.union(*fresh)
+
+    def reduced(self, expression: Any) -> sympy.Expr:
+        """Return an expression where the relations hold, words with kinks any numbers."""
+        return self.masked(sympy.sympify(expression)).xreplace(self.relations)
+
+    def masked(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return an expression with a symbol of its own for each word of the states."""
+        words = [f for f in expression.atoms(AppliedUndef) if f.args != (TIME,)]
+        for word in sorted(words, key=_outer_first):
+            if expression.has(word):
+                sign = (
+                    {"positive": True} if is_positive_maximum(word) else {"real": True}
+                )
+                symbol = self.words.setdefault(
+                    word, sympy.Dummy(str(word.func), **sign)
+                )
+                expression = expression.xreplace({word: symbol})
+        return expression
+
+    def left_over(self, claim: Callable[[SymbolicLoop], Any]) -> str:
+        """Return what V' has beyond a claim and what is beside, or has no value, or nothing."""
+        claimed = claim(self.loop) + self.residual
+        remainder = self.reduced(self.rate - claimed)
+        return nonzero_residual(remainder) or "".join(self.loop.undefined[:1])
+
+    def broken(self, jump: Mapping[Any, Any] | None = None) -> str:
+        """Return which relation the states leave, by their rates or at a jump, or nothing."""
+        for symbol, value in self.relations.items():
+            off = symbol - value
+            moved = self.loop.derivative(off) if jump is None else off.xreplace(jump)
+            remainder = self.reduced(moved)
+            if not vanishes(remainder):
+                return f"{symbol} leaves it by {short(sympy.expand(remainder))}"
+            if jump is None and self.forks(moved):
+                return f"{symbol} may leave it, as s' = |s|^(1/2) may leave 0"
+        return ""
+
+    def broken_at_a_jump(self) -> str:
+        """Return which relation the states leave where they jump, or nothing."""
+        return next(filter(None, map(self.broken, self.loop.jumps_at_once())), "")
+
+    def forks(self, rate: sympy.Expr) -> bool:
+        """Return whether motions may part where a rate is zero, as those of s' = |s|^(1/2) at 0."""
+        roots = (p.base for p in rate.atoms(sympy.Pow) if not p.exp.is_Integer)
+        may_be_zero = sympy.Tuple(*(base for base in roots if not base.is_positive))
+        return bool(may_be_zero.free_symbols & {*self.loop.motion})
+
+    # --- semidefinite matrices --------------------------------------------------------------
+
+    def semidefinite_after_a_jump(self) -> bool:
+        """Return whether c^T M c is not negative after a jump, for every M >= 0 and c."""
+        for after in self.loop.jumps_at_once():
+            for M in self.matrices.values():
+                c = arbitrary(len(M))
+                new = np.array(
+                    [[after.get(m, m) for m in row] for row in M], dtype=object
+                )
+                form = self.masked(sympy.expand(c @ new @ c))
+                if not self.not_negative(form, set(c)):
+                    return False
+        return True
+
+    def estimate_grows(self) -> str:
+        """Return what (d M^-1 d^T)' = error_growth <= 0 fails by, or nothing.
+
+        d = theta_hat - theta.  With M = M^T and d = c M, whatever c is: 2 d' c^T - c M' c^T.
+        """
+        if self.loop.jumps:
+            return "its states jump, and what its error does there is not judged"
+        (port,) = self.matrices
+        M, c = self.symmetric[port], self.c
+        if np.any(M != M.T):
+            return f"left over: {short(M[0, 1] - M[1, 0])}"
+        theta = self.loop.parameters["true_flow"].theta
+        substitutions = equated(self.states, {"theta_hat": theta + c @ M})
+        rate = 2 * np.sum(self.rates["theta_hat"] * c)
+        rate -= np.sum((c @ self.rates[port]) * c)
+        if not self.error_growth.is_nonpositive:
+            return "what it gains may be positive"
+        excess = sympy.sympify(rate - self.error_growth).xreplace(substitutions)
+        return nonzero_residual(self.reduced(excess))
+
+    def stays_semidefinite(self, port: str) -> bool:
+        """Return whether c^T M' c is not negative where M c = 0, for every c."""
+        M = self.matrices[port]
+        form = as_factors(self.rate_where(port, np.zeros(len(M), dtype=object)))
+        return bool(form.is_nonnegative) and not self.forks(self.form_of_rate(port))
+
+    def form_of_rate(self, port: str) -> sympy.Expr:
+        """Return c^T M' c, whatever c is, with 1 for its last element.
+
+        As c^T M' c has the sign of c^T M' c/c_n^2, c_n is 1; where it is 0, M and c are rotated a
+        little.
+        """
+        c = arbitrary(len(self.matrices[port]))
+        form = sympy.sympify(c @ self.rates[port] @ c)
+        return form.xreplace({c[-1]: sympy.S.One})
+
+    def rate_where(self, port: str, K: np.ndarray) -> sympy.Expr:
+        """Return c^T M' c where M c = K c, K diagonal."""
+        M = self.symmetric[port].copy()
+        c = arbitrary(len(M))[:-1]
+        M[:-1, -1] = M[-1, :-1] = K[:-1] * c - M[:-1, :-1] @ c
+        M[-1, -1] = K[-1] - np.dot(M[-1, :-1], c)
+        return self.form_of_rate(port).xreplace(equated(self.matrices, {port: M}))
+
+    @cached_property
+    def symmetric(self) -> dict[str, np.ndarray]:
+        """Each semidefinite matrix with its relations, shape (n, n)."""
+        expanded = np.vectorize(
+            lambda s: sympy.expand(self.reduced(s)), otypes=[object]
+        )
+        return {port: expanded(symbols) for port, symbols in self.matrices.items()}
+
+    def not_negative(
+        self, expression: Any, of_any_value: Set[Any] = frozenset()
+    ) -> bool:
+        """Return whether F = F(M = 0) + sum tr(M S) is known not to be negative for M >= 0.
+
+        `of_any_value` are symbols beside states and truths that may have any value.
+        """
+        expression = sympy.sympify(expression)
+        if self.masked(expression).is_nonnegative or self.is_room(expression):
+            return True
+        expanded = sympy.expand(self.reduced(expression).xreplace(self.free))
+        matrices = self.symmetric
+        symbols = sorted({s for M in matrices.values() for s in M.flat}, key=str)
+        if not expanded.is_polynomial(*symbols):
+            return False
+        of_M = sympy.Poly(expanded, *symbols, sympy.Dummy())  # there may be no matrices
+        if of_M.total_degree() > 1:
+            return False
+        shares_of_M = [of_M.coeff_monomial(1)]
+        for M in matrices.values():
+            c = arbitrary(len(M), "d")
+            # M_jk stands for M_kj too
+            pairs = combinations_with_replacement(range(len(M)), 2)
+            shares = (c[j] * c[k] * of_M.coeff_monomial(M[j, k]) for j, k in pairs)
+            shares_of_M.append(sympy.expand(sympy.Add(*shares)))
+        variables = self.apart | of_any_value
+        return all(groups_never_positive(-share, variables) for share in shares_of_M)
+
+    def is_room(self, expression: sympy.Expr) -> bool:
+        """Return whether an expression is 1 - tr P/k_0, which never gets negative."""
+        if self.weighted_error is None:
+            return False
+        trace = sum(self.matrices["P"].diagonal())
+        return vanishes(expression - 1 + trace / self.parameters.largest)
+
+    # --- the questions ----------------------------------------------------------------------
 
     def is_definite(self) -> Step:
         """Return the step that V and what V' loses are not negative."""
+        bounded, self.exist, self.grown = held(self)
+        self.forms = [*bounded]
         names = ", ".join(self.law.semidefinite)
         premise = f"with {names} >= 0 " * bool(names)
         terms = {self.V, *chain.from_iterable(self.losses)}
@@ -138,28 +340,38 @@ class Invariants(SemidefiniteLoop, LoopCandidate):
         return vanishes(expression) or self.not_negative(-expression)
 
 
-def judged_row(law: Law, points: int, seed: int) -> Verdict:
-    """Return the verdict on a law of the table, of which each step holds for each N."""
-    verdict = judge(Invariants(law, MIDDLE, points, seed))
-    if verdict.status != "proved":
-        return verdict
-    others = [Invariants(law, N, points, seed) for N in SIZES if N != MIDDLE]
-    claim = "each exact step holds for " + " and ".join(case.sizes for case in others)
-    failed = {step.claim for step in verdict.failed}  # of jumps, which the verdict says
-
-    def missing(case: Invariants) -> str:
-        return first_failure(s for s in case.exact_steps() if s.claim not in failed)
-
-    step = exact_step(others, claim, missing)
-    if not step.holds:
-        return replace(others[0].verdict("open", first_failure([step])), steps=(step,))
-    of_N = for_sizes(SIZES)
-    conditions = (of_N if c.name == "N" else c for c in verdict.conditions)
-    steps = *verdict.steps, step
-    return replace(verdict, conditions=tuple(conditions), steps=steps)
+@cache
+def _outer_first(word: AppliedUndef) -> tuple[int, str]:
+    return -extent(word)[0], str(word)
 
 
-def claims_of(case: SemidefiniteLoop) -> Claims:
+def _solved(relations: dict[Any, sympy.Expr]) -> dict[Any, sympy.Expr]:
+    """Return symbols -> what they are, where M = (M + M^T)/2 is M_jk = M_kj."""
+    solved: dict[Any, sympy.Expr] = {}
+    for symbol, value in relations.items():
+        value = sympy.expand(value.xreplace(solved))
+        share = value.coeff(symbol)
+        if share.is_Rational and 0 < share < 1:
+            value = sympy.expand((value - share * symbol) / (1 - share))
+        if value != symbol:
+            solved[symbol] = value
+    return solved
+
+
+def _free_symbols_for(values: np.ndarray) -> dict[Any, Any]:
+    """Return symbol -> expression such that each value, linear in it, becomes a symbol."""
+    replacements = {}
+    counts = Counter(s for value in values.flat for s in value.free_symbols)
+    for k, value in enumerate(values.flat):
+        symbol = min((s for s in value.free_symbols if counts[s] == 1), key=str)
+        fresh = sympy.Symbol(f"over_{k + 1}", real=True)
+        replacements[symbol] = (fresh - value.subs(symbol, 0)) / sympy.diff(
+            value, symbol
+        )
+    return replacements
+
+
+def claims_of(case: Invariants) -> Claims:
     """Return what is to be shown of a law, one's own or of the table: claim -> shows, check."""
     law, names = case.law, case.law.semidefinite
     kept, sizes = "what the law's states keep is kept", f"N = {case.N}"
@@ -173,8 +385,8 @@ def claims_of(case: SemidefiniteLoop) -> Claims:
         claims["what is kept does not repel"] = "", repels
     if case.loop.jumps:
         claim = f"{', '.join(names)} >= 0 is not left where they jump"
-        claims["and is kept where they jump"] = "", SemidefiniteLoop.broken_at_a_jump
-        claims[claim] = "", SemidefiniteLoop.semidefinite_after_a_jump
+        claims["and is kept where they jump"] = "", Invariants.broken_at_a_jump
+        claims[claim] = "", Invariants.semidefinite_after_a_jump
     if names:
         claims[
             f"c^T M' c >= 0 where M c = 0, so M >= 0 is not left: {', '.join(names)}"
@@ -185,17 +397,11 @@ def claims_of(case: SemidefiniteLoop) -> Claims:
         lambda case: case.left_over(decay),
     )
     if law.weighted_error:
-        # where CLPE drives alpha BOUNDS[0] does not hold
-        start_index = int(law.perturbation is None)
-        claims |= {
-            BOUNDS[k]: ("", partial(_moves, index=k))
-            for k in range(start_index, len(BOUNDS))
-        }
-        claims[BOUNDED_BY_V] = "", _cauchy
+        claims |= covariance_claims(law)
     if law.makes_estimate:
         claims["the error of the estimate never grows: (d P^-1 d^T)' is as claimed"] = (
             "",
-            SemidefiniteLoop.estimate_grows,
+            Invariants.estimate_grows,
         )
     if law.readout:
         claims[
@@ -204,7 +410,7 @@ def claims_of(case: SemidefiniteLoop) -> Claims:
     return claims
 
 
-def _reads(case: SemidefiniteLoop) -> bool:
+def _reads(case: Invariants) -> bool:
     """Return whether a readout where(1 - w >= m, a, -alpha) is theta in its first branch."""
     (w,) = case.states[case.law.error_left]
     read, truth = (
@@ -230,52 +436,3 @@ def _reads(case: SemidefiniteLoop) -> bool:
         ):
             return False
     return True
-
-
-BOUNDS = (  # of eta and P, as `covariance_rates` has what moves
-    "tr(eta P^-1 eta^T)' = -|eta phi_f|^2/r^2 - lambda tr(eta P^-1 eta^T): it never rises",
-    "(k_0 - tr P)' >= 0 where tr P = k_0: tr P <= k_0 is kept",
-    "(rho P)' = -rho (P phi_f) (P phi_f)^T/r^2: P^-1 >= rho P(0)^-1 at all times",
-    "P' + P phi_f phi_f^T P/r^2 = lambda P: P^-1 <= P(0)^-1 + int phi_f phi_f^T/r^2",
-)
-BOUNDED_BY_V = (
-    "|eta|^2 <= tr P tr(eta P^-1 eta^T) <= k_0 tr(eta P^-1 eta^T): eta is bounded by V"
-)
-
-
-def _moves(case: SemidefiniteLoop, index: int) -> bool:
-    pairs = zip(*map(np.ravel, covariance_rates(case)[index]), strict=True)
-    return bool(case.parameters.forgetting.is_nonnegative) and all(
-        vanishes(case.reduced(case.loop.derivative(a) - rate)) for a, rate in pairs
-    )
-
-
-def covariance_rates(case: SemidefiniteLoop) -> tuple[tuple[Any, Any], ...]:
-    """Return quantities of P and eta, each with its rate; lambda is 0 where tr P = k_0."""
-    P, p, rho, error = (
-        case.states["P"],
-        case.parameters,
-        case.states["rho"],
-        case.weighted_error,
-    )
-    forgetting = p.forgetting * (1 - np.trace(P) / p.largest)
-    gain, size = P @ case.states["phi_f"] / p.noise, np.sum((error @ P) * error)
-    return (
-        (size, -sum((error @ gain) ** 2) - forgetting * size),
-        (p.largest - np.trace(P), sum(gain**2) - forgetting * np.trace(P)),
-        (rho * P, -rho * np.outer(gain, gain)),
-        (P, forgetting * P - np.outer(gain, gain)),
-    )
-
-
-def _cauchy(case: SemidefiniteLoop) -> bool:
-    """Return whether tr P p P p^T - |p P|^2 is a sum of squares for P = sum of v v^T."""
-    n = len(case.matrices["P"])
-    p = np.array(sympy.symbols(f"p_1:{n + 1}", real=True))
-    v = np.array(sympy.symbols(f"v_1:{n * n + 1}", real=True)).reshape(n, n)
-    P = v.T @ v
-    squares = sum(
-        sum((v[a] * (v[b] @ p) - v[b] * (v[a] @ p)) ** 2)
-        for a, b in combinations(range(n), 2)
-    )
-    return vanishes(np.trace(P) * (p @ P @ p) - sum((p @ P) ** 2) - squares)

@@ -24,19 +24,21 @@ from ...simulation.loops import loop_of
 from ...simulation.user_components import functions_of
 from ...simulation.user_components import law_block as as_law_block
 from ..proofs.certificates import Ways, without
-from ..proofs.conclusions import Condition
+from ..proofs.conclusions import Condition, for_sizes
 from ..proofs.judge import Verdict, judge
 from ..proofs.paper_symbols import paper_name
 from ..proofs.proof import where_all_hold
-from ..proofs.steps import worked_out
+from ..proofs.steps import exact_step, first_failure, worked_out
 from .default_candidate import default_V, user_V
-from .fixes import SIZES, fix_steps
-from .invariants import Invariants, judged_row
+from .fixes import SIZES_AT_FIXES, fix_steps
+from .invariants import Invariants
 from .law_candidate import LawCandidate
 from .law_certificates import of_theorem
 from .paper_loop import KNOWN_ERROR, PaperLoop, known_flow_steps
 from .theorem_loop import law_and_V, theorem_loop
 
+SIZES = (1, 2, 3)  # numbers of functions
+MIDDLE = 2  # of `SIZES`: the running blocks are compared for it
 MEAN = "|e| <= |(theta - theta_hat) phi| over the least of KD"
 ANY = "clpt.lyapunov(diagram, V) judges a V of your own on any diagram"
 
@@ -145,16 +147,37 @@ def verdict_on_row(law: Law, points: int, block: Block, seed: int = 0) -> Verdic
         claim = f"V' = {law.V_rate}; |eta_k| <= (2 V(0) P_kk)^(1/2)/r"
         where = (Condition("phi"), Condition("exact fixes"))
         steps = fix_steps(law, points)
-        proof = where_all_hold(claim, steps, "definite", where, SIZES)
+        proof = where_all_hold(claim, steps, "definite", where, SIZES_AT_FIXES)
         ways = partial(without, "V falls where states jump, at fixes")
     elif law.given_estimate:
         steps = known_flow_steps(PaperLoop(law.name), points)
         proof = where_all_hold(KNOWN_ERROR, steps, "exists jumps", bound=MEAN)
     elif law.invariants is not None:
-        return judged_row(law, points, seed)
+        return _judged_for_sizes(law, points, seed)
     else:
         return prove(block, lambda truth, p: law.V(p, truth), points, seed)
     return Verdict(**proof.judged, ways=ways)
+
+
+def _judged_for_sizes(law: Law, points: int, seed: int) -> Verdict:
+    """Judge a law with invariants for one N; its exact steps must hold for each of `SIZES`."""
+    verdict = judge(Invariants(law, MIDDLE, points, seed))
+    if verdict.status != "proved":
+        return verdict
+    others = [Invariants(law, N, points, seed) for N in SIZES if N != MIDDLE]
+    claim = "each exact step holds for " + " and ".join(case.sizes for case in others)
+    failed = {step.claim for step in verdict.failed}  # of jumps, which the verdict says
+
+    def missing(case: Invariants) -> str:
+        return first_failure(s for s in case.exact_steps() if s.claim not in failed)
+
+    step = exact_step(others, claim, missing)
+    if not step.holds:
+        return replace(others[0].verdict("open", first_failure([step])), steps=(step,))
+    of_N = for_sizes(SIZES)
+    conditions = (of_N if c.name == "N" else c for c in verdict.conditions)
+    steps = *verdict.steps, step
+    return replace(verdict, conditions=tuple(conditions), steps=steps)
 
 
 def _has_signs_of(law: Law, block: Block) -> bool:

@@ -1,5 +1,6 @@
 """States of a law beside alpha, K and Gamma: their relations, and which of them are bounded."""
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,16 +17,22 @@ from ..algebra.numeric_values import NO_VALUE
 from ..algebra.sums_of_squares import contains_all, squares
 from ..algebra.texts import short
 from ..proofs.symbolic_loop import equated
-from .invariant_loop import InvariantLoop, arbitrary
 from .promises import truth_of
-from .semidefinite import SemidefiniteLoop
 from .theorem_loop import ErrorCoordinates, theorem_scenario
 
 REPELS = 1e-9  # of the largest eigenvalue: a positive real part that is no rounding
 START = (0.4, -0.7)  # of vehicle and learner
 
 
-def off_at_the_start(case: InvariantLoop) -> str:
+@cache
+def arbitrary(n: int, name: str = "c") -> np.ndarray:
+    """Return n symbols that may be any numbers, the same ones each time: what is found of them."""
+    return np.array(
+        sympy.symbols(f"{name}_1:{n + 1}", real=True, cls=sympy.Dummy), dtype=object
+    )
+
+
+def off_at_the_start(case: Any) -> str:
     """Name the states whose relation does not hold where a run begins, whatever alpha is."""
     alpha, theta = np.random.default_rng(0).normal(size=(2, 2, case.N)).tolist()
     drawn = {
@@ -51,7 +58,7 @@ def off_at_the_start(case: InvariantLoop) -> str:
     return ", ".join(f"{name} at the start" for name in off)
 
 
-def off_at_zero(case: InvariantLoop) -> str:
+def off_at_zero(case: Any) -> str:
     """Return a state that is not what the truth makes it where all of a law's own are 0, or "".
 
     No start of alpha, K and Gamma, nor of the vehicle, is known to be true.
@@ -73,7 +80,7 @@ def off_at_zero(case: InvariantLoop) -> str:
     return ""
 
 
-def repels(case: InvariantLoop) -> str:
+def repels(case: Any) -> str:
     """Return which relation pushes away states that leave it by rounding, or "".
 
     With r = s - value beside each relation, r' = J r where r is small.  J is judged where it
@@ -104,7 +111,7 @@ def repels(case: InvariantLoop) -> str:
     return f"{names}: a distance from it that rounding leaves grows"
 
 
-def held(case: SemidefiniteLoop) -> tuple[set, set, list[str]]:
+def held(case: Any) -> tuple[set, set, list[str]]:
     """Return states that are bounded, others that exist, and matrices positive at the start.
 
     V holds e and what is learned, of M that never shrinks with a multiple of I in its place:
@@ -158,7 +165,7 @@ def held(case: SemidefiniteLoop) -> tuple[set, set, list[str]]:
     return bounded, exist, grown
 
 
-def keeps_a_ceiling(case: SemidefiniteLoop, port: str) -> bool:
+def keeps_a_ceiling(case: Any, port: str) -> bool:
     """Return whether c^T M' c = 0 where M c = K c, K > 0 diagonal: then M <= K is kept.
 
     M begins at 0; K is made of parameters.

@@ -1,28 +1,263 @@
-"""V of a user along a diagram: it falls, and loses forms, or is pulled back."""
+"""A user's V on a diagram: the signs of V', the forms that V' loses, and points that refute V.
 
+    V' = dV/dt + sum_i (dV/dx_i) f_i(t, x, u)
+
+The equations are those that run; parameters are symbols of the signs that they have, or their
+numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from math import pi
 from typing import Any
 
 import numpy as np
 import sympy
 
-from ...engine.diagram.symbol_names import TIME
+from ...base.arguments import check_holds
+from ...base.errors import DiagramError
+from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
+from ...engine.diagram.symbolic_equations import on_symbols
 from ...engine.diagram.wiring import wiring_of
-from ..algebra.decide import never_positive, without_choices, without_fading
+from ...engine.record.symbolic import rational
+from ..algebra.decide import (
+    in_one_piece,
+    never_positive,
+    without_choices,
+    without_fading,
+)
+from ..algebra.decided import decided
 from ..algebra.exact import factored, normal_form, vanishes, whole_coefficients
-from ..algebra.facts import has_time
-from ..algebra.slopes import along
-from ..algebra.sums_of_squares import lost_forms
+from ..algebra.facts import has_time, is_continuous
+from ..algebra.numeric_values import NO_VALUE
+from ..algebra.slopes import along, meets_smoothly
+from ..algebra.sums_of_squares import lost_forms, squares
 from ..algebra.texts import short
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
-from .judge import Fall, Verdict, judge
-from .steps import Step, exact
-from .system_refutation import RefutableSystem
+from .judge import Candidate, Fall, Refutation, Verdict, judge
+from .point_search import Failure, PointSearch
+from .same_as_running import compare
+from .signal_functions import expression_of, undefined_in
+from .steps import Step, checked, exact
+from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
+MOST_TURNS = 360  # pi/360 is a share of pi
 
-class SystemCandidate(RefutableSystem):
+
+class SystemCandidate(Candidate):
     """A diagram with a V of the user, on symbols, or with parameters as their numbers."""
+
+    def __init__(
+        self,
+        system: Any,
+        V: Any,
+        claim: Any,
+        rest: Mapping[str, float] | None,
+        points: int = 1,
+        seed: int = 0,
+        numbers: bool = False,
+    ):
+        self.system, self.points, self.seed = system, points, seed
+        names = Numbers if numbers else Names
+        self.eq = on_symbols(system, names, watch=undefined_in, with_samples=True)
+        self._refuse_what_has_no_rates()
+        self.motion = {s: decided(rate) for s, rate in self.eq.motion.items()}
+        self.fixed = {*self.eq.values}
+        self.states = [*self.motion]
+        self.inputs = [s for port in self.eq.inputs.values() for s in port.flat]
+        labels = {V, f"{V}[0]"} if isinstance(V, str) else set()
+        outputs = system.output_labels
+        self.output = next((name for name in outputs if name in labels), "")
+        self.claim = None if claim is None else expression_of(self.eq, claim)[0]
+        V_of_states, undefined = expression_of(self.eq, V)
+        self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
+        self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
+        self.rate = self._rate_of_V()
+        self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
+        self.rest = None if rest is None else self._rest_state(rest)
+
+    def _refuse_what_has_no_rates(self) -> None:
+        name, eq = self.system.name, self.eq
+        refuse_levels(eq)
+        if not eq.motion:
+            raise DiagramError(f"{name}: has no states, so V' is not defined")
+        refuse_names(name, {**eq.signals, **eq.states, **eq.inputs, **eq.fields})
+        for s, rate in eq.motion.items():
+            if rate.xreplace(eq.values).has(*NO_VALUE):
+                raise DiagramError(
+                    f"{name}: with the parameters as they are {s}' has no value"
+                )
+
+    def _rate_of_V(self) -> sympy.Expr:
+        """Return V', or in discrete time by how much V changes from one time to the next."""
+        if self.eq.discrete:
+            if self.V.has(TIME, *self.inputs):
+                raise DiagramError(
+                    f"{self.system.name}: is of discrete time; give a V of its states alone"
+                )
+            return self.V.xreplace(dict(self.motion)) - self.V
+        rate = along(self.V, {TIME: sympy.Integer(1), **self.motion})
+        is_smooth = meets_smoothly(self.V) and all(
+            map(is_continuous, self.motion.values())
+        )
+        return (is_smooth and in_one_piece(rate)) or rate
+
+    def _rest_state(self, values: Mapping[str, float]) -> dict[Any, sympy.Expr]:
+        """Return each state's value at a rest, a share of pi where a number is that."""
+        rest_state = dict.fromkeys(self.states, sympy.Integer(0))
+        names = {str(s): s for s in self.states}
+        check_holds("at", names, values, f"states are {', '.join(names)}")
+        for name, value in values.items():
+            turns = rational(float(value) / pi)
+            is_turn = turns.q <= MOST_TURNS
+            rest_state[names[name]] = (
+                turns * sympy.pi if is_turn else rational(float(value))
+            )
+        return rest_state
+
+    def depends_on(self, rate: sympy.Expr) -> list[str]:
+        """Return the inputs that V' depends on."""
+        rate = normal_form(rate)
+        return [str(f.func) for f in self.inputs if rate.has(f)]
+
+    @cached_property
+    def search(self) -> PointSearch:
+        """Random points about the rest."""
+        rest_state = self.rest or {}
+        return PointSearch(
+            self.system, self.eq, self.V, self.output, rest_state, self.seed
+        )
+
+    def same_as_running(self) -> Step:
+        """Return the step that the running blocks have the same V and rates."""
+        return self.compared(lambda points: points)
+
+    def compared(self, restrict: Callable[[tuple], tuple]) -> Step:
+        """Compare with the running blocks at random points, `within` a region if need be."""
+        claim = "the running blocks give the same V'"
+
+        def agrees() -> tuple[bool, str]:
+            return compare(
+                self.search, restrict(self.search.wide(self.points)), self.points
+            )
+
+        return checked(claim, agrees, "sampled", False, "running")
+
+    # --- in the user's signals ------------------------------------------------------------------
+
+    @cached_property
+    def sums(self) -> dict[sympy.Expr, sympy.Expr]:
+        """Each signal that is a sum: the sum -> its symbol."""
+        names: dict[sympy.Expr, sympy.Expr] = {}
+        for port, symbols in self.eq.signals.items():
+            for index, value in np.ndenumerate(symbols):
+                total = sympy.expand(value)
+                if total.is_Add:
+                    name = element_name(port, symbols.shape, index)
+                    symbol = sympy.Symbol(name, real=True)
+                    names |= {total: symbol, sympy.expand(-total): -symbol}
+        return names
+
+    def in_signals(self, e: sympy.Expr) -> sympy.Expr:
+        """Return an expression in the diagram's own signals, each signal in place of its sum."""
+        return e.replace(
+            lambda term: term.is_Add,
+            lambda term: self.sums.get(sympy.expand(term), term),
+        )
+
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression in the diagram's own signals, in a line."""
+        return short(self.in_signals(expression))
+
+    @property
+    def shown_rate(self) -> str:
+        """V' in a line."""
+        return short(self.readable_rate())
+
+    def readable_rate(self) -> sympy.Expr:
+        """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
+        if self.rate not in self.readable:
+            self.readable[self.rate] = self._readable(decided(normal_form(self.rate)))
+        return self.readable[self.rate]
+
+    def _readable(self, rate: sympy.Expr) -> sympy.Expr:
+        total = squares(-rate, self.fixed)
+        forms = [rate, factored(rate)]
+        if total and not total.constant.free_symbols - self.fixed:
+            terms = (-sympy.factor_terms(term) for term in total.terms)
+            forms.append(sympy.Add(*terms) - total.constant)
+        return min(map(self.in_signals, forms), key=sympy.count_ops)
+
+    # --- points at which it fails --------------------------------------------------------------
+
+    def refuted(self, steps: list[Step]) -> Refutation | None:
+        """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
+        _, definite, falls, *_ = steps
+        below = "V is below its value at rest" if self.rest else "V falls without end"
+        over = "V' > 0" if self.claim is None else "V' is above the claim"
+        for fails, find, holds in (
+            (over, self._rises, falls.holds),
+            (below, self._no_least, definite.holds),
+        ):
+            if holds:
+                continue
+            failure = find()
+            claim = f"{fails} at a point"
+            step = Step(claim, failure is not None, "counterexample", "", False)
+            if failure is not None:
+                claim = f"V' = {self.shown_rate}; {fails}: {failure[1]:.3g} at `point`"
+                return Refutation(claim, step, *failure)
+            steps.append(step)
+        return None
+
+    def refuted_by_inputs(self) -> Refutation | None:
+        """Return a point at which inputs raise V, however far from the rest."""
+        failure = self.search.rises_far_off(self.rate, set())
+        if failure is None:
+            return None
+        inputs = " = ".join(self.depends_on(self.rate))
+        step = Step(f"{inputs} raises V however large it is", True, "counterexample")
+        claim = f"V' > 0: {failure[1]:.3g} at `point`, and 10 and 100 times as far off"
+        return Refutation(f"{claim}; where {inputs} = 0 V' <= 0", step, *failure)
+
+    def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
+        """Return a point at which V rises at a jump, if jumps do not depend on time."""
+        if rise.has(TIME, *self.intervals):  # at few of which it jumps
+            return None
+        failure = self.search.sign_at(rise, 1)
+        if failure is None:
+            return None
+        claim = f"V rises by {failure[1]:.3g} at a jump"
+        return Refutation(claim, exact(claim, False), *failure)
+
+    def _rises(self) -> Failure | None:
+        """Return a point at which V' is above 0, or above the claim."""
+        rate, zero = normal_form(self.rate), sympy.S.Zero
+        if self.claim is not None:
+            return self.search.rate_above(rate, self.claim, still=False)
+        still = self.search.rate_above(rate, zero, still=True)
+        if still is not None:
+            return still
+        if self.depends_on(rate):
+            return self.search.rises_far_off(self.rate, set())
+        return self.search.rate_above(rate, zero, still=False)
+
+    def _no_least(self) -> Failure | None:
+        """Return a point at which V is below its value at the rest, and by how much.
+
+        If no rest is given it is one whose multiples have a V that falls without end: there the
+        part of V of highest degree is negative.
+        """
+        V, states = self.V, self.states
+        if self.rest is not None:
+            return self.search.sign_at(V - V.xreplace(self.rest), -1)
+        if not (V.is_polynomial(*states) and V.has(*states)):
+            return None
+        scale = sympy.Dummy()
+        scaled = sympy.Poly(V.xreplace({s: scale * s for s in states}), scale)
+        return self.search.sign_at(scaled.LC(), -1)
 
     # --- the questions --------------------------------------------------------------------------
 

@@ -24,7 +24,7 @@ from ...paper.laws.law import Law
 from ...paper.laws.table import LAWS
 from ..algebra.exact import nonzero_residual, vanishes
 from ..algebra.facts import MAXIMUM
-from ..laws.invariant_loop import InvariantLoop
+from ..laws.invariants import Invariants
 from ..laws.paper_loop import PaperLoop, algebra, line, mean_square, quadratic, running
 from ..laws.theorem_loop import decay, law_and_V, law_loop, rate_of_V
 from ..proofs.certificates import with_certificates
@@ -55,7 +55,7 @@ def differs(law: Law) -> str:
         for s in compared & without_limit.keys():
             if not vanishes(without_limit[s] - with_limit[s].xreplace(flown)):
                 return f"{s} moves or jumps differently"
-    return "" if law.invariants is None else InvariantLoop(law, N, "hedged").broken()
+    return "" if law.invariants is None else Invariants(law, N, speed="hedged").broken()
 
 
 def same_rate_of_every_law() -> tuple[bool, str]:
