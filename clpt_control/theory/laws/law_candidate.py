@@ -1,50 +1,43 @@
-"""V of an adaptive law on the paper's loop: it falls, is bounded, or is refuted.
+"""V of an adaptive law on the paper's loop: a diagram with V in x and e = x - z.
 
     V' = -e^T KD e + residual
 
-If the residual of V' is never positive, V falls and e goes to zero as in Theorem 3.2; where it
-pulls back but for a constant, V is bounded (`ultimate_bounds`).  The law's numbers and those of V
-stand in V' exactly; the truth that V contains, theta, KD and GammaD, is the loop's own symbols.
-With V of another shape in e the fall is -sum KD_i e_i dV/de_i.  States are x and e, z = x - e.
+The law's numbers and those of V stand in V' exactly; the truth that V contains, theta, KD and
+GammaD, is the loop's own symbols.  If the residual is never positive, V falls and e goes to zero as
+in Theorem 3.2; where V' pulls V back but for a constant and a disturbance, V is bounded
+(`ultimate_bounds`).  With V of another shape in e the decay is -sum KD_i e_i dV/de_i.
 """
 
+from copy import copy
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
-import numpy as np
 import sympy
-from sympy.core.function import AppliedUndef
 
 from ...base.units import at_least, at_most
+from ...engine.diagram.symbol_names import TIME
 from ...engine.model.block import Block
 from ...simulation.user_components import functions_of
-from ..algebra.exact import as_factors, normal_form, vanishes
-from ..algebra.facts import CLIP, SIGN, has_time
+from ..algebra.exact import normal_form
+from ..algebra.facts import CLIP, has_time
 from ..algebra.slopes import along
 from ..algebra.sums_of_squares import dead_zone, rising_in
 from ..algebra.texts import short
-from ..proofs.certificates import Ways
+from ..proofs.certificates import Ways, of_system
 from ..proofs.conclusions import Condition, Status
 from ..proofs.judge import Candidate, Fall, Refutation, Verdict
-from ..proofs.point_search import PointSearch
+from ..proofs.point_search import Failure, PointSearch
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
-from ..proofs.symbolic_loop import (
-    TIME,
-    SymbolicLoop,
-    flat,
-    refuse_no_value,
-    symbolic_loop,
-)
-from ..proofs.ultimate_bounds import Bounding, bounded
+from ..proofs.symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from ..proofs.system_candidate import SystemCandidate
+from ..proofs.ultimate_bounds import bounded, pulled_forms
 from .default_candidate import WEIGHTS, LawV
-from .law_certificates import of_law
 from .law_for_every_n import holds_for_every_N
 from .promises import truth_of
 from .theorem_loop import (
     ErrorCoordinates,
-    rate_of_V,
     symbols_of_V,
     theorem_loop,
     theorem_scenario,
@@ -89,25 +82,27 @@ class LoopCandidate(Candidate):
         )
 
 
-class LawCandidate(LoopCandidate):
-    """A law with its V, on symbols and running, and what is asked of them."""
+class LawCandidate(LoopCandidate, SystemCandidate):
+    """A law with its V, on symbols and running."""
+
+    place = "the truth"
 
     def __init__(self, law: Block, law_V: LawV, points: int, seed: int):
         self.N = N = functions_of(law)
+        self.law, self.fitted = law, law_V.fitted
+        self.points, self.seed, self.sizes = points, seed, f"N = {N}"
         truth = truth_of(theorem_scenario(N, "learned-flow"))
-        V = law_V.make(truth)
+        self.block = V = law_V.make(truth)
         diagram = theorem_loop(N, "learned-flow", law_block=law, candidate=V)
         self.eq = self.loop = loop = symbolic_loop(diagram, jumps=True)
-        self.block, self.law, self.fitted = V, law, law_V.fitted
-        self.points, self.seed = points, seed
         refuse_no_value(loop, V.name)
-        self.sizes = f"N = {N}"
         self._tie(symbols_of_V(loop, V, law_V.make, (truth, truth_in(loop))), law_V)
         self.fixed, self.numbers = {*loop.values}, {*self.values}
         self.coordinates = ErrorCoordinates(loop)
         self.e = self.coordinates.e
+        self.KD = dict(zip(self.e, truth_in(loop).KD, strict=True))
         self.motion = self.coordinates.motion(self.of_e)
-        self.moving_symbols = {TIME, *self.motion}
+        self.inputs = [s for port in loop.inputs.values() for s in port.flat]
         of_V = f"{V.name}."  # a V that leaves the range of numbers is a V
         self.undefined = [
             s
@@ -115,12 +110,9 @@ class LawCandidate(LoopCandidate):
             if not (s.startswith(of_V) and s.endswith("large"))
         ]
         self.V = self.of_e(loop.signals["V"][0])
-        self.zones, self.V_of_e = [], self.V
-        for e in self.e:
-            zone, self.V_of_e = dead_zone(self.V_of_e, e)
-            self.zones.append(zone)
-        self.rate = normal_form(self.of_e(rate_of_V(loop)))
-        self.residual = self._residual()
+        self.claim, self.level_values = None, {}
+        self.rate = normal_form(self._rate_of_V())
+        self._read_decay()
 
     def _tie(self, tied: dict[Any, Any], law_V: LawV) -> None:
         """Set what symbols are: numbers of the law and of V, but not of the truth."""
@@ -136,86 +128,46 @@ class LawCandidate(LoopCandidate):
 
     def of_e(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in x and e, with the numbers of the law and of V."""
-        return (
-            sympy.sympify(expression)
-            .xreplace(self.known)
-            .xreplace(self.coordinates.in_e)
-        )
-
-    def _residual(self) -> sympy.Expr:
-        """Return V' less its fall."""
-        remainder = normal_form(self.rate - self.fall_of_e)
-        sizes = {a: a.args[0] * SIGN(*a.args) for a in remainder.atoms(sympy.Abs)}
-        has_powers = remainder.atoms(sympy.Pow)
-        divisors = [p.base for p in has_powers if p.exp.is_negative]
-        if sympy.Tuple(*divisors).has(TIME):  # gains of time, which may cancel
-            remainder = as_factors(remainder)
-        return (
-            sympy.S.Zero
-            if has_powers and vanishes(remainder.xreplace(sizes))
-            else remainder
-        )
-
-    # --- the truth ------------------------------------------------------------------------------
-
-    @property
-    def KD(self) -> np.ndarray:
-        """The gains of the vehicle, as symbols."""
-        return self.loop.parameters["vehicle_controller"].KD
-
-    @cached_property
-    def fall_of_e(self) -> sympy.Expr:
-        """-sum KD_i e_i dV/de_i, which is -e^T KD e where V contains |e|^2/2."""
-        pairs = zip(self.KD, self.e, strict=True)
-        terms = [k * e * along(self.V, {e: sympy.S.One}) for k, e in pairs]
-        return -normal_form(sympy.Add(*terms))
-
-    @cached_property
-    def truth(self) -> dict[Any, sympy.Expr]:
-        """Values of states at which CLPE and each parameter's error is zero, where one is known."""
-        truth, states = truth_in(self.loop), {*self.loop.motion}
-        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
-        values = dict.fromkeys(self.e, sympy.S.Zero)
-        for port, numbers in true.items():
-            for output, number in zip(
-                self.loop.signals[port].flat, numbers, strict=True
-            ):
-                error = sympy.expand(self.of_e(output).xreplace(values) - number)
-                moving = [*error.free_symbols & states]
-                slope = sympy.diff(error, moving[0]) if len(moving) == 1 else error
-                if slope.is_nonzero and not slope.has(*states):
-                    values[moving[0]] = sympy.expand(moving[0] - error / slope)
-        return values
-
-    def takes_delta(self) -> bool:
-        """Return whether a disturbance adds (dV/de)^T Delta to V' and nothing else."""
-        return "flow_x" not in {*self.law.input_ports, *self.block.input_ports}
-
-    def has_decay(self) -> bool:
-        """Return whether V' has -e^T KD e, or more of it."""
-        residual = self.residual
-        if any(call.has(*self.e) for call in residual.atoms(AppliedUndef)):
-            # how it bends is not known
-            return False
-        return all(sympy.diff(residual, e, 2).is_nonpositive for e in self.e)
-
-    @cached_property
-    def search(self) -> PointSearch:
-        """Random points about the truth."""
-        return search_of(self.loop, self.rest_of_states, self.seed)
-
-    @property
-    def rest_of_states(self) -> dict[Any, sympy.Expr]:
-        """The truth of the states of the loop, x that of z."""
-        x, z = self.loop.states["x"], self.loop.states["z"]
-        learned = {s: v for s, v in self.truth.items() if s not in self.e}
-        return dict(zip(x, z, strict=True)) | learned
+        e = sympy.sympify(expression).xreplace(self.known)
+        return e.xreplace(self.coordinates.in_e)
 
     def at_z(self, expression: sympy.Expr) -> sympy.Expr:
         """Return an expression in the states of the loop."""
         return expression.xreplace(self.coordinates.in_x)
 
-    # --- the questions --------------------------------------------------------------------------
+    def text(self, expression: sympy.Expr) -> str:
+        """Return an expression in e, in a line."""
+        return short(expression)
+
+    def with_rate(self, claim: str) -> str:
+        """Return a claim: V' of a law is long."""
+        return claim
+
+    # --- V' -------------------------------------------------------------------------------------
+
+    def _read_decay(self) -> None:
+        """Set the decay of V by e alone, -sum KD_i e_i dV/de_i, and the zones where V is flat.
+
+        It is not positive where V rises with each |e_i| beyond its zone.
+        """
+        self.zones, V_of_e = [], self.V
+        for e in self.e:
+            zone, V_of_e = dead_zone(V_of_e, e)
+            self.zones.append(zone)
+        slopes = [along(V_of_e, {e: sympy.S.One}) for e in self.e]
+        self.rises = all(
+            rising_in(normal_form(e * slope), e)
+            for e, slope in zip(self.e, slopes, strict=True)
+        )
+        gains = [*zip(self.KD.values(), self.e, self.zones, strict=True)]
+        lost = (k * e * along(self.V, {e: sympy.S.One}) for k, e, _ in gains)
+        self.decay = -normal_form(sympy.Add(*lost))
+        squares = (
+            k * e * (e - CLIP(e, -zone, zone) if zone else e) for k, e, zone in gains
+        )
+        self.decay_text = "-D^T KD e" if any(self.zones) else "-e^T KD e"
+        if normal_form(self.decay + sympy.Add(*squares)) != 0:
+            self.decay_text = "-sum KD_i e_i dV/de_i"
 
     def fall(self) -> Fall:
         """Return what is shown of V': it falls, or V or e comes to a set."""
@@ -223,115 +175,106 @@ class LawCandidate(LoopCandidate):
         below = f"V' {'=' if self.residual == 0 else '<='} {text}"
         detail = f"left over: {short(self.at_z(self.residual))}" * (self.residual != 0)
         detail = detail if self.rises else "V is not known to rise with |e|"
-        sizes = f"{self.sizes} and the parameters as they are"
-        shows = "falls loses" * (not any(self.zones))
-        step = exact(f"{below}, {sizes}", falls, "" if falls else detail, shows)
-        fall = None
+        claim = f"{below}, {self.sizes} and the parameters as they are"
+        step = exact(claim, falls, "" if falls else detail, "falls loses")
+        fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
         if falls and any(self.zones):
             fall = self._comes_to_zones(text)
-        elif self.least is not None and not (falls or any(self.zones)):
-            fall = Bounding(self).bound()
-        if fall is None:
-            fall = Fall([step], below, self.e, text.lstrip("-"), "CLPE goes")
-            if falls:
-                every_N = checked(
-                    "the same for every N", partial(holds_for_every_N, self)
-                )
-                self.for_every_N = every_N.holds
-                fall.remarks = [replace(every_N, needed=False)]
-        read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
+        elif falls:
+            every_N = checked("the same for every N", partial(holds_for_every_N, self))
+            self.for_every_N = every_N.holds
+            fall.remarks = [replace(every_N, needed=False)]
+        elif self.least is not None and not any(self.zones):
+            fall = pulled_forms(self.disturbed()) or fall
         if has_time(self.V, self.rate):
             fall.conditions.append(Condition("t >= 0"))
+        read = [why for port, why in HIDDEN.items() if port in self.law.input_ports]
         fall.conditions += [Condition("reads the truth", why) for why in read]
         return fall
 
-    def ways(self, fall: Fall) -> Ways:
-        """Return the ways to write V' as a sum, for a certificate."""
-        return of_law(self)
-
-    def rises_at_jumps(self) -> list[sympy.Expr]:
-        """Return by how much V rises at each set of jumps."""
-        V = self.at_z(self.V)
-        if V.atoms(AppliedUndef):  # it may depend on inputs, which may jump as well
-            return [sympy.Symbol("jump_of_V", real=True)]
-        return [
-            normal_form(self.of_e(V.xreplace(after) - V))
-            for after in self.loop.jumps_at_once()
-        ]
-
-    # --- V' -------------------------------------------------------------------------------------
-
-    @cached_property
-    def rises(self) -> bool:
-        """True if V rises with each |e_i|, beyond its zone, so that its fall is one."""
-        slopes = {e: along(self.V_of_e, {e: sympy.S.One}) for e in self.e}
-        return all(rising_in(normal_form(e * slope), e) for e, slope in slopes.items())
-
     def _falls(self) -> tuple[bool, str]:
-        """Return whether V' less its fall, or half of it, is never positive, and the fall."""
-        beyond = [
-            e * (e - CLIP(e, -zone, zone) if zone else e)
-            for e, zone in zip(self.e, self.zones, strict=True)
-        ]
-        pairs = zip(self.KD, beyond, strict=True)
-        squares = sympy.Add(*(k * square for k, square in pairs))
-        fall = "-D^T KD e" if any(self.zones) else "-e^T KD e"
-        if normal_form(self.fall_of_e + squares) != 0:
-            fall = "-sum KD_i e_i dV/de_i"
-        if not self.rises:
-            return False, fall
-        for text, share in (("", sympy.S.Zero), ("/2", sympy.S.Half)):
-            residual = self.residual + share * self.fall_of_e
-            if self.never_positive(residual):
-                self.residual = residual
-                return True, fall + text
-        return False, fall
+        """Return whether V' is at most its decay, or half of it, and the decay as text."""
+        residual = self.residual = self.excess(self.decay)
+        for share, ending in ((sympy.S.Zero, ""), (sympy.S.Half, "/2")):
+            above = residual + share * self.decay
+            if self.rises and self.never_positive(above):
+                self.residual = above
+                return True, self.decay_text + ending
+        return False, self.decay_text
 
-    def _comes_to_zones(self, fall: str) -> Fall:
+    def _comes_to_zones(self, decay: str) -> Fall:
         """Return the zones that e comes to, outside of which V falls.
 
         As e_i dV/de_i > 0 there, (Delta_i - KD_i e_i) dV/de_i <= 0 where |Delta_i| <= zone KD_i.
         """
-        zones = [at_least(float(zone)) for zone in self.zones]
-        most_of = [at_most(float(zone)) for zone in self.zones]
-        suffix = "/2" * fall.endswith("/2")
+        half = "/2" * decay.endswith("/2")
+        zones = [*enumerate(map(float, self.zones), 1)]
         below = " and ".join(
-            f"|Delta_{i}| <= {d} KD_{i}{suffix}" for i, d in enumerate(zones, 1)
+            f"|Delta_{i}| <= {at_least(zone)} KD_{i}{half}" for i, zone in zones
         )
-        most = f"-D^T KD D{suffix}" if fall.startswith("-D^T") else "0"
-        ends = " and ".join(f"|e_{i}| comes to {d}" for i, d in enumerate(most_of, 1))
-        where = [Condition("truth", below)] if self.takes_delta() else []
-        claim = f"V' <= {most if where else fall}"
+        ends = " and ".join(f"|e_{i}| comes to {at_most(zone)}" for i, zone in zones)
+        where = [] if self.reads_flow else [Condition("truth", below)]
+        most = f"-D^T KD D{half}" if decay.startswith("-D^T") else "0"
+        claim = f"V' <= {most if where else decay}"
         fields = {"losses": self.e, "of": ends, "conditions": where}
         return bounded(claim, "zone falls", **fields)
 
-    # --- what refutes, and what is said ---------------------------------------------------------
+    @property
+    def reads_flow(self) -> bool:
+        """True if the law or V reads the flow: a disturbance adds more than e^T Delta to V'."""
+        return "flow_x" in {*self.law.input_ports, *self.block.input_ports}
 
-    def refuted(self, steps: list[Step]) -> Refutation | None:
-        """Return a point at which V' > 0 however far off, or V is below V at the truth."""
-        V, rest_state = self.at_z(self.V), self.rest_of_states
-        if not steps[1].holds:
-            below = self.search.below_rest(V - V.xreplace(rest_state))
-            if below is None:
-                return None
-            claim = f"V is {-below[1]:.3g} below its value at the truth at `point`"
-            step = Step(claim, True, "counterexample", every_N=False)
-            return Refutation(claim, step, *below)
-        if not self.fitted:
-            return None
+    def disturbed(self) -> "LawCandidate":
+        """Return the law with a disturbance in x' and e', unless law or V would read it."""
+        if self.reads_flow:
+            return self
+        other, x = copy(self), self.coordinates.x
+        other.disturbances = [
+            f(TIME) for f in sympy.symbols("Delta_1:3", cls=sympy.Function)
+        ]
+        pushed = dict(zip([*x, *self.e], 2 * other.disturbances, strict=True))
+        other.motion = {s: r + pushed.get(s, 0) for s, r in self.motion.items()}
+        other.rate = normal_form(other._rate_of_V())
+        return other
+
+    def ways(self, fall: Fall) -> Ways:
+        """Return the ways to write V' as a sum; where V is pulled back a disturbance pushes e."""
+        return [of_system(self, fall)[0], of_system(self.disturbed(), fall)[1]]
+
+    # --- what refutes ---------------------------------------------------------------------------
+
+    @cached_property
+    def search(self) -> PointSearch:
+        """Random points about the truth, x that of z."""
+        x, z = self.coordinates.x, self.coordinates.z
+        rest = dict(zip(x, z, strict=True)) | self._true_states()
+        return search_of(self.loop, rest, self.seed)
+
+    def _true_states(self) -> dict[Any, sympy.Expr]:
+        """Return states -> their values for true alpha, K and Gamma, where those are known."""
+        truth, states = truth_in(self.loop), {*self.loop.motion}
+        true = {"alpha": -truth.theta.ravel(), "K": truth.KD, "Gamma": truth.GammaD}
+        values = dict.fromkeys(self.e, sympy.S.Zero)
+        for port, numbers in true.items():
+            outputs = self.loop.signals[port].flat
+            for output, number in zip(outputs, numbers, strict=True):
+                error = sympy.expand(self.of_e(output).xreplace(values) - number)
+                moving = [*error.free_symbols & states]
+                slope = sympy.diff(error, moving[0]) if len(moving) == 1 else error
+                if slope.is_nonzero and not slope.has(*states):
+                    values[moving[0]] = sympy.expand(moving[0] - error / slope)
+        return {s: value for s, value in values.items() if s not in self.e}
+
+    def _rises(self) -> Failure | None:
+        """Return a point at which V' > 0 however far off, if V is of the law."""
         fixed = {s for s in self.search.states if s not in self.search.rest}
-        rise = self.search.rises_far_off(self.at_z(self.rate), fixed)
-        claim = (
-            "the running blocks give V' > 0, ten and a hundred times as far off as well"
-        )
-        if rise is None:
-            steps.append(
-                Step(claim, False, "counterexample", "no such point was found", False)
-            )
-            return None
-        detail = f"V' = {rise[1]:.3g}"
-        step = Step(claim, True, "counterexample", detail, False)
-        return Refutation(f"{detail} at `point`", step, *rise)
+        rate = self.at_z(self.rate)
+        return self.search.rises_far_off(rate, fixed) if self.fitted else None
+
+    def _no_least(self) -> Failure | None:
+        """Return a point at which V is below V at the truth."""
+        V = self.at_z(self.V)
+        return self.search.below_rest(V - V.xreplace(self.search.rest))
 
     def refuted_at_jump(self, rise: sympy.Expr) -> Refutation | None:
         """Return a point at which V of the running blocks rises at a jump, however far off."""
@@ -339,8 +282,13 @@ class LawCandidate(LoopCandidate):
         if jump is None:
             return None
         before, after, size = jump
-        claim = (
-            "the running blocks' V rises at a jump, ten and a hundred times as far off"
-        )
-        step = Step(claim, True, "counterexample", f"by {size:.3g}", False)
-        return Refutation(claim, step, before, None, after)
+        claim = f"V rises at a jump by {size:.3g}, ten and a hundred times as far off"
+        return Refutation(claim, exact(claim, False), before, None, after)
+
+    def rises_at_jumps(self) -> list[sympy.Expr]:
+        """Return by how much V rises at each set of jumps."""
+        V = self.at_z(self.V)
+        if V.has(*self.inputs):  # they may jump as well
+            return [sympy.Symbol("jump_of_V", real=True)]
+        after = self.loop.jumps_at_once()
+        return [normal_form(self.of_e(V.xreplace(jump) - V)) for jump in after]

@@ -12,10 +12,9 @@ import numpy as np
 import sympy
 from sympy import Add, Expr, Mul, S
 
-from ...engine.diagram.symbol_names import TIME
 from ..algebra.exact import vanishes
 from ..algebra.slopes import along
-from ..proofs.certificates import Ways, lost, pulled, still, terms_of
+from ..proofs.certificates import Ways, still, terms_of
 from ..proofs.certified import Case, NoCertificate, Term
 from ..proofs.symbolic_loop import symbolic_loop
 from .theorem_loop import ErrorCoordinates, theorem_loop, truth_in
@@ -29,9 +28,8 @@ class LawLoop:
         loop: Any,
         read: Callable[[Expr], Expr] = lambda e: e,
         fixed: Set = frozenset(),
-        coordinates: ErrorCoordinates | None = None,
     ):
-        self.coordinates = coordinates or ErrorCoordinates(loop)
+        self.coordinates = ErrorCoordinates(loop)
         in_e, N = self.coordinates.in_e, len(loop.inputs["phi_x"])
         self.read = lambda e: read(sympy.sympify(e)).xreplace(in_e)
         self.fixed, self.truth = {*loop.values} | fixed, truth_in(loop)
@@ -54,29 +52,6 @@ class LawLoop:
         losses = losses or [Term(k, [e]) for e, k in self.pairs]
         V = case.V or terms_of(self.V, self.fixed)
         return replace(case, V=V, losses=[*case.losses, *losses], push=push)
-
-
-def of_law(law: Any) -> Ways:
-    """Return the ways to write V' of a `LawCandidate`; in the last a disturbance pushes e."""
-    loop = LawLoop(
-        law.loop, lambda e: e.xreplace(law.known), coordinates=law.coordinates
-    )
-    case, V = loop.case, loop.V
-
-    def loses() -> Case:
-        return lost(replace(case, V=terms_of(V, loop.fixed)), along(V, case.motion))
-
-    def pulls() -> Case:
-        rest, motion = law.least or {}, dict(case.motion)
-        deltas = sympy.symbols("Delta_1:3", cls=sympy.Function)
-        if law.takes_delta():
-            for s, e, delta in zip(law.coordinates.x, law.e, deltas, strict=True):
-                motion[s], motion[e] = motion[s] + delta(TIME), motion[e] + delta(TIME)
-        forms = {s: s - true for s, true in rest.items()}
-        disturbed = replace(case, V=terms_of(V, loop.fixed), motion=motion)
-        return pulled(disturbed, V, along(V, motion), rest, forms)
-
-    return [loop.falls, loses, pulls]
 
 
 def of_theorem(law: str, N: int, **options: Any) -> Ways:

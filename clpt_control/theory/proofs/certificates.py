@@ -117,9 +117,8 @@ def of_system(case: Any, fall: Any) -> Ways:
             raise NoCertificate("certificates are of continuous time")
         motion = {s: rate.xreplace(fall.zeroed) for s, rate in case.motion.items()}
         functions = still(case.eq.jumps, case.V)
-        return Case(
-            motion, case.fixed, terms_of(case.V, case.fixed), [], functions=functions
-        )
+        V, sizes = terms_of(case.V, case.fixed), [case.sizes] * bool(case.sizes)
+        return Case(motion, case.fixed, V, [], functions=functions, conditions=sizes)
 
     def falls() -> Case:
         return lost(system(), case.rate.xreplace(fall.zeroed))

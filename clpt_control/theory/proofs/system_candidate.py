@@ -6,9 +6,11 @@ The equations are those that run; parameters are symbols of the signs that they 
 numbers where that shows more.  In discrete time V' stands for V(x+) - V(x).
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from math import pi
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -27,8 +29,14 @@ from ..algebra.decide import (
     without_fading,
 )
 from ..algebra.decided import decided
-from ..algebra.exact import factored, normal_form, vanishes, whole_coefficients
-from ..algebra.facts import has_time, is_continuous
+from ..algebra.exact import (
+    as_factors,
+    factored,
+    normal_form,
+    vanishes,
+    whole_coefficients,
+)
+from ..algebra.facts import SIGN, has_time, is_continuous
 from ..algebra.numeric_values import NO_VALUE
 from ..algebra.slopes import along, meets_smoothly
 from ..algebra.sums_of_squares import lost_forms, squares
@@ -43,11 +51,17 @@ from .steps import Step, checked, exact
 from .symbolic_loop import refuse_levels, refuse_names
 from .ultimate_bounds import pulled_forms
 
+NO_GAINS = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
 
 
 class SystemCandidate(Candidate):
     """A diagram with a V of the user, on symbols, or with parameters as their numbers."""
+
+    place = ""  # where V is to be least, as text
+    sizes = ""  # numbers of functions for which V' is as shown: N = 2
+    disturbances: Sequence[Any] = ()  # inputs with a bound, which has their name
+    KD: Mapping[Any, Any] = NO_GAINS  # e of a law -> its gain
 
     def __init__(
         self,
@@ -73,10 +87,12 @@ class SystemCandidate(Candidate):
         self.claim = None if claim is None else expression_of(self.eq, claim)[0]
         V_of_states, undefined = expression_of(self.eq, V)
         self.V, self.undefined = decided(V_of_states), [*self.eq.undefined, *undefined]
+        self.level_values = self.eq.values
         self.are_numbers = bool(self.eq.pinned or (numbers and self.eq.fields))
         self.rate = self._rate_of_V()
         self.readable: dict[Any, sympy.Expr] = {}  # V' -> V' in the user's signals
         self.rest = None if rest is None else self._rest_state(rest)
+        self.place = "rest" if self.rest else ""
 
     def _refuse_what_has_no_rates(self) -> None:
         name, eq = self.system.name, self.eq
@@ -176,6 +192,10 @@ class SystemCandidate(Candidate):
         """V' in a line."""
         return short(self.readable_rate())
 
+    def with_rate(self, claim: str) -> str:
+        """Return V' and a claim in a line."""
+        return f"V' = {self.shown_rate}; {claim}"
+
     def readable_rate(self) -> sympy.Expr:
         """Return V' factored, or as a sum of squares, whichever is shorter, in signals."""
         if self.rate not in self.readable:
@@ -195,7 +215,11 @@ class SystemCandidate(Candidate):
     def refuted(self, steps: list[Step]) -> Refutation | None:
         """Return a point at which V' > 0, or above what is claimed, or V is no least value."""
         _, definite, falls, *_ = steps
-        below = "V is below its value at rest" if self.rest else "V falls without end"
+        below = (
+            f"V is below its value at {self.place}"
+            if self.place
+            else "V falls without end"
+        )
         over = "V' > 0" if self.claim is None else "V' is above the claim"
         for fails, find, holds in (
             (over, self._rises, falls.holds),
@@ -207,7 +231,7 @@ class SystemCandidate(Candidate):
             claim = f"{fails} at a point"
             step = Step(claim, failure is not None, "counterexample", "", False)
             if failure is not None:
-                claim = f"V' = {self.shown_rate}; {fails}: {failure[1]:.3g} at `point`"
+                claim = self.with_rate(f"{fails}: {failure[1]:.3g} at `point`")
                 return Refutation(claim, step, *failure)
             steps.append(step)
         return None
@@ -265,8 +289,8 @@ class SystemCandidate(Candidate):
         """Return what is shown of V' <= 0, where inputs that it depends on are 0 if need be."""
         steps, bound, claim = list[Step](), self.rate, f"V' = {self.shown_rate}"
         if self.claim is not None:
-            excess = normal_form(self.rate - self.claim)
-            holds = vanishes(excess) or self.never_positive(excess)
+            excess = self.excess(self.claim)
+            holds = self.never_positive(excess)
             bound, claim = self.claim, f"V' <= {self.text(self.claim)}"
             detail = "" if holds else f"left over: {short(excess)}"
             steps.append(exact(claim, holds, detail, "claimed"))
@@ -300,6 +324,17 @@ class SystemCandidate(Candidate):
         fall.zeroed = zeroed
         return fall
 
+    def excess(self, claim: sympy.Expr) -> sympy.Expr:
+        """Return what V' has above a claim."""
+        excess = normal_form(self.rate - claim)
+        powers = excess.atoms(sympy.Pow)
+        divisors = [p.base for p in powers if p.exp.is_negative]
+        if sympy.Tuple(*divisors).has(TIME):  # gains of time, which may cancel
+            excess = as_factors(excess)
+        signed = {a: a.args[0] * SIGN(*a.args) for a in excess.atoms(sympy.Abs)}
+        is_zero = powers and vanishes(excess.xreplace(signed))
+        return sympy.S.Zero if is_zero else excess
+
     def _pulled(self, steps: list[Step], claim: str) -> Fall:
         """Return what is shown of a V' that pulls V back but for a constant."""
         bound = pulled_forms(self) if self.forms else None
@@ -307,7 +342,7 @@ class SystemCandidate(Candidate):
             failed = [] if self.claim is not None else [exact(f"{claim} <= 0", False)]
             return Fall([*steps, *failed], claim)
         shown = bound.claim if self.claim is None else f"{claim}, and {bound.claim}"
-        return Fall([*steps, *bound.steps], shown, level=bound.level)
+        return replace(bound, steps=[*steps, *bound.steps], claim=shown)
 
     def conditions(self, zeroed: list[str]) -> list[Condition]:
         """Return where V' is as shown."""
@@ -377,7 +412,7 @@ class SystemCandidate(Candidate):
     def verdict(self, status: Status, claim: str, **fields: Any) -> Verdict:
         """Return a verdict on V, in the diagram's own signals."""
         if status == "open":
-            claim = f"V' = {self.shown_rate}; {claim}"
+            claim = self.with_rate(claim)
         rate, V = self.readable_rate(), self.in_signals(self.V)
         inputs = tuple(self.depends_on(self.rate))
         return Verdict(status, claim, V=V, rate=rate, inputs=inputs, **fields)

@@ -4,11 +4,8 @@ A term that pulls back bounds one that does not:
 
     -a s^2 + b s <= -(a/2) s^2 + b^2/(2 a)
 
-Leaks are what a law has beyond the paper's, where a factor f >= 0 pulls states to zero.
-
-    V' = -e^T KD e - sum over groups of f w s^T (s - s*),    s* the true values, w > 0
-
-is read off V', each f a product of words and roots.  The kind of f then bounds V:
+Of a law V' = -e^T KD e - sum over leaks of f w s^T (s - s*) is read as `leaks` describes.  The kind
+of f then bounds V:
 
 - **f rises with |s|**, zero up to M and h from R on.  It is h but within R, where the difference
   is at most h w (R^2 + |s*| R): V' <= (V' with f = h) + that, whatever s* is.
@@ -24,7 +21,6 @@ Delta is the disturbance of Eq. (32), which adds e^T Delta to V'.
 """
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,11 +31,12 @@ from ...base.units import at_least, at_most
 from ...engine.diagram.symbol_names import TIME
 from ...engine.record.symbolic import rational
 from ..algebra.decide import groups_of
-from ..algebra.facts import interval, is_positive_maximum
+from ..algebra.facts import interval
 from ..algebra.sums_of_squares import squares, zero_of
 from ..algebra.texts import bound_text
 from .conclusions import Condition
 from .judge import Fall
+from .leaks import Leak, leaks_of, radial_of, stays_within
 from .steps import exact
 
 
@@ -57,90 +54,6 @@ def bounded(claim: str, shows: str, level: Any = None, **fields: Any) -> Fall:
     """
     step = exact(claim, True, "", shows)
     return Fall([step], claim, level=level, **fields)
-
-
-class Leak(NamedTuple):
-    """A term -factor weight s^T (s - s*) of V', s the states of a group."""
-
-    factor: sympy.Expr  # never negative
-    states: tuple[sympy.Symbol, ...]
-    weight: sympy.Expr  # positive
-
-    @property
-    def square(self) -> sympy.Expr:
-        """|s|^2."""
-        return sympy.Add(*(s**2 for s in self.states))
-
-
-class Radial(NamedTuple):
-    """A factor clip(u, 0, top) whose u rises with |s|: zero up to M, `top` from R on."""
-
-    word: sympy.Expr
-    M: sympy.Expr
-    R: sympy.Expr
-    top: sympy.Expr
-
-
-def leaks_of(residual: sympy.Expr, truth: dict, moving: set) -> list[Leak]:
-    """Return the leaks that V' has beyond -e^T KD e; none where it has anything else."""
-    residuals: dict[sympy.Expr, sympy.Expr] = {}  # by the factor of the leak
-    for term in sympy.Add.make_args(sympy.expand(residual)):
-        factor = sympy.Mul(
-            *(f for f in sympy.Mul.make_args(term) if _is_factor(f, moving))
-        )
-        residuals[factor] = residuals.get(factor, sympy.Integer(0)) + term / factor
-    leaks = []
-    for factor, residual_term in residuals.items():
-        states = tuple(s for s in truth if residual_term.has(s))
-        if not states or not all(map(_not_negative, sympy.Mul.make_args(factor))):
-            return []
-        weight = -residual_term.coeff(states[0], 2)
-        leak_form = sympy.Add(*(-weight * s * (s - truth[s]) for s in states))
-        if (
-            not weight.is_positive
-            or weight.free_symbols
-            or sympy.expand(residual_term - leak_form) != 0
-        ):
-            return []
-        leaks.append(Leak(factor, states, weight))
-    return leaks
-
-
-def _is_factor(f: sympy.Expr, moving: set) -> bool:
-    base, power = f.as_base_exp()
-    root = power == sympy.S.Half and base.free_symbols & moving
-    return bool(root) or str(base.func) in ("clip", "maximum")
-
-
-def _not_negative(f: sympy.Expr) -> bool:
-    """Return whether a factor is known not to be negative; a root is not, where it is a number."""
-    return f.as_base_exp()[1] == sympy.S.Half or bool(interval(f)[0].is_nonnegative)
-
-
-def _radial(leak: Leak) -> Radial | None:
-    """Return the factor clip(u(|s|), 0, top) of a leak, if it has one."""
-    r = sympy.Symbol("r", positive=True)
-    for word in sympy.Mul.make_args(leak.factor):
-        if not isinstance(word, AppliedUndef) or str(word.func) != "clip":
-            continue
-        u, low, top = word.args
-        on_axis = u.subs(dict.fromkeys(leak.states[1:], 0)).subs(leak.states[0], r)
-        if (
-            on_axis.free_symbols != {r}
-            or on_axis.has(AppliedUndef)
-            or low != 0
-            or not top.is_positive
-        ):
-            continue
-        is_radial = sympy.expand(u - on_axis.subs(r, sympy.sqrt(leak.square))) == 0
-        ends = [sympy.solve(on_axis - value, r) for value in (0, top)]
-        if (
-            is_radial
-            and sympy.diff(on_axis, r).is_positive
-            and all(len(end) == 1 for end in ends)
-        ):
-            return Radial(word, ends[0][0], ends[1][0], top)
-    return None
 
 
 def _pull_of(quadratic: sympy.Expr, s: sympy.Symbol, moves: set) -> Pull | None:
@@ -183,36 +96,6 @@ def _leak_of(term: sympy.Expr, s: sympy.Symbol, true: sympy.Expr) -> Pull | None
 
 def _moves(expression: sympy.Expr, moving: set) -> bool:
     return bool(expression.free_symbols & moving or expression.atoms(sympy.Function))
-
-
-def pulled(
-    V: sympy.Expr, rate: sympy.Expr, rest: Mapping[Any, sympy.Expr], moving: set
-) -> Pull | None:
-    """Bound V' by what pulls back and a constant, state by state, about the rest.
-
-    None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends on
-    a state or time is no constant.
-    """
-    moves, states = {*rest, *moving}, [*rest]
-    H = sympy.hessian(V, states)
-    weights = {s: H[j, j] for j, s in enumerate(states)}
-    rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
-    groups = {tuple(g.free_symbols & {*rest}): g for g in groups_of(rate, {*rest})}
-    if not H.is_diagonal() or any(len(symbols) > 1 for symbols in groups):
-        return None
-    if any(_moves(weight, moves) for weight in weights.values()):
-        return None
-    push, rates = groups.get((), sympy.S.Zero), []
-    if _moves(push, moves):
-        return None
-    for s, weight in weights.items():
-        term = groups.get((s,), sympy.S.Zero)
-        pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
-        if pull is None:
-            return None
-        push += pull.push
-        rates.append(pull.rate / weight)
-    return None if push == 0 else Pull(sympy.Min(*rates), push)
 
 
 def pulled_at_once(
@@ -279,118 +162,149 @@ def in_forms(case: Any) -> InForms | None:
 
 
 def pulled_forms(case: Any) -> Fall | None:
-    """Return the bound of V of a diagram in the forms of V, each of them one state."""
+    """Return the bound of V of a diagram in the forms of V, each of them one state.
+
+    Disturbances push errors, V' = ... + w u s, and have any bound, called as they are.
+    """
     found = in_forms(case)
     if found is None:
         return None
-    V, rate, rest, _ = found
-    moving = {TIME, *case.motion, *case.intervals}
-    values = case.eq.values
-    pull = pulled(V, rate, rest, moving) or pulled_at_once(V, rate, rest)
-    if (
-        pull is None and case.eq.discrete
-    ):  # a step may lead from below a level to above it
+    fall = Bounding(case, found).bound()
+    if fall is None or found.V.xreplace(found.rest).xreplace(case.eq.values) != 0:
         return None
-    if pull is None:
-        fall = pulled_by_error(V, rate, rest, moving)
-    elif pull.rate == 0 or pull.push == 0:
-        return None
-    else:
-        slowest, push = bound_text(pull.rate, up=False), bound_text(pull.push)
-        claim = f"V' <= -{slowest} V + {push}"
-        fall = bounded(claim, "pulled", pull.push / pull.rate)
-    if fall is None or V.xreplace(rest).xreplace(values) != 0:
-        return None
-    level = fall.level.xreplace(values)
-    fall.level = float(at_most(float(level))) if level.is_number else level
+    if fall.level is not None:
+        level = fall.level.xreplace(case.level_values)
+        fall.level = float(at_most(float(level))) if level.is_number else level
     return fall
 
 
-def pulled_by_error(
-    V: sympy.Expr,
-    rate: sympy.Expr,
-    rest: Mapping[Any, sympy.Expr],
-    moving: set,
-    push: Any = 0,
-) -> Fall | None:
-    """Return the bound of V where V' = -e^T K e - |e| (z^T A z - b^T z), K and A diagonal."""
-    states = [*rest]
-    H = sympy.hessian(V, states)
-    rate = sympy.expand(rate.xreplace({s: s + true for s, true in rest.items()}))
-    sizes = [f for f in rate.atoms(sympy.Abs, sympy.Pow) if (f**2).is_polynomial()]
-    sizes = [f for f in sizes if not f.is_polynomial() and f.has(*states)]
-    if len(sizes) != 1 or not H.is_diagonal():
-        return None
-    (size,) = sizes
-    decay, leak = rate.as_independent(size, as_Add=True)
-    share = sympy.expand(leak / size)
-    K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
-    A = {s: -share.coeff(s, 2) for s in states if s not in K}
-    b = {s: share.coeff(s, 1) for s in A}
-    left = [size**2, decay, share]
-    left[0] -= sympy.Add(*(e**2 for e in K))
-    left[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
-    left[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
-    numbers = sympy.Tuple(*K.values(), *A.values(), *b.values(), *H)
-    if any(map(sympy.expand, left)) or _moves(numbers, {*rest, *moving}):
-        return None
-    if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
-        return None
-    c = push + sympy.Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
-    weights = dict(zip(states, H.diagonal(), strict=True))
-    corners = [weights[s] * c / a for s, a in A.items()]
-    heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
-    level = sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
-    return bounded("V' <= 0 where V >= level", "ceiling", level)
-
-
 class Bounding:
-    """The bounds of V that follow from V' of a law, at the numbers of its parameters."""
+    """The bounds of V that follow from V', about its least point."""
 
-    def __init__(self, case: Any):
-        """Read a `LawCandidate`."""
-        self.case, self.truth = case, case.least
-        self.KD = list(case.loop.parameters["vehicle_controller"].KD)
-        self.leaks = leaks_of(case.residual, self.truth, case.moving_symbols)
-        H, self.k = sympy.hessian(case.V, list(self.truth)), sympy.Min(*self.KD)
+    def __init__(self, case: Any, found: InForms):
+        self.case, self.KD = case, case.KD
+        self.V, self.truth = found.V, found.rest
+        self.moving = {TIME, *case.motion, *case.intervals}
+        H = sympy.hessian(self.V, list(self.truth))
+        self.is_diagonal = H.is_diagonal()
         self.weights = {s: H[j, j] for j, s in enumerate(self.truth)}
-        self.errors = [s for s in self.truth if s in case.e]
-        learned = [s for s in self.truth if s not in case.e]
-        self.square = H.is_diagonal() and all(self.weights[s] == 1 for s in self.errors)
-        one_each = [s for leak in self.leaks for s in leak.states]
-        self.all_leak = self.square and sorted(one_each, key=str) == sorted(
-            learned, key=str
-        )
-        deltas = sympy.symbols("Delta_1:3", positive=True)  # the bounds of |Delta_i|
-        self.delta = deltas if case.takes_delta() else (sympy.S.Zero, sympy.S.Zero)
-        self.push = sympy.sqrt(sympy.Add(*(d**2 for d in self.delta)))
+        # disturbances that push one error each; others stay in V'
+        slopes = {self.weights[s] * (s - true): s for s, true in self.truth.items()}
+        pushed = {f: slopes.get(sympy.diff(found.rate, f)) for f in case.disturbances}
+        names = {f: s for f, s in pushed.items() if s is not None}
+        self.rate = found.rate.xreplace(dict.fromkeys(names, sympy.S.Zero))
+        self.pushes = {
+            s: sympy.Symbol(f"{f.func}", positive=True) for f, s in names.items()
+        }
+        sizes = ((self.weights[s] * size) ** 2 for s, size in self.pushes.items())
+        self.push = sympy.sqrt(sympy.Add(*sizes))
+        weights = [self.weights.get(e, sympy.nan) for e in self.KD]
+        shares = zip(weights, self.KD.items(), strict=True)
+        self.residual = self.rate + sympy.Add(*(w * k * e**2 for w, (e, k) in shares))
+        self.square = {*weights} == {1} and self.is_diagonal  # V contains |e|^2/2
+        self.leaks = leaks_of(self.residual, self.truth, self.moving) if self.KD else []
 
     def bound(self) -> Fall | None:
         """Return what is known of V, or None."""
-        pull = self.pulled(self.case.rate) if self.case.has_decay() else None
-        if pull is not None and (pull.rate != 0 or self.square):
-            return self.pulled_to(pull)
-        if not self.leaks:
+        pull = self.pulled(self.rate)
+        if pull is None and not self.pushes:
+            pull = pulled_at_once(self.V, self.rate, self.truth)
+        if pull is not None and (fall := self.pulled_to(pull)):
+            return fall
+        # in discrete time a step may lead from below a level to above it
+        if self.case.eq.discrete:
             return None
-        moving = self.case.moving_symbols
-        by_error = partial(pulled_by_error, self.case.V, self.case.rate, self.truth)
-        return self.rising() or by_error(moving, self.push) or self.within_balls()
+        fall = self.by_error()
+        if fall is None and self.leaks:
+            return self.rising() or self.within_balls()
+        return fall
+
+    def has_decay(self) -> bool:
+        """Return whether V' has -e^T KD e, or more of it."""
+        if any(call.has(*self.KD) for call in self.residual.atoms(AppliedUndef)):
+            # how it bends is not known
+            return False
+        slopes = (sympy.diff(self.residual, e, 2) for e in self.KD)
+        return self.square and all(slope.is_nonpositive for slope in slopes)
 
     def pulled(self, rate: sympy.Expr) -> Pull | None:
-        """Bound V' by what pulls back and a constant, state by state."""
-        return pulled(self.case.V, rate, self.truth, self.case.moving_symbols)
+        """Bound V' by what pulls back and a constant, state by state, about the rest.
 
-    def pulled_to(self, pull: Pull, more: str = "") -> Fall:
-        """Return what V or e comes to, with Delta: e Delta <= KD e^2/2 + Delta^2/(2 KD)."""
-        shares = zip(self.errors, self.delta, self.KD, strict=True)
-        push = pull.push + sum(self.weights[e] * d**2 / (2 * k) for e, d, k in shares)
-        number = f"c, c = {bound_text(push)}"
+        None where V' is not a sum of a term -a s^2 + b s, or a leak, for each error s; what depends
+        on a state or time is no constant.
+        """
+        rest, moves = self.truth, {*self.truth, *self.moving}
+        groups = groups_of(self.about_the_rest(rate), {*rest})
+        terms = {tuple(g.free_symbols & {*rest}): g for g in groups}
+        push, rates = terms.get((), sympy.S.Zero), []
+        constants = sympy.Tuple(push, *self.weights.values())
+        if (
+            not self.is_diagonal
+            or _moves(constants, moves)
+            or any(key[1:] for key in terms)
+        ):
+            return None
+        for s, weight in self.weights.items():
+            term = terms.get((s,), sympy.S.Zero)
+            pull = _pull_of(term, s, moves) or _leak_of(term, s, rest[s])
+            if pull is None:
+                return None
+            if s in self.pushes:  # w u s <= a s^2/2 + (w u)^2/(2 a)
+                if pull.push != 0 or pull.rate == 0:
+                    return None
+                share = (weight * self.pushes[s]) ** 2 / (2 * pull.rate)
+                pull = Pull(pull.rate, share)
+            push += pull.push
+            rates.append(pull.rate / weight)
+        return None if push == 0 else Pull(sympy.Min(*rates), push)
+
+    def about_the_rest(self, rate: sympy.Expr) -> sympy.Expr:
+        """Return V' in the errors of the states."""
+        shift = {s: s + true for s, true in self.truth.items()}
+        return sympy.expand(rate.xreplace(shift))
+
+    def by_error(self) -> Fall | None:
+        """Return the bound where V' = -e^T K e - |e| (z^T A z - b^T z - push), K, A diagonal."""
+        rate, states, weights = self.about_the_rest(self.rate), self.truth, self.weights
+        sizes = [f for f in rate.atoms(sympy.Abs, sympy.Pow) if (f**2).is_polynomial()]
+        sizes = [f for f in sizes if not f.is_polynomial() and f.has(*states)]
+        if len(sizes) != 1 or not self.is_diagonal:
+            return None
+        (size,) = sizes
+        decay, leak = rate.as_independent(size, as_Add=True)
+        share = sympy.expand(leak / size)
+        K = {e: -decay.coeff(e, 2) for e in states if size.has(e)}
+        A = {s: -share.coeff(s, 2) for s in states if s not in K}
+        b = {s: share.coeff(s, 1) for s in A}
+        left = [size**2, decay, share]
+        left[0] -= sympy.Add(*(e**2 for e in K))
+        left[1] += sympy.Add(*(k * e**2 for e, k in K.items()))
+        left[2] += sympy.Add(*(a * s**2 - b[s] * s for s, a in A.items()))
+        numbers = sympy.Tuple(*K.values(), *A.values(), *b.values(), *weights.values())
+        if any(map(sympy.expand, left)) or _moves(numbers, {*states, *self.moving}):
+            return None
+        if not (A and all(k.is_positive for k in (*K.values(), *A.values()))):
+            return None
+        c = self.push + sympy.Add(*(b[s] ** 2 / (2 * a) for s, a in A.items()))
+        corners = [weights[s] * c / a for s, a in A.items()]
+        heaviest, slowest = sympy.Max(*map(weights.get, K)), sympy.Min(*K.values())
+        level = sympy.Max(heaviest * c**2 / (2 * slowest**2), *corners)
+        return bounded("V' <= 0 where V >= level", "ceiling", level)
+
+    def pulled_to(self, pull: Pull, more: str = "") -> Fall | None:
+        """Return what V comes to, or the mean of the errors that V' loses."""
+        if pull.push == 0 or (pull.rate == 0 and not self.has_decay()):
+            return None
+        push = bound_text(pull.push)
         if pull.rate == 0:
             mean = "e^T KD e is at most 2 c"
-            return bounded(f"V' <= -e^T KD e/2 + {number}{more}", "mean", bound=mean)
-        rate = bound_text(pull.rate, up=False)
-        claim = f"V' <= -r V + {number}, r = {rate}{more}"
-        return bounded(claim, "pulled", push / pull.rate, bound="c/r")
+            claim = f"V' <= -e^T KD e/2 + c, c = {push}{more}"
+            return bounded(claim, "mean", bound=mean)
+        rate, level = bound_text(pull.rate, up=False), pull.push / pull.rate
+        if pull.rate.is_number and pull.push.is_number:
+            return bounded(f"V' <= -{rate} V + {push}{more}", "pulled", level)
+        claim = f"V' <= -r V + c, c = {push}, r = {rate}{more}"
+        return bounded(claim, "pulled", level, bound="c/r")
 
     def size(self, leak: Leak) -> sympy.Expr:
         """Return |s*|."""
@@ -398,9 +312,9 @@ class Bounding:
 
     def rising(self) -> Fall | None:
         """Return the bound where every factor rises with |s|."""
-        full, excess, conditions = self.case.rate, sympy.Integer(0), []
+        full, excess, conditions = self.rate, sympy.Integer(0), []
         for leak in self.leaks:
-            radial = _radial(leak)
+            radial = radial_of(leak)
             if radial is None or leak.factor != radial.word:
                 return None
             full = full.subs(radial.word, radial.top)
@@ -416,12 +330,19 @@ class Bounding:
 
     def within_balls(self) -> Fall | None:
         """Return the bound where what is learned stays within balls."""
-        if not self.all_leak:
+        leaking = [s for leak in self.leaks for s in leak.states]
+        learned = self.truth.keys() - self.KD.keys()
+        if not self.square or sorted(leaking, key=str) != sorted(learned, key=str):
             return None
-        level, conditions = self.push**2 / (2 * self.k**2), []
+        k = sympy.Min(*self.KD.values())
+        level, conditions = self.push**2 / (2 * k**2), []
         for leak in self.leaks:
-            radial = _radial(leak)
-            if radial is None or radial.top != 1 or not self.stays(leak, radial):
+            radial = radial_of(leak)
+            if (
+                radial is None
+                or radial.top != 1
+                or not stays_within(leak, radial, self.case.motion)
+            ):
                 return None
             slowest = sympy.Max(*(self.weights[s] for s in leak.states))
             level += slowest * (radial.R + self.size(leak)) ** 2 / 2
@@ -435,43 +356,6 @@ class Bounding:
         where = [Condition("start", radii), Condition("truth", truths)]
         claim = f"V' <= -e^T KD e + e^T Delta, {radii} for good"
         return bounded(claim, "pulled", level, conditions=where)
-
-    def stays(self, leak: Leak, radial: Radial) -> bool:
-        """Return whether |s| never grows where |s| >= R: s^T s' = o - max(o, 0)."""
-        outward = [f for f in leak.factor.atoms(AppliedUndef) if f.args[-1] == 0]
-        divisor = [f for f in leak.factor.atoms(AppliedUndef) if is_positive_maximum(f)]
-        if len(outward) != 1 or len(divisor) != 1:
-            return False
-        (outward_part,), (least,) = outward, divisor
-        if (
-            leak.factor != radial.word * outward_part / least
-            or str(outward_part.func) != "maximum"
-        ):
-            return False
-        if (
-            sympy.expand(least.args[0] - leak.square) != 0
-            or least.args[1] > radial.R**2
-        ):
-            return False
-        n, inverse_square, o = (
-            sympy.Dummy(nonnegative=True),
-            sympy.Dummy(),
-            outward_part.args[0],
-        )
-        beyond = {
-            radial.word: radial.top,
-            outward_part: o + n,
-            least: 1 / inverse_square,
-        }
-        power = sympy.Add(*(s * self.case.motion[s] for s in leak.states))
-        power = sympy.expand(sympy.expand(power).xreplace(beyond))
-        remainder = power.subs(inverse_square, 0) * leak.square + sympy.diff(
-            power, inverse_square
-        )
-        return (
-            sympy.diff(power, inverse_square, 2) == 0
-            and sympy.expand(remainder + n * leak.square) == 0
-        )
 
 
 def listed(items: Sequence[str]) -> str:
