@@ -57,7 +57,6 @@ def never_positive(expression: Expr, parameters: set) -> bool:
     return (
         vanishes(expression)
         or groups_never_positive(expression, variables)
-        or _by_squares(expression, parameters)
         or without_fading(expression, variables) is not None
         or interval(factored(expression))[1].is_nonpositive
         or by_gram(expression)
@@ -90,17 +89,6 @@ def positive_somewhere(expression: Expr) -> bool:
 
 
 # --- tests of a whole expression ------------------------------------------------------------
-
-
-def _by_squares(expression: Expr, parameters: set) -> bool:
-    """Complete squares, also with inputs as coefficients."""
-    inputs = {call: Dummy(real=True) for call in _inputs_in(expression)}
-    for symbols in ({}, inputs) if inputs else ({},):
-        coefficients = {*parameters, *symbols.values()}
-        completed = squares(-expression.xreplace(symbols), coefficients)
-        if completed and completed.constant.is_nonnegative:
-            return True
-    return False
 
 
 def without_fading(expression: Expr, variables: set) -> Expr | None:
