@@ -252,10 +252,11 @@ def test_a_V_that_falls_where_e_grows_proves_nothing():
     assert (step.holds, step.detail) == (False, "V is not known to rise with |e|")
 
 
-def test_the_level_of_a_V_that_weighs_e_is_reached():
+@pytest.mark.parametrize("share", ["2.0", "2.0*hypot(e[0], e[1])"])
+def test_the_level_of_a_V_that_weighs_e_is_reached(share):
     """With phi = zc = z = 0 and Delta_1 = 100 e_1 comes to 100/KD_1, and 5 e^2 to 50000."""
-    found = of(user_laws.leak("2.0")(), V_of("5*(e @ e + off/gain)"))
-    assert found.conclusion == "ultimately bounded"
+    found = of(user_laws.leak(share)(), V_of("5*(e @ e + off/gain)"))
+    assert found.status == "proved"
     assert number(found.level, KD_1=1.0, KD_2=1.0, Delta_1=100.0) >= 50_000
 
 

@@ -33,7 +33,7 @@ from .facts import (
     sector_of,
 )
 from .gram import sum_of_squares
-from .numeric_values import NO_VALUE, Numbers
+from .numeric_values import NO_VALUE, NumericValues
 from .sums_of_squares import squares
 
 MOST_IN_GROUP = 400  # terms of a group; larger groups are not tested
@@ -71,7 +71,7 @@ def positive_somewhere(expression: Expr) -> bool:
     """
     slopes = {d: Dummy(real=True) for d in expression.atoms(sympy.Derivative)}
     try:
-        numbers = Numbers(expression.xreplace(slopes))
+        numbers = NumericValues(expression.xreplace(slopes))
     except DiagramError:
         return False
     random = np.random.default_rng(0)

@@ -19,7 +19,7 @@ from .facts import NUMPY_OF, is_input
 NO_VALUE = (sympy.zoo, sympy.nan, sympy.oo, -sympy.oo, sympy.I)
 
 
-class Numbers:
+class NumericValues:
     """Numeric values of expressions at points."""
 
     def __init__(self, *expressions: sympy.Expr):

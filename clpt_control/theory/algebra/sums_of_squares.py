@@ -320,7 +320,7 @@ def _lost_form(term: Expr, fixed: set, bounded: set) -> Expr | None:
     return S.Zero if low.is_extended_nonnegative or weight.is_nonnegative else None
 
 
-def dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
+def split_dead_zone(V: Expr, e: Symbol) -> tuple[Expr, Expr]:
     """Return d if V contains e only as e - clip(e, -d, d), and V of that; otherwise 0 and V."""
     calls = functions_in(V)
     clips = [call for call in calls if call.func == CLIP and call.args[0] == e]

@@ -57,7 +57,7 @@ GOALS = ("law", "kappa")
 TRAJECTORY = "the vehicle alone in the scenario's flow, without CLPE (e = 0, z = x) and disturbance"
 
 
-class Learned(NamedTuple):
+class LearningRun(NamedTuple):
     """A run with its largest flow-parameter error in time and a summary."""
 
     scenario: Scenario
@@ -76,7 +76,7 @@ class Learned(NamedTuple):
         )
 
 
-def learned(scenario: Scenario, level: float | None) -> Learned:
+def learned(scenario: Scenario, level: float | None) -> LearningRun:
     """Run a scenario with its own law and summarise the learning."""
     duration = scenario.run.duration
     step = min(scenario.reference.dwell / SAMPLES_PER_DWELL, step_of_means(scenario))
@@ -91,7 +91,7 @@ def learned(scenario: Scenario, level: float | None) -> Learned:
         "learning_time": time_below(run.time.values, error, level),
         "error_at_end": float(error[-1]),
     }
-    return Learned(scenario, run, error, summary)
+    return LearningRun(scenario, run, error, summary)
 
 
 def time_below(times: np.ndarray, values: np.ndarray, level: float) -> float | None:
@@ -106,7 +106,7 @@ class Design:
 
     scenario: Scenario  # with the new waypoints
     report: dict[str, Any]  # ready for JSON
-    tracks: tuple[Learned, Learned]  # runs with the law, before and after
+    tracks: tuple[LearningRun, LearningRun]  # runs with the law, before and after
 
     def __repr__(self) -> str:
         before, after = _kappas(self.report)
@@ -270,7 +270,7 @@ def _measure(scenario: Scenario, span: tuple[float, float]) -> tuple[float, Extr
 
 
 def _track_report(
-    learning: Learned, kappa: float, extremes: Extremes, span: tuple[float, float]
+    learning: LearningRun, kappa: float, extremes: Extremes, span: tuple[float, float]
 ) -> dict[str, Any]:
     """Return the entries of one track."""
     scenario = learning.scenario
@@ -295,7 +295,7 @@ LOWEST = 1e-16  # smaller errors are drawn there
 
 
 def _draw_track(
-    ax: "Axes", learning: Learned, report: dict[str, Any], key: str
+    ax: "Axes", learning: LearningRun, report: dict[str, Any], key: str
 ) -> None:
     """Draw the area, the waypoints and the vehicle's path in the window."""
     from matplotlib.patches import Rectangle

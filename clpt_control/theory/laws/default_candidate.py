@@ -52,7 +52,7 @@ class LawV(NamedTuple):
     fitted: bool = False
 
 
-class Learned(NamedTuple):
+class LearnedParameters(NamedTuple):
     """Learned parameters of a law, one by one."""
 
     e: np.ndarray
@@ -120,7 +120,7 @@ def _candidate_of_gains(gains: list[float], truth: Truth) -> Block:
     return lyapunov_candidate("learned-flow", parameters)
 
 
-def _learned(loop: SymbolicLoop, N: int) -> Learned:
+def _learned(loop: SymbolicLoop, N: int) -> LearnedParameters:
     """Return the learned parameters of a law."""
     zeros = np.zeros(2 * N, dtype=object)
     e = np.array([sympy.Function(f"e_{i}", real=True)(TIME) for i in (1, 2)])
@@ -135,11 +135,11 @@ def _learned(loop: SymbolicLoop, N: int) -> Learned:
     for state in states:
         rate = loop.derivative(sympy.sympify(state))
         rates.append(normal_form(rate.xreplace(differences)))
-    return Learned(e, states, rates, products)
+    return LearnedParameters(e, states, rates, products)
 
 
 def _inverse_of_gains(
-    loop: SymbolicLoop, learned: Learned, terms: dict
+    loop: SymbolicLoop, learned: LearnedParameters, terms: dict
 ) -> sympy.Matrix | None:
     """Return the inverse of the matrix of gains if gains couple learned parameters."""
     if not any(term.has(*learned.e) for term in terms.values()):

@@ -54,7 +54,13 @@ from .law_candidate import LoopCandidate
 from .law_certificates import of_invariants
 from .paper_loop import mean_square
 from .promises import truth_of
-from .states_of_laws import arbitrary, held, off_at_the_start, off_at_zero, repels
+from .states_of_laws import (
+    arbitrary,
+    bounded_states,
+    off_at_the_start,
+    off_at_zero,
+    repels,
+)
 from .theorem_loop import (
     Hedging,
     decay,
@@ -291,7 +297,7 @@ class Invariants(LoopCandidate):
 
     def is_definite(self) -> Step:
         """Return the step that V and what V' loses are not negative."""
-        bounded, self.exist, self.grown = held(self)
+        bounded, self.exist, self.grown = bounded_states(self)
         self.forms = [*bounded]
         names = ", ".join(self.law.semidefinite)
         premise = f"with {names} >= 0 " * bool(names)

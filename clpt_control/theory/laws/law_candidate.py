@@ -22,11 +22,11 @@ from ...simulation.user_components import functions_of
 from ..algebra.exact import normal_form
 from ..algebra.facts import CLIP, has_time
 from ..algebra.slopes import along
-from ..algebra.sums_of_squares import dead_zone, rising_in
+from ..algebra.sums_of_squares import rising_in, split_dead_zone
 from ..algebra.texts import short
 from ..proofs.certificates import Ways, of_system
 from ..proofs.conclusions import Condition, Status
-from ..proofs.judge import Candidate, Fall, Refutation, Verdict
+from ..proofs.judge import Fall, LyapunovCandidate, Refutation, Verdict
 from ..proofs.point_search import Failure, PointSearch
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
@@ -47,7 +47,7 @@ from .theorem_loop import (
 HIDDEN = {"flow_x": "the true flow", "V": "V, which is made of the truth"}
 
 
-class LoopCandidate(Candidate):
+class LoopCandidate(LyapunovCandidate):
     """V on the loop of a law."""
 
     loop: SymbolicLoop
@@ -152,7 +152,7 @@ class LawCandidate(LoopCandidate, SystemCandidate):
         """
         self.zones, V_of_e = [], self.V
         for e in self.e:
-            zone, V_of_e = dead_zone(V_of_e, e)
+            zone, V_of_e = split_dead_zone(V_of_e, e)
             self.zones.append(zone)
         slopes = [along(V_of_e, {e: sympy.S.One}) for e in self.e]
         self.rises = all(

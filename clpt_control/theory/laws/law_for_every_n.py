@@ -54,10 +54,10 @@ def holds_for_every_N(law: Any) -> tuple[bool, str]:
 
 def _outside_V(law: Any) -> list[str]:
     """Return the ports of states that V need not contain."""
-    held = set().union(*(form.free_symbols for form in law.forms))
-    held |= {*law.loop.states["z"], *law.loop.states["x"]}
+    in_V = set().union(*(form.free_symbols for form in law.forms))
+    in_V |= {*law.loop.states["z"], *law.loop.states["x"]}
     states = law.loop.states
-    return [port for port in states if {*states[port].flat} - held]
+    return [port for port in states if {*states[port].flat} - in_V]
 
 
 def _of_every_N(law: Any, symbol: sympy.Expr, index: Index) -> sympy.Expr:

@@ -111,7 +111,7 @@ def repels(case: Any) -> str:
     return f"{names}: a distance from it that rounding leaves grows"
 
 
-def held(case: Any) -> tuple[set, set, list[str]]:
+def bounded_states(case: Any) -> tuple[set, set, list[str]]:
     """Return states that are bounded, others that exist, and matrices positive at the start.
 
     V holds e and what is learned, of M that never shrinks with a multiple of I in its place:

@@ -141,8 +141,8 @@ def still(jumps: Mapping[str, Mapping], V: Expr) -> dict[Any, str]:
     moved = {
         s for change in jumps.values() for s, after in change.items() if s != after
     }
-    if moved & V.free_symbols:
-        raise NoCertificate(f"{moved.pop()} is in V and jumps")
+    if in_V := moved & V.free_symbols:
+        raise NoCertificate(f"{min(in_V, key=str)} is in V and jumps")
     return dict.fromkeys(moved, "signals")
 
 

@@ -166,7 +166,7 @@ class Refutation(NamedTuple):
     after: Point | None = None
 
 
-class Candidate(ABC):
+class LyapunovCandidate(ABC):
     """A function V on equations, and what is asked of it."""
 
     eq: Equations
@@ -208,11 +208,11 @@ class Candidate(ABC):
             return exact(claim, False, "not shown")
         back = {s: s - v for s, v in rest_state.items()}
         self.forms = [form.xreplace(back) for form in total.forms]
-        held = [s for s in states if any(form.has(s) for form in self.forms)]
-        self.least = zero_of(total._replace(forms=self.forms), held)
+        contained = [s for s in states if any(form.has(s) for form in self.forms)]
+        self.least = zero_of(total._replace(forms=self.forms), contained)
         names = ", ".join(dict.fromkeys(self.text(form) for form in self.forms))
         level = self.V.xreplace({s: sympy.Dummy(real=True) for s in states})
-        holds_all = self.least is not None and len(held) == len(states)
+        holds_all = self.least is not None and len(contained) == len(states)
         holds_all = holds_all and not self.moving({}).not_bounded(level)
         holds_all = holds_all and not sympy.Tuple(*(self.least or {}).values()).has(
             TIME
@@ -310,7 +310,7 @@ class Candidate(ABC):
         return Motion(self.eq, rates, self.fixed, [*self.forms], self.exist)
 
 
-def judge(candidate: Candidate, refute: bool = True) -> Verdict:
+def judge(candidate: LyapunovCandidate, refute: bool = True) -> Verdict:
     """Return the verdict on a candidate V; if `refute`, look for a point that refutes V."""
     steps = [candidate.has_values(), candidate.is_definite()]
     fall = candidate.fall()
@@ -351,7 +351,9 @@ def judge(candidate: Candidate, refute: bool = True) -> Verdict:
     )
 
 
-def refuted(candidate: Candidate, found: Refutation, steps: list[Step]) -> Verdict:
+def refuted(
+    candidate: LyapunovCandidate, found: Refutation, steps: list[Step]
+) -> Verdict:
     """Return the verdict on a candidate that a point refutes."""
     return candidate.verdict(
         "refuted",

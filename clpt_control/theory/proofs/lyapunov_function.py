@@ -41,7 +41,7 @@ def _in_region(candidate: SystemCandidate, within: Any) -> Verdict:
     level, where = region.level(), "V' < 0"
     if not level and (rests := candidate.ends_at(region.low, region.high)):
         level, how, where = region.level(rests), "exact", "V' <= 0, and V falls on,"
-    less = f" - {short(region.least)}" if region.least else ""
+    less = f" - {short(region.V_at_rest)}" if region.V_at_rest else ""
     below = (
         f"where V{less} < {at_least(level, 6)} in the box" if level else "near the rest"
     )

@@ -12,7 +12,7 @@ from sympy import Expr
 
 from ...base.errors import DiagramError
 from ...base.progress.interrupt import check
-from ..algebra.numeric_values import Numbers
+from ..algebra.numeric_values import NumericValues
 from .random_points import RandomPoints
 from .symbolic_loop import Point
 
@@ -45,7 +45,7 @@ class PointSearch(RandomPoints):
             if point is not None:
                 yield point
 
-    def _search(self, numbers: Numbers, still: bool) -> Point | None:
+    def _search(self, numbers: NumericValues, still: bool) -> Point | None:
         """Return a point at which the first of the numbers is positive, or None."""
         points = self.draw(PER_ROUND, still)
         radius = 1.0

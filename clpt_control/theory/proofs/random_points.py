@@ -19,7 +19,7 @@ from sympy import Expr, S
 from ...base.errors import DiagramError
 from ...engine.diagram.symbol_names import TIME
 from ...engine.diagram.symbolic_equations import Equations
-from ..algebra.numeric_values import Numbers
+from ..algebra.numeric_values import NumericValues
 from ..algebra.slopes import along
 from .running_blocks import RunningBlocks
 from .symbolic_loop import Point
@@ -66,18 +66,18 @@ class RandomPoints:
                 self.sources |= {outputs[index]: index for index in indices}
 
     @cached_property
-    def slopes(self) -> Numbers:
+    def slopes(self) -> NumericValues:
         """The slopes of V as numbers at points."""
         return self.numbers(*self.gradient)
 
     @cached_property
-    def level(self) -> Numbers:
+    def level(self) -> NumericValues:
         """V as numbers at points."""
         return self.numbers(self.V)
 
-    def numbers(self, *expressions: Expr) -> Numbers:
+    def numbers(self, *expressions: Expr) -> NumericValues:
         """Return expressions as numbers at points, with the values of parameters."""
-        numbers = Numbers(*(e.xreplace(self.eq.values) for e in expressions))
+        numbers = NumericValues(*(e.xreplace(self.eq.values) for e in expressions))
         symbols = {TIME, *self.states, *self.inputs, *self.jumping, *self.sources}
         if unknown := {*numbers.symbols} - symbols:
             raise DiagramError(f"{unknown.pop()} has no value")

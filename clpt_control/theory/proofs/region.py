@@ -219,8 +219,8 @@ class Region:
             raise DiagramError(
                 f"within: V = {short(V, 60)} bends. Give one that is smooth"
             )
-        self.least = V.xreplace(self.rest)
-        both = ((e, normal_form(e)) for e in (V - self.least, rate))
+        self.V_at_rest = V.xreplace(self.rest)
+        both = ((e, normal_form(e)) for e in (V - self.V_at_rest, rate))
         self.V, self.rate = (min(ways, key=sympy.count_ops) for ways in both)
         self.slopes = {
             e: self.slopes_of(e) for e in (self.V, self.rate) if is_continuous(e)

@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from ...base.progress.interrupt import check
-from ..algebra.numeric_values import Numbers
+from ..algebra.numeric_values import NumericValues
 from .point_search import PointSearch
 from .steps import Step, checked
 from .symbolic_loop import SymbolicLoop
@@ -41,7 +41,7 @@ def compare(search: PointSearch, points: tuple, count: int) -> tuple[bool, str]:
     symbols = search.values(*points)
     symbols[LOST] = ROUNDING * (1 + np.abs(points[1]).max(axis=0, initial=0.0))
     total = len(points[0])
-    numbers = Numbers(*expressions, *map(size_of, expressions)).at(symbols, total)
+    numbers = NumericValues(*expressions, *map(size_of, expressions)).at(symbols, total)
     values, size = np.split(numbers, 2)
     largest = 0.0
     for evaluate, n in (

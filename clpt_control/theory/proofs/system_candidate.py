@@ -43,7 +43,7 @@ from ..algebra.sums_of_squares import lost_forms, squares
 from ..algebra.texts import short
 from .certificates import Ways, of_system
 from .conclusions import Condition, Status
-from .judge import Candidate, Fall, Refutation, Verdict, judge
+from .judge import Fall, LyapunovCandidate, Refutation, Verdict, judge
 from .point_search import Failure, PointSearch
 from .same_as_running import compare
 from .signal_functions import expression_of, undefined_in
@@ -55,7 +55,7 @@ NO_GAINS = MappingProxyType[Any, Any]({})
 MOST_TURNS = 360  # pi/360 is a share of pi
 
 
-class SystemCandidate(Candidate):
+class SystemCandidate(LyapunovCandidate):
     """A diagram with a V of the user, on symbols, or with parameters as their numbers."""
 
     place = ""  # where V is to be least, as text
