@@ -28,8 +28,8 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response
 from ...simulation.integrate import simulate
 from .certificates import Certificate, certificate
-from .excitation_figure import draw_excitation
 from .excitation_report import (
+    draw_excitation,
     in_one_sentence_of,
     learned_text,
     least_excited_of,

@@ -22,7 +22,7 @@ with its covariance M it is shown as well that
 
 A law of which no parameter's error ever rises, eta = w eta(0), w' = -f w, f >= 0, takes no part of
 e into alpha', so that V' is perturbed by e^T eta phi; its readout is theta where its condition
-holds.  `covariance_bounds` adds what is known of the P of least squares.
+holds.  `states_of_laws` adds what is known of the P of least squares.
 """
 
 import math
@@ -49,7 +49,6 @@ from ..proofs.conclusions import Condition
 from ..proofs.judge import Fall
 from ..proofs.steps import Step, exact, exact_step
 from ..proofs.symbolic_loop import TIME, SymbolicLoop, equated, symbolic_loop
-from .covariance_bounds import covariance_claims
 from .law_candidate import LoopCandidate
 from .law_certificates import of_invariants
 from .paper_loop import mean_square
@@ -57,6 +56,7 @@ from .promises import truth_of
 from .states_of_laws import (
     arbitrary,
     bounded_states,
+    covariance_claims,
     off_at_the_start,
     off_at_zero,
     repels,

@@ -5,39 +5,53 @@
 The law's numbers and those of V stand in V' exactly; the truth that V contains, theta, KD and
 GammaD, is the loop's own symbols.  If the residual is never positive, V falls and e goes to zero as
 in Theorem 3.2; where V' pulls V back but for a constant and a disturbance, V is bounded
-(`ultimate_bounds`).  With V of another shape in e the decay is -sum KD_i e_i dV/de_i.
+(`ultimate_bounds`).  With V of another shape in e the decay is -sum KD_i e_i dV/de_i.  For every
+number N of functions V', V and the rates of what V does not contain are base + sum_k term(k); each
+is judged by its base and its term.
 """
 
+from collections.abc import Mapping
 from copy import copy
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
+import numpy as np
 import sympy
 
 from ...base.units import at_least, at_most
-from ...engine.diagram.symbol_names import TIME
 from ...engine.model.block import Block
+from ...engine.record.scalar_graph import Index
 from ...simulation.user_components import functions_of
+from ..algebra.every_n import base_and_term, reindexed
 from ..algebra.exact import normal_form
 from ..algebra.facts import CLIP, has_time
-from ..algebra.slopes import along
-from ..algebra.sums_of_squares import rising_in, split_dead_zone
+from ..algebra.slopes import along, degree
+from ..algebra.sums_of_squares import rising_in, split_dead_zone, squares
 from ..algebra.texts import short
 from ..proofs.certificates import Ways, of_system
 from ..proofs.conclusions import Condition, Status
 from ..proofs.judge import Fall, LyapunovCandidate, Refutation, Verdict
+from ..proofs.limits import CLOCK
 from ..proofs.point_search import Failure, PointSearch
 from ..proofs.same_as_running import running_step, search_of
 from ..proofs.steps import Step, checked, exact
-from ..proofs.symbolic_loop import SymbolicLoop, flat, refuse_no_value, symbolic_loop
+from ..proofs.symbolic_loop import (
+    TIME,
+    ArrayLoop,
+    SymbolicLoop,
+    flat,
+    refuse_no_value,
+    symbolic_loop,
+)
 from ..proofs.system_candidate import SystemCandidate
 from ..proofs.ultimate_bounds import bounded, pulled_forms
 from .default_candidate import WEIGHTS, LawV
-from .law_for_every_n import holds_for_every_N
 from .promises import truth_of
 from .theorem_loop import (
     ErrorCoordinates,
+    decay,
+    rate_of_V,
     symbols_of_V,
     theorem_loop,
     theorem_scenario,
@@ -292,3 +306,75 @@ class LawCandidate(LoopCandidate, SystemCandidate):
             return [sympy.Symbol("jump_of_V", real=True)]
         after = self.loop.jumps_at_once()
         return [normal_form(self.of_e(V.xreplace(jump) - V)) for jump in after]
+
+
+# --- for every N ------------------------------------------------------------------------------
+
+
+def holds_for_every_N(law: Any) -> tuple[bool, str]:
+    """Return whether V' of a `LawCandidate` is as shown for every N, and what is left over."""
+    loop = ArrayLoop(law.loop.diagram, substitute=partial(_of_every_N, law))
+    residual = normal_form(loop.elements.of(rate_of_V(loop) - decay(loop)))
+    if loop.undefined:
+        return False, loop.undefined[0]
+    V = loop.elements.of(loop.signals["V"][0])
+    if not all(squares(summand, law.fixed) for summand in base_and_term(V)):
+        return False, "V is not known to be definite"
+    # what no equation reads exists as long as what drives it
+    ports = [port for port in _outside_V(law) if port in loop.states]
+    rates = {port: loop.elements.of(loop.rates[port]) for port in ports}
+    states = {port: loop.elements.of(loop.states[port]) for port in ports}
+    if faster := faster_than(1, rates, states):
+        return False, f"{faster} may grow faster than linearly"
+    of_e = {"e'": loop.elements.of(loop.derivative(loop.signals["e"]))}
+    states["t"] = [TIME]
+    if faster := faster_than(0, of_e, states):
+        return False, f"{faster} is not known to be bounded"
+    base, term = summands = [
+        normal_form(summand) for summand in base_and_term(residual)
+    ]
+    # for all gains, or for those that it has
+    every_gain: dict[Any, Any] = {}
+    for values in (every_gain, law.values):
+        if all(law.never_positive(summand.xreplace(values)) for summand in summands):
+            return True, ""
+    return False, f"left over: {short(base)}; summand {short(term)}"
+
+
+def _outside_V(law: Any) -> list[str]:
+    """Return the ports of states that V need not contain."""
+    in_V = set().union(*(form.free_symbols for form in law.forms))
+    in_V |= {*law.loop.states["z"], *law.loop.states["x"]}
+    states = law.loop.states
+    return [port for port in states if {*states[port].flat} - in_V]
+
+
+def _of_every_N(law: Any, symbol: sympy.Expr, index: Index) -> sympy.Expr:
+    """Return a parameter's element for every N: V's are numbers, the law's or the truth's."""
+    generic = [name for name in index if isinstance(name, str)]
+    weight = law.of_V.get(symbol, symbol)
+    if weight != symbol or len(generic) != 1:
+        return weight
+    names = [{generic[0]: str(k + 1)} for k in range(law.N)]
+    members = [reindexed(symbol, name) for name in names]
+    members = [law.of_V.get(s, s) for s in members]
+    # one for all, or one each
+    for gain in (members[0], reindexed(members[0], {"1": generic[0]})):
+        if [reindexed(gain, name) for name in names] == members:
+            return gain
+    return symbol
+
+
+def faster_than(power: int, rates: Mapping[str, Any], states: Mapping[str, Any]) -> str:
+    """Return which rate may grow with a higher power of the states, and its value; or ""."""
+    elements = [s for symbols in states.values() for s in np.ravel(symbols)]
+    names = {str(s).split("[")[0] for s in elements}
+
+    def is_state(symbol: sympy.Symbol) -> bool:
+        return str(symbol).split("[")[0] in names  # m[k] is one of m[j]
+
+    for port, values in rates.items():
+        for rate in np.ravel(values):
+            if degree(sympy.sympify(rate).xreplace({TIME: CLOCK}), is_state) > power:
+                return f"{port} = {short(rate)}"
+    return ""

@@ -34,8 +34,7 @@ from ..algebra.slopes import meets_smoothly
 from ..algebra.sums_of_squares import Squares, contains_all, squares, zero_of
 from ..algebra.texts import short
 from .certified import written
-from .conclusions import Condition, Judged, Status, concluded, go
-from .latex import theorem_and_proof
+from .conclusions import Condition, Judged, Status, concluded, go, theorem_and_proof
 from .limits import Motion
 from .steps import Step, exact, first_failure
 from .symbolic_loop import Point

@@ -1,21 +1,34 @@
 """Search for points at which V of a candidate rises, or is below its value at rest.
 
-Points are drawn from wide ranges about a rest, or the truth, and again near the best of them; each
-is confirmed by the blocks that run.
+Points are drawn from wide ranges about a rest, or the truth, and again near the best of them.  Each
+is confirmed by the blocks that run: V' at a point is computed along their rates,
+
+    V' = dV/dt + sum_i (dV/dx_i) x_i'
+
+and in discrete time V(x+) - V(x).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import Any
 
+import control
 import numpy as np
 import sympy
-from sympy import Expr
+from sympy import Expr, S
 
 from ...base.errors import DiagramError
 from ...base.progress.interrupt import check
+from ...engine.diagram.symbol_names import TIME
+from ...engine.diagram.symbolic_equations import Equations
+from ...engine.diagram.wiring import wiring_of
+from ...engine.model.on_arrays import on_arrays
+from ...engine.solver.evaluation_pass import Sweep
 from ..algebra.numeric_values import NumericValues
-from .random_points import RandomPoints
+from ..algebra.slopes import along
 from .symbolic_loop import Point
 
+EARLIEST = 1e-6  # s: at t = 0 itself a function of time may have a kink
 SEARCHES = 20  # each from new random points
 ROUNDS = 15  # of a search
 PER_ROUND = 500  # points
@@ -27,10 +40,211 @@ SIGNIFICANT = 1e-7  # of the size of its terms; smaller values may be rounding e
 PER_JUMP = 300  # points
 LATEST_JUMP = 1000.0  # time until which jumps are searched
 Failure = tuple[Point, float]  # a point, and V', or the rise of V, at the point
+# rates (n, nx) and V (n,); NaN where there are none
+Values = tuple[np.ndarray, np.ndarray]
 
 
-class PointSearch(RandomPoints):
-    """Searches among random points for those at which a candidate fails."""
+class RunningBlocks:
+    """The blocks of a diagram as they run, with an output V, "" for none.
+
+    Times are (n,), states (n, nx) and inputs (n, nu).
+    """
+
+    def __init__(self, system: control.NonlinearIOSystem, V: str = "V[0]"):
+        self.system, self.wiring = system, wiring_of(system)
+        self.V = [system.output_labels.index(V)] if V else []
+        self.sweep = Sweep(
+            self.wiring, [node.system.parameters for node in self.wiring.nodes]
+        )
+
+    def by_control(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Values:
+        """Return rates and V as python-control computes them."""
+        system = self.system
+        system._update_params({})  # once: it takes as long as the equations
+
+        def at_point(*point: Any) -> tuple:
+            if self.sweep.jumping:  # its states may jump between one point and the next
+                system._update_params({})
+            try:
+                return system._rhs(*point), *(
+                    system._out(*point)[self.V] if self.V else [0.0]
+                )
+            except RuntimeError:  # python-control's word for a NaN on its way
+                return np.full(system.nstates, np.nan), np.nan
+
+        with np.errstate(all="ignore"):
+            rates, V = zip(*map(at_point, t, x, u), strict=True)
+        return np.array(rates), np.array(V, dtype=float)
+
+    def by_records(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> Values:
+        """Return rates and V of the blocks' records at all points at once."""
+        signals, rates = self.signals(t, x, u), np.empty(x.shape)
+        for k, node in enumerate(self.wiring.nodes):
+            if node.system.nstates:
+                rates.T[node.states] = self._values_of(k, "update", signals, t, x, u)
+        V = np.zeros(len(t))
+        for place in self.V:
+            for k, gain in self.wiring.outputs[place].items():
+                V += gain * (signals[k] if k >= 0 else u.T[~k])
+        return rates, V
+
+    def signals(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> np.ndarray:
+        """Return the outputs of all blocks, block by block, shape (outputs, n)."""
+        nodes = self.wiring.nodes
+        signals = np.zeros((nodes[-1].outputs.stop, len(t)))
+        for k in self.wiring.order:
+            signals[nodes[k].outputs] = self._values_of(k, "output", signals, t, x, u)
+        return signals
+
+    def _values_of(
+        self, k: int, role: str, signals: np.ndarray, t: Any, x: Any, u: Any
+    ) -> np.ndarray:
+        """Return the outputs or the rates of block k, of signals that are known."""
+        node, p = self.wiring.nodes[k], self.sweep.parameters[k]
+        block = node.system
+        if block.breakpoints_function is not None and p.interval < 0:
+            p = p._replace(
+                interval=np.array([block.interval_at(time, p) for time in t])
+            )
+        fed = np.zeros((block.ninputs, len(t)))
+        for wire in node.wires:
+            source = (u.T if wire.external else signals)[
+                wire.source : wire.source + wire.size
+            ]
+            fed[wire.to : wire.to + wire.size] += wire.gain * source
+        return on_arrays(block, role, t, x.T[node.states], fed, p)
+
+
+class PointSearch:
+    """Random points about the rest of states, or 0, and searches for those at which V fails.
+
+    `V` is an expression, `name` its output, or ""; `rest` maps states to numbers or other states.
+    """
+
+    def __init__(
+        self,
+        system: control.NonlinearIOSystem,
+        eq: Equations,
+        V: Expr,
+        name: str,
+        rest: Mapping[Any, Expr],
+        seed: int,
+    ):
+        self.eq = eq
+        self.V = V
+        self.rest = rest
+        self.states = [*eq.motion]
+        self.inputs = [s for port in eq.inputs.values() for s in port.flat]
+        # dV/dt and dV/dx, also of functions with kinks
+        self.gradient = [along(V, {s: S.One}) for s in (TIME, *self.states)]
+        self.random = np.random.default_rng(seed)
+        self.blocks = RunningBlocks(system, name)
+        # the symbol of a block's interval between breakpoints -> the index of the block
+        self.jumping: dict[Any, int] = {}
+        # the symbol of an output of an opaque block -> its index among signals
+        self.sources: dict[Any, int] = {}
+        outputs = [s for port in eq.signals.values() for s in port.flat]
+        nodes = self.blocks.wiring.nodes
+        for k, (node, p) in enumerate(zip(nodes, eq.parameters.values(), strict=True)):
+            has_breakpoints = node.system.breakpoints_function is not None
+            if has_breakpoints and "interval" in p._fields:
+                self.jumping[p.interval] = k
+            if node.system.opaque:
+                indices = range(node.outputs.start, node.outputs.stop)
+                self.sources |= {outputs[index]: index for index in indices}
+
+    @cached_property
+    def slopes(self) -> NumericValues:
+        """The slopes of V as numbers at points."""
+        return self.numbers(*self.gradient)
+
+    @cached_property
+    def level(self) -> NumericValues:
+        """V as numbers at points."""
+        return self.numbers(self.V)
+
+    def numbers(self, *expressions: Expr) -> NumericValues:
+        """Return expressions as numbers at points, with the values of parameters."""
+        numbers = NumericValues(*(e.xreplace(self.eq.values) for e in expressions))
+        symbols = {TIME, *self.states, *self.inputs, *self.jumping, *self.sources}
+        if unknown := {*numbers.symbols} - symbols:
+            raise DiagramError(f"{unknown.pop()} has no value")
+        return numbers
+
+    def values(self, t: np.ndarray, x: np.ndarray, u: np.ndarray) -> dict:
+        """Return symbol -> its numbers at points."""
+        values = dict(zip([TIME, *self.states, *self.inputs], [t, *x, *u], strict=True))
+        for symbol, k in self.jumping.items():
+            block = self.blocks.wiring.nodes[k].system
+            p = self.blocks.sweep.parameters[k]
+            values[symbol] = np.array([block.interval_at(time, p) for time in t])
+        if self.sources:
+            signals = self.blocks.signals(t, x.T, u.T)
+            values |= {symbol: signals[k] for symbol, k in self.sources.items()}
+        return values
+
+    def draw(self, count: int, still: bool, widest: float = 2.0) -> tuple:
+        """Return times, states and inputs of wide ranges, some of them zero.
+
+        Inputs are zero if `still`; `widest` is the logarithm of the largest size.
+        """
+        random = self.random
+        sizes = 10.0 ** random.uniform(-2.5, widest, (2, count))
+        x = random.standard_normal((len(self.states), count)) * sizes[0]
+        x *= random.random(x.shape) > 0.15
+        u = random.standard_normal((len(self.inputs), count)) * sizes[1] * (not still)
+        exponents = 3 * random.random(count) * (random.random(count) < 0.3)
+        times = random.uniform(0, 20, count) * 10.0**exponents
+        times *= random.random(count) > 0.1
+        times = np.maximum(times, EARLIEST)
+        return times, x + self.rest_at(x), u
+
+    def wide(self, count: int, still: bool = False) -> tuple:
+        """Return times, states and inputs of wider ranges, in some of which powers overflow."""
+        t, x, u = self.draw(count, still, widest=4.0)  # exp overflows
+        x[:, ::10] *= 1000
+        return t, x, u
+
+    def rest_at(self, x: np.ndarray) -> np.ndarray:
+        """Return the rest of states (n, ...), which may depend on other states."""
+        values = dict(zip(self.states, x, strict=True))
+        rest = self.numbers(*(self.rest.get(s, S.Zero) for s in self.states))
+        return rest.at(values, x.shape[1])
+
+    def farther(self, x: np.ndarray, factors: tuple[float, ...]) -> np.ndarray:
+        """Return states (len(factors), n) with the distance from the rest times factors."""
+        rest = self.rest_at(x[:, None])[:, 0]
+        rest = np.where([s in self.rest for s in self.states], rest, x)
+        return rest + np.outer(factors, x - rest)
+
+    def value_at(self, expression: Expr, point: Point) -> float:
+        """Return an expression at a point."""
+        t, x, u = np.array([point.t]), point.x[:, None], point.u[:, None]
+        return float(self.numbers(expression).at(self.values(t, x, u), 1)[0, 0])
+
+    def rates_at(
+        self, point: Point, x: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return V' along the rates of python-control, the size of its terms, and V.
+
+        The time and the inputs are those of a point; x are the states, (n, states).
+        """
+        t = np.full(len(x), point.t)
+        u = np.tile(point.u, (len(x), 1))
+        rates, V = self.blocks.by_control(t, x, u)
+        values = self.values(t, x.T, u.T)
+        slopes = self.slopes.at(values, len(x))
+        if not self.blocks.V:  # V is no output of the diagram
+            (V,) = self.level.at(values, len(x))
+        if self.eq.discrete:
+            (after,) = self.level.at(self.values(t, rates.T, u.T), len(x))
+            return after - V, np.abs(after) + np.abs(V), V
+        with np.errstate(all="ignore"):
+            terms = slopes * np.vstack([np.ones(len(rates)), rates.T])
+            terms = np.where(np.equal(slopes, 0.0), 0.0, terms)
+            return terms.sum(axis=0), np.abs(terms).sum(axis=0), V
+
+    # --- searches ------------------------------------------------------------------------------
 
     def highest(self, expression: Expr, still: bool) -> Iterator[Point]:
         """Yield points at which an expression is positive, relative to the size of its terms."""
