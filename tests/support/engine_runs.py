@@ -24,13 +24,14 @@ from clpt_control.engine.codegen.plan import Nest, Program
 from clpt_control.engine.codegen.vectors import PRIMITIVES
 from clpt_control.engine.conformance.all_backends import readings
 from clpt_control.engine.conformance.checks import (
+    BACKEND,
     check_block,
-    differ,
     python_values,
     random_samples,
     roles,
 )
 from clpt_control.engine.conformance.confirmation import Confirmation
+from clpt_control.engine.conformance.differences import differ
 from clpt_control.engine.diagram.interconnection import Diagram
 from clpt_control.engine.diagram.wiring import blocks_of, wiring_of
 from clpt_control.engine.methods.table import EXPLICIT, METHODS, RK4, ROWS
@@ -50,6 +51,7 @@ from clpt_control.engine.trace.numpy_functions import IMPLEMENTED
 from clpt_control.engine.trace.ufuncs import COMPOSED
 
 __all__ = [
+    "BACKEND",
     "COMPOSED",
     "ELEMENTWISE",
     "ENGINES",

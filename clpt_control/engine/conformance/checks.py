@@ -14,6 +14,7 @@ equation.  m and km are two different units here.
 
 import pickle
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import islice
 from typing import Any, NamedTuple
 
@@ -28,9 +29,12 @@ from ..model.block import Block
 from ..model.declaration import powers
 from ..model.sampled import Sampled
 from .all_backends import Backend, readings
+from .differences import EXACT, Tolerance, differ, differences
 
 FACTOR = 1.7  # ratio of the old unit to the new unit
-TOLERANCE = 1e-9  # relative to the largest value
+IN_OTHER_UNITS = Tolerance(of_largest=1e-9)
+BACKEND = Tolerance(of_largest=1e-12, least=1e-12)
+LINEAR = Tolerance(of_largest=1e-4, least=1e-4)
 
 
 class Note(str):
@@ -75,34 +79,24 @@ def python_values(block: Block, role: str, sample: Sample) -> np.ndarray:
     return block.values(role, size, sample.t, sample.x.copy(), sample.u.copy(), p)
 
 
-def differ(a: np.ndarray, b: np.ndarray, tolerance: float = 1e-12) -> bool:
-    """Return whether two results differ by more than rounding; NaN equals NaN."""
-    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-    if a.shape != b.shape or not np.array_equal(np.isfinite(a), np.isfinite(b)):
-        return True
-    finite = np.isfinite(a)
-    size = max(1.0, float(np.max(np.abs(a[finite]), initial=0.0)))
-    return bool(np.any(np.abs(a[finite] - b[finite]) > tolerance * size))
+def _is_finite(block: Block, role: str, sample: Sample) -> bool:
+    return bool(np.all(np.isfinite(python_values(block, role, sample))))
 
 
-def _in_range(block: Block, sample: Sample) -> bool:
-    return all(
-        np.all(np.isfinite(python_values(block, r, sample))) for r in roles(block)
-    )
+def _are_equal(a: Block, b: Block, role: str, samples: list[Sample]) -> bool:
+    """Return whether two blocks, called in turn, give the same numbers at all samples."""
+    first, second = (map(partial(python_values, c, role), samples) for c in (a, b))
+    return not any(differences(first, second, EXACT))
 
 
 def _repeats(block: Block, samples: list[Sample]) -> Iterator[str]:
     """Equations give the same when called again, and are finite for most random inputs."""
     for role in roles(block):
-        finite = 0
-        for sample in samples:
-            values, repeated = (python_values(block, role, sample) for _ in range(2))
-            finite += bool(np.all(np.isfinite(values)))
-            if not np.array_equal(values, repeated, equal_nan=True):
-                yield (
-                    f"{block.name}.{role} gives another value when called again: it must keep no "
-                    "memory"
-                )
+        if not _are_equal(block, block, role, samples):
+            yield (
+                f"{block.name}.{role} gives another value when called again: it must keep no memory"
+            )
+        finite = sum(_is_finite(block, role, sample) for sample in samples)
         if finite < len(samples) // 4:
             yield f"{block.name}.{role} is finite for {finite} of {len(samples)} random inputs only"
 
@@ -112,7 +106,7 @@ def _zero(block: Block, samples: list[Sample]) -> Iterator[str]:
     x, u = np.zeros(block.nstates), np.zeros(block.ninputs)
     zero = Sample(0.0, x, u, block.parameters_at(0.0, block.parameters))
     for role in roles(block):
-        if role != "jump" and not np.all(np.isfinite(python_values(block, role, zero))):
+        if role != "jump" and not _is_finite(block, role, zero):
             yield (
                 f"{block.name}.{role} is not finite at zero states and inputs, with which "
                 "python-control starts. Keep arguments in range with np.where, np.clip or "
@@ -143,7 +137,7 @@ def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) 
         expected = (
             python_values(block, role, sample) if role in compared else np.zeros(0)
         )
-        if differ(expected, value):
+        if differ(value, expected, BACKEND).any():
             return (
                 f"{block.name}.{role}: Python gives {expected}, the backend "
                 f"'{name}' {value} at {sample}"
@@ -152,9 +146,6 @@ def _backend_failure(block: Block, name: str, backend: Backend, sample: Sample) 
 
 
 # --- as a part of diagrams ---------------------------------------------------------------------
-
-
-LINEAR = 1e-4
 
 
 def _pickles(block: Block, samples: list[Sample]) -> Iterator[str]:
@@ -167,11 +158,8 @@ def _pickles(block: Block, samples: list[Sample]) -> Iterator[str]:
             "functions and parameters at the top of a module"
         )
         return
-    for sample in samples[:3]:
-        for role in roles(block):
-            values, copied = (python_values(b, role, sample) for b in (block, copy))
-            if not np.array_equal(values, copied, equal_nan=True):
-                yield f"{block.name}: pickling gives other values"
+    if not all(_are_equal(block, copy, role, samples[:3]) for role in roles(block)):
+        yield f"{block.name}: pickling gives other values"
 
 
 def _linearizes(block: Block, samples: list[Sample]) -> Iterator[str]:
@@ -187,7 +175,7 @@ def _linearizes(block: Block, samples: list[Sample]) -> Iterator[str]:
             return
         for name in "ABCD" if block.ninputs else "AC":
             matrix, expected = getattr(approximate, name), getattr(exact, name)
-            if differ(matrix, expected, LINEAR):
+            if differ(matrix, expected, LINEAR).any():
                 yield f"{block.name}: linearize gives {name} = {matrix}, exactly it is {expected}"
                 return
 
@@ -301,12 +289,10 @@ def _unit_failure(
     x, u = scaled(x, block.state_ports), scaled(u, block.input_ports)
     p = p._replace(**{name: getattr(p, name) * factors[name] for name in fields})
     values = python_values(block, role, Sample(t * factors["t"], x, u, p))
-    tolerance = TOLERANCE * np.max(np.abs(expected), initial=0.0)
-    wrong = np.flatnonzero(np.abs(values - expected) > tolerance)
-    if not len(wrong):
-        return None
-    k = wrong[0]
-    return np.repeat([*results], [*results.values()])[k], values[k], expected[k]
+    is_wrong = differ(values, expected, IN_OTHER_UNITS) & ~np.isnan(values)
+    for k in np.flatnonzero(is_wrong)[:1]:
+        return np.repeat([*results], [*results.values()])[k], values[k], expected[k]
+    return None
 
 
 # --- the report --------------------------------------------------------------------------------
@@ -435,7 +421,11 @@ def check_block(
         if check is _repeats:
             if failures:
                 break
-            drawn = [sample for sample in drawn if _in_range(block, sample)]
+            drawn = [
+                sample
+                for sample in drawn
+                if all(_is_finite(block, role, sample) for role in roles(block))
+            ]
     return ConformanceReport(
         block.name, tuple(descriptions), tuple(dict.fromkeys(failures)), tuple(notes)
     )

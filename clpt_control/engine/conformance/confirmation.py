@@ -25,12 +25,10 @@ from ..record.graph import Record
 from ..record.unread import reading_on
 from ..trace.arrays import Tape
 from ..trace.isolation import isolated
+from .differences import differences
 
-CLOSE = 1e-7  # relative: rounding of terms that cancel, not another execution path
-FACTORS = (
-    0.8,
-    1.25,
-)  # least and largest of other parameters, relative to the block's own
+# least and largest of other parameters, relative to the block's own
+FACTORS = (0.8, 1.25)
 TIMES = 0.0, 10.0  # without a caller
 MOVED = 1e-13  # relative: more than rounding, less than the distance from a threshold
 SHOWN = 6  # numbers of a point in a sentence
@@ -142,23 +140,17 @@ class Confirmation:
     def _difference_at(self, points: np.ndarray, parameters: Any) -> str:
         """Return a sentence on the first point at which the record differs from Python, or ""."""
         traced = self._evaluated(self.record, points, parameters)
-        for point, values in zip(points.T, traced.T, strict=True):
-            expected = self._in_python(point, parameters, len(values))
-            if expected is None:
+        in_python = (self._in_python(p, parameters, len(traced)) for p in points.T)
+        for k, is_different, expected in differences(traced.T, in_python):
+            values = traced[:, k]
+            is_finite = np.isfinite(values)
+            if np.isnan(expected).all() and not is_finite.all():  # the function raises
                 continue
-            finite = np.isfinite(expected)
-            size = np.abs(expected)
-            largest = size[finite].max(initial=0.0)
-            agrees = np.abs(expected - values) <= CLOSE * (size + 1e-3 * largest)
-            agrees |= ~finite & ~np.isfinite(values)
-            raised = np.isnan(expected).all() and not np.isfinite(values).all()
-            if agrees.all() or raised:
-                continue
-            agrees |= np.abs(expected - values) <= self._noise(
-                expected, point, parameters
-            )
-            for k in np.flatnonzero(~agrees)[:1]:
-                return self._sentence(k, values[k], expected[k], point)
+            noise = self._noise(expected, points[:, k], parameters)
+            is_different &= is_finite | np.isfinite(expected)
+            is_different &= ~(np.abs(expected - values) <= noise)
+            for row in np.flatnonzero(is_different)[:1]:
+                return self._sentence(row, values[row], expected[row], points[:, k])
         return ""
 
     @np.errstate(all="ignore")

@@ -16,6 +16,7 @@ from numpy import ndarray
 from ...base.errors import SimulationError, Uncompiled
 from ...base.progress import warn
 from ..codegen.machine import ENGINE
+from ..conformance.differences import differ, differences
 from ..diagram.wiring import Wiring
 from ..model.on_arrays import on_arrays
 from ..record.unread import Unread
@@ -149,7 +150,6 @@ def warn_python(name: str, why: str) -> None:
 
 # --- comparison of the record with the functions ----------------------------------------------
 
-CLOSE = 1e-7  # relative: rounding of terms that cancel, not another execution path
 # relative: on a kink, and at rest, rounding decides: states next to it are compared, and then
 # states farther away, where rates are far above the rounding of terms that cancel at rest
 DISTANCES = 1e-6, -1e-6, 1e-3, -1e-3
@@ -188,14 +188,14 @@ def _difference_beside(
     inputs: Inputs | None,
 ) -> str:
     """Return a sentence on the function that differs at all states next to x too, or ""."""
-    for distance, moved in zip(DISTANCES, beside(x), strict=True):
+    # equal directions might stay at rest
+    scaled = (1.0 + np.abs(x)) * np.linspace(0.7, 1.0, len(x))
+    for distance in DISTANCES:
         time = np.array([t + 1e-3 * distance])
+        moved = x + distance * scaled
         if _agrees(runner, segments, time, moved[None], inputs)[0]:
             return ""
-    moved = moved[: runner.sweep.nstates]
-    u = inputs_at(inputs, t)
-    runner.sweep.derivative(t, moved, u)
-    misread = misread_function(runner, float(t), moved)
+    misread = misread_function(runner, float(t), moved, inputs)
     return misread or f"at t = {t:.6g} its rates are not those of its functions"
 
 
@@ -207,22 +207,13 @@ def difference_ahead(
         return ""
     segments = runner.schedule(times, inputs)
     for t, x in points:
-        if not np.isfinite(x).all():
-            continue
         time = np.array([t])
-        if not _agrees(runner, segments, time, x[None], inputs)[0]:
-            return misread_function(runner, float(t), x) or ""
+        is_finite = np.isfinite(x).all()
+        if is_finite and not _agrees(runner, segments, time, x[None], inputs)[0]:
+            return misread_function(runner, float(t), x, inputs)
     return ""
 
 
-def beside(x: ndarray) -> list[ndarray]:
-    """Return states next to these."""
-    directions = np.linspace(0.7, 1.0, len(x))  # equal ones might stay at rest
-    scaled = (1.0 + np.abs(x)) * directions
-    return [x + distance * scaled for distance in DISTANCES]
-
-
-@np.errstate(invalid="ignore")  # of differences of infinite numbers
 def _agrees(
     runner: NativeDiagram,
     segments: Schedule,
@@ -273,34 +264,26 @@ def _agrees(
     # 3. rows in which all of them are equal
     agrees = np.ones(len(times), dtype=bool)
     for rows, compiled in zip(python, machine, strict=True):
-        expected = np.array(rows)
-        agrees &= _equal(expected, compiled[:, : expected.shape[1]])
+        for k, *_ in differences(compiled[:, : len(rows[0])], rows):
+            agrees[k] = False
     return agrees
 
 
-def _equal(a: ndarray, b: ndarray) -> ndarray:
-    """Return which rows are equal up to rounding."""
-    error = np.abs(a - b)
-    size = np.abs(a)
-    if (error <= CLOSE * size).all():
-        return np.ones(len(a), dtype=bool)
-    largest = size.max(axis=-1, initial=1e-300, where=size < np.inf, keepdims=True)
-    close = error <= CLOSE * (size + 1e-3 * largest)
-    both_nan = np.isnan(a) & np.isnan(b)
-    return np.all(close | (a == b) | both_nan, axis=-1)
-
-
 @np.errstate(all="ignore")  # as a sweep runs them
-def misread_function(runner: PythonDiagram, t: float, x: ndarray) -> str | None:
-    """Return a sentence on the function whose record differs from it, at the last pass's inputs."""
+def misread_function(
+    runner: PythonDiagram, t: float, x: ndarray, inputs: Inputs | None
+) -> str:
+    """Return a sentence on the function whose record differs from it, or ""."""
     sweep = runner.sweep
+    x = x[: sweep.nstates]
+    sweep.derivative(t, x, inputs_at(inputs, t))
     for k, node in enumerate(runner.wiring.nodes):
         block = node.system
-        arguments = x[node.states], sweep.fed(k), sweep.parameters[k]
+        arguments = t, x[node.states], sweep.fed(k), sweep.parameters[k]
         for role in block._roles:
             with suppress(Unread):
-                values = on_arrays(block, role, t, *arguments)
-                expected = block.values(role, len(values), t, *arguments)
-                if not _equal(expected, values).all():
+                values = on_arrays(block, role, *arguments)
+                expected = block.values(role, len(values), *arguments)
+                if differ(values, expected).any():
                     return f"{node.name}.{role} gives other numbers in Python"
-    return None
+    return ""
