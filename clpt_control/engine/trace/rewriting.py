@@ -9,6 +9,10 @@
 limits takes 12 paths and not 2^6.  ``row[k]`` of a list and a signal k becomes one `pick`.  The
 source is used only if it compiles to the very code of the function; else the function stays as it
 is, and all its paths are run.
+
+Python calls no method of a value for `is`: ``a is b`` and ``case True`` become calls of `is_same`.
+A signal is no constant, such as None, and is True or False only if it is a truth value of Python's
+own.  Whether two numbers are one object is not recorded, so such a comparison is refused.
 """
 
 import ast
@@ -21,9 +25,53 @@ from types import CodeType
 from typing import Any
 
 from ..model.locations import STATEMENT
+from ..record.unread import Unread, active
+from .arrays import Array
+from .elementwise import definite
 from .execution_paths import index_of, item_of, merge_calls, merge_paths
-from .identities import TRUTHS, is_same
 from .references import all_code, code_names
+
+# --- identity of traced values -----------------------------------------------------------------
+
+# constants that merged paths replace
+COPIED = (int, float, complex, str, bytes, tuple, frozenset)
+
+
+def is_same(a: Any, b: Any) -> bool:
+    """Return `a is b`."""
+    tape: Any = active()
+    if tape is None:
+        return a is b
+    for value, other in ((a, b), (b, a)):
+        if isinstance(value, Array):
+            if isinstance(other, bool):
+                is_truth = value._is_condition and not value.shape
+                return is_truth and definite(value._of_python) and bool(value) is other
+            if isinstance(other, Array | float | int):
+                raise Unread("compares signals by `is`. Write ==")
+            return False
+    if tape.merging and type(a) in COPIED and type(b) in COPIED:
+        raise Unread("compares constants by `is`. Write ==")
+    return a is b
+
+
+class Truth:
+    """True or False as a pattern of `match`, which is equal to the object itself alone."""
+
+    __array_ufunc__ = None  # NumPy's values leave the comparison to this class
+
+    def __init__(self, truth: bool):
+        self.truth = truth
+        self.value = self
+
+    def __eq__(self, other: object) -> bool:
+        return is_same(other, self.truth)
+
+
+TRUTHS = {truth: Truth(truth) for truth in (True, False)}
+
+
+# --- rewriting ---------------------------------------------------------------------------------
 
 NAMES = {
     "__merge_paths__": merge_paths,

@@ -22,12 +22,11 @@ from ..model.locations import located
 from ..model.params import Params
 from ..model.ports import check_ports, places, shaped
 from ..record.both_sides import conditions_of
-from ..record.graph import Record, Shape, compact
+from ..record.graph import Record, Shape, compact, is_known
 from ..record.unread import Unread, reading_on
 from .arrays import REMEMBERS, Array, Tape, objects, operand
-from .branches import AnsweringTape, Outside, Ports
 from .elementwise import as_number, filled, lifted, where
-from .execution_paths import each_path
+from .execution_paths import AnsweringTape, Outside, each_path
 from .fingerprint import Fingerprint, reachable
 from .heaps import decision_tree, joined
 from .isolation import isolated
@@ -165,6 +164,50 @@ def _traced(request: Request, reached: Fingerprint) -> Read:
             errors.append(error)
             failed = frozenset(tracing.tape.failed)
     raise errors[-2]  # of merged paths
+
+
+class Ports(Array):
+    """Tracer array of all states or inputs: a vector, with its ports as views."""
+
+    __slots__ = ("_ports",)
+
+    def __init__(
+        self, tape: Tape, group: str, shapes: Mapping[str, Shape], fixed: bool = True
+    ):
+        self._ports = {
+            port: tape.add("leaf", (), shape, (group, port))
+            for port, shape in shapes.items()
+        }
+        has_sizes = all(map(is_known, shapes.values()))
+        size: Any = sum(map(prod, shapes.values())) if has_sizes else f"len({group})"
+        super().__init__(tape, -1, (size,))
+        del self._node  # until it was requested
+        self._fixed = fixed
+        for leaf in self._ports.values():
+            leaf._fixed = True
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self._ports:
+            return self._ports[name]
+        if name != "_node":
+            return super().__getattr__(name)
+        self._counted()
+        rows = [row._ref for leaf in self._ports.values() for row in _rows(leaf)]
+        if len(rows) > 1:  # of the vector of all ports, one behind the other
+            rows = [self._tape.add("join", rows, self.shape)._node]
+        self._node = (
+            rows[0] if rows else self._tape.add("constant", (), (0,), b"")._node
+        )
+        return self._node
+
+
+def _rows(array: Any) -> list[Array]:
+    """Return the rows of an array of any number of axes."""
+    return (
+        [array]
+        if array.ndim == 1
+        else [row for row_block in array for row in _rows(row_block)]
+    )
 
 
 class _Tracing:
