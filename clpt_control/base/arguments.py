@@ -113,7 +113,7 @@ def _checking(function: Any, name: str) -> Any:
         kinds = kinds_by.get(argument, (Any,))
         if Any in kinds or _fits_at_once(value, kinds):
             return value
-        value = plain(value, kinds)
+        value = as_python_type(value, kinds)
         if not fits(value, kinds):
             allowed = words(kinds)
             raise ArgumentError(
@@ -187,8 +187,8 @@ def kinds_of(kind: Any, names: Mapping[str, Any]) -> Kinds:
     return (NoneType if kind is None else kind,)
 
 
-def plain(value: Any, kinds: Kinds) -> Any:
-    """Return a value, made plain where one of the kinds asks for it."""
+def as_python_type(value: Any, kinds: Kinds) -> Any:
+    """Return a value as one of the kinds: a number of Python, a list, a tuple or an array."""
     if (
         attribute_of(value, "ndim") == 0
         and attribute_of(value, "dtype", EMPTY).kind in "iufb"

@@ -24,7 +24,7 @@ from team_scenarios import write_team
 from test_documentation import methods, public_objects
 
 import clpt_control as clpt
-from clpt_control.base.arguments import Seed, fits, kinds_of, plain, public
+from clpt_control.base.arguments import Seed, as_python_type, fits, kinds_of, public
 
 SCENARIO = clpt.paper_scenario().with_values({"run.duration": 40})
 OF_FIXES = clpt.Scenario(
@@ -287,7 +287,7 @@ def test_wrong_arguments_are_one_sentence(function, right, tmp_path, monkeypatch
                 kinds = kinds_of(
                     function.__annotations__[argument], function.__globals__
                 )
-                if fits(plain(wrong_values()[label], kinds), kinds):
+                if fits(as_python_type(wrong_values()[label], kinds), kinds):
                     continue
             try:
                 function(**{**given, argument: value})

@@ -154,7 +154,7 @@ class Names:
         return sympy.Symbol(label, **{sign: True})
 
 
-class Numbers(Names):
+class NamesWithNumbers(Names):
     """The same, with parameters as their numbers."""
 
     def parameter(

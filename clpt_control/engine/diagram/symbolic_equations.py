@@ -28,7 +28,15 @@ from ..record.symbolic import LONG, Symbols, extent, rational
 from ..record.unread import Unread
 from ..trace.arrays import Tape, operand
 from .merged_record import TapeRecord
-from .symbol_names import TIME, Names, Numbers, element_name, fields_of, groups, typeset
+from .symbol_names import (
+    TIME,
+    Names,
+    NamesWithNumbers,
+    element_name,
+    fields_of,
+    groups,
+    typeset,
+)
 from .wiring import Node, Part, Wiring, read_anew, wiring_of
 
 # watch("block.role", operation, its arguments on symbols) returns a remark or None
@@ -484,4 +492,4 @@ def equations(system: control.NonlinearIOSystem, numbers: bool = False) -> Equat
     >>> eq.derivative(eq["y"] ** 2)
     2*y*(-a*y + u(t))
     """
-    return on_symbols(system, Numbers if numbers else Names, with_samples=True)
+    return on_symbols(system, NamesWithNumbers if numbers else Names, with_samples=True)

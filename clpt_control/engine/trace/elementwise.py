@@ -227,7 +227,7 @@ def is_whole(value: Any) -> bool | None:
     return isinstance(value, int) or kind in "iub"
 
 
-def of_numpy(number):
+def as_numpy_number(number):
     """Return an element of an array as a number of NumPy."""
     if not isinstance(number, Array):
         return np.float64(number) if is_of_python(number) else number

@@ -369,7 +369,7 @@ BUILTINS: dict[str, Any] = {**vars(builtins), **BUILTIN_FUNCTIONS}
 # --- NumPy --------------------------------------------------------------------------------------
 
 
-def of_numpy(real: Any) -> TracerFunction:
+def tracer_of_numpy_function(real: Any) -> TracerFunction:
     """Return the tracer function of a function of NumPy, for lists that hold signals."""
     if isinstance(real, np.ufunc):
         return TracerFunction(real, functools.partial(apply_ufunc, real, "__call__"))
@@ -377,7 +377,7 @@ def of_numpy(real: Any) -> TracerFunction:
     return TracerFunction(real, MAKERS.get(real, record))
 
 
-def array(
+def new_array(
     tape: Any, value: Any, dtype: Any = None, *, ndmin: int = 0, **options: Any
 ) -> Any:
     """Return np.array of values that hold signals."""
@@ -393,7 +393,7 @@ def same_array(tape, value, dtype=None, **options):
     """Return np.asarray of values that hold signals."""
     if isinstance(value, Array) and (dtype is None or np.dtype(dtype) == float):
         return boxed(tape, value)
-    return array(tape, value, dtype)
+    return new_array(tape, value, dtype)
 
 
 def full(tape: Tape, shape: Any, value: Any, dtype: Any = None, **options: Any) -> Any:
@@ -409,7 +409,7 @@ def of_counts(real: Callable) -> Callable:
 
 
 MAKERS: dict[Any, Callable] = {
-    np.array: array,
+    np.array: new_array,
     **dict.fromkeys((np.asarray, np.asanyarray), same_array),
     np.full: full,
     **{
@@ -511,6 +511,6 @@ def tracer_value(value):
         vars(module).get(value.__name__) is value for module in (np, np.linalg)
     )
     if isinstance(value, np.ufunc) or is_function:
-        return _known.setdefault(id(value), of_numpy(value))
+        return _known.setdefault(id(value), tracer_of_numpy_function(value))
     table = function_of(value)
     return value if table is None else TracerFunction(value, table)

@@ -22,12 +22,12 @@ from .arrays import HOOKS, Array, Tape, moves, numbers_of, objects, operand, who
 from .elementwise import (
     TRUTH,
     as_number,
+    as_numpy_number,
     boxed,
     constant,
     in_a_try,
     is_whole,
     lifted,
-    of_numpy,
     stacked,
 )
 
@@ -226,7 +226,7 @@ def part(a: Any, function: Callable[[np.ndarray], Any]) -> Any:
         if not has_array or not isinstance(
             function(_positions(a.shape)[0]), np.ndarray
         ):
-            return of_numpy(new)
+            return as_numpy_number(new)
         new = boxed(a._tape, new)
     view = Array(a._tape, new._node, new.shape, a, function)
     view._boxed = not new.shape
@@ -237,7 +237,7 @@ def _part_of_elements(a: Array, function: Callable, store: np.ndarray) -> Any:
     """Return a part of an array of which an element was written."""
     elements = function(store)
     if not isinstance(elements, np.ndarray):
-        return of_numpy(elements)
+        return as_numpy_number(elements)
     new = Array(a._tape, -1, elements.shape, a, function)
     new._store = elements
     new._boxed = True

@@ -18,7 +18,7 @@ import sympy
 
 from ...base.arguments import check_holds
 from ...base.errors import DiagramError
-from ...engine.diagram.symbol_names import TIME, Names, Numbers, element_name
+from ...engine.diagram.symbol_names import TIME, Names, NamesWithNumbers, element_name
 from ...engine.diagram.symbolic_equations import on_symbols
 from ...engine.diagram.wiring import wiring_of
 from ...engine.record.symbolic import rational
@@ -74,7 +74,7 @@ class SystemCandidate(LyapunovCandidate):
         numbers: bool = False,
     ):
         self.system, self.points, self.seed = system, points, seed
-        names = Numbers if numbers else Names
+        names = NamesWithNumbers if numbers else Names
         self.eq = on_symbols(system, names, watch=undefined_in, with_samples=True)
         self._refuse_what_has_no_rates()
         self.motion = {s: decided(rate) for s, rate in self.eq.motion.items()}
