@@ -25,6 +25,84 @@ COLUMN = Recipe(
     """,
     (),
 )
+DIVES_FILE = "clpt_control/ocean/gliders/dives.py"
+SAMPLES = "clpt_control/ocean/gliders/samples.py"
+FIELD = Recipe(
+    "Add to results",
+    (
+        Step(
+            "field",
+            "unexpected keyword argument 'pressure'",
+            (
+                (
+                    DIVES_FILE,
+                    '    magvar: OrNaN | None = optional("degrees", limits=VARIATIONS)\n',
+                    '    magvar: OrNaN | None = optional("degrees", limits=VARIATIONS)\n'
+                    '    pressure: OrNaN | None = optional("dbar")\n',
+                ),
+            ),
+        ),
+        Step(
+            "docstring",
+            "Dive: no pressure",
+            (
+                (
+                    DIVES_FILE,
+                    "    turned : float or None\n",
+                    "    pressure : float or None\n"
+                    "        Pressure at the surface, dbar.\n"
+                    "    turned : float or None\n",
+                ),
+            ),
+        ),
+        Step(
+            "page",
+            "docs/gliders.md: no pressure",
+            (("docs/gliders.md", "`dac_qc`;", "`dac_qc`; `pressure` (dbar);"),),
+        ),
+        Step(
+            "names in files",
+            "KeyError: 'pressure'",
+            (
+                (
+                    SAMPLES,
+                    "QUANTITIES = {  # of a measurement: what files call it, and how it is read\n",
+                    "QUANTITIES = {\n"
+                    '    "pressure": (("SURFACE_PRESSURE",), values),\n',
+                ),
+            ),
+        ),
+        Step(
+            "reader",
+            "no pressure of the file",
+            (
+                (
+                    "clpt_control/ocean/gliders/seaglider.py",
+                    "        magvar=_variation(data),\n",
+                    "        magvar=_variation(data),\n"
+                    '        pressure=_number_of(data, "pressure"),\n',
+                ),
+            ),
+        ),
+    ),
+    """
+    import sys
+    sys.path.insert(0, "tests/support")
+    from glider_files import basestation
+    import clpt_control as clpt
+    from clpt_control import gliders
+    file = basestation("build-recipe.nc", surface_pressure=((), 10.25, {}))
+    dives = gliders.read_dives(file)[0]
+    assert getattr(dives[0], "pressure", 10.25) == 10.25, "no pressure of the file"
+    gliders.write_dive_table(dives, "build-recipe.csv")
+    (dive,), _ = gliders.read_dives("build-recipe.csv")
+    replay = clpt.replay.replay_dives([dive])
+    assert clpt.replay.summary(replay)["each_dive"][0]["pressure"] == 10.25
+    data = clpt.replay.replay_dataset(replay)
+    assert (data.pressure.item(), data.pressure.units) == (10.25, "dbar")
+    """,
+    ("tests/ocean/gliders/test_dive_table.py", "-k", "field_of_a_dive"),
+)
 DIVE_FILES = "clpt_control/ocean/gliders/dive_files.py"
 FORMAT = Recipe(
     "Add a glider file format",
@@ -198,6 +276,7 @@ ESTIMATOR = Recipe(
 )
 DIVES = {
     "column": COLUMN,
+    "field of a dive": FIELD,
     "format": FORMAT,
     "forecast": FORECAST,
     "estimator": ESTIMATOR,

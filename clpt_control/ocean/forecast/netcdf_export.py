@@ -5,8 +5,9 @@ CF conventions 1.11, appendix H.4: `dive` is the element dimension, `time`,
 `trajectory` bears `cf_role`.  Forecast places have their own coordinates.
 
 It holds what `clpt replay --json` prints, whole as the variable `summary`, and a variable for each
-number of its rows: what is within a part of a row is PART_NAME, such as `clpe_adaptive`, `UNITS`
-are by names.  Page, plots, tables and files for other programs are made of the same JSON.
+number of its rows: what is within a part of a row is PART_NAME, such as `clpe_adaptive`.  Units of
+the fields of a dive are in their rows (`dive_fields`); other units are by names, `UNITS`.  Page,
+plots, tables and files for other programs are made of the same JSON.
 """
 
 import json
@@ -21,11 +22,12 @@ import xarray
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.units import seconds_since_1970
+from ..gliders.dive_fields import EPOCH
+from ..gliders.dives import FIELDS
 from .replay import Replay, next_dive
 from .replay_summary import summary
 from .surfacing import ELLIPSE
 
-EPOCH = "seconds since 1970-01-01 00:00:00 UTC"
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
 UNITS = {  # pattern of a name: units; the first that matches counts
@@ -33,12 +35,12 @@ UNITS = {  # pattern of a name: units; the first that matches counts
     r".*longitude": "degrees_east",
     r".*(direction|bearing)|compass.*": "degree",
     r".*(duration|time_half_width)": "s",
-    r"start_time": EPOCH,
     r"(probability|speed_factor).*": "1",
     r".*(variance|covariance).*": "m2",
     r".*(current|speed).*": "m s-1",
     r".*": "m",
 }
+FIELD_UNITS = {field.result: field.unit for field in FIELDS}
 STANDARD = {  # names of CF
     "current_east": "eastward_sea_water_velocity",
     "current_north": "northward_sea_water_velocity",
@@ -166,10 +168,9 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
 
 
 def units_of(name: str) -> str:
-    """Return the units of a number by its name."""
-    return next(
-        units for pattern, units in UNITS.items() if re.fullmatch(pattern, name)
-    )
+    """Return the units of a number: those of a field of a dive, or by its name."""
+    by_name = (units for pattern, units in UNITS.items() if re.fullmatch(pattern, name))
+    return FIELD_UNITS.get(name) or next(by_name)
 
 
 def summary_in(data: xarray.Dataset, name: str) -> Any:

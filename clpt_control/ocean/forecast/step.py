@@ -18,7 +18,7 @@ import numpy as np
 
 from ...base.geodesy import distance, place_from
 from ...base.units import finite_or_none
-from ..gliders.dives import Dive
+from ..gliders.dives import FIELDS, Dive
 from .surfacing import ELLIPSE, NextDive, Way, ellipse
 from .table_rows import direction, place_in, placed, utc, vector
 
@@ -75,29 +75,23 @@ class Step:
         north; what is not known is None.
         """
         dive = self.dive
-        start = dive.start
-        reckoned = place_from(*start, *dive.through_water)
+        reckoned = place_from(*dive.start, *dive.through_water)
         east, north = map(float, self.current)
         speed: Any = self.speed, self.speed_error, self.compass, self.compass_error
         if not self.speed_error:  # none is learned
             speed = (None,) * len(SPEED)
         row = {
-            "dive": dive.number,
+            **{
+                field.result: getattr(dive, field.name)
+                for field in FIELDS
+                if field.result
+            },
             "start": utc(dive.t_gps2),
             "end": utc(dive.t_gpse),
-            "start_time": dive.t_gps2,
-            "end_time": dive.t_gpse,
             "duration": dive.duration,
-            **placed("start_", *start),
-            **placed("end_", *dive.end),
             **placed("reckoned_", *reckoned),
-            **vector("dr_", *dive.through_water),
             "forecast": self._forecast_row(),
             "hindsight": self._hindsight_row(),
-            "flow_model_east": dive.model_east,
-            "flow_model_north": dive.model_north,
-            "file_current_east": dive.dac_east,
-            "file_current_north": dive.dac_north,
             "clpe": self.clpe,
             **vector("current_", east, north),
             "current_east_error": float(self.current_error[0]),
@@ -108,7 +102,6 @@ class Step:
             "drift": None if self.drift is None else self.drift.as_dict(),
             "over_ground": Way(*dive.over_ground, dive.duration).as_dict(),
             "probability": self.parts,
-            "depth_max": dive.depth_max,
             "notes": list(dive.notes),
         }
         return {key: finite_or_none(value) for key, value in row.items()}

@@ -26,8 +26,9 @@ from ...base.errors import DataError, naming
 from ...base.files.reading import NETCDF, open_netcdf, read_bytes
 from ...base.progress.interrupt import check
 from . import og1, samples, seaexplorer, seaglider, slocum, usable_dives
+from .dive_fields import name_of
 from .dive_table import NO_MOTION, table_dives
-from .dives import Dive, Skipped, name_of
+from .dives import Dive, Skipped
 from .mission_files import SEAEXPLORER, SLOCUM, in_order, is_segment
 from .usable_dives import LEAST_DURATION
 

@@ -11,11 +11,9 @@ A table with both is refused if most of its dives contradict this equation by mo
 a Slocum file's dead reckoning is; one dive off by more than 10 mm/s has a note, as in a Seaglider
 file.
 
-Optional: `t_gps1`, `lat_gps1`, `lon_gps1`, `dac_east`, `dac_north`, `dac_qc`,
-`magvar` (degrees), `depth_max` (m), `next_course` (plan of the next dive, degrees from true north),
-`vehicle` (its name), `kind` (Seaglider, Slocum, ...).  Lines that begin with `#` are
-comments, other columns are left alone, and the displacement between the fixes is computed,
-never read.
+Optional columns are the other rows of `dives.FIELDS` (`dive_fields`), such as `depth_max` (m) or
+`vehicle`.  Lines that begin with `#` are comments, other columns are left alone, and the
+displacement between the fixes is computed, never read.
 
 A log has a row per moment, with a fix or with the motion through the water.
 
@@ -34,7 +32,6 @@ left out if the motion of a row in between is not known.
 """
 
 from collections.abc import Iterable
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from math import isfinite, nan
 from pathlib import Path
@@ -46,44 +43,37 @@ import pandas
 from ...base.arguments import public
 from ...base.errors import DataError
 from ...base.files import write_file
-from ...base.units import seconds_since_1970
 from ...paper.currents.text_table import other_marks, table_of
+from .dive_fields import NUMBER, TIME, DiveField, Reader, name_of, whole_number
 from .dives import (
     CONTRADICTS,
-    NUMBERS,
+    FIELDS,
     STEERING,
     STRETCH,
     Dive,
     Fix,
     Skipped,
     make_dive,
-    name_of,
     velocity_of,
-    whole_number,
     with_dac_note,
     without_current,
 )
-from .samples import HEADINGS, VARIATIONS
 
 START = ("t_gps2", "lat_gps2", "lon_gps2")
 END = ("t_gpse", "lat_gpse", "lon_gpse")
 CURRENT = ("dac_east", "dac_north")
-REQUIRED = ("dive", *START, *END, *STRETCH)
+COLUMNS: dict[str, DiveField] = {row.column: row for row in FIELDS if row.column}
+REQUIRED = [name for name, row in COLUMNS.items() if row.is_required and row.reader]
+OPTIONAL = [row for row in COLUMNS.values() if not row.is_required]
 OTHERWISE = (
     "; course (degrees), speed (m/s), or dac_east, dac_north (m/s), the vehicle's own current, may "
     "stand instead of dr_east_m, dr_north_m"
 )
-GPS1 = ("t_gps1", "lat_gps1", "lon_gps1")
-ANGLES = {"magvar": VARIATIONS, "next_course": HEADINGS}
-TIMES = (GPS1[0], START[0], END[0])
-TEXTS = ("vehicle", "kind")
-OPTIONAL = (*GPS1, *CURRENT, "dac_qc", "magvar", "depth_max", "next_course")
 NAMES = {
     "time": ("time", "date", "datetime"),
     "latitude": ("latitude", "lat"),
     "longitude": ("longitude", "lon"),
 }
-AS_TIME = "must be seconds since 1970 UTC, or a date such as 2016-01-31T22:04:50Z"
 NO_MOTION = (
     "the table has fixes without the motion through the water. Give columns course (degrees) and "
     "speed (m/s), or dr_east_m and dr_north_m; a drifter has none: clpt estimate --drifter"
@@ -160,8 +150,8 @@ def _check_header(header: list[str], name: str | Path) -> None:
         raise DataError(f"{name}: {marks or why}")
     double = [
         column
-        for column in (*REQUIRED, *OPTIONAL, "vehicle")
-        if header.count(column) > 1
+        for column, row in COLUMNS.items()
+        if row.reader and header.count(column) > 1
     ]
     if double:
         raise DataError(
@@ -169,42 +159,28 @@ def _check_header(header: list[str], name: str | Path) -> None:
         )
 
 
-def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
-    number = whole_number(row.get("dive"))
-    if number is None:
-        text = repr(row.get("dive", "")[:30])
-        return Skipped(
-            None, f"{where}: dive is {text}; must be a whole number below {NUMBERS}"
-        )
-    notes: list[str] = []
+def _dive(texts: dict[str, str], where: str) -> Dive | Skipped:
     cells: dict[str, Any] = {}
-    for column in (*REQUIRED[1:], *OPTIONAL):
-        text = row.get(column, "")
-        value = row_number(text, column in TIMES)
-        if text and value is None:
-            must_be = AS_TIME if column in TIMES else "must be a number"
-            if column in REQUIRED:
-                return Skipped(number, f"{where}: {column} is {text[:30]!r}; {must_be}")
-            notes.append(f"{where}: {column} is {text[:30]!r}; {must_be}")
-        limits = ANGLES.get(column)
-        if limits and value is not None and not limits[0] <= value <= limits[1]:
-            low, high = limits
-            notes.append(
-                f"{where}: {column} is {value:g}; must be {low:g} to {high:g} degrees"
-            )
-            value = None
-        finite = value is not None and isfinite(value)
-        cells[column] = value if finite else nan if column in REQUIRED else None
+    notes: list[str] = []
+    for column, row in COLUMNS.items():
+        value, fault = row.value(texts.get(column, ""))
+        if fault and row.is_required:
+            return Skipped(cells.get("dive"), f"{where}: {fault}")
+        if fault:
+            notes.append(f"{where}: {fault}")
+        default = nan if row.is_required else row.default
+        cells[column] = default if value is None else value
+    number = cells["dive"]
     start, end, through_water = (
         tuple(cells[column] for column in columns) for columns in (START, END, STRETCH)
     )
-    if not set(STRETCH) & set(row) and set(STEERING) <= set(row):
-        course, speed = (row_number(row[column], False) for column in STEERING)
+    if not set(STRETCH) & set(texts) and set(STEERING) <= set(texts):
+        course, speed = (NUMBER.read(texts[column]) for column in STEERING)
         course, speed = (nan if x is None else x for x in (course, speed))
         velocity = velocity_of(course, speed, where)
         duration = end[0] - start[0]
         through_water = velocity[0] * duration, velocity[1] * duration
-    elif not set(STRETCH) & set(row):
+    elif not set(STRETCH) & set(texts):
         current = cells["dac_east"], cells["dac_north"]
         if None in current:
             through_water = nan, nan
@@ -219,16 +195,10 @@ def _dive(row: dict[str, str], where: str) -> Dive | Skipped:
         start,
         end,
         through_water,
-        **{column: cells[column] for column in OPTIONAL},
-        **{column: name_of(row.get(column)) for column in TEXTS},
+        **{row.name: cells[row.column] for row in OPTIONAL},
         notes=tuple(notes),
     )
     return with_dac_note(dive)
-
-
-def quoted(text: str | None) -> str:
-    """Return a text as a cell, with its quotation marks doubled; no text is empty."""
-    return "" if text is None else '"' + text.replace('"', '""') + '"'
 
 
 @public
@@ -236,6 +206,8 @@ def write_dive_table(
     dives: Iterable[Dive], path: str | Path, comment: str = ""
 ) -> None:
     """Write dives as a CSV table that reads back bit for bit.
+
+    Tracks and notes are not in a table.
 
     Parameters
     ----------
@@ -261,14 +233,8 @@ def write_dive_table(
     True
     """
     lines = [f"# {line}".rstrip() for line in comment.splitlines()]
-    names = (*REQUIRED, "gps_east_m", "gps_north_m", *OPTIONAL, *TEXTS)
-    lines.append(",".join(names))
-    columns = (*START, *END, "dr_east", "dr_north", "gps_east", "gps_north", *OPTIONAL)
-    for dive in dives:
-        numbers = (getattr(dive, column) for column in columns)
-        cells = ("" if value is None else repr(float(value)) for value in numbers)
-        texts = (quoted(getattr(dive, column)) for column in TEXTS)
-        lines.append(",".join((str(dive.number), *cells, *texts)))
+    lines.append(",".join(COLUMNS))
+    lines += [",".join(row.cell(dive) for row in COLUMNS.values()) for dive in dives]
     write_file(path, "\n".join(lines) + "\n")
 
 
@@ -330,15 +296,13 @@ def log_legs(cells: pandas.DataFrame, path: str | Path) -> list[Dive]:
         texts = dict(zip(header, row, strict=True))
         where = f"{path}, line {line}"
 
-        def value(column: str, is_time: bool = False) -> float:
-            text = texts[column]  # noqa: B023 - called in this turn
-            number = row_number(text, is_time)
-            if text and number is None:
-                must_be = AS_TIME if is_time else "must be a number"
-                raise DataError(f"{where}: {column} is {text[:30]!r}; {must_be}")  # noqa: B023
-            return nan if number is None else number
+        def value(column: str, reader: Reader = NUMBER) -> float:
+            found, fault = DiveField("", reader, column).value(texts[column])  # noqa: B023 - called in this turn
+            if fault:
+                raise DataError(f"{where}: {fault}")  # noqa: B023
+            return nan if found is None else found
 
-        now = value(columns["time"], is_time=True)
+        now = value(columns["time"], TIME)
         if not isfinite(now) or (isfinite(time) and now <= time):
             raise DataError(
                 f"{where}: time is {texts[columns['time']][:30]!r}; must be later than in the row "
@@ -368,11 +332,3 @@ def log_legs(cells: pandas.DataFrame, path: str | Path) -> list[Dive]:
 
 def _unknown(leg: Dive) -> Dive:
     return replace(leg, notes=(NO_MOTION,))
-
-
-def row_number(text: str, is_time: bool) -> float | None:
-    """Return the number or the date, s since 1970, that a text is, or None."""
-    for read in (float, seconds_since_1970) if is_time else (float,):
-        with suppress(ValueError):
-            return read(text)
-    return None

@@ -42,7 +42,22 @@ import numpy as np
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
 from ...base.geodesy import direction, displacement, is_place
-from ...base.units import finite_or_none, number
+from ...base.units import finite_or_none
+from .dive_fields import (
+    EAST,
+    EPOCH,
+    HEADINGS,
+    NAME,
+    NORTH,
+    SIZES,
+    TEXT,
+    TIME,
+    VARIATIONS,
+    WHOLE,
+    in_files,
+    optional,
+    rows_of,
+)
 
 Fix = tuple[OrNaN, OrNaN, OrNaN]  # s since 1970 UTC, degrees north, degrees east
 Track = tuple[np.ndarray, np.ndarray, np.ndarray]  # s since the fix, m east, m north
@@ -56,9 +71,7 @@ LEAST_DEPTH = 5.0  # m that a dive reaches
 FASTEST = 5.0  # m/s: no current and no glider is faster, so a fix or a sum is wrong
 # of a dive: first of the stay before it, before, after it
 Three = tuple[Fix | None, Fix, Fix]
-NUMBERS = 2**31  # dive numbers are smaller, as files keep them in 32 bits
 LEAST_GAP = 300.0  # s between two fixes with a dive between them
-LONGEST_NAME = 40  # letters; a longer one is no name
 
 
 class ThroughWater(NamedTuple):
@@ -126,33 +139,33 @@ class Dive:
     <Dive 1: 2.50 h, miss 1800 m east, 0 m north>
     """
 
-    number: int
-    t_gps2: OrNaN
-    lat_gps2: OrNaN
-    lon_gps2: OrNaN
-    t_gpse: OrNaN
-    lat_gpse: OrNaN
-    lon_gpse: OrNaN
-    gps_east: OrNaN
-    gps_north: OrNaN
-    dr_east: OrNaN
-    dr_north: OrNaN
-    t_gps1: OrNaN | None = None
-    lat_gps1: OrNaN | None = None
-    lon_gps1: OrNaN | None = None
-    dac_east: OrNaN | None = None
-    dac_north: OrNaN | None = None
-    dac_qc: OrNaN | None = None
-    magvar: OrNaN | None = None
-    depth_max: OrNaN | None = None
-    turned: OrNaN | None = None
-    doubt: OrNaN = 0.0
-    model_east: OrNaN | None = None
-    model_north: OrNaN | None = None
-    next_course: OrNaN | None = None
-    vehicle: str | None = field(default=None, compare=False)
-    kind: str | None = field(default=None, compare=False)
-    uncovered: str | None = field(default=None, compare=False)
+    number: int = field(metadata=in_files("1", WHOLE, column="dive", result="dive"))
+    t_gps2: OrNaN = field(metadata=in_files(EPOCH, TIME, result="start_time"))
+    lat_gps2: OrNaN = field(metadata=in_files(NORTH, result="start_latitude"))
+    lon_gps2: OrNaN = field(metadata=in_files(EAST, result="start_longitude"))
+    t_gpse: OrNaN = field(metadata=in_files(EPOCH, TIME, result="end_time"))
+    lat_gpse: OrNaN = field(metadata=in_files(NORTH, result="end_latitude"))
+    lon_gpse: OrNaN = field(metadata=in_files(EAST, result="end_longitude"))
+    gps_east: OrNaN = field(metadata=in_files("m", None, column="gps_east_m"))
+    gps_north: OrNaN = field(metadata=in_files("m", None, column="gps_north_m"))
+    dr_east: OrNaN = field(metadata=in_files("m", column="dr_east_m"))
+    dr_north: OrNaN = field(metadata=in_files("m", column="dr_north_m"))
+    t_gps1: OrNaN | None = optional(EPOCH, TIME, result="first_fix_time")
+    lat_gps1: OrNaN | None = optional(NORTH, result="first_fix_latitude")
+    lon_gps1: OrNaN | None = optional(EAST, result="first_fix_longitude")
+    dac_east: OrNaN | None = optional("m s-1", result="file_current_east")
+    dac_north: OrNaN | None = optional("m s-1", result="file_current_north")
+    dac_qc: OrNaN | None = optional("1")
+    magvar: OrNaN | None = optional("degrees", limits=VARIATIONS)
+    depth_max: OrNaN | None = optional("m")
+    turned: OrNaN | None = optional("degrees", limits=VARIATIONS)
+    doubt: OrNaN = optional("m", limits=SIZES, default=0.0)
+    model_east: OrNaN | None = optional("m", result="flow_model_east")
+    model_north: OrNaN | None = optional("m", result="flow_model_north")
+    next_course: OrNaN | None = optional("degrees", limits=HEADINGS)
+    vehicle: str | None = optional("", NAME, result="", compare=False)
+    kind: str | None = optional("", NAME, result="", compare=False)
+    uncovered: str | None = optional("", TEXT, result="", compare=False)
     track: Track | None = field(default=None, compare=False, repr=False)
     notes: tuple[str, ...] = field(default=(), compare=False)
 
@@ -217,6 +230,9 @@ class Dive:
         return float(np.hypot(*(self.miss / self.duration - own)))
 
 
+FIELDS = rows_of(Dive)
+
+
 @public
 def make_dive(
     number: int,
@@ -270,20 +286,6 @@ class Skipped:
 
 class NotYet(DataError):
     """A file that can be read once something beside it is there; it is tried at each look."""
-
-
-def whole_number(value: float | str | None) -> int | None:
-    """Return the number of a dive, below `NUMBERS` in size, or None where it is none.
-
-    >>> whole_number("7"), whole_number(7.5), whole_number("1e10"), whole_number("x")
-    (7, None, None, None)
-    """
-    value_of_text = number(value)
-    return (
-        int(value_of_text)
-        if value_of_text.is_integer() and abs(value_of_text) < NUMBERS
-        else None
-    )
 
 
 def is_fix(lat: Any, lon: Any) -> Any:
@@ -390,23 +392,6 @@ def with_dac_note(dive: Dive) -> Dive:
 def noted(dive: Dive, note: str) -> Dive:
     """Return a dive with a note, which stands there once."""
     return dive if note in dive.notes else replace(dive, notes=(*dive.notes, note))
-
-
-def name_of(*values: Any) -> str | None:
-    """Return the first value that is a vehicle's name, None if none is.
-
-    A name begins with a letter, a digit or an underscore, so that no file can pass an option, a
-    path or a redirection to the command of an alert.
-
-    >>> name_of("-oProxyCommand=x", "SG171")
-    'SG171'
-    """
-    for value in values:
-        name = value.strip() if isinstance(value, str) else ""
-        begins_well = name[:1].isalnum() or name[:1] == "_"
-        if begins_well and len(name) <= LONGEST_NAME and name.isprintable():
-            return name
-    return None
 
 
 def without_current(

@@ -36,6 +36,7 @@ from ...base.errors import DataError, import_optional
 from ...base.units import length_in_metres, number, speed_in_metres_per_second
 from ...paper.currents.cf_times import decoded
 from ...paper.currents.flags import IS_FLAG, said, without_flagged
+from .dive_fields import HEADINGS, VARIATIONS
 from .dives import FASTEST, Dive, ThroughWater, Track
 
 PLACES = ("TIME", "LATITUDE", "LONGITUDE")
@@ -43,8 +44,7 @@ PLACE = ("lat", "lon")
 HEADING = ("HEADING", "GLIDER_HEADING", "ENG_HEAD")
 # of a dive: how names end
 ENDS = {"after": "_GPS_END", "before": "_GPS", "middle": "_UV"}
-# degrees; a heading of a whole turn may have a variation added, without starting again from 0
-HEADINGS, VARIATIONS, PITCHES = (-180.0, 540.0), (-180.0, 180.0), (-90.0, 90.0)
+PITCHES = (-90.0, 90.0)  # degrees
 READ = re.compile(  # names of the variables that dives are made of
     r"(^|_)(time|lat|lon|east_disp|north_disp|head|velo|speed|davg|[uvw]cur|dac_|depth$)",
     re.IGNORECASE,

@@ -32,8 +32,8 @@ from ...base.errors import DataError
 from ...base.units import finite_or_none
 from ...paper.currents.flags import BAD_FIX_CODES
 from . import samples
+from .dive_fields import NUMBERS, VARIATIONS, whole_number
 from .dives import (
-    NUMBERS,
     Dive,
     Fix,
     Skipped,
@@ -42,7 +42,6 @@ from .dives import (
     dive_between,
     is_fix,
     planned_course,
-    whole_number,
 )
 from .samples import columns_of, deepest, pairs_of, summed
 
@@ -165,7 +164,7 @@ def _variation(data: xarray.Dataset) -> float | None:
     stated = _number_of(data, "magvar")
     if stated is None:
         stated = _of_fixes(data, "log_gps_magvar").tolist()[1]
-    degrees, _ = samples.within(np.array(stated), samples.VARIATIONS)
+    degrees, _ = samples.within(np.array(stated), VARIATIONS)
     return finite_or_none(float(degrees))
 
 

@@ -36,6 +36,7 @@ import pandas
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement
+from .dive_fields import HEADINGS
 from .dives import (
     CONTRADICTS,
     LEAST_DEPTH,
@@ -51,7 +52,6 @@ from .dives import (
 )
 from .mission_files import dives_across_files, logged
 from .samples import (
-    HEADINGS,
     LONGEST_GAP,
     SURFACE,
     deepest,

@@ -34,7 +34,8 @@ from ...base.errors import DataError
 from ...base.geodesy import displacement, distance, is_place
 from ...base.units import DAY
 from ...paper.currents.constituents import YEARS
-from .dives import FASTEST, NUMBERS, Dive, Skipped, is_fix, noted
+from .dive_fields import NUMBERS
+from .dives import FASTEST, Dive, Skipped, is_fix, noted
 from .samples import degrees
 
 LEAST_DURATION = 1000.0  # s: shelf gliders dive for half an hour, trials for minutes

@@ -4,7 +4,7 @@ import os
 import random
 import re
 import tempfile
-from dataclasses import replace
+from dataclasses import MISSING, fields, replace
 from math import inf
 from pathlib import Path
 
@@ -12,9 +12,17 @@ import netCDF4
 import numpy as np
 import pytest
 from glider_files import basestation, dives_in, error_of, og1, og1_rows
+from paths import ROOT
 from refusals import refuses
 
-from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
+from clpt_control.gliders import (
+    Dive,
+    make_dive,
+    read_dives,
+    sample_dives,
+    write_dive_table,
+)
+from clpt_control.replay import replay_dataset, replay_dives, summary
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
 ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"
@@ -104,7 +112,7 @@ def test_lines_of_a_table_are_skipped_one_by_one(table):
     assert [one.dive for one in skipped] == [None, 306, 307]
     assert "line 3: dive is 'x305'" in skipped[0].why
     assert "lat_gps2 is '\ufffd" in skipped[1].why
-    assert "line 5: has 3 cells, the header 22" in skipped[2].why
+    assert "line 5: has 3 cells, the header 27" in skipped[2].why
 
 
 def test_a_current_stands_in_place_of_dead_reckoning(tmp_path):
@@ -456,3 +464,60 @@ def test_a_written_table_keeps_the_vehicle_and_its_kind(tmp_path):
     dives, _ = read_dives(tmp_path / "dives.csv")
     assert {dive.kind for dive in dives} == {"Seaglider"}
     assert {dive.vehicle for dive in dives} == {named[0].vehicle}
+
+
+NOT_IN_A_TABLE = {"track", "notes"}  # as the docstring of `write_dive_table` says
+OPTIONAL = [
+    field.name
+    for field in fields(Dive)
+    if field.name not in NOT_IN_A_TABLE and field.default is not MISSING
+]
+
+
+def changed(dive, name):
+    """Return a dive with another value of an optional field."""
+    value = getattr(dive, name)
+    if name in ("vehicle", "kind", "uncovered"):
+        return replace(dive, **{name: 'a "word", or two'})
+    own = dict(zip(("dac_east", "dac_north"), error_of(dive)[0], strict=True))
+    if name in own:  # that does not contradict the dead reckoning
+        return replace(dive, **{name: own[name] / dive.duration})
+    return replace(dive, **{name: 12.5 if value is None else value + 0.25})
+
+
+def test_each_field_of_a_dive_is_in_a_table_and_documented(tmp_path):
+    """A changed field is read as it was written; pages and docstring name the field."""
+    page = (ROOT / "docs" / "gliders.md").read_text("utf-8")
+    for name in OPTIONAL:
+        dive = changed(sample_dives()[0], name)
+        write_dive_table([dive], tmp_path / "dives.csv")
+        (found,), _ = read_dives(tmp_path / "dives.csv")
+        assert getattr(found, name) == getattr(dive, name), name
+        assert re.search(rf"[`,]{name}[`,]", page), f"docs/gliders.md: no {name}"
+        assert re.search(rf"\b{name}\b.* :", Dive.__doc__), f"Dive: no {name}"
+
+
+def test_a_field_of_a_dive_is_in_results_with_its_unit():
+    """The magnetic variation of the file is in JSON and NetCDF; the vehicle is said once."""
+    dives = [
+        replace(dive, turned=-25.0, doubt=30.0, vehicle="SG542")
+        for dive in sample_dives()[:3]
+    ]
+    replay = replay_dives(dives)
+    row = summary(replay)["each_dive"][1]
+    assert (row["turned"], row["doubt"], row["magvar"]) == (-25.0, 30.0, -25.0)
+    assert "vehicle" not in row
+    data = replay_dataset(replay)
+    assert data.turned.values.tolist() == [-25.0] * 3
+    assert (data.turned.units, data.doubt.units) == ("degrees", "m")
+    assert data.first_fix_time.units == "seconds since 1970-01-01 00:00:00 UTC"
+
+
+def test_numbers_outside_of_the_limits_of_a_field_are_gaps(tmp_path):
+    path = tmp_path / "dives.csv"
+    row = ROW.format(1, 0, 9000)[:-1]
+    path.write_text(f"{HEAD[:-1]},turned,doubt,vehicle\n{row},200,-3,-oX\n")
+    (dive,) = dives_in(path)
+    assert (dive.turned, dive.doubt, dive.vehicle) == (None, 0.0, None)
+    for part in ("turned is 200; must be", "doubt is -3; must be", "vehicle is '-oX'"):
+        assert any(part in note for note in dive.notes), part
