@@ -45,7 +45,7 @@ def dive_clpe_plot(replay: Source, *, ax: Axes | None = None) -> Axes:
         )
         ax.plot(x, size, mark, ls=style, color=colour, label=label, **_fine(x))
     ax.set(ylabel="position error (CLPE) (km)", ylim=(0, None))
-    _mark(ax, x)
+    mark_dates(ax, x)
     ax.set_title("Prediction error, one dive ahead; rms after the first", **TITLE)
     legend_below(ax, 3)
     return ax
@@ -86,7 +86,7 @@ def current_plot(replay: Source, *, ax: Any = None) -> np.ndarray:
         _band(axes[2], x, rows, "speed_factor", GREEN)
         axes[2].axhline(1, color="black", lw=0.5)
         axes[2].set_ylabel("factor on speed")
-    _mark(axes[-1], x)
+    mark_dates(axes[-1], x)
     return axes
 
 
@@ -144,7 +144,7 @@ def _fine(x: np.ndarray) -> dict[str, Any]:
     return {**size, "markevery": 1 + len(x) // MARKS}
 
 
-def _mark(ax: Axes, x: np.ndarray) -> None:
+def mark_dates(ax: Axes, x: np.ndarray) -> None:
     """Mark dates, also where there is one."""
     # three days are marked by days: hours of twelve are too many for four days
     locator = AutoDateLocator(minticks=3, maxticks=7)

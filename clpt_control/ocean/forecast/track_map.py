@@ -182,11 +182,11 @@ def _drawn(
     for k in with_room(fixes.T * degree * inch):
         name = literal(plain(rows[k]["dive"]))
         ax.annotate(name, tuple(fixes[:, k]), fontsize=7, **label_style)
-    _mark(ax, degree)
+    draw_grid_and_scale_bar(ax, degree)
     return ax
 
 
-def _mark(ax: Axes, degree: np.ndarray) -> None:
+def draw_grid_and_scale_bar(ax: Axes, degree: np.ndarray) -> None:
     """Mark parallels and meridians by degrees and minutes, and a length at the lower right."""
     (west, east), (south, north) = ax.get_xlim(), ax.get_ylim()
     wide = (east - west) * degree[0]

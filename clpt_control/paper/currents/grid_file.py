@@ -226,7 +226,7 @@ def _read(
         velocities = _velocity_names(data, given, is_part=least == 1)
         names = list(velocities.values())
         when = cf.find_axis(data, names[0], "time")
-        across, lat, lon, limits = _places(data, names[0], span)
+        across, lat, lon, limits = cells_in_box(data, names[0], span)
         dates = dates_of(data, when, names[0], notes, least)
         steps = np.argsort(dates)
         if len(np.unique(dates)) < len(dates):
@@ -255,7 +255,7 @@ def _read(
     return Currents(*of_grid, notes=tuple(dict.fromkeys(notes)))
 
 
-def _places(
+def cells_in_box(
     data: xarray.Dataset, velocity: str, span: Box | None
 ) -> tuple[dict[Any, np.ndarray], np.ndarray, np.ndarray, Box]:
     """Return the cells in a box: indices by dimension, latitudes, longitudes, and the box."""

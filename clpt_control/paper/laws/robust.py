@@ -190,7 +190,7 @@ def outside_zone(e, zone):
     return e - np.clip(e, -zone, zone)
 
 
-def dead_zone(t, x, u, p):
+def dead_zone_law(t, x, u, p):
     """The dead-zone law: CLPE that a disturbance may have caused is not learned from.
 
         D_i(e) = e_i - clip(e_i, -d, d)
@@ -222,7 +222,7 @@ def candidate(t, x, u, p):
 DEAD_ZONE = Law(
     "dead-zone",
     needs="a zone as large as the disturbance over KD",
-    rates=dead_zone,
+    rates=dead_zone_law,
     parameters={
         **GAINS,
         "zone": Setting(
