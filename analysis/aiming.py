@@ -3,7 +3,7 @@
 For each dive after the first, a waypoint is set on eight bearings, at half the way
 that the dive made through the water.  One pilot steers for it, as far as it is, and
 ignores the current; one aims off by the current of the dive before, with the speed and
-compass that the replay has learned; the last by `clpt.replay.aims`, from all earlier dives.
+compass that the replay has learned; the last by `Replay.aims`, from all earlier dives.
 Each then flies the dive's true current: where a way d through the water ends is (I + M) d + c, with
 c = miss - M d of the dive as it was flown, M speed factor and compass error that
 the whole record tells.  A waypoint far away on the same bearings says how far off the
@@ -20,7 +20,7 @@ import numpy as np
 import typer
 
 from clpt_control.gliders import Dive, read_dives, sample_dives
-from clpt_control.replay import Replay, aims, replay_dives
+from clpt_control.replay import Replay, replay_dives
 
 from .study import BLUE, ORANGE, leave, new_figure, place_from, progress_bar
 
@@ -93,9 +93,7 @@ def _flown(
     for away, ends in ((full / 2, near), (FAR, far)):
         target = place_from(*start[1:], *(away * line))
         speed = full / dive.duration
-        (leg,) = aims(
-            replay, [target], speed, dive.duration, variation=0.0, start=start
-        )
+        (leg,) = replay.aims([target], speed, dive.duration, variation=0.0, start=start)
         plan, crab = leg.ahead.plan, leg.crab or 0.0
         real = aimed_off(away * line, drift, full * np.sqrt(np.linalg.det(known)))
         ways = min(away, full) * line, np.linalg.solve(known, real)

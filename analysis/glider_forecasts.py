@@ -16,7 +16,7 @@ import typer
 
 from clpt_control.gliders import sample_dives
 from clpt_control.ocean.forecast.replay_summary import clpe_rms
-from clpt_control.replay import Replay, replay_dives, summary
+from clpt_control.replay import Replay, replay_dives
 
 from .made_seas import DAY, QUARTER_DAY, Sea, made_dives
 from .study import BLUE, GREEN, leave, new_figure, progress_bar
@@ -106,7 +106,7 @@ def ratio(replay: Replay) -> float:
 
 def inside_share(replay: Replay) -> float:
     """Return the share of dives inside the ellipse of their hindsight."""
-    hindsight = summary(replay)["hindsight"]
+    hindsight = replay.summary()["hindsight"]
     return hindsight["inside"] / hindsight["judged"]
 
 

@@ -20,7 +20,7 @@ import typer
 
 from clpt_control import DataError
 from clpt_control.gliders import Dive, make_dive, read_dives, sample_dives
-from clpt_control.replay import Replay, next_dive
+from clpt_control.replay import Replay
 
 from .glider_forecasts import SEAS
 from .made_seas import made_dives
@@ -51,13 +51,13 @@ class Headline(NamedTuple):
 
 def headline(replay: Replay, dive: Dive) -> Headline:
     """Return the headline of a replay, judged by the dive that came."""
-    said = next_dive(replay).as_dict()
+    said = replay.next_dive().as_dict()
     east, north = displacement(said["latitude"], said["longitude"], *dive.end)
     turn = np.radians(said["ellipse_bearing"])
     long, short = said["ellipse_long"], said["ellipse_short"]
     along = east * np.sin(turn) + north * np.cos(turn)
     across = east * np.cos(turn) - north * np.sin(turn)
-    time = next_dive(replay).plan.t_gpse
+    time = replay.next_dive().plan.t_gpse
     return Headline(
         float(hypot(along / long, across / short)),
         float(np.sqrt(long * short)),

@@ -16,8 +16,8 @@ import typer
 
 from clpt_control.gliders import Dive, read_dives, sample_dives
 from clpt_control.ocean.estimation.fix_model import FixModel, Priors
-from clpt_control.ocean.forecast.replay import replay_with
 from clpt_control.ocean.forecast.replay_summary import clpe_rms
+from clpt_control.replay import Replay
 
 from .study import BLUE, GREY, leave, new_figure, progress_bar
 
@@ -42,7 +42,7 @@ def changed(name: str, factor: float) -> Priors:
 
 def ratio(dives: list[Dive], priors: Priors) -> float:
     """Return CLPE rms after the third dive over the previous dive's."""
-    rms = clpe_rms(replay_with(FixModel(priors=priors), dives))
+    rms = clpe_rms(Replay(model=FixModel(priors=priors)).feed(dives))
     return float(rms["adaptive"] or np.nan) / float(rms["previous_dive"] or np.nan)
 
 

@@ -24,7 +24,7 @@ def main(folder="out", *files):
         print(f"dive {dive.dive} skipped: {dive.why}")
     for name in ("gradient", "gaussian-process"):
         replay = clpt.replay.replay_dives(dives, name)
-        rms = clpt.replay.summary(replay)["clpe_rms_after_3"]
+        rms = replay.summary()["clpe_rms_after_3"]
         if rms["adaptive"] is not None:
             print(
                 f"{name}: CLPE rms after the third dive {rms['adaptive']:.0f} m; with the previous "
@@ -33,7 +33,7 @@ def main(folder="out", *files):
     last = replay.steps[-1]
     print(f"speed factor {last.speed:.3f} +- {last.speed_error:.3f}")
     print(f"not yet known: {', '.join(last.not_learned) or 'nothing'}")
-    data = clpt.replay.replay_dataset(replay)
+    data = replay.dataset()
     data.to_netcdf(folder / "replay.nc")
     data.clpt.plot()[0].figure.savefig(folder / "replay.png")
     for name in ("replay.nc", "replay.png"):

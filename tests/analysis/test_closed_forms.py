@@ -224,7 +224,7 @@ DIVES = clpt.gliders.sample_dives()
 
 def test_a_fix_on_the_ellipse_is_one_half_axis_away():
     replay = clpt.replay.replay_dives(DIVES[:6])
-    said = clpt.replay.next_dive(replay).as_dict()
+    said = replay.next_dive().as_dict()
     turn = np.radians(said["ellipse_bearing"])
     along, across = np.array(
         [[np.sin(turn), np.cos(turn)], [-np.cos(turn), np.sin(turn)]]

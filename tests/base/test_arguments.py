@@ -190,7 +190,6 @@ def right(tmp_path_factory):
         "connect": {"blocks": [CLPE], "external": ["x", "z"]},
         "evaluate": {"timepts": [0.0, 1.0], "inputs": np.zeros((2, 4))},
         **{"lookup": {"table": [1.0, 2.0], "index": 1.0}, "fit_tides": tides},
-        **{"predict": {"time": HOURS[:3]}, "tidal_basis": {"epoch": HOURS[0]}},
         "flow_estimate": {"source": run, "scenario": None, "every": 5.0},
         "FlowEstimator": {"scenario": OF_FIXES},
         "FlowEstimator.fix": {"self": estimator(), "time": 60.0, **PLACE},
@@ -246,6 +245,7 @@ def right(tmp_path_factory):
         **{
             "Replay.forecast": {"self": replay},
             "Replay.ahead": {"self": replay},
+            "Replay.next_dive": {"self": replay},
             "lyapunov": LINEAR,
             "observer": LINEAR,
             "kalman_filter": LINEAR,

@@ -97,8 +97,8 @@ FIELD = Recipe(
     gliders.write_dive_table(dives, "build-recipe.csv")
     (dive,), _ = gliders.read_dives("build-recipe.csv")
     replay = clpt.replay.replay_dives([dive])
-    assert clpt.replay.summary(replay)["each_dive"][0]["pressure"] == 10.25
-    data = clpt.replay.replay_dataset(replay)
+    assert replay.summary()["each_dive"][0]["pressure"] == 10.25
+    data = replay.dataset()
     assert (data.pressure.item(), data.pressure.units) == (10.25, "dbar")
     """,
     ("tests/ocean/gliders/test_dive_table.py", "-k", "field_of_a_dive"),

@@ -13,7 +13,8 @@ import clpt_control as clpt
 from clpt_control.app.cli.replay_report import Job
 from clpt_control.gliders import Dive, make_dive, write_dive_table
 from clpt_control.ocean.forecast.flow_models import FlowModel
-from clpt_control.replay import Replay, replay_dataset, replay_dives
+from clpt_control.ocean.forecast.netcdf_export import dataset_of
+from clpt_control.replay import Replay, replay_dives
 
 STEADY = (0.1, -0.05)
 M2 = 2 * math.pi / (12.4206012 * 3600)  # rad/s
@@ -119,13 +120,13 @@ def page_and_sentence(found):
     """Return the page of `clpt report` on a replay, and its sentence on the next surfacing."""
     with TemporaryDirectory() as folder:
         path = Path(folder, "replay.html")
-        (sentence,) = clpt.report(replay_dataset(found), path)["sentences"]
+        (sentence,) = clpt.report(dataset_of(found), path)["sentences"]
         return path.read_text("utf-8"), sentence
 
 
 def map_of(found):
     """Return the Axes of the map of a replay."""
-    return replay_dataset(found).clpt.plot("map")
+    return dataset_of(found).clpt.plot("map")
 
 
 def one_file_each(folder, dives):

@@ -129,12 +129,10 @@ def _explained_too_little(fit: Report) -> str:
 
 def _fit_tides(measured: Any, where: str, constituents: str, as_json: bool) -> None:
     """Print the tidal constants of a record."""
-    from ...paper.currents.tidal_constants import tides_report
-
     names = [name.strip() for name in constituents.split(",")]
     current = measured.time, measured.u, measured.v, measured.latitude
     fit = clpt.currents.fit_tides(*current, names, where=where)
-    report = {"source": measured.source, **tides_report(fit)}
+    report = {"source": measured.source, **fit.as_dict()}
     report["notes"] = list(measured.notes)
     finish([tides_result(report)], report, as_json)
 

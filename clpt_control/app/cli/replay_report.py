@@ -13,8 +13,6 @@ from math import hypot, isfinite
 from pathlib import Path
 from typing import Any
 
-import clpt_control as clpt
-
 from ...base.errors import DataError, ScenarioError
 from ...base.files import write_together
 from ...base.html import Result
@@ -95,12 +93,12 @@ class Job:
             self.targets.pop(0)
         how = self.targets, self.speed, self.duration, self.variation
         with self.so_far():
-            return clpt.replay.aims(self.replay, *how) if self.targets else []
+            return self.replay.aims(*how) if self.targets else []
         return []
 
     def found(self, dives: Any, unread: Any) -> Report:
         """Replay the dives that can be used; return what `--json` prints."""
-        from ...ocean.forecast.replay import check_tides
+        from ...ocean.forecast.quality_control import check_tides
         from ...ocean.gliders.samples import with_variation
         from ...ocean.gliders.usable_dives import usable
 
@@ -130,19 +128,14 @@ class Job:
         from ...ocean.forecast.route import DRAWS, arrivals
 
         replay = self.replay
-        found = clpt.replay.summary(replay, skipped) | {
-            "next_dive": None,
-            "aim": [],
-            "paste": None,
-        }
         if not replay.steps:
-            return found
-        if self.name and not replay.steps[-1].dive.vehicle:
-            found["vehicle"] = self.name
+            return replay.summary(skipped) | {"paste": None}
         legs = self.aims()
         aimed = legs and not self.plan
-        goal = legs[0].ahead if aimed else clpt.replay.next_dive(replay, *self.plan)
-        found |= {"next_dive": goal.as_dict(), "aim": [leg.as_dict() for leg in legs]}
+        goal = legs[0].ahead if aimed else replay.next_dive(*self.plan)
+        found = replay.summary(skipped, goal, legs)
+        if self.name and not replay.steps[-1].dive.vehicle:
+            found["vehicle"] = self.name
         if self.areas is not None and legs:
             with progress_bar("drawing the way", DRAWS) as report:
                 way = self.targets, self.areas, self.speed, self.duration
@@ -237,12 +230,12 @@ def write(
     """
     from ...base.figures import figure_of
     from ...ocean.forecast.map_layers import next_geojson, track_kml
-    from ...ocean.forecast.netcdf_export import replay_dataset
+    from ...ocean.forecast.netcdf_export import dataset_of
     from ...ocean.forecast.plots import replay_plot
     from ...ocean.forecast.replay_page import replay_page
 
     results: dict[str, Any] = {
-        "replay.nc": replay_dataset(summary),
+        "replay.nc": dataset_of(summary),
         "replay.html": replay_page(summary, again),
         "next.geojson": next_geojson(summary),
         "track.kml": track_kml(summary, summary["vehicle"]),

@@ -1,1 +1,1 @@
-"""A glider's dives replayed: `replay_dives`, `next_dive`."""
+"""A glider's dives replayed: `replay_dives`, `Replay.next_dive`."""

@@ -22,7 +22,7 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 from collections.abc import Sequence
 from math import ceil, hypot, sqrt
 from statistics import median
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -32,7 +32,6 @@ from ...base.geodesy import angle_near, displacement, distance, is_place
 from ...base.units import finite_or_none
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
-from .replay import Replay
 from .replay_summary import aim_sentence
 from .surfacing import NextDive, check_flown, ellipse
 from .table_rows import (
@@ -46,6 +45,9 @@ from .table_rows import (
     utc,
     vector,
 )
+
+if TYPE_CHECKING:
+    from .replay import Replay
 
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians
@@ -167,7 +169,7 @@ def checked_target(lat: float, lon: float) -> Place:
 
 @public
 def aims(
-    replay: Replay,
+    replay: "Replay",
     targets: Sequence[Place],
     speed: float | None = None,
     duration: float | None = None,
@@ -178,8 +180,6 @@ def aims(
 
     Parameters
     ----------
-    replay : Replay
-        With one dive at least.
     targets : sequence of tuple of float
         Latitudes and longitudes, degrees.
     speed : float, optional
@@ -209,7 +209,7 @@ def aims(
     --------
     >>> import clpt_control as clpt
     >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
-    >>> leg = clpt.replay.aims(replay, [(-42.5, 8.0)])[0]
+    >>> leg = replay.aims([(-42.5, 8.0)])[0]
     >>> leg.state, leg.heading < leg.bearing  # against a current to the east: to the left of it
     ('under way', True)
     """
@@ -236,7 +236,7 @@ def aims(
 
 
 def usual(
-    replay: Replay, speed: float | None, duration: float | None
+    replay: "Replay", speed: float | None, duration: float | None
 ) -> tuple[float, float]:
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
@@ -252,7 +252,12 @@ def usual(
 
 
 def aim(
-    replay: Replay, start: Fix, target: Place, V: float, T: float, shorten: bool = True
+    replay: "Replay",
+    start: Fix,
+    target: Place,
+    V: float,
+    T: float,
+    shorten: bool = True,
 ) -> Aim:
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))

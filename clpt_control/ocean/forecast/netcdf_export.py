@@ -12,8 +12,9 @@ plots, tables and files for other programs are made of the same JSON.
 
 import json
 import re
+from collections.abc import Sequence
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 import pandas
@@ -24,9 +25,11 @@ from ...base.errors import DataError
 from ...base.units import seconds_since_1970
 from ..gliders.dive_fields import EPOCH
 from ..gliders.dives import FIELDS
-from .replay import Replay, next_dive
-from .replay_summary import summary
-from .surfacing import ELLIPSE
+from .surfacing import ELLIPSE, NextDive
+
+if TYPE_CHECKING:
+    from .aim import Aim
+    from .replay import Replay
 
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
@@ -50,7 +53,7 @@ STANDARD = {  # names of CF
     "over_ground_direction": "platform_course",
 }
 COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
-Source = Replay | xarray.Dataset | dict[str, Any]
+Source = Union["Replay", xarray.Dataset, dict[str, Any]]
 
 
 def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
@@ -59,11 +62,10 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
     With the next surfacing as the replay expects it.  What has no dive is refused.
     """
     report: Any = source
-    if isinstance(source, Replay):
-        ahead = next_dive(source).as_dict() if source.steps else None
-        report = {**summary(source), "next_dive": ahead}
-    elif isinstance(source, xarray.Dataset):
+    if isinstance(source, xarray.Dataset):
         report = summary_in(source, name)
+    elif not isinstance(source, dict):
+        report = source.summary()
     if not (isinstance(report, dict) and "hindsight" in report):
         raise DataError(
             f"{name}: is a replay of an earlier version. Run `clpt replay` again"
@@ -76,13 +78,17 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
 
 
 @public
-def replay_dataset(replay: Source) -> xarray.Dataset:
-    """Return a replay as a dataset.
+def dataset(
+    replay: "Replay", next_dive: NextDive | None = None, aims: Sequence["Aim"] = ()
+) -> xarray.Dataset:
+    """Return a replay of one dive at least as a dataset.
 
     Parameters
     ----------
-    replay : Replay or dict
-        With one dive at least; the dict as `clpt replay --json` prints it.
+    next_dive : NextDive, optional
+        By default as the replay expects it.
+    aims : sequence of Aim, optional
+        As `Replay.aims` returns them.
 
     Returns
     -------
@@ -93,11 +99,15 @@ def replay_dataset(replay: Source) -> xarray.Dataset:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
-    >>> data = clpt.replay.replay_dataset(replay)
+    >>> data = clpt.replay.replay_dives(clpt.gliders.sample_dives()).dataset()
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
+    return dataset_of(replay.summary(next_dive=next_dive, aims=aims))
+
+
+def dataset_of(replay: Source) -> xarray.Dataset:
+    """Return a replay, or what `clpt replay --json` prints of one, as a dataset."""
     report = report_of(replay)
     table = pandas.json_normalize(report["each_dive"], sep="_")
     time = {

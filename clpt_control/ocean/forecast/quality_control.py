@@ -44,7 +44,8 @@ import numpy as np
 
 from ...base.errors import DataError
 from ...base.geodesy import displacement, distance
-from ..estimation.fix_model import Priors
+from ...paper.currents.identifiability import check_separable
+from ..estimation.fix_model import OTHERS, Priors
 from ..gliders.dives import FASTEST, Dive
 
 WIND = 0.5  # m/s at the surface, in addition to the current
@@ -189,3 +190,14 @@ def _residual(over_ground: np.ndarray, reckoned: np.ndarray, slowest: float) -> 
     factor = float(np.sum(reckoned * over_ground)) / size if size > 0 else 0.0
     factor = min(max(factor, slowest), LARGEST_FACTOR)
     return float(np.sum((over_ground - factor * reckoned) ** 2))
+
+
+def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
+    """Refuse two tides of a flow that dives, by time, are too few to tell apart.
+
+    A single tide is allowed on any record: its prior holds it.
+    """
+    tides = [name for name in flow[1:] if name not in OTHERS]
+    if len(tides) > 1 and dives:
+        hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
+        check_separable(tides, hours, f"flow {','.join(flow)}")

@@ -33,23 +33,26 @@ from ...base.geodesy import place_from
 from ...base.html import facts, fragment, paragraphs
 from ...base.progress.interrupt import check
 from ...base.units import finite_or_none
-from ...paper.currents.identifiability import check_separable
 from ..estimation.estimators import make_estimator
-from ..estimation.fix_model import CHI_SQUARED, FLOW, OTHERS, Estimator, FixModel
+from ..estimation.fix_model import CHI_SQUARED, FLOW, Estimator, FixModel
 from ..gliders.dives import Dive, Fix
 from ..gliders.usable_dives import follows
+from .aim import aims
 from .flow_models import FlowModel, carried
+from .netcdf_export import dataset
 from .quality_control import (
     OUTLYING,
     Forecast,
     check_dead_reckoning,
     check_next,
+    check_tides,
     doubt_one_fix,
     doubt_outlier,
     is_confirmed,
     log_density,
     squared_distance,
 )
+from .replay_summary import summary
 from .step import FLOW_MODEL, MODELS, Step
 from .surfacing import (
     GIVEN,
@@ -250,6 +253,52 @@ class Replay:
             has_course(last.dive),
         )
 
+    @public
+    def next_dive(
+        self,
+        duration: float | None = None,
+        through_water: tuple[float, float] | None = None,
+    ) -> NextDive:
+        """Forecast the surfacing of the next dive, after one at least.
+
+        Parameters
+        ----------
+        duration : float, optional
+            Of the next dive, s; by default guessed by the last dives.
+        through_water : tuple of float, optional
+            Planned displacement, east and north, m; by default guessed by the last
+            dives and the plan in their files.
+
+        Returns
+        -------
+        NextDive
+
+        Raises
+        ------
+        ScenarioError
+            If a plan is given that no dive can follow.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> dives = clpt.gliders.sample_dives()
+        >>> found = clpt.replay.replay_dives(dives).next_dive(18000.0, (0.0, 3000.0))
+        >>> -42.93 < found.latitude < -42.89
+        True
+        """
+        if duration is None and through_water is None:
+            return self.surfacing()
+        guess = self.surfacing().plan
+        T = guess.duration if duration is None else duration
+        through = guess.through_water if through_water is None else through_water
+        check_flown(hypot(*through) / T if T > 0 else 0.0, T)
+        return self.surfacing(self.dive_statistics.guess_of(through, T))
+
+    # methods in files of their own
+    summary = summary
+    dataset = dataset
+    aims = aims
+
     def _state(self) -> tuple[Any, ...]:
         """Return all that a dive changes, and the last step."""
         habits = copy.deepcopy(self.dive_statistics)
@@ -344,65 +393,10 @@ class Replay:
         return dict(zip(self.models, sizes, strict=True))
 
 
-@public
-def next_dive(
-    replay: Replay,
-    duration: float | None = None,
-    through_water: tuple[float, float] | None = None,
-) -> NextDive:
-    """Forecast the surfacing of the next dive.
-
-    Parameters
-    ----------
-    replay : Replay
-        With one dive at least.
-    duration : float, optional
-        Of the next dive, s; by default guessed by the last dives.
-    through_water : tuple of float, optional
-        Planned displacement, east and north, m; by default guessed by the last
-        dives and the plan in their files.
-
-    Returns
-    -------
-    NextDive
-
-    Raises
-    ------
-    ScenarioError
-        If a plan is given that no dive can follow.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
-    >>> found = clpt.replay.next_dive(replay, 18000.0, (0.0, 3000.0))
-    >>> -42.93 < found.latitude < -42.89
-    True
-    """
-    if duration is None and through_water is None:
-        return replay.surfacing()
-    guess = replay.surfacing().plan
-    T = guess.duration if duration is None else duration
-    through = guess.through_water if through_water is None else through_water
-    check_flown(hypot(*through) / T if T > 0 else 0.0, T)
-    return replay.surfacing(replay.dive_statistics.guess_of(through, T))
-
-
 def _identity(dive: Dive) -> tuple:
     """Return all that a dive tells, to compare."""
     track = dive.track and tuple(np.asarray(column).tobytes() for column in dive.track)
     return dive, dive.vehicle, dive.notes, track
-
-
-def check_tides(flow: Sequence[str], dives: Sequence[Dive]) -> None:
-    """Refuse two tides of a flow that dives, by time, are too few to tell apart.
-
-    A single tide is allowed on any record: its prior holds it.
-    """
-    tides = [name for name in flow[1:] if name not in OTHERS]
-    if len(tides) > 1 and dives:
-        hours = round((dives[-1].t_gpse - dives[0].t_gps2) / 3600, 1)
-        check_separable(tides, hours, f"flow {','.join(flow)}")
 
 
 @public
@@ -451,17 +445,7 @@ def replay_dives(
     >>> len(replay.steps), 0.7 < replay.steps[-1].speed < 1
     (14, True)
     """
-    return replay_with(FixModel((*flow,), learn_speed), dives, estimator, flow_model)
-
-
-def replay_with(
-    model: FixModel,
-    dives: Iterable[Dive],
-    estimator: str = "gaussian-process",
-    flow_model: FlowModel | None = None,
-) -> Replay:
-    """Feed used dives to a new replay with given parameters and priors."""
     dives = list(dives)
-    replay = Replay(estimator, model, flow_model)
-    check_tides(model.flow, dives)
+    replay = Replay(estimator, FixModel((*flow,), learn_speed), flow_model)
+    check_tides(flow, dives)
     return replay.feed(dives)

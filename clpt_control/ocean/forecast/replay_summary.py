@@ -18,7 +18,7 @@ should be is put into words.
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,8 +26,8 @@ from ...base.arguments import public
 from ..estimation.fix_model import LEVEL, OTHERS, PERCENT
 from ..gliders.dives import Skipped
 from .flow_models import FlowModel
-from .replay import Replay
 from .step import FLOW_MODEL, Step
+from .surfacing import NextDive
 from .table_rows import (
     AGAINST,
     BASES,
@@ -43,6 +43,10 @@ from .table_rows import (
     when,
     wide,
 )
+
+if TYPE_CHECKING:
+    from .aim import Aim
+    from .replay import Replay
 
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
@@ -61,7 +65,7 @@ def odds(p: float) -> str:
     return f"1:{ratio}" if p < 0.5 else f"{ratio}:1"
 
 
-def learned_words(replay: Replay) -> str:
+def learned_words(replay: "Replay") -> str:
     """Return what was learned, of the flow part by part, as a sentence."""
     if not replay.steps:
         return "nothing"
@@ -107,7 +111,7 @@ def compass_words(step: Step) -> str:
     return f"compass {off:+z.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
 
-def clpe_rms(replay: Replay, after: int = 3) -> dict[str, float | None]:
+def clpe_rms(replay: "Replay", after: int = 3) -> dict[str, float | None]:
     """Return the CLPE rms of each flow model after the first dives, m; None without a dive.
 
     >>> import clpt_control as clpt
@@ -132,15 +136,22 @@ def rms_of(
 
 
 @public
-def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
+def summary(
+    replay: "Replay",
+    skipped: Sequence[Skipped] = (),
+    next_dive: NextDive | None = None,
+    aims: Sequence["Aim"] = (),
+) -> dict[str, Any]:
     """Summarize a replay, as `clpt replay --json` prints it.
 
     Parameters
     ----------
-    replay : Replay
-        With any number of dives.
     skipped : sequence of Skipped, optional
         Dives that were not fed, as `read_dives` returns them.
+    next_dive : NextDive, optional
+        By default as the replay expects it.
+    aims : sequence of Aim, optional
+        As `Replay.aims` returns them.
 
     Returns
     -------
@@ -154,11 +165,14 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> found = summary(clpt.replay.replay_dives(clpt.gliders.sample_dives()))
+    >>> replay = clpt.replay.replay_dives(clpt.gliders.sample_dives())
+    >>> found = replay.summary()
     >>> found["used"], found["held"], sorted(found["parts"])[:3]
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
     steps = replay.steps
+    if steps and next_dive is None:
+        next_dive = replay.next_dive()
     differences_of_dives = (step.dive.dac_difference for step in steps)
     differences = [
         difference for difference in differences_of_dives if isfinite(difference)
@@ -205,10 +219,12 @@ def summary(replay: Replay, skipped: Sequence[Skipped] = ()) -> dict[str, Any]:
         ],
         "skipped": [{"dive": s.dive, "why": s.why} for s in skipped],
         "each_dive": [dict(step.row) for step in steps],
+        "next_dive": next_dive and next_dive.as_dict(),
+        "aim": [leg.as_dict() for leg in aims],
     }
 
 
-def _of_flow_model(replay: Replay, model: FlowModel) -> dict[str, Any]:
+def _of_flow_model(replay: "Replay", model: FlowModel) -> dict[str, Any]:
     """Return what the flow model is, how many dives it covers, and why not the others."""
     steps = replay.steps
     bare = [step.dive for step in steps if step.clpe[FLOW_MODEL] is None]

@@ -39,6 +39,7 @@ KINDS = (
 )
 DATED = re.compile(r"(.+?)_\d{8}")  # SG015_20040929T140907_delayed
 RESULTS = "replay.nc"  # of a replay, beside dives where --out says so
+SAMPLE = resources.files("clpt_control.data") / "sg542_dives.csv"
 FROM_GLIDER = "from-glider"  # where a dockserver keeps what a glider sent
 
 
@@ -56,10 +57,7 @@ def sample_dives() -> list[Dive]:
     >>> len(dives), dives[0].number, round(dives[0].miss_east)
     (14, 304, 1371)
     """
-    text = (resources.files("clpt_control.data") / "sg542_dives.csv").read_text("utf-8")
-    return _dives_and_skipped(
-        table_dives(text, "sg542_dives.csv"), "SG542", "Seaglider"
-    )[0]
+    return read_all_dives(str(SAMPLE))[0]
 
 
 def may_hold_dives(path: Path) -> bool:

@@ -55,7 +55,7 @@ def test_a_field_is_found_from_the_file_alone(scenario, tmp_path):
 
 
 def test_teams_ensembles_and_replays(made, scenario, tmp_path):
-    data = clpt.replay.replay_dataset(made["replay"])
+    data = made["replay"].dataset()
     for kind, one, count in (
         *(
             ("team", made["team"], 3),

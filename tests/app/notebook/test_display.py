@@ -63,10 +63,8 @@ def test_what_has_no_table_says_itself_in_one_line(things):
         "Search of learned-flow: not refuted in ": clpt.refute(
             "learned-flow", budget=0.5
         ),
-        "NextDive: up 2016-02-01 ": clpt.replay.next_dive(things["Replay"]),
-        "Aim: aim at 42 48.00 S 8 24.00 E": clpt.replay.aims(
-            things["Replay"], [(-42.8, 8.4)]
-        )[0],
+        "NextDive: up 2016-02-01 ": things["Replay"].next_dive(),
+        "Aim: aim at 42 48.00 S 8 24.00 E": things["Replay"].aims([(-42.8, 8.4)])[0],
     }.items():
         assert repr(thing).startswith(f"<{said}"), repr(thing)
         assert len(repr(thing)) < 300

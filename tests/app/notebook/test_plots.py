@@ -46,7 +46,7 @@ def plot_of(made, kind, name):
         return clpt.gramian(made["run"]).plot
     data = made[kind]
     if kind == "replay":
-        data = clpt.replay.replay_dataset(data)
+        data = data.dataset()
     return partial(data.clpt.plot, name)
 
 

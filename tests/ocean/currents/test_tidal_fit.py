@@ -21,13 +21,7 @@ from tidal_records import (
 )
 
 from clpt_control import ScenarioError
-from clpt_control.currents import (
-    fit_current,
-    fit_tides,
-    predict,
-    read_record,
-    tidal_basis,
-)
+from clpt_control.currents import fit_current, fit_tides, read_record
 from clpt_control.paper.currents.constituents import OTHER_NAMES, nodal_corrections
 from clpt_control.paper.currents.identifiability import check_separable, nyquist
 from clpt_control.paper.scenario.tidal_periods import SPEEDS, period, speed
@@ -67,7 +61,7 @@ def test_a_fit_of_one_month_holds_in_another_year():
     tide = fit.constituents[0]
     assert tide.east == pytest.approx(0.5, rel=2e-3)
     assert tide.north_phase == pytest.approx(np.degrees(2), abs=0.2)
-    assert np.abs(predict(fit, there) - m2(there)).max() < 0.006
+    assert np.abs(fit.predict(there) - m2(there)).max() < 0.006
     f = nodal_corrections(["M2"], [here[0], there[0]], LATITUDE)[0]
     assert abs(f[1, 0] / f[0, 0] - 1) > 0.03  # what would be lost without them
 
@@ -93,7 +87,7 @@ def test_known_amplitudes_and_phases_are_recovered(gaps):
     assert fit.explained_variance == pytest.approx(1, abs=1e-4)
     kept = np.isfinite(flow).all(axis=0)
     assert fit.samples == kept.sum()
-    np.testing.assert_allclose(predict(fit, time)[:, kept], flow[:, kept], atol=5e-3)
+    np.testing.assert_allclose(fit.predict(time)[:, kept], flow[:, kept], atol=5e-3)
 
 
 def test_the_ellipse_is_that_of_the_components():
@@ -142,7 +136,7 @@ def test_estimates_lie_within_their_standard_errors(red):
 def test_theta_of_a_scenario_is_the_fit():
     time, flow = times(30), waves(times(30))
     epoch = time[len(time) // 2]
-    basis = tidal_basis(fit_tides(time, *flow, LATITUDE, list(KNOWN)), epoch, "km h-1")
+    basis = fit_tides(time, *flow, LATITUDE, list(KNOWN)).basis(epoch, "km h-1")
     assert basis.constituents == ("steady", *(n for n in KNOWN for _ in range(2)))
     hours = (time - epoch) / np.timedelta64(1, "h")
     # steady: 0

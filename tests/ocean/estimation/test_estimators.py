@@ -15,7 +15,7 @@ from clpt_control import ScenarioError
 from clpt_control.gliders import Dive
 from clpt_control.ocean.estimation.estimators import ESTIMATORS as ESTIMATORS_BY_NAME
 from clpt_control.ocean.estimation.estimators import Gradient
-from clpt_control.replay import Replay, replay_dataset, replay_dives, summary
+from clpt_control.replay import Replay, replay_dives
 
 STEADY_ONLY = {"flow": ("steady",)}
 
@@ -76,7 +76,7 @@ def test_against_the_previous_dives_current(case, most, count):
 def test_ellipses_hold_what_they_promise(case):
     replays = [replay_dives(vehicle(seed, **case)) for seed in range(4)]
     inside = [step.inside_hindsight for replay in replays for step in replay.steps]
-    level = summary(replays[0])["level"]
+    level = replays[0].summary()["level"]
     assert level - 0.07 < np.mean(inside) <= 1
 
 
@@ -244,8 +244,8 @@ def test_a_map_is_fed_dive_by_dive_or_at_once():
     for dive in dives:
         single.step(dive)
         single.forecast(dives[-1])  # of a distant dive: the state does not change
-    at_once = replay_dataset(replay_dives(dives, **MAPPED))
-    assert replay_dataset(single).identical(at_once)
+    at_once = replay_dives(dives, **MAPPED).dataset()
+    assert single.dataset().identical(at_once)
     assert single.steps[-1].parts["gaussians"] != 0.5
 
 

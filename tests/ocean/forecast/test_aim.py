@@ -17,7 +17,7 @@ from clpt_control import ScenarioError
 from clpt_control.base.geodesy import displacement, place_from
 from clpt_control.ocean.forecast import route
 from clpt_control.ocean.forecast.aim import triangle
-from clpt_control.replay import aims, replay_dives
+from clpt_control.replay import replay_dives
 
 REACHED, UNDER_WAY, AGAINST = "reached", "under way", "cannot be made"
 
@@ -81,13 +81,13 @@ def away(replay, east, north):
 def test_a_current_across_the_line_is_held_off():
     replay = known(0.1, 0.0)
     here = away(replay, 0.0, 0.0)
-    leg = aims(replay, [(45.0, here[1])])[0]
+    leg = replay.aims([(45.0, here[1])])[0]
     assert leg.heading == pytest.approx(
         360 - math.degrees(math.asin(0.1 / 0.25)), abs=0.5
     )
     assert leg.made_good == pytest.approx(14400 * math.sqrt(0.25**2 - 0.1**2), rel=0.01)
     assert leg.ahead.longitude == pytest.approx(here[1], abs=1e-4)
-    stay = aims(replay, [here])[0]  # where it is
+    stay = replay.aims([here])[0]  # where it is
     assert stay.bearing is stay.crab is None
     assert stay.heading == pytest.approx(270, abs=1)
     assert stay.through_water == pytest.approx(1440, rel=0.02)
@@ -102,7 +102,7 @@ def test_speed_and_compass_are_corrected():
         dives.append(replace(dive, dr_east=way.real, dr_north=way.imag))
     replay = replay_dives(dives, flow=("steady",))
     for way in ((0.0, 300e3), (300e3, 0.0)):
-        leg = aims(replay, [away(replay, *way)])[0]
+        leg = replay.aims([away(replay, *way)])[0]
         assert leg.crab == pytest.approx(-4.0, abs=0.6)
         assert leg.speed_expected == pytest.approx(0.25, rel=0.02)
         # none of it is the current's
@@ -112,17 +112,17 @@ def test_speed_and_compass_are_corrected():
 
 def test_what_cannot_be_made_is_said():
     replay = known(0.4, 0.0)
-    legs = aims(replay, [away(replay, -30e3, 0.0), (40.0, 9.0)])
+    legs = replay.aims([away(replay, -30e3, 0.0), (40.0, 9.0)])
     assert [leg.state for leg in legs] == [AGAINST]  # and none after it
     assert (legs[0].heading, legs[0].dives) == (pytest.approx(270, abs=0.5), None)
     assert legs[0].made_good < 0
-    assert aims(replay, [away(replay, 60e3, 0.0)])[0].state == UNDER_WAY
-    near = aims(replay, [away(replay, 1000.0, 0.0)])[0]
+    assert replay.aims([away(replay, 60e3, 0.0)])[0].state == UNDER_WAY
+    near = replay.aims([away(replay, 1000.0, 0.0)])[0]
     assert near.state == REACHED  # by a shorter dive, else it is carried past
     assert near.ahead.plan.duration < 14400
     assert near.left < 5
     fast = known(0.25 - 1e-7, 0.0)  # m/s; as fast as the vehicle, all but
-    legs = aims(fast, [away(fast, -500e3, 0.0), (40.0, 0.0)], speed=0.2502)
+    legs = fast.aims([away(fast, -500e3, 0.0), (40.0, 0.0)], speed=0.2502)
     # what takes years has none after it
     assert [leg.state for leg in legs] == [UNDER_WAY]
     assert json.dumps(legs[0].as_dict(), allow_nan=False)
@@ -135,7 +135,7 @@ def test_what_cannot_be_made_is_said():
 def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, far):
     replay = replay_dives(still((0.05, 0.02), 4, (lat, lon)))
     way = along(angle, far)
-    leg = aims(replay, [away(replay, *way)], duration=21600.0)[0]
+    leg = replay.aims([away(replay, *way)], duration=21600.0)[0]
     assert leg.state == REACHED
     assert leg.left < 2
     assert leg.through_water <= leg.through_water_full * (1 + 1e-9)
@@ -145,7 +145,7 @@ def test_a_waypoint_within_reach_is_met_on_the_ellipsoid(lat, lon, angle, far):
 def test_legs_follow_one_another():
     replay = replay_dives(still((0.05, 0.0)))
     first, second = (40.2, 8.1), (40.2, 8.4)
-    one, two = aims(replay, [first, second])
+    one, two = replay.aims([first, second])
     assert (two.ahead.plan.lat_gps2, two.ahead.plan.lon_gps2) == first
     assert two.distance == pytest.approx(math.hypot(*displacement(*first, *second)))
     # at the surface between the dives
@@ -154,7 +154,7 @@ def test_legs_follow_one_another():
     assert one.as_dict()["hours"] == pytest.approx(took / 3600)
     later = one.ahead.plan.t_gps2 + took + 600
     assert two.ahead.plan.t_gps2 == pytest.approx(later, abs=1)
-    assert aims(replay, [first])[0].as_dict() == one.as_dict()
+    assert replay.aims([first])[0].as_dict() == one.as_dict()
 
 
 def test_tides_are_those_of_the_dive_to_come():
@@ -164,7 +164,7 @@ def test_tides_are_those_of_the_dive_to_come():
     seen = set()
     for hours in (1.0, 4.0, 7.0):  # a third of the tide's period apart
         start = last.t_gpse + 3600 * hours, last.lat_gpse, last.lon_gpse
-        leg = aims(replay, [(41.0, 8.0)], 0.25, 7200.0, start=start)[0]
+        leg = replay.aims([(41.0, 8.0)], 0.25, 7200.0, start=start)[0]
         plan = replace(leg.ahead.plan, dr_east=0.0, dr_north=0.0)
         assert leg.current == pytest.approx(replay.forecast(plan)[0] / 7200.0, abs=1e-4)
         seen.add(round(leg.heading))
@@ -178,7 +178,7 @@ def test_magnetic_headings(sg542):
         (sg542, {"variation": 10.0}, 10.0, 1e-9),
         (replay_dives(bare), {}, -25.0, 3.0),  # IGRF
     ):
-        leg = aims(replay, [(-42.5, 8.0)], **more)[0]
+        leg = replay.aims([(-42.5, 8.0)], **more)[0]
         assert leg.magnetic_variation == pytest.approx(east, abs=tolerance)
         magnetic = (leg.heading - leg.magnetic_variation) % 360
         assert leg.heading_magnetic == pytest.approx(magnetic)
@@ -189,7 +189,7 @@ def test_a_speed_that_no_vehicle_has_is_refused():
         ({"speed": 25.0}, "at most 5 m/s"),
         ({"duration": math.inf}, "inf hours"),
     ):
-        refuses(says, aims, known(0.0, 0.0), [(40.0, 8.0)], error=ScenarioError, **more)
+        refuses(says, known(0.0, 0.0).aims, [(40.0, 8.0)], error=ScenarioError, **more)
 
 
 # --- over days: waypoints and areas, by drawing the dives ---

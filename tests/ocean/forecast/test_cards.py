@@ -19,7 +19,7 @@ from synthetic_vehicle import (
 )
 
 from clpt_control.gliders import sample_dives, write_dive_table
-from clpt_control.replay import aims, replay_dives
+from clpt_control.replay import replay_dives
 
 HOUR = 3600.0
 DAY = 24 * HOUR
@@ -241,7 +241,7 @@ def test_cards_are_not_repeated_in_prose():
     assert sentence not in page
     assert page.count(found["next_dive"]["place"]) == 1
     assert f"{first['distance'] / 1000:.1f} km to 349:" not in page
-    second = aims(replay_dives(sample_dives()), [(-42.8, 8.4), (-42.5, 8.4)])[1]
+    second = replay_dives(sample_dives()).aims([(-42.8, 8.4), (-42.5, 8.4)])[1]
     assert repr(second).removeprefix("<Aim: ").removesuffix(">") in page
 
 

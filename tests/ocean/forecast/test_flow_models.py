@@ -15,7 +15,7 @@ from synthetic_vehicle import Made
 
 from clpt_control.currents import fit_current, read_currents
 from clpt_control.gliders import make_dive
-from clpt_control.replay import read_flow_model, replay_dives, summary
+from clpt_control.replay import read_flow_model, replay_dives
 
 nan = math.nan
 DEPTH = np.array([0.0, 10.0, 50.0, 100.0, 200.0, 400.0, 1000.0, 2000.0])
@@ -136,7 +136,7 @@ def test_a_perfect_forecast_leaves_no_error(tmp_path):
     for step in replay.steps:  # u'' h^2 / 8 = 0.3 (W 900 s)^2 / 8 for six hours: 13 m
         assert step.clpe["no_flow"] > 1000
         assert step.clpe["flow_model"] < 13
-    found = summary(replay)
+    found = replay.summary()
     assert (found["flow_model"]["covered"], found["flow_model"]["source"]) == (
         6,
         "tide.nc",

@@ -8,7 +8,7 @@ from geodesics import displacement, place_from
 from synthetic_vehicle import ESTIMATORS, along, chained, clpe_rms
 
 from clpt_control.gliders import read_dives
-from clpt_control.replay import Replay, replay_dives, summary
+from clpt_control.replay import Replay, replay_dives
 
 CURRENT = np.array([0.12, -0.05])  # m/s
 T, STAY, SWUM = 9000.0, 300.0, 2500.0  # s, s, m
@@ -124,7 +124,7 @@ def test_one_by_one_is_all_at_once_and_a_forecast_is_that_of_its_step(estimator,
         assert np.array_equal(
             mean, replay.forecast(moved(dive, "gpse", 900.0, -700.0))[0]
         )
-        summary(replay)
+        replay.summary()
         step = replay.step(dive)
         assert np.array_equal(mean, step.forecast)
         assert np.array_equal(covariance, step.covariance)

@@ -18,21 +18,14 @@ from synthetic_vehicle import vehicle
 
 from clpt_control import ArgumentError, ScenarioError
 from clpt_control.gliders import make_dive, sample_dives
-from clpt_control.replay import (
-    Replay,
-    aims,
-    next_dive,
-    replay_dataset,
-    replay_dives,
-    summary,
-)
+from clpt_control.replay import Replay, replay_dives
 
 DIVES = sample_dives()
 
 
 def test_sg542_without_learning_and_with_it(sg542):
     # the 13 after the first, which has no dive before it; all 14, the first with no flow
-    found = summary(sg542)
+    found = sg542.summary()
     after = found["clpe_rms_after_3"]
     for key, no_flow, previous in (
         ("clpe_rms", 1853, 1213),
@@ -44,7 +37,7 @@ def test_sg542_without_learning_and_with_it(sg542):
     assert after["adaptive"] <= 0.88 * after["previous_dive"]
     assert 0.75 <= found["hindsight"]["inside"] / 14 <= 1
     assert found["dac_identity_median"] < 1e-3
-    one = summary(replay_dives([sg542.steps[0].dive]))
+    one = replay_dives([sg542.steps[0].dive]).summary()
     assert set(one["clpe_rms"].values()) == {None}
     assert one["clpe_rms_all"]["previous_dive"] == pytest.approx(2931, abs=1)
 
@@ -64,7 +57,7 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
     """Planned as it was flown, the next dive's forecast is the one the replay gives it."""
     *earlier, last = DIVES
     before = replay_dives(earlier)
-    found = next_dive(before, last.duration, (last.dr_east, last.dr_north))
+    found = before.next_dive(last.duration, (last.dr_east, last.dr_north))
     start = before.start()
     assert start[0] == earlier[-1].t_gpse + found.as_dict()["surface_time"]
     step = before.step(last)
@@ -75,31 +68,31 @@ def test_the_next_surfacing_is_that_of_the_next_dive():
     way = found.forecast + np.array([last.dr_east, last.dr_north])
     assert (found.latitude, found.longitude) == place_from(*start[1:], *way)
     for plan in ((0.0, (0.0, 0.0)), (3600.0, (math.inf, 0.0))):
-        refuses("through the water", next_dive, before, *plan, error=ScenarioError)
+        refuses("through the water", before.next_dive, *plan, error=ScenarioError)
 
 
 def test_what_is_learned_is_said_as_it_is():
-    said = summary(replay_dives(vehicle(1, 2)))["said"]
+    said = replay_dives(vehicle(1, 2)).summary()["said"]
     assert "M2 0.0" in said
     assert "(odds 1:" in said or "(odds below 1:99)" in said
     tidal = replay_dives(vehicle(3, 40, flow="M2", fix=5.0))
     # the made tide turns by 0.15 m/s one way and 0.075 the other
-    size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", summary(tidal)["said"])[1]
+    size = re.search(r"M2 (\S+) m/s \(odds above 99:1\)", tidal.summary()["said"])[1]
     assert float(size) == pytest.approx(0.15, abs=0.02)
-    assert summary(replay_dives([]))["said"] == "nothing"
+    assert replay_dives([]).summary()["said"] == "nothing"
     bare = replay_dives(vehicle(1, 3), "gradient", flow=("steady",), learn_speed=False)
-    assert summary(bare)["said"].endswith("over the last dive")
+    assert bare.summary()["said"].endswith("over the last dive")
     noted = replace(vehicle(1, 3)[1], notes=("filled 2 samples",))
-    found = summary(replay_dives([vehicle(1, 3)[0], noted]))
+    found = replay_dives([vehicle(1, 3)[0], noted]).summary()
     assert found["notes"] == [{"dive": 1, "note": "filled 2 samples"}]
 
 
 @pytest.mark.parametrize(("factor", "said"), [(1.5, "too slow"), (0.6, "too fast")])
 def test_a_speed_far_from_one_is_a_sentence(factor, said):
     replay = replay_dives(vehicle(4, 30, factor=factor))
-    assert f": your flight model is {said}; compass" in summary(replay)["said"]
+    assert f": your flight model is {said}; compass" in replay.summary()["said"]
     replay.steps[-1].speed = 1 - 2.99 * replay.steps[-1].speed_error
-    assert "flight model" not in summary(replay)["said"]
+    assert "flight model" not in replay.summary()["said"]
 
 
 ONE = replay_dives(DIVES[:1])
@@ -109,7 +102,7 @@ ONE = replay_dives(DIVES[:1])
 @given(st.floats(-90, 90), st.floats(-360, 360))
 def test_minutes_are_the_degrees(lat, lon):
     """In the row of a waypoint, wherever it is."""
-    words = aims(ONE, [(lat, lon)])[0].as_dict()["place"].split()
+    words = ONE.aims([(lat, lon)])[0].as_dict()["place"].split()
     found = [
         (int(whole) + float(minutes) / 60) * (-1 if name in "SW" else 1)
         for whole, minutes, name in (words[:3], words[3:])
@@ -126,7 +119,7 @@ def test_drift_is_from_where_it_came_up():
     next_one = make_dive(8, (9600.0, 0.0, -179.99), (19000.0, 0.0, -179.9), (0.0, 0.0))
 
     def drift(*dives):
-        return summary(replay_dives(dives))["each_dive"][-1]["drift"]
+        return replay_dives(dives).summary()["each_dive"][-1]["drift"]
 
     way = drift(first, next_one)
     degree = math.radians(1) * 6378137.0  # along the equator
@@ -144,7 +137,7 @@ def test_drift_is_from_where_it_came_up():
 
 
 def test_each_dive_has_its_row(sg542):
-    rows = summary(sg542)["each_dive"]
+    rows = sg542.summary()["each_dive"]
     text = json.dumps(rows, allow_nan=False)
     assert (json.loads(text), [row["dive"] for row in rows]) == (
         rows,
@@ -174,7 +167,7 @@ def test_each_dive_has_its_row(sg542):
 def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
     end = sg542.steps[-1].dive.t_gpse
     monkeypatch.setattr(time, "time", lambda: end + late)
-    said = next_dive(sg542).as_dict()
+    said = sg542.next_dive().as_dict()
     since = late if which == "clock" else 0
     assert said["now_is"].startswith(which)
     now = datetime.fromtimestamp(round(end + since), UTC)
@@ -185,8 +178,8 @@ def test_hours_from_the_clock_or_the_last_end(sg542, monkeypatch, late, which):
 
 
 def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
-    rows, ahead = summary(sg542)["each_dive"], next_dive(sg542)
-    replay_dataset(sg542).to_netcdf(tmp_path / "replay.nc")
+    rows, ahead = sg542.summary()["each_dive"], sg542.next_dive()
+    sg542.dataset().to_netcdf(tmp_path / "replay.nc")
     with xarray.open_dataset(tmp_path / "replay.nc") as data:
         assert data.attrs["featureType"] == "trajectory"
         assert (data.trajectory.attrs["cf_role"], data.sizes["dive"]) == (
@@ -209,17 +202,17 @@ def test_the_dataset_is_a_cf_trajectory(sg542, tmp_path):
         ]
         inside = [row["forecast"]["inside"] for row in rows[1:]]
         assert data.forecast_inside.values.tolist() == [-1, *inside]
-        assert data.attrs["level"] == summary(sg542)["level"]
+        assert data.attrs["level"] == sg542.summary()["level"]
         assert str(data.next_time.values)[:19] == ahead.as_dict()["time"][:19]
         assert float(data.next_latitude) == ahead.latitude
     bare = replay_dives(vehicle(1, 3), flow=("steady",), learn_speed=False)
-    assert "speed_factor" not in replay_dataset(bare)
+    assert "speed_factor" not in bare.dataset()
 
 
 def said(replay):
     """All that is said of a replay, as text."""
     ahead = {**replay.surfacing().as_dict(), "now": None}
-    return json.dumps([summary(replay), ahead])
+    return json.dumps([replay.summary(), ahead])
 
 
 def tracked(dive):

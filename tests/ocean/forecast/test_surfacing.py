@@ -11,7 +11,7 @@ from glider_files import basestation3
 from synthetic_vehicle import along, chained
 
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
-from clpt_control.replay import next_dive, replay_dives, summary
+from clpt_control.replay import replay_dives
 
 DIVES = sample_dives()
 
@@ -31,7 +31,7 @@ def flown(courses, planned=False):
 
 def half(replay):
     """The geometric mean of the half axes, m."""
-    ahead = next_dive(replay).as_dict()
+    ahead = replay.next_dive().as_dict()
     return math.sqrt(ahead["ellipse_long"] * ahead["ellipse_short"])
 
 
@@ -71,7 +71,7 @@ def test_in_the_long_run_forecasts_hold_at_their_level(wild):
     dives = [(way, way, 14400.0 * rng.uniform(0.6, 1.4)) for way in ways]
     replay = replay_dives(chained(dives, stay=900.0), **STILL)
     held = np.mean([step.headline_held for step in replay.steps[1:]], axis=0)
-    assert held == pytest.approx(summary(replay)["level"], abs=0.04)
+    assert held == pytest.approx(replay.summary()["level"], abs=0.04)
 
 
 def test_the_record_is_of_what_was_said_before_each_dive(sg542, tmp_path):
@@ -82,7 +82,7 @@ def test_the_record_is_of_what_was_said_before_each_dive(sg542, tmp_path):
         assert own.latitude == said.latitude
         assert np.array_equal(own.covariance, said.covariance)
         assert sg542.steps[k].headline_held == said.holds(DIVES[k])
-    found = summary(sg542)
+    found = sg542.summary()
     assert found["forecast"]["judged"] == 13
     rows = [row["forecast"] for row in found["each_dive"][1:]]
     for name in ("inside", "on_time"):
@@ -145,7 +145,7 @@ def test_a_hopeless_plan_is_not_followed():
         replace(dive, next_course=(137.0 * k) % 360)
         for k, dive in enumerate(flown([90.0] * 300))
     ]
-    ahead = next_dive(replay_dives(dives, **STILL)).as_dict()
+    ahead = replay_dives(dives, **STILL).next_dive().as_dict()
     assert (ahead["plan_in_files"], ahead["basis"]) == (True, "repeated")
     way = ahead["dr_east"], ahead["dr_north"]
     assert way == pytest.approx((3000.0, 0.0), abs=1.0)
@@ -163,7 +163,7 @@ def test_the_plan_of_a_seaglider(tmp_path):
 
 
 def test_the_error_of_a_forecast_is_from_its_place_to_the_fix():
-    for row in summary(replay_dives(DIVES))["each_dive"][2:]:
+    for row in replay_dives(DIVES).summary()["each_dive"][2:]:
         ahead = row["forecast"]
         *_, error = WGS84.inv(
             ahead["longitude"],

@@ -22,7 +22,7 @@ from clpt_control.gliders import (
     sample_dives,
     write_dive_table,
 )
-from clpt_control.replay import replay_dataset, replay_dives, summary
+from clpt_control.replay import replay_dives
 
 HEAD = "dive,t_gps2,lat_gps2,lon_gps2,t_gpse,lat_gpse,lon_gpse,dr_east_m,dr_north_m\n"
 ROW = "{},{},-43,8,{},-43,8.1,8000,0\n"
@@ -504,10 +504,10 @@ def test_a_field_of_a_dive_is_in_results_with_its_unit():
         for dive in sample_dives()[:3]
     ]
     replay = replay_dives(dives)
-    row = summary(replay)["each_dive"][1]
+    row = replay.summary()["each_dive"][1]
     assert (row["turned"], row["doubt"], row["magvar"]) == (-25.0, 30.0, -25.0)
     assert "vehicle" not in row
-    data = replay_dataset(replay)
+    data = replay.dataset()
     assert data.turned.values.tolist() == [-25.0] * 3
     assert (data.turned.units, data.doubt.units) == ("degrees", "m")
     assert data.first_fix_time.units == "seconds since 1970-01-01 00:00:00 UTC"

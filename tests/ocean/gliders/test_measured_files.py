@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pyproj import Geod
 
 from clpt_control.gliders import make_dive, read_dives, sample_dives, write_dive_table
-from clpt_control.replay import aims, replay_dives
+from clpt_control.replay import replay_dives
 
 WGS84 = Geod(ellps="WGS84")
 
@@ -299,5 +299,5 @@ def test_variation_is_that_of_the_makers_of_the_field(lat, lon, time, expected):
     """As a waypoint's course is turned, where no file has a variation."""
     replay = replay_dives([replace(sample_dives()[0], magvar=None)])
     for east in (lon, lon % 360):
-        (leg,) = aims(replay, [(lat, east)], start=(time, lat, east))
+        (leg,) = replay.aims([(lat, east)], start=(time, lat, east))
         assert leg.magnetic_variation == pytest.approx(expected, abs=0.02)

@@ -19,7 +19,7 @@ from glider_files import (
 from refusals import refuses
 
 from clpt_control.gliders import read_dives, write_dive_table
-from clpt_control.replay import aims, replay_dives
+from clpt_control.replay import replay_dives
 
 DATE_LINE = 180.0 - made.DRIFT / 2
 STEPS = ("EAST_DISPLACEMENT", "NORTH_DISPLACEMENT")
@@ -154,7 +154,7 @@ def igrf_at(dive):
     replay = replay_dives([replace(dive, magvar=None)])
     place = dive.lat_gps2, dive.lon_gps2
     start = 0.5 * (dive.t_gps2 + dive.t_gpse), *place
-    return aims(replay, [place], start=start)[0].magnetic_variation
+    return replay.aims([place], start=start)[0].magnetic_variation
 
 
 def test_og1_dead_reckoning_of_speed_and_heading(tmp_path, printed, refused):

@@ -28,8 +28,7 @@ def results_of(path):
     """Read, replay, forecast and put into words."""
     dives, skipped = clpt.gliders.read_dives(path)
     replay = clpt.replay.replay_dives(dives)
-    report = clpt.replay.summary(replay, skipped)
-    report |= {"next_dive": clpt.replay.next_dive(replay).as_dict(), "aim": []}
+    report = replay.summary(skipped, replay.next_dive())
     return [*replay_summary.remarks(report), *replay_summary.coming(report)]
 
 

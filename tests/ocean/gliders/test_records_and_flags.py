@@ -40,7 +40,7 @@ def after(dives, wait, north, **more):
 
 def learned(dives):
     """Return the current that a replay knows after its last dive, m/s."""
-    row = clpt.replay.summary(clpt.replay.replay_dives(dives))["each_dive"][-1]
+    row = clpt.replay.replay_dives(dives).summary()["each_dive"][-1]
     return row["current_east"], row["current_north"]
 
 
