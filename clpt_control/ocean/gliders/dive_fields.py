@@ -129,24 +129,16 @@ class DiveField:
         return str(value) if isinstance(value, int) else repr(float(value))
 
 
-def in_files(
-    unit: str, reader: Reader | None = NUMBER, **others: Any
-) -> dict[str, DiveField]:
+def in_files(*row: Any, **others: Any) -> dict[str, DiveField]:
     """Return the metadata of a field with its row."""
-    return {"row": DiveField(unit, reader, **others)}
+    return {"row": DiveField(*row, **others)}
 
 
 def optional(
-    unit: str,
-    reader: Reader | None = NUMBER,
-    *,
-    default: Any = None,
-    compare: bool = True,
-    **others: Any,
+    *row: Any, default: Any = None, compare: bool = True, **others: Any
 ) -> Any:
     """Return a field with a default and its row."""
-    metadata = in_files(unit, reader, **others)
-    return field(default=default, compare=compare, metadata=metadata)
+    return field(default=default, compare=compare, metadata=in_files(*row, **others))
 
 
 def rows_of(kind: type) -> tuple[DiveField, ...]:
