@@ -22,7 +22,7 @@ Where c depends on the way, as with gaussians and flow models, d and c are found
 from collections.abc import Sequence
 from math import ceil, hypot, sqrt
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -45,9 +45,6 @@ from .table_rows import (
     utc,
     vector,
 )
-
-if TYPE_CHECKING:
-    from .replay import Replay
 
 YEAR = 365 * 24.0  # hours
 DIVES = 5  # the last ones, of which speed and duration are the medians
@@ -169,7 +166,7 @@ def checked_target(lat: float, lon: float) -> Place:
 
 @public
 def aims(
-    replay: "Replay",
+    replay: Any,
     targets: Sequence[Place],
     speed: float | None = None,
     duration: float | None = None,
@@ -236,7 +233,7 @@ def aims(
 
 
 def usual(
-    replay: "Replay", speed: float | None, duration: float | None
+    replay: Any, speed: float | None, duration: float | None
 ) -> tuple[float, float]:
     """Return the speed, m/s, and the duration, s, of a dive: as given, else as of the last ones."""
     dives = [step.dive for step in replay.steps[-DIVES:]]
@@ -252,12 +249,7 @@ def usual(
 
 
 def aim(
-    replay: "Replay",
-    start: Fix,
-    target: Place,
-    V: float,
-    T: float,
-    shorten: bool = True,
+    replay: Any, start: Fix, target: Place, V: float, T: float, shorten: bool = True
 ) -> Aim:
     """Aim a dive of T s at V m/s from a start at a waypoint; a shorter one, if that must be."""
     g = np.array(displacement(*start[1:], *target))

@@ -14,7 +14,7 @@ import json
 import re
 from collections.abc import Sequence
 from importlib.metadata import version
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any
 
 import numpy as np
 import pandas
@@ -26,10 +26,6 @@ from ...base.units import seconds_since_1970
 from ..gliders.dive_fields import EPOCH
 from ..gliders.dives import FIELDS
 from .surfacing import ELLIPSE, NextDive
-
-if TYPE_CHECKING:
-    from .aim import Aim
-    from .replay import Replay
 
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
 ALONG = {"coordinates": "time latitude longitude"}
@@ -53,7 +49,7 @@ STANDARD = {  # names of CF
     "over_ground_direction": "platform_course",
 }
 COORDINATES = ("dive", "end_time", "end_latitude", "end_longitude")
-Source = Union["Replay", xarray.Dataset, dict[str, Any]]
+Source = Any  # a Replay, its dataset or its JSON
 
 
 def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
@@ -64,7 +60,7 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
     report: Any = source
     if isinstance(source, xarray.Dataset):
         report = summary_in(source, name)
-    elif not isinstance(source, dict):
+    elif hasattr(source, "steps"):
         report = source.summary()
     if not (isinstance(report, dict) and "hindsight" in report):
         raise DataError(
@@ -79,7 +75,7 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
 
 @public
 def dataset(
-    replay: "Replay", next_dive: NextDive | None = None, aims: Sequence["Aim"] = ()
+    replay: Any, next_dive: NextDive | None = None, aims: Sequence[Any] = ()
 ) -> xarray.Dataset:
     """Return a replay of one dive at least as a dataset.
 

@@ -195,10 +195,7 @@ class Replay:
         return self
 
     def start(self, rng: np.random.Generator | None = None) -> Fix:
-        """Return when and where the next dive begins, as a fix.
-
-        By its dive statistics; if `rng` is given, drawn from them.
-        """
+        """Return the fix where the next dive begins, expected or, with `rng`, drawn."""
         last = self.steps[-1].dive
         stay, late = self.dive_statistics.stay()
         drift, spread = self.dive_statistics.drift()
@@ -294,7 +291,7 @@ class Replay:
         check_flown(hypot(*through) / T if T > 0 else 0.0, T)
         return self.surfacing(self.dive_statistics.guess_of(through, T))
 
-    # methods in files of their own
+    # methods in files of their own, which cannot import this class
     summary = summary
     dataset = dataset
     aims = aims

@@ -18,7 +18,7 @@ should be is put into words.
 
 from collections.abc import Mapping, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -44,10 +44,6 @@ from .table_rows import (
     wide,
 )
 
-if TYPE_CHECKING:
-    from .aim import Aim
-    from .replay import Replay
-
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
 
@@ -65,7 +61,7 @@ def odds(p: float) -> str:
     return f"1:{ratio}" if p < 0.5 else f"{ratio}:1"
 
 
-def learned_words(replay: "Replay") -> str:
+def learned_words(replay: Any) -> str:
     """Return what was learned, of the flow part by part, as a sentence."""
     if not replay.steps:
         return "nothing"
@@ -111,7 +107,7 @@ def compass_words(step: Step) -> str:
     return f"compass {off:+z.1f} +- {error:.1f} degrees{means if abs(off) > FAR * error else ''}"
 
 
-def clpe_rms(replay: "Replay", after: int = 3) -> dict[str, float | None]:
+def clpe_rms(replay: Any, after: int = 3) -> dict[str, float | None]:
     """Return the CLPE rms of each flow model after the first dives, m; None without a dive.
 
     >>> import clpt_control as clpt
@@ -137,10 +133,10 @@ def rms_of(
 
 @public
 def summary(
-    replay: "Replay",
+    replay: Any,
     skipped: Sequence[Skipped] = (),
     next_dive: NextDive | None = None,
-    aims: Sequence["Aim"] = (),
+    aims: Sequence[Any] = (),
 ) -> dict[str, Any]:
     """Summarize a replay, as `clpt replay --json` prints it.
 
@@ -224,7 +220,7 @@ def summary(
     }
 
 
-def _of_flow_model(replay: "Replay", model: FlowModel) -> dict[str, Any]:
+def _of_flow_model(replay: Any, model: FlowModel) -> dict[str, Any]:
     """Return what the flow model is, how many dives it covers, and why not the others."""
     steps = replay.steps
     bare = [step.dive for step in steps if step.clpe[FLOW_MODEL] is None]
