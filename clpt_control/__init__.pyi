@@ -36,7 +36,6 @@ from .simulation.integrate import simulate as simulate
 from .simulation.loop_blocks import paper_blocks as paper_blocks
 from .simulation.loops import closed_loop as closed_loop
 from .simulation.program_export import export as export
-from .simulation.run_file import load_diagram as load_diagram
 from .simulation.run_file import load_run as load_run
 from .simulation.run_file import save_run as save_run
 from .simulation.sensitivities import sensitivity as sensitivity

@@ -15,8 +15,8 @@ from ..base.errors import ClptError, DataError
 from ..base.figures import COLOURS, axes_for, legend_above_data, line_style, literal
 from ..engine.model.ports import ports_of
 from .dataset_template import INDEX
+from .run_notes import LABELS
 from .run_plots import clpe_plot, learning_plot, run_plot
-from .serialization.run_record import signal_names
 from .track_chart import run_style, track_plot
 
 if TYPE_CHECKING:
@@ -211,8 +211,8 @@ def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
     """Return a run as a response of python-control, with the labels of its diagram."""
     if "time" not in run.dims or not ports_along(run):
         raise DataError("the dataset has no signal along time. Give a run")
-    names = signal_names(run)
-    labels_by = {key: ports_of(names[key]) for key in ("inputs", "outputs")}
+    names = run.encoding.get(LABELS, {})
+    labels_by = {key: ports_of(names.get(key, [])) for key in ("inputs", "outputs")}
     signals: dict[str, dict[str, np.ndarray]] = {"inputs": {}, "outputs": {}}
     for port in ports_along(run):
         is_output = port in labels_by["outputs"]
@@ -236,5 +236,5 @@ def response_of(run: "xarray.Dataset") -> control.TimeResponseData:
         state_labels=None if states is None else [*states["state"].values],
         title=str(run.attrs.get("title", "")) or None,
         plot_inputs=bool(inputs),
-        sysname=str(names["name"]) or None,
+        sysname=names.get("name"),
     )

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 INDEX = "index"  # suffix of the dimension of a port
 STATE = {"long_name": "state of the diagram"}
 STATES = {"long_name": "states of the diagram, each in its own unit"}
+REPEAT = "The script that made this run repeats it"  # a file has no equations
 COMPLETED = Status.FINISHED.sentence
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
 
@@ -174,7 +175,7 @@ def diagram_template(
     port_units = {port: units[indices[0]] for port, indices in ports.items()}
     reserved = ("time", "state", "states")
     variables, axes = port_variables(ports, {}, reserved, port_units)
-    attributes = {"title": f"Response of {name}"}
+    attributes = {"title": f"Response of {name}", "comment": REPEAT}
     return DatasetTemplate(variables, axes, attributes, states=states)
 
 

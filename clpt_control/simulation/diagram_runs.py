@@ -3,8 +3,7 @@
 A prepared run integrates its system, computes all signals, and returns them as an
 `xarray.Dataset` with names, units and attributes.  A `DiagramRun` has any blocks, also systems of
 python-control without change.  The Dataset of a `closed_loop` has the variables of its scenario's
-run; that of any other diagram has a variable for each port.  Both have a `RunRecord`, from which
-the run can be repeated.
+run; that of any other diagram has a variable for each port.
 """
 
 from collections.abc import Callable, Mapping
@@ -33,10 +32,10 @@ from ..engine.solver.native_diagram import NativeDiagram
 from ..engine.solver.runner import steps_between
 from ..engine.solver.schedule import read_inputs
 from ..engine.solver.termination import Solution
-from ..paper.scenario.run_constants import EQUATIONS, MOST_BYTES, OWN_PARTS, REFERENCE
+from ..paper.scenario.run_constants import MOST_BYTES, OWN_PARTS, REFERENCE
 from .dataset_template import DatasetTemplate, Signals, diagram_template
 from .run_arguments import stacked_state
-from .serialization.run_record import CONDITIONS, RunRecord
+from .run_notes import LABELS
 
 if TYPE_CHECKING:
     import xarray
@@ -117,9 +116,7 @@ class DiagramRun(SystemRun):
     ):
         read_anew(diagram)
         self.loop: ClosedLoop | None = getattr(diagram, "origin", None)
-        recorded = getattr(diagram, "recorded", None) or {}
-        self.experiment = self.loop or recorded.get("experiment")
-        self.scenario = self.experiment and self.experiment.scenario
+        self.scenario = self.loop and self.loop.scenario
         wiring = wiring_of(diagram, params, sizes)
         if stop is not None:
             wiring = with_stop(wiring, stop)
@@ -137,7 +134,7 @@ class DiagramRun(SystemRun):
         initial_state: Any = None,
         **options: Any,
     ) -> Any:
-        """Integrate from a state at the first time; return a Dataset with a `RunRecord`."""
+        """Integrate from a state at the first time; return a Dataset."""
         u = read_inputs(inputs, times, self.wiring.ninputs)
         steps = steps_between(times, self.wiring.dt)
         every = (
@@ -147,7 +144,7 @@ class DiagramRun(SystemRun):
         )
         self.check_memory(len(every))
         state = stacked_state("initial_state", initial_state, self.runner.nstates)
-        if self.experiment is not None:
+        if self.loop is not None:
             from .initial_states import check_initial_alpha
 
             check_initial_alpha(self, state)
@@ -166,11 +163,7 @@ class DiagramRun(SystemRun):
 
             sentence = unlike_controller(run, self.loop.scenario)
             run.attrs["message"] += sentence and f"; {sentence}"
-        conditions = {
-            name: value for name, value in options.items() if name in CONDITIONS
-        }
-        conditions |= {"timepts": times.copy(), "initial_state": state}
-        run.encoding[EQUATIONS] = RunRecord(self, solution.engine, u, conditions)
+        run.encoding[LABELS] = self.names
         return run
 
     @cached_property
@@ -203,21 +196,17 @@ class DiagramRun(SystemRun):
         """The template of the Dataset."""
         labels = self.signal_labels
         units = signal_units(self.wiring)
-        if self.experiment is None:
+        if self.loop is None:
             return diagram_template(
                 self.name, tuple(labels), tuple(units), tuple(self.states)
             )
 
         from .dataset import changed_parameters, scenario_template
 
-        attributes = changed_parameters(self.params, self.experiment.beyond_scenario)
+        attributes = changed_parameters(self.params, self.loop.beyond_scenario)
         ports = {port: units[columns[0]] for port, columns in ports_of(labels).items()}
         return scenario_template(
-            self.experiment.scenario,
-            self.signals(labels),
-            attributes,
-            ports,
-            self.states,
+            self.loop.scenario, self.signals(labels), attributes, ports, self.states
         )
 
 

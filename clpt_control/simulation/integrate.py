@@ -21,7 +21,7 @@ from ..engine.solver.schedule import checked_times
 from .diagram_runs import DiagramRun
 from .run_arguments import inputs_by_name, inputs_count, state_by_name, with_jumps
 from .run_cache import cached_run, diagram_key
-from .serialization.run_record import note_arguments
+from .run_notes import note_arguments
 
 if TYPE_CHECKING:
     import xarray
@@ -160,7 +160,7 @@ def simulate(
 
     if skipped:
         data = data.isel(time=slice(skipped, None))
-    note_arguments(data, own, skipped)
+    note_arguments(data, own, {**solver, "params": params or None})
     if run.max_speed is not None and {"commanded_velocity", "true_flow"} <= set(data):
         from .flows import note_speeds, speeds_of
 
@@ -215,11 +215,11 @@ def as_diagram(system: Any) -> tuple[Any, dict[str, Any]]:
         system = linear(system)
     loop = getattr(system, "origin", None)
     if loop is None:
-        return system, getattr(system, "recorded", None) or {}
+        return system, {}
     from .initial_states import initial_state
 
-    own_arguments = {**loop.scenario.run.solver, **(system.recorded or {})}
-    return system, {**own_arguments, "initial_state": initial_state(system)}
+    start = initial_state(system)
+    return system, {**loop.scenario.run.solver, "initial_state": start}
 
 
 def request_of(
@@ -232,9 +232,6 @@ def request_of(
     diagram, own_arguments = as_diagram(system)
     loop = getattr(diagram, "origin", None)
     skipped = 0
-    if timepts is None:
-        timepts = own_arguments.get("timepts")
-        skipped = own_arguments.get("skipped", 0)
     if timepts is None and isinstance(inputs, control.TimeResponseData):
         timepts = inputs.time
     inputs = inputs_by_name(diagram, inputs, timepts)

@@ -20,11 +20,11 @@ from ..base.errors import DataError
 from ..engine.methods.table import ROWS
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.recorded_run import unknown_parts
-from ..paper.scenario.run_constants import ARGUMENTS
 from ..paper.scenario.team import Team
 from .flows import explained_variance, flow_error, speeds_of
 from .integrate import sample_times, simulate
 from .mean_squares import MAX_SAMPLES, clpe_of_samples, nearest, step_of_means, union
+from .run_notes import ARGUMENTS
 
 if TYPE_CHECKING:
     from xarray import Dataset

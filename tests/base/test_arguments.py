@@ -206,7 +206,7 @@ def right(tmp_path_factory):
             "period": {"constituent": "M2"},
         },
         "flow_velocity": {"points": np.zeros((2, 2)), "timepts": 0.0},
-        **{name: {"path": folder / "run.nc"} for name in ("load_run", "load_diagram")},
+        "load_run": {"path": folder / "run.nc"},
         **{
             name: {"source": currents, "names": None}
             for name in ("read_currents", "fit_current")

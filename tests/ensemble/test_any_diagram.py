@@ -235,8 +235,7 @@ def test_units_given_to_a_system_are_those_of_runs_ensembles_and_files(tmp_path)
     run = clpt.simulate(lag, times, 1.0)
     assert (run.y.attrs["units"], run.u.attrs["units"]) == ("rad", "V")
     clpt.save_run(run, tmp_path / "lag.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "lag.nc"), times, 1.0)
-    assert again.y.attrs["units"] == "rad"
+    assert clpt.load_run(tmp_path / "lag.nc").y.attrs["units"] == "rad"
     vary = {"rate": [1.0, 2.0], "y": [0.0, 1.0]}
     data = clpt.run_ensemble(lag, vary, timepts=times, inputs=1.0)
     found = {name: data[name].attrs["units"] for name in ("rate", "y", "y_rms")}
@@ -285,7 +284,6 @@ def test_a_slash_in_a_name_is_kept_in_files(tmp_path):
     run = clpt.simulate(west, TIMES, 0, [1.0, 2.0])
     clpt.save_run(run, tmp_path / "run.nc")
     assert clpt.load_run(tmp_path / "run.nc").equals(run)
-    assert clpt.simulate(clpt.load_diagram(tmp_path / "run.nc")).equals(run)
     given = {
         "vary": {"west/x": [[1.0, 2.0], [2.0, 1.0]]},
         "timepts": TIMES,
@@ -398,7 +396,7 @@ def test_a_failed_member_has_no_summary():
     np.testing.assert_array_equal(data.one, [1.0, np.nan])
 
 
-def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):
+def test_a_loop_runs_as_its_scenario_says():
     scenario = clpt.paper_scenario().with_values({"run.rtol": 1e-4, "run.atol": 1e-5})
     loop, start = (
         clpt.closed_loop(scenario, external="delta"),
@@ -406,11 +404,9 @@ def test_a_loop_runs_as_its_scenario_says_or_as_it_ran(tmp_path):
     )
     given = {"timepts": [0, 20, 40], "inputs": np.zeros((2, 3)), "initial_state": start}
     run = clpt.simulate(loop, **given)
-    clpt.save_run(run, tmp_path / "run.nc")
     exact = clpt.simulate(loop, rtol=1e-10, **given)
-    for own in (loop, clpt.load_diagram(tmp_path / "run.nc")):
-        found = clpt.run_ensemble(
-            own, {"adaptation.gain": [0.8, 1.6]}, trajectories=True, **given
-        )
-        assert np.allclose(found.e[0], run.clpe, rtol=0, atol=1e-12)
-        assert np.abs(found.e[0] - exact.clpe).max() > 1e-9
+    found = clpt.run_ensemble(
+        loop, {"adaptation.gain": [0.8, 1.6]}, trajectories=True, **given
+    )
+    assert np.allclose(found.e[0], run.clpe, rtol=0, atol=1e-12)
+    assert np.abs(found.e[0] - exact.clpe).max() > 1e-9

@@ -161,7 +161,7 @@ def test_units_go_along_with_samples_a_file_and_a_new_name(tmp_path):
     units = {"w": "km/h", "v_z": "m s-1", "psi": "m s-1", "flow_z": "m s-1"}
     assert {name: run[name].attrs["units"] for name in units} == units
     clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
+    again = clpt.load_run(tmp_path / "run.nc")
     np.testing.assert_array_equal(again.position, run.position)
     assert again.w.attrs["units"] == "km/h"
 

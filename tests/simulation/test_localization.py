@@ -255,14 +255,6 @@ def test_each_rise_of_taken_is_a_fix(latency):
     assert jumped.values.any()
 
 
-def test_a_run_fed_with_fixes_is_repeated_from_its_file(tmp_path):
-    """The file has the times of the fixes: the same states, to the last bit."""
-    run = fed_by_fixes(OFF[:4])
-    clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    np.testing.assert_array_equal(again.states.values, run.states.values)
-
-
 def test_fixes_closer_than_their_latency_are_refused():
     """The second one would be sent before the first one has arrived."""
     with pytest.raises(clpt.ScenarioError, match="before the last one has arrived"):

@@ -1,4 +1,4 @@
-"""`clpt run run.nc` repeats a run, whatever keywords of `simulate` were given."""
+"""`clpt run run.nc` repeats the run of a scenario, and refuses one that it cannot repeat."""
 
 import inspect
 
@@ -19,22 +19,25 @@ KEYWORDS = {  # of `simulate`: a system and values
         (SCENARIO, {"timepts": range(0, 20, 5), "max_step": np.float32(0.5)}),
         (LOOP, {"timepts": [0.0, 1.5, 7.0]}),
         (LOOP, {"timepts": [1.5, 7.0]}),
-        (SCENARIO, {"timepts": [3.0, 5.0], "params": {"adaptation.gain": 2.0}}),
     ],
-    "inputs": [(STEERED, {"timepts": [0.0, 5.0, 5.0, 20.0], "inputs": np.eye(2, 4)})],
-    "initial_state": [
-        (SCENARIO, {"initial_state": START}),
-        (LOOP, {"initial_state": {"vehicle_x": [1.0, 2.0]}}),
-    ],
-    "params": [(SCENARIO, {"params": {"adaptation.gain": 2.0}})],
-    "rtol": [(SCENARIO, {"rtol": 1e-4}), (LOOP, {"rtol": 1e-4})],
-    "atol": [(SCENARIO, {"atol": 1e-3}), (LOOP, {"atol": 1e-3})],
+    "rtol": [(SCENARIO, {"rtol": 1e-4})],
+    "atol": [(SCENARIO, {"atol": 1e-3})],
     "progress": [(SCENARIO, {"progress": lambda t: None})],
     "engine": [(SCENARIO, {"engine": "python"}), (SCENARIO, {"engine": "native"})],
-    "stop": [(LOOP, {"stop": lambda t, y, u: 7.5 - t})],
-    "method": [(SCENARIO, {"method": "rodas5p"}), (LOOP, {"method": "rodas5p"})],
+    "method": [(SCENARIO, {"method": "rodas5p"})],
     "max_step": [(SCENARIO, {"max_step": 0.05}), (LOOP, {"max_step": 0.05})],
     "first_step": [(SCENARIO, {"first_step": 1e-5}), (LOOP, {"first_step": 1e-5})],
+}
+BEYOND_SCENARIO = {  # keyword: a run that its scenario alone does not repeat
+    "timepts": (SCENARIO, {"timepts": [3.0, 5.0], "params": {"adaptation.gain": 2.0}}),
+    "inputs": (STEERED, {"timepts": [0.0, 5.0, 5.0, 20.0], "inputs": np.eye(2, 4)}),
+    "initial_state": (LOOP, {"initial_state": {"vehicle_x": [1.0, 2.0]}}),
+    "start": (SCENARIO, {"initial_state": START}),
+    "params": (SCENARIO, {"params": {"adaptation.gain": 2.0}}),
+    "rtol": (LOOP, {"rtol": 1e-4}),
+    "atol": (LOOP, {"atol": 1e-3}),
+    "stop": (LOOP, {"stop": lambda t, y, u: 7.5 - t}),
+    "method": (LOOP, {"method": "rodas5p"}),
 }
 RUNS = [
     pytest.param(system, given, id=f"{name} {k}")
@@ -45,7 +48,7 @@ RUNS = [
 
 def test_every_keyword_is_tried():
     names = {*inspect.signature(package.simulate).parameters} - {"system"}
-    assert names == {*KEYWORDS}
+    assert names == {*KEYWORDS, *BEYOND_SCENARIO} - {"start"}
 
 
 @pytest.mark.parametrize(("system", "given"), RUNS)
@@ -62,11 +65,14 @@ def test_a_run_is_repeated_from_its_file(clpt, tmp_path, system, given):
         assert again.attrs["method"] == run.attrs["method"]
 
 
-def test_the_diagram_of_a_scenarios_run_repeats_it(tmp_path):
-    run = package.simulate(SCENARIO, [3.0, 5.0, 31.0], max_step=0.05)
-    package.save_run(run, tmp_path / "a.nc")
-    again = package.simulate(package.load_diagram(tmp_path / "a.nc"))
-    assert np.array_equal(again.states, run.states)
+@pytest.mark.parametrize("name", BEYOND_SCENARIO)
+def test_a_run_beyond_its_scenario_is_refused(clpt, tmp_path, name):
+    system, given = BEYOND_SCENARIO[name]
+    package.save_run(package.simulate(system, **given), tmp_path / "a.nc")
+    outcome = clpt("run", tmp_path / "a.nc", "--out", tmp_path / "b.nc")
+    assert outcome.status == 2
+    assert "its scenario alone does not repeat it. Give the scenario" in outcome.err
+    assert not (tmp_path / "b.nc").exists()
 
 
 @pytest.mark.parametrize("text", ["[1]", "{", '{"system": 1}', '{"timepts": "late"}'])

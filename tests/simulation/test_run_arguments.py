@@ -69,13 +69,6 @@ def test_members_of_an_ensemble_see_the_jump():
     np.testing.assert_allclose(data.y_final, final, atol=1e-8)
 
 
-def test_a_run_with_a_jump_is_repeated_from_its_file(tmp_path):
-    run = clpt.simulate(lag(), [0, 1, 1, 2], [0, 0, 1, 1])
-    clpt.save_run(run, tmp_path / "run.nc")
-    again = clpt.simulate(clpt.load_diagram(tmp_path / "run.nc"))
-    assert (again.states == run.states).all()
-
-
 def test_inputs_and_states_by_name():
     expected = clpt.simulate(lag(), TIMES, 2.0, 1.0)
     named = clpt.simulate(lag(), TIMES, {"torque": 2.0}, {"angle": 1.0})

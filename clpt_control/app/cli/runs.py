@@ -124,31 +124,24 @@ def run(
 ) -> None:
     """Run a scenario, or a team: a scenario with a table [team].
 
-    The file of a diagram's run is run again, from the equations that it holds.
-
     Example:
         clpt run mine.toml --out run.nc --figures figures
     """
     from ...base.figures import checked_formats
-    from ...simulation.run_file import (
-        as_written,
-        recorded_arguments,
-        repeats_by_equations,
-    )
+    from ...simulation.run_file import as_written, recorded_arguments
     from ...simulation.team_plots import run_figures
     from ...theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
-    again = repeats_by_equations(scenario)
-    system: Any = clpt.load_diagram(scenario) if again else clpt.load_scenario(scenario)
+    system: Any = clpt.load_scenario(scenario)
     check_writable(out)
     if scenario.suffix != ".nc" and out.exists() and out.samefile(scenario):
         raise ClptError(
             f"{out}: is the scenario file. Give the run another name, such as run.nc"
         )
     folder = None if figures is None else make_folder(figures)
-    arguments = {} if again else recorded_arguments(scenario)
-    if again or "timepts" in arguments:
+    arguments = recorded_arguments(scenario)
+    if "timepts" in arguments:
         from ..pages.run_page import extent_of, response_result
 
         result = fine = clpt.simulate(system, **arguments)
@@ -194,7 +187,6 @@ def export(
     """
     from ...paper.scenario.file import load_vehicle_scenario
     from ...simulation.map_export import SUFFIXES
-    from ...simulation.run_file import repeats_by_equations
 
     if drawing:
         _draw_diagram(scenario, out)
@@ -206,9 +198,7 @@ def export(
         say(f"Wrote {out}")
         return
     check_writable(out, "a program or map", (".c", ".h", ".fmu", *SUFFIXES))
-    again = repeats_by_equations(scenario)
-    load: Any = clpt.load_diagram if again else load_vehicle_scenario
-    clpt.export(load(scenario), out, part=part, single=single)
+    clpt.export(load_vehicle_scenario(scenario), out, part=part, single=single)
     say(f"Wrote {out}")
 
 

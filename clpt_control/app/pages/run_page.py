@@ -12,21 +12,13 @@ from ...engine.diagram.interconnection import Diagram
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...paper.scenario.recorded_run import unknown_parts, waypoints_of
-from ...paper.scenario.run_constants import (
-    BEYOND,
-    CHANGED,
-    NOT_REPEATED,
-    OWN_LAW,
-    OWN_PARTS,
-    TEAM,
-)
+from ...paper.scenario.run_constants import BEYOND, CHANGED, OWN_LAW, OWN_PARTS, TEAM
 from ...paper.scenario.team import Team
 from ...plots.drawing.figure import MOST, block_figure
 from ...simulation.animation import draw_samples
 from ...simulation.comparison import named, ports_along, response_plot, signals_of
 from ...simulation.loops import closed_loop
 from ...simulation.run_plots import DIRECTIONS, clpe_plot, learning_plot
-from ...simulation.serialization.run_record import diagram_of_text, equations_text
 from ...simulation.summary import claims
 from ...simulation.team_plots import team_plot
 from ...simulation.track_chart import track_plot
@@ -44,7 +36,6 @@ ROUNDING = 1e-12  # share of a signal's largest value below which the table has 
 PAPERS_LOOP = (
     "The loop as it ran. The number under a name is the equation of the paper."
 )
-ANY_LOOP = "The diagram that ran; a thick frame is a block with states."
 ONE_SAMPLE = Result(
     sentences=["The run has one sample: nothing can be drawn over time"]
 )
@@ -75,7 +66,7 @@ def run_page(run: Dataset, system: Scenario | Team, title: str) -> Page:
         sections.append(Section("claims", judged.title, judged))
     if not (own_law or own_parts):
         loop = closed_loop(system)
-        sections += loop_section(loop, PAPERS_LOOP)
+        sections += loop_section(loop)
     unmeasured = (
         "the run had what its scenario does not hold" if changed or own_parts else ""
     )
@@ -129,11 +120,11 @@ def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
     return sentences
 
 
-def loop_section(diagram: Diagram, caption: str) -> list[Section]:
-    """Return the diagram that ran, drawn; nothing of one that is too large."""
+def loop_section(diagram: Diagram) -> list[Section]:
+    """Return the paper's diagram that ran, drawn; nothing of one that is too large."""
     if len(diagram.syslist) > MOST:
         return []
-    figure = Drawn("loop", block_figure(diagram), caption, wide=True)
+    figure = Drawn("loop", block_figure(diagram), PAPERS_LOOP, wide=True)
     return [Section("loop", "The loop", figures=[figure])]
 
 
@@ -275,21 +266,13 @@ def samples_to_draw(run: Dataset) -> tuple[Dataset, str]:
 
 
 def diagram_page(run: Dataset, title: str) -> Page:
-    """Return the page of a diagram's run: its loop, each port over time."""
-    text, why = equations_text(run)
+    """Return the page of a diagram's run: each port over time."""
     table, warnings = response_result(run), _ended(run)
     sections = [
         _over_time(run),
         Section("signals", "Signals at begin and end", table),
         versions_section(run.attrs),
     ]
-    if text:
-        sections = [*loop_section(diagram_of_text(text), ANY_LOOP), *sections]
-    else:
-        why = why or run.attrs.get(NOT_REPEATED, "")
-        warnings.append(
-            f"The run cannot be made again from its file{f': {why}' if why else ''}."
-        )
     lead = f"Signals of a diagram, {span_of(run)}, at {run.sizes['time']} samples."
     return Page(KINDS[1], title, [lead], warnings, sections)
 

@@ -61,7 +61,6 @@ class Diagram(control.InterconnectedSystem):
     """
 
     origin: Any = None
-    recorded: Any = None  # the run from whose file the diagram was read
 
     def __repr__(self) -> str:
         ports = (self.input_labels, self.output_labels)

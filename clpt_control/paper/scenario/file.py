@@ -18,7 +18,7 @@ from ...base.errors import DataError, ScenarioError
 from ...base.files import write_file
 from ...base.files.reading import open_netcdf, read_bytes
 from .experiment import Nested, Scenario, checked_scenario, scenario_tables
-from .run_constants import BEYOND, FORM, NOT_REPEATED, OWN_PARTS, TEAM
+from .run_constants import BEYOND, FORM, OWN_PARTS, TEAM
 
 LARGEST = 2 * 10**7  # bytes of a scenario; parsing them takes some seconds
 LATEST = 1  # format that is written; all formats up to it are read
@@ -93,7 +93,7 @@ def scenario_of_run(run: Any, files: bool = True) -> Scenario:
         raise DataError("the run is a team's; run.clpt.plot() draws a team")
     if not isinstance(text := run.attrs.get("scenario"), str):
         raise DataError(
-            "the run carries no scenario in its attributes, as that of a diagram does not; "
+            "the run contains no scenario, as that of a diagram does not; "
             "clpt.simulate(scenario) writes one"
         )
     return scenario_from_text(text, "the run", folder_of(run) if files else None)
@@ -174,18 +174,15 @@ def run_text(path: str | Path) -> str:
         check_form(data.attrs, path)
         text = data.attrs.get(TEAM, data.attrs.get("scenario"))
         if text is None:
-            reason = data.attrs.get(NOT_REPEATED)
-            reason = "" if reason is None else f", nor equations: {reason}"
             raise DataError(
-                f"{path}: carries no scenario{reason}; `clpt run` writes runs that do, and "
-                "clpt.load_diagram reads the diagram of a run that has its equations"
+                f"{path}: contains no scenario. Give a scenario or its run; repeat the run of a "
+                "diagram with the script that made it"
             )
         for name, (change, cure) in BEYOND.items():
             if name in data.attrs:
                 raise DataError(
                     f"{path}: was run with {change}, {data.attrs[name]}, so its scenario alone "
-                    "does not repeat it; clpt.load_diagram reads the whole loop where the file has "
-                    f"its equations; else give the scenario itself, and {cure}"
+                    f"does not repeat it. Give the scenario itself, and {cure}"
                 )
         return str(text)
 

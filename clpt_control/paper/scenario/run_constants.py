@@ -8,11 +8,6 @@ OWN_LAW = "own_law"  # attribute of a run: the name of a law given in Python
 # attribute of a run: other blocks of its diagram that were given in Python
 OWN_PARTS = "own_parts"
 REFERENCE = "reference"  # name of the block of the waypoints
-EQUATIONS = "equations"  # attribute of a diagram's run: its equations, as JSON
-ARGUMENTS = "arguments"  # of a scenario's run: times and steps that are not the scenario's, JSON
-NOT_REPEATED = (
-    "not_repeated"  # attribute of a diagram's run: the reason for no equations
-)
 FORM = "run_format"  # attribute of a run's file: the number of its format; default 1
 IN_PYTHON = "the rest to closed_loop(replace=..., insert=...)"
 BEYOND = {  # attribute of a run -> change that its scenario does not have, remedy in Python

@@ -12,7 +12,6 @@ from itertools import count
 from pathlib import Path
 from types import SimpleNamespace
 
-import control
 import numpy as np
 import pytest
 from command_outputs import COMMANDS, FOLLOW, seldom, write, write_each
@@ -117,16 +116,6 @@ def test_a_loop_is_drawn_and_exported(clpt, refused_for):
         "l.c",
     )
     assert "sources/closed_loop.c" in zipfile.ZipFile("p.fmu").namelist()
-
-
-def test_export_of_a_diagrams_run_has_its_start(clpt):
-    loop = clpt_control.connect(
-        [control.tf(1, [1, 1], inputs="u", outputs="y", name="lag")], "u"
-    )
-    run = clpt_control.simulate(loop, [0, 1], 0.0, [3.0])
-    clpt_control.save_run(run, "run.nc")
-    clpt("export", "run.nc", "-o", "run.c")
-    assert "diagram_x0[] = {3.0};" in Path("run.c").read_text()
 
 
 def test_interrupt_ends_cleanly():

@@ -256,7 +256,7 @@ RUN_DAMAGES = {
         "not finite",
     ),
     "a team": (lambda run: run.assign_attrs(team="[team]"), "a scenario and a team"),
-    "no scenario": (lambda run: run.drop_attrs(), "carries no scenario"),
+    "no scenario": (lambda run: run.drop_attrs(), "contains no scenario"),
     "turned round": (
         lambda run: run.isel(time=slice(None, None, -1)),
         "its times do not increase",

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from image_checks import inked
-from law_blocks import off, papers_law
+from law_blocks import off
 from team_scenarios import FILE, team, vehicle, write_team
 
 import clpt_control
@@ -54,16 +54,6 @@ def test_the_example_draws_what_it_says(capsys):
         f"{who}: smallest eigenvalue" in said for who in ("west alone", "the team")
     )
     assert Path("team.png").stat().st_size > 10_000
-
-
-def test_a_law_given_in_python_is_run_again_from_its_record(printed):
-    scenario = clpt_control.paper_scenario().with_values({"run.duration": 20})
-    run = clpt_control.simulate(clpt_control.closed_loop(scenario, law=papers_law()))
-    clpt_control.save_run(run, "run.nc")
-    found = printed("run", "run.nc", "--out", "again.nc", "--figures", "f")
-    assert "position axis 1 (m)" in found["signals"]
-    assert len(list(Path("f").glob("figure?.png"))) == 4  # as its scenario's run
-    assert clpt_control.load_run("again.nc").equals(run)
 
 
 QUICK = ("--window", "60", "--start", "60", "--for", "kappa")

@@ -244,7 +244,7 @@ def test_refusals(run, made, scenario, tmp_path):
             "would take 2.0 GB of memory",
         ),
         (made["team"], {}, "the run is a team's"),
-        (run.drop_attrs(), {}, "carries no scenario"),
+        (run.drop_attrs(), {}, "contains no scenario"),
         (scenario, {}, "must be an xarray.Dataset"),
         (made["replay"], {}, "must be an xarray.Dataset"),
     ):

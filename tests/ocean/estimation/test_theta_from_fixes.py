@@ -190,7 +190,7 @@ def test_runs_that_tell_too_little_are_refused(lap):
     fixes = {"learning": {"law": "fix-regression"}, "localization": {"interval": 5.0}}
     parameters = {"vehicle_controller.alpha_M": THETA}
     for source, said in (
-        (lap.drop_attrs(), "carries no scenario"),
+        (lap.drop_attrs(), "contains no scenario"),
         (run({"run.duration": 20}, params=parameters), "parameters given at call time"),
         (lap.sel(time=slice(19.7, 60)), "into 5 samples at least"),
         (run({"run.output_step": 4}), r"to 0\.\d+ m only. Run it with a smaller"),

@@ -1,0 +1,65 @@
+"""Notes on a run: arguments of `simulate`, and labels of its diagram.
+
+With its scenario, the arguments repeat a scenario's run.  The run of another diagram is repeated
+by the script that made it.  Notes are in the `encoding` of a run, which xarray passes on, and are
+attributes of its file, as JSON.
+"""
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..base.errors import DataError
+from ..paper.scenario.run_constants import BEYOND, TEAM
+
+if TYPE_CHECKING:
+    import xarray
+
+ARGUMENTS = "arguments"
+LABELS = "labels"
+KEYS = {  # note -> its keys
+    ARGUMENTS: {
+        *("timepts", "params", "engine", "method"),
+        *("rtol", "atol", "max_step", "first_step"),
+    },
+    LABELS: {"name", "inputs", "outputs", "states"},
+}
+
+
+def note_arguments(
+    run: "xarray.Dataset", repeating: Mapping[str, Any], others: Mapping[str, Any]
+) -> None:
+    """Note the arguments of `simulate` that the scenario and variables of a run do not have."""
+    given = dict(repeating)
+    names = run.attrs.keys()
+    if names.isdisjoint({"scenario", TEAM}) or not names.isdisjoint(BEYOND):
+        given |= {**others, "timepts": None}
+    given = {key: value for key, value in given.items() if value is not None}
+    if given:
+        run.encoding[ARGUMENTS] = given
+
+
+def note_texts(run: "xarray.Dataset") -> dict[str, str]:
+    """Return the notes on a run as attributes of its file."""
+    return {
+        name: json.dumps(run.encoding[name], default=lambda x: np.asarray(x).tolist())
+        for name in KEYS
+        if name in run.encoding
+    }
+
+
+def read_note(attributes: Mapping[Any, Any], name: str) -> dict[str, Any]:
+    """Return a note from the attributes of a file."""
+    try:
+        note = json.loads(str(attributes.get(name, "{}")))
+        unknown = note.keys() - KEYS[name]
+        if name == LABELS:
+            labels = [label for labels in note.values() for label in labels]
+            unknown |= {label for label in labels if not isinstance(label, str)}
+    except (ValueError, AttributeError, TypeError):
+        unknown = {"text"}
+    if unknown:
+        raise DataError(f"its {name} are damaged: {min(map(str, unknown))}")
+    return note
