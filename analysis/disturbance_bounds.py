@@ -61,8 +61,12 @@ def row(amplitude: float, frequency: float, gain: float) -> Row:
         "period": 2 * np.pi / frequency,
     }
     step = min(np.pi / frequency / 50, 0.02)
-    scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(
-        {"flow.disturbance": wave, "run.duration": END, "run.output_step": step}
+    scenario = (
+        clpt.paper_scenario()
+        .started_true()
+        .with_values(
+            {"flow.disturbance": wave, "run.duration": END, "run.output_step": step}
+        )
     )
     run = clpt.simulate(scenario)
     found = printed_bound(scenario, run, START)

@@ -55,9 +55,7 @@ def largest_clpe(scenario: clpt.Scenario, kind: str, size: float) -> float:
 def margin(scenario: clpt.Scenario, kind: str) -> float:
     """Return the largest lag, delay or sampling interval that is borne; inf: all up to `MOST`."""
     start = np.add(scenario.vehicle.position, [OFF, -OFF])
-    scenario = clpt.theory.started_true(scenario).with_values(
-        {"learning.position": start}
-    )
+    scenario = scenario.started_true().with_values({"learning.position": start})
     limit = max(LOST, TIMES * largest_clpe(scenario, kind, 0.0))
     lost = LEAST
     while lost <= MOST and largest_clpe(scenario, kind, lost) <= limit:

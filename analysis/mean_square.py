@@ -84,7 +84,7 @@ def main(
             "run.duration": 400,
             "run.output_step": 0.02,
         }
-        scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(values)
+        scenario = clpt.paper_scenario().started_true().with_values(values)
         run = clpt.simulate(scenario)
         found = mean_square_bound(run, scenario)
         share = float(np.sqrt(found.left[-1] / found.right[-1]))

@@ -30,7 +30,7 @@ def reading(kernel: str, seconds: float) -> dict[str, Any]:
         {"basis.kernel": kernel, "basis.periods": seconds * paper.periods}
     )
     summary = run_and_report(scenario).summary
-    true = clpt.theory.started_true(scenario)
+    true = scenario.started_true()
     eigenvalues = clpt.gramian(true, 200.0, 200.0).eigenvalues
     return {
         "kernel": kernel,

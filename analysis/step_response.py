@@ -50,7 +50,7 @@ def main(
     out: Annotated[Path, typer.Option(help="Folder.")] = Path("out/step_response"),
 ) -> None:
     """Leave step_response.md and step_response.png."""
-    scenario = clpt.theory.started_true(clpt.paper_scenario())
+    scenario = clpt.paper_scenario().started_true()
     state = operating_point(scenario)
     model = linear_model(scenario, state)
     wrong = state.copy()

@@ -90,7 +90,7 @@ def regressor_matrices(scenario: clpt.Scenario, end: float, step: float) -> np.n
 
     Axis first, shape (2, steps, N + 3, N + 3).
     """
-    calm = clpt.theory.started_true(scenario).with_values({"flow.disturbance": None})
+    calm = scenario.started_true().with_values({"flow.disturbance": None})
     loop = clpt.closed_loop(calm)
     times = np.concatenate([[0.0], step * (np.arange(round(end / step)) + 0.5)])
     run = clpt.simulate(loop, times, initial_state=clpt.initial_state(calm))

@@ -1,4 +1,3 @@
 from .design.track_design import design_track as design_track
-from .excitation.gramian import started_true as started_true
 from .theorems.misprints import misprints as misprints
 from .theorems.theorems import audit as audit

@@ -12,4 +12,4 @@ def paper():
 
 @pytest.fixture(scope="session")
 def true_paper(paper):
-    return clpt_control.theory.started_true(paper)
+    return paper.started_true()

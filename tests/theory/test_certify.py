@@ -15,7 +15,7 @@ PAPER = clpt.paper_scenario().with_values({"run.duration": 400})
 def test_of_small_errors_the_bound_is_the_linear_contraction():
     """And that is the certificate of a learner that was started true."""
     found = certify(PAPER, 1e-16)
-    exact = clpt.gramian(clpt.theory.started_true(PAPER), 200.0, 200.0).certificate()
+    exact = clpt.gramian(PAPER.started_true(), 200.0, 200.0).certificate()
     assert (found.V[2] / found.V[1], found.drops[1]) == pytest.approx(
         (exact.contraction, exact.drop), rel=1e-6
     )

@@ -24,7 +24,7 @@ from clpt_control.theory.design.waypoint_tracks import (
     shortened,
     vehicle_alone,
 )
-from clpt_control.theory.excitation.gramian import gramian, started_true
+from clpt_control.theory.excitation.gramian import gramian
 from clpt_control.theory.excitation.regressor import joint_regressor, w_along
 
 K, DWELL = 0.5, 20.0  # of the case whose best track is known
@@ -125,7 +125,7 @@ def test_the_eigenvalue_is_that_of_the_learner_started_true(three, short):
     window, start = short.report["window"], short.report["start"]
     for scenario, key in ((three, "before"), (short.scenario, "after")):
         for source, name in (
-            (started_true(scenario), "smallest_eigenvalue"),
+            (scenario.started_true(), "smallest_eigenvalue"),
             (scenario, "of_the_run"),
         ):
             least = gramian(source, window, start).smallest
@@ -250,7 +250,7 @@ def test_what_is_searched_for_is_what_v_falls_by(paper, change):
     found, _ = Tracks(scenario, (40.0, 60.0), 100.0, 3, 1e-10, gains=gains)(
         paper.waypoints[None]
     )
-    along = joint_regressor(started_true(vehicle_alone(scenario)), 40.0, 60.0).scenario
+    along = joint_regressor(vehicle_alone(scenario).started_true(), 40.0, 60.0).scenario
     fine = np.linspace(60.0, 100.0, 40 * 100 + 1)
     times = (fine[1:] + fine[:-1]) / 2
     run = clpt.simulate(along, times)

@@ -14,7 +14,6 @@ from team_scenarios import team, vehicle
 import clpt_control as clpt_package
 from analysis.worst_disturbance import regressor_matrices
 from clpt_control import gramian
-from clpt_control.theory import started_true
 from examples import mrac
 
 KERNELS = {"exponential": (4.3331, 4.6692), "gaussian": (0.19002, 0.19353)}
@@ -97,7 +96,7 @@ def test_what_samples_far_apart_do_not_say_is_not_known(paper, step):
 def test_a_disturbed_run_is_not_said_to_learn_as_fast_as_another(paper):
     """A learner that begins true has V = 0, which Delta raises: V falls to no share of itself."""
     push = {"flow.disturbance": {"kind": "constant", "amplitude": [0.1, 0.1]}}
-    pushed = started_true(paper.with_values(push))
+    pushed = paper.with_values(push).started_true()
     before, after = clpt_package.simulate(pushed, [0.0, 200.0]).lyapunov.values
     assert after > before
     said = repr(gramian(pushed, 200.0, 0.0).certificate())
@@ -119,7 +118,7 @@ def test_a_gridded_field_needs_no_theta(tmp_path):
     flow = {"flow": {"field": str(tmp_path / "field.nc")}, "run.duration": 100}
     scenario = PAPER.with_values(flow)
     assert len(gramian(scenario, 50.0, 20.0).eigenvalues["x1"]) == 5
-    says(clpt_package.ScenarioError, "gridded", started_true, scenario)
+    says(clpt_package.ScenarioError, "gridded", scenario.started_true)
     stopped = scenario.with_values({"flow.outside": "stop", "reference.radius": 30})
     says(
         clpt_package.ScenarioError,
@@ -360,7 +359,7 @@ def test_the_ceiling_is_an_identity_of_the_blocks():
         }
     )
     truth, loop = (
-        gramian(started_true(run), 20.0, 100.0).truth,
+        gramian(run.started_true(), 20.0, 100.0).truth,
         clpt_package.closed_loop(run),
     )
     rng, own = np.random.default_rng(2), [f"vehicle_x[{i}]" for i in range(2)]

@@ -132,7 +132,7 @@ def test_a_run_stays_in_the_set(name):
         f"{key}.parameters": [[1.0], [0.9]] for key in ("flow", "model", "learning")
     }
     wave = {"kind": "square", "amplitude": [0.05, 0.0], "period": 2 * np.pi / 3.5}
-    scenario = clpt.theory.started_true(PAPER.with_values(values | flow))
+    scenario = PAPER.with_values(values | flow).started_true()
     scenario = scenario.with_values({"flow.disturbance": wave})
     vehicle, own = scenario.vehicle, law_of(name, 1)
     numbers = scenario.flow.parameters, vehicle.feedback, vehicle.feedforward

@@ -515,7 +515,7 @@ def test_a_loop_whose_V_may_rise_is_not_judged_by_its_law(values, said):
 
     Of K = KD that is held CLPE goes to zero; V' > 0 is where K is another.
     """
-    scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(values)
+    scenario = clpt.paper_scenario().started_true().with_values(values)
     if scenario.learning.adapt_gains:
         assert clpt.simulate(scenario, [0.0, 60.0]).lyapunov.values[1] > 1e-6
     with pytest.raises(

@@ -422,6 +422,36 @@ class Scenario(tables.Table):
                 table[leaf_key] = value.tolist() if by_numpy else value
         return checked_scenario(nested, "scenario", self._folder)
 
+    @public
+    def started_true(self) -> "Scenario":
+        """Return the scenario with the learner started at the truth.
+
+        That is alpha(0) = -theta, K(0) = KD, Gamma(0) = GammaD and z(0) = x(0).
+
+        Raises
+        ------
+        ScenarioError
+            If the true flow is a gridded field, which has no theta.
+
+        Examples
+        --------
+        >>> import clpt_control as clpt
+        >>> clpt.paper_scenario().started_true().learning.parameters[0]
+        (-1.0, -0.4, -0.8)
+        """
+        if self.flow.parameters is None:
+            raise ScenarioError(
+                "flow.field: a gridded field has no true parameters to start from"
+            )
+        start = {
+            "parameters": -np.array(self.flow.parameters),
+            "feedback": self.vehicle.feedback,
+            "feedforward": self.vehicle.feedforward,
+            "position": self.vehicle.position,
+            "position_lat_lon": None,
+        }
+        return self.with_values({f"learning.{key}": start[key] for key in start})
+
 
 @cache
 def _plane(lat: float, lon: float, unit: str) -> LocalPlane:

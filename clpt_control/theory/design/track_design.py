@@ -30,7 +30,7 @@ from ...paper.scenario.experiment import Scenario
 from ...simulation.integrate import sample_times, simulate
 from ...simulation.mean_squares import clpe_of_samples, step_of_means
 from ..excitation.certificates import gains_of_w
-from ..excitation.gramian import gramian, started_true
+from ..excitation.gramian import gramian
 from ..excitation.regressor import checked_window
 from .search import FINE, best_waypoints
 from .waypoint_tracks import (
@@ -276,7 +276,7 @@ def _track_report(
     scenario = learning.scenario
     ceiling = None
     if scenario.vehicle.max_speed is None:
-        exact = gramian(started_true(vehicle_alone(scenario)), *span)
+        exact = gramian(vehicle_alone(scenario).started_true(), *span)
         ceiling = min(exact.ceilings.values(), default=None)
     corner = extremes.low[0].min(axis=0), extremes.high[0].max(axis=0)
     return {

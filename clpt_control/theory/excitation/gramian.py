@@ -22,7 +22,7 @@ import control
 import numpy as np
 
 from ...base.arguments import public
-from ...base.errors import ArgumentError, ClptError, ScenarioError
+from ...base.errors import ArgumentError, ClptError
 from ...base.html import fragment, paragraphs, table
 from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.recorded_run import is_response
@@ -216,46 +216,6 @@ def factor(rows: np.ndarray) -> np.ndarray:
 
 
 @public
-def started_true(scenario: Scenario) -> Scenario:
-    """Return the scenario with the learner started true.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        With flow parameters theta and the learned-flow law.
-
-    Returns
-    -------
-    Scenario
-        alpha(0) = -theta, K(0) = KD, Gamma(0) = GammaD, z(0) = x(0).
-
-    Raises
-    ------
-    ScenarioError
-        If the true flow is a gridded field, which has no theta.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> clpt.theory.started_true(clpt.paper_scenario()).learning.parameters[0]
-    (-1.0, -0.4, -0.8)
-    """
-    if scenario.flow.parameters is None:
-        raise ScenarioError(
-            "flow.field: a gridded field has no true parameters to start from"
-        )
-    return scenario.with_values(
-        {
-            "learning.parameters": (-np.array(scenario.flow.parameters)),
-            "learning.feedback": scenario.vehicle.feedback,
-            "learning.feedforward": scenario.vehicle.feedforward,
-            "learning.position": scenario.vehicle.position,
-            "learning.position_lat_lon": None,
-        }
-    )
-
-
-@public
 def gramian(
     source: AnySource | control.InputOutputSystem,
     window: float | None = None,
@@ -308,7 +268,7 @@ def gramian(
     Examples
     --------
     >>> import clpt_control as clpt
-    >>> true = clpt.theory.started_true(clpt.paper_scenario())
+    >>> true = clpt.paper_scenario().started_true()
     >>> found = clpt.gramian(true, 200.0, 200.0)
     >>> [round(float(values[0]), 3) for values in found.eigenvalues.values()]
     [4.333, 4.669]

@@ -23,7 +23,6 @@ from ...paper.scenario.experiment import Scenario
 from ...paper.scenario.file import paper_scenario
 from ...simulation.flows import flow_velocity
 from ...simulation.integrate import sample_times, simulate
-from ..excitation.gramian import started_true
 
 if TYPE_CHECKING:
     import xarray
@@ -95,7 +94,7 @@ def printed_bound(
 
     >>> import clpt_control as clpt
     >>> wave = {"kind": "square", "amplitude": [0.05, 0.0], "period": 1.8}
-    >>> scenario = clpt.theory.started_true(clpt.paper_scenario()).with_values(
+    >>> scenario = clpt.paper_scenario().started_true().with_values(
     ...     {"flow.disturbance": wave, "run.duration": 40, "run.output_step": 0.05}
     ... )
     >>> printed_bound(scenario, clpt.simulate(scenario), 0.0).ratio > 1
@@ -193,7 +192,7 @@ def with_square_wave(
     """Return the scenario started true, with Delta = (amplitude sign(sin(frequency t)), 0)."""
     period = 2 * np.pi / frequency
     wave = {"kind": "square", "amplitude": [amplitude, 0.0], "period": period}
-    return started_true(scenario).with_values({"flow.disturbance": wave})
+    return scenario.started_true().with_values({"flow.disturbance": wave})
 
 
 def disturbance_counterexample(
@@ -226,7 +225,7 @@ def known_flow_counterexample(
     Slow adaptation stores the tidal residual of one waypoint in K and Gamma and returns it
     at the next.  The run is measured from start to end, s, at samples each `step`.
     """
-    true = started_true(paper_scenario())
+    true = paper_scenario().started_true()
     estimate = np.array(true.flow.parameters)
     estimate[1, 0] -= 0.1
     scenario = true.with_values(
@@ -249,8 +248,16 @@ def limited_speed_counterexample(
     Theorem 3.2 does not hold without hedging.  The runs start at the true parameters and end at
     `end`, s, so that the limited command alone drives e.
     """
-    scenario = started_true(paper_scenario()).with_values(
-        {"vehicle.max_speed": max_speed, "run.duration": end, "run.output_step": 0.1}
+    scenario = (
+        paper_scenario()
+        .started_true()
+        .with_values(
+            {
+                "vehicle.max_speed": max_speed,
+                "run.duration": end,
+                "run.output_step": 0.1,
+            }
+        )
     )
     hedged = simulate(scenario.with_values({"learning.hedging": True}))
     unhedged = simulate(scenario.with_values({"learning.hedging": False}))

@@ -87,7 +87,7 @@ def test_what_is_not_ours_is_one_sentence(made):
 
 
 def test_a_run_is_linearized_at_one_of_its_times(scenario):
-    scenario = clpt.theory.started_true(scenario)
+    scenario = scenario.started_true()
     run = clpt.simulate(scenario)
     made = run.clpt.linearize(10.0, input="zc", output="x", minimal=True)
     steered = clpt.closed_loop(scenario, external="zc")
