@@ -1,4 +1,4 @@
-"""Candidate designs of a tuning, and the sampled flows on which they are tested.
+"""LawDesign designs of a tuning, and the sampled flows on which they are tested.
 
 A candidate is a law of the table that learns, with a gain and a filter.  First each law is tested
 with its defaults, with K and Gamma adapted or fixed at the vehicle's gains.  Then the best laws are
@@ -28,7 +28,7 @@ GAINS = (0.25, 1.0, 4.0)
 FILTERS = (0.5, 1.0, 2.0)
 
 
-class Candidate(NamedTuple):
+class LawDesign(NamedTuple):
     """A law with its gain and filter, as values of a scenario."""
 
     law: str
@@ -56,7 +56,7 @@ def laws_to_try(names: tuple[str, ...]) -> tuple[list[Law], dict[str, str]]:
     return [law for law in rows if law.name not in idle], idle
 
 
-def factors_of(candidate: Candidate) -> list[tuple[float, float]]:
+def factors_of(candidate: LawDesign) -> list[tuple[float, float]]:
     """Return the pairs of factors on gain and filter, without (1, 1)."""
     gains = GAINS if candidate.gain is not None else (1.0,)
     filters = FILTERS if candidate.filter is not None else (1.0,)
@@ -69,7 +69,7 @@ def candidate(
     gains_fixed: bool,
     gain: float = 1.0,
     pole: float = 1.0,
-) -> Candidate:
+) -> LawDesign:
     """Return a candidate: a law, with factors on its gain and on the pole of its filter."""
     vehicle = scenario.vehicle
     unused = ["gains", "parameters" if law.alpha_is_constant else "theta_estimate"]
@@ -93,7 +93,7 @@ def candidate(
         filter_pole = pole * float(law.block(context).parameters.filter)
         if pole != 1.0:
             values[f"learning.{law.table}.filter"] = filter_pole
-    return Candidate(law.name, used_gain, gains_fixed, filter_pole, values)
+    return LawDesign(law.name, used_gain, gains_fixed, filter_pole, values)
 
 
 def _gain(scenario: Scenario, law: Law) -> float:

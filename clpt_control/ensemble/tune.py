@@ -27,7 +27,7 @@ from ..theory.design.track_design import time_below
 from ..theory.design.waypoint_tracks import Tracks
 from ..theory.excitation.regressor import checked_window
 from .candidates import (
-    Candidate,
+    LawDesign,
     Unknown,
     belief,
     candidate,
@@ -50,7 +50,7 @@ HIDDEN = (
 class Score(NamedTuple):
     """Score of one candidate over the members."""
 
-    candidate: Candidate
+    candidate: LawDesign
     error: (
         float  # median of the largest flow-parameter error at the end, length per time
     )
@@ -166,7 +166,7 @@ def tune_law(
         for gains_fixed in (False, True):
             test(law, gains_fixed)
     # 2. the best laws on a grid of gains and filters
-    finalists: dict[str, Candidate] = {}  # the best of each law
+    finalists: dict[str, LawDesign] = {}  # the best of each law
     for score in ranked(scores):
         finalists.setdefault(score.candidate.law, score.candidate)
     best_few = list(finalists.values())[:FINALISTS]
@@ -224,7 +224,7 @@ def ranked(scores: list[Score]) -> list[Score]:
 # --- score of a candidate: medians over an ensemble ----------------------------------------------
 
 
-def score_of(unknown: Unknown, candidate: Candidate, members: int, seed: int) -> Score:
+def score_of(unknown: Unknown, candidate: LawDesign, members: int, seed: int) -> Score:
     """Run a candidate on the sampled flows, the same for every candidate, and return its score."""
     scenario = unknown.scenario.with_values(candidate.values)
     marks = np.linspace(0.0, scenario.run.duration, MARKS + 1)

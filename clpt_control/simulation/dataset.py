@@ -90,7 +90,7 @@ def scenario_template(
         unit = unit_of(units, lengths, rates)
         variables[name] = _series(dims, signals.of(port, *shape), long_name, unit)
     if scenario.origin is not None and "position" in table:
-        variables |= _places(scenario, signals.of(table["position"][0], 2))
+        variables |= _coordinates(scenario, signals.of(table["position"][0], 2))
     variables |= _estimates(scenario, signals, LAW in replaced)
     truths, note = _truths(scenario, signals, replaced)
     variables |= truths
@@ -139,14 +139,14 @@ def _series(dims: tuple[str, ...], series: Any, long_name: str, unit: str) -> Se
     return Series(dims, series, {"long_name": long_name, "units": unit})
 
 
-def _places(scenario: Scenario, position: Any) -> dict[str, Series]:
+def _coordinates(scenario: Scenario, position: Any) -> dict[str, Series]:
     """Return latitude and longitude of the vehicle on the local plane of the scenario."""
     plane = scenario.plane
 
     def coordinate(k: int, signals: np.ndarray) -> np.ndarray:
         return np.asarray(plane.to_earth(*position(signals).T)[k])
 
-    places = {}
+    coordinates = {}
     units = {"latitude": "degrees_north", "longitude": "degrees_east"}
     for k, (name, unit) in enumerate(units.items()):
         attributes = {
@@ -154,8 +154,8 @@ def _places(scenario: Scenario, position: Any) -> dict[str, Series]:
             "long_name": f"{name} of the vehicle",
             "units": unit,
         }
-        places[name] = Series(("time",), partial(coordinate, k), attributes)
-    return places
+        coordinates[name] = Series(("time",), partial(coordinate, k), attributes)
+    return coordinates
 
 
 def _estimates(

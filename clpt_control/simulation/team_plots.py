@@ -1,29 +1,14 @@
-"""Plot of a team's run: tracks, prediction errors and errors of the flow parameters.
+"""Plot of a team's run: tracks, prediction errors and errors of the flow parameters."""
 
-`run_figures` returns the figures of any run with the names of their files.
-"""
-
-from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..base.arguments import public
-from ..base.figures import COLOURS, GREY, TITLE, axes_for, figure_of
+from ..base.figures import COLOURS, GREY, TITLE, axes_for
 from ..paper.scenario.recorded_run import check_run
-from ..paper.scenario.run_constants import TEAM
 from ..paper.scenario.team import team_of_run
-from .comparison import response_plot
-from .run_plots import clpe_plot, learning_plot
-from .track_chart import (
-    draw_first_flow,
-    draw_track,
-    positive,
-    run_style,
-    square_chart,
-    track_plot,
-)
+from .track_chart import draw_first_flow, draw_track, positive, run_style, square_chart
 
 if TYPE_CHECKING:
     import xarray
@@ -74,27 +59,3 @@ def team_plot(run: "xarray.Dataset", *, ax: Any = None) -> Any:
     for panel in (top, bottom):
         panel.set_xlim(time[0], time[-1])
     return axes
-
-
-def run_figures(
-    run: "xarray.Dataset", folder: Path, kinds: Sequence[str] = ("png",)
-) -> dict[Path, Any]:
-    """Return the figures of a run by file: figure1.png to figure4.png, team.png or response.png.
-
-    Figures 1 to 4 are the track, CLPE, and the learning of both axes.
-    """
-    plots: dict[str, Any] = {
-        "figure1": (track_plot,),
-        "figure2": (clpe_plot,),
-        "figure3": (learning_plot, 1),
-        "figure4": (learning_plot, 2),
-    }
-    if TEAM in run.attrs:
-        plots = {"team": (team_plot,)}
-    elif "scenario" not in run.attrs:
-        plots = {"response": (response_plot,)}
-    figures: dict[Path, Any] = {}
-    for name, (plot, *axis) in plots.items():
-        figure = figure_of(plot, run, *axis)
-        figures |= {folder / f"{name}.{kind}": figure for kind in kinds}
-    return figures

@@ -7,7 +7,7 @@ from error_sentences import says
 import clpt_control
 from clpt_control import ScenarioError, tune_law
 from clpt_control.ensemble.candidates import (
-    Candidate,
+    LawDesign,
     belief,
     candidate,
     factors_of,
@@ -30,7 +30,7 @@ def short(paper):
 
 def scored(law, score, time=np.inf, failed=0, error=1.0):
     return Score(
-        Candidate(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed
+        LawDesign(law, 1.0, False, None, {}), error, error, 1.0, time, score, failed
     )
 
 

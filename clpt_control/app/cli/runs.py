@@ -93,14 +93,13 @@ def paper(
     from ...base.figures import checked_formats
     from ...simulation.run_file import as_written
     from ...simulation.summary import claims, run_and_report
-    from ...simulation.team_plots import run_figures
     from ..pages.results import claims_result
 
     kinds = checked_formats(formats or ["png"])
     scenario, folder = clpt.paper_scenario(), make_folder(out)
     with progress_bar("section IV", scenario.run.duration) as report:
         run, fine, summary = run_and_report(scenario, report)
-    drawn, file = run_figures(fine, folder, kinds), folder / "run.nc"
+    drawn, file = _run_figures(fine, folder, kinds), folder / "run.nc"
     write_together({file: as_written(run, file), **drawn})
     summary["claims"] = claims(summary)
     first_figure, *_, last_figure = drawn
@@ -129,7 +128,6 @@ def run(
     """
     from ...base.figures import checked_formats
     from ...simulation.run_file import as_written, recorded_arguments
-    from ...simulation.team_plots import run_figures
     from ...theory.excitation.gramian import not_learned
 
     kinds = checked_formats(formats or ["png"])
@@ -157,9 +155,35 @@ def run(
         if missing := not_learned(result):
             table = table._replace(sentences=[*table.sentences, missing])
             summary["not_learnable"] = missing
-    drawn = {} if folder is None else run_figures(fine, folder, kinds)
+    drawn = {} if folder is None else _run_figures(fine, folder, kinds)
     write_together({out: as_written(result, out), **drawn})
     finish([table], summary, as_json, out)
+
+
+def _run_figures(run: Any, folder: Path, kinds: tuple[str, ...]) -> dict[Path, Any]:
+    """Return the figures of a run by file: figure1.png to figure4.png, or team.png.
+
+    Figures 1 to 4 are the track, CLPE, and the learning of both axes.
+    """
+    from ...base.figures import figure_of
+    from ...paper.scenario.run_constants import TEAM
+    from ...simulation.run_plots import clpe_plot, learning_plot
+    from ...simulation.team_plots import team_plot
+    from ...simulation.track_chart import track_plot
+
+    plots: dict[str, Any] = {
+        "figure1": (track_plot,),
+        "figure2": (clpe_plot,),
+        "figure3": (learning_plot, 1),
+        "figure4": (learning_plot, 2),
+    }
+    if TEAM in run.attrs:
+        plots = {"team": (team_plot,)}
+    figures: dict[Path, Any] = {}
+    for name, (plot, *axis) in plots.items():
+        figure = figure_of(plot, run, *axis)
+        figures |= {folder / f"{name}.{kind}": figure for kind in kinds}
+    return figures
 
 
 def export(

@@ -22,7 +22,7 @@ from ...ensemble.ensemble_statistics import (
 )
 from ...simulation.comparison import MAX_PORTS
 from .page import Page, Section, drawn, versions_section
-from .results import Numbers
+from .results import Summary
 
 MOST_ROUNDS = 8
 MOST_PORTS = 12  # outputs of a diagram, a figure each
@@ -74,7 +74,7 @@ def ensemble_page(data: Dataset, title: str | None) -> Page:
     )
 
 
-def _spread(data: Dataset, summary: Numbers, completed: int) -> Section:
+def _spread(data: Dataset, summary: Summary, completed: int) -> Section:
     """Return percentiles, drawn and as a table."""
     if not completed:
         return Section("spread", SPREAD, NOT_BEGUN)
@@ -87,7 +87,7 @@ def _spread(data: Dataset, summary: Numbers, completed: int) -> Section:
     return Section("spread", SPREAD, result, [figure])
 
 
-def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
+def ensemble_result(data: Dataset, summary: Summary, name: str) -> Result:
     """Return percentiles over the members; of many cycles the first and the last."""
     length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
     rows, cycles = [], summary["clpe_rms_per_cycle"]
@@ -117,7 +117,7 @@ def ensemble_result(data: Dataset, summary: Numbers, name: str) -> Result:
 
 
 def _percentile_table(
-    summary: Numbers, name: str, rows: list[list[str]], sentences: list[str]
+    summary: Summary, name: str, rows: list[list[str]], sentences: list[str]
 ) -> Result:
     """Return rows of percentiles under their heading, which tells how the members ended."""
     ended = ", ".join(
@@ -131,7 +131,7 @@ def _percentile_table(
     return Result(f"{name}: {ended}", columns, rows, sentences)
 
 
-def _diagram_spread(data: Dataset, summary: Numbers, completed: int) -> Section:
+def _diagram_spread(data: Dataset, summary: Summary, completed: int) -> Section:
     """Return percentiles of a diagram's outputs over time, drawn, and of its summaries."""
     if not completed:
         return Section("spread", SPREAD, NOT_BEGUN)

@@ -30,10 +30,10 @@ OF_A_RUN = (  # figures that a run carries, of which pages speak
     ),
     *("flow_error", "max_gain_error", "explained_variance", "speed"),
 )
-Numbers = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
+Summary = dict[str, Any]  # figures of a run by name, as `run_and_report` has them
 
 
-def numbers_of(run: Dataset, system: Scenario | Team) -> Numbers:
+def numbers_of(run: Dataset, system: Scenario | Team) -> Summary:
     """Return a run's figures by the names of `run_and_report`; `of_samples` if they are less.
 
     Those that the run carries count if they are of its own end and can be shown.
@@ -78,7 +78,7 @@ def asked(system: Scenario | Team, waypoints: int) -> str:
     return f"{subject} for {span} in {water}; law {scenario.learning.law}"
 
 
-def run_result(summary: Numbers, title: str) -> Result:
+def run_result(summary: Summary, title: str) -> Result:
     """Return what a vehicle achieved in its run, or each of a team's."""
     length, time = summary["units"]["length"], summary["units"]["time"]
     rows = [["status", summary["message"]]]
@@ -106,7 +106,7 @@ def run_result(summary: Numbers, title: str) -> Result:
     return Result(title, ["", ""], rows, learning_advice(by_vehicle))
 
 
-def learning_advice(by_vehicle: dict[str, Numbers]) -> list[str]:
+def learning_advice(by_vehicle: dict[str, Summary]) -> list[str]:
     """Return a sentence for each vehicle that did not learn, with the remedy."""
     sentences = []
     for vehicle, numbers in by_vehicle.items():
@@ -122,7 +122,7 @@ def learning_advice(by_vehicle: dict[str, Numbers]) -> list[str]:
     return sentences
 
 
-def _achieved(numbers: Numbers, length: str, time: str) -> list[list[str]]:
+def _achieved(numbers: Summary, length: str, time: str) -> list[list[str]]:
     """Return rows of what one vehicle achieved."""
     rows = []
     if rms := numbers.get("clpe_rms_per_cycle"):

@@ -25,7 +25,7 @@ from ...simulation.track_chart import track_plot
 from ...theory.excitation.gramian import gramian
 from . import results
 from .page import Drawn, Page, Section, drawn, versions_section
-from .results import Numbers
+from .results import Summary
 
 KINDS = ("Run of a scenario", "Run of a diagram")
 ALL = "<p>All that was asked, as a file for <code>clpt run</code>:</p>"
@@ -95,7 +95,7 @@ def _ended(run: Dataset) -> list[str]:
     return [f"{message}."] if "; " in str(message) else []
 
 
-def _warnings(run: Dataset, scenario: Scenario, numbers: Numbers) -> list[str]:
+def _warnings(run: Dataset, scenario: Scenario, numbers: Summary) -> list[str]:
     """Return what a reader must know before the figures."""
     sentences = []
     begin, end = float(run.time[0]), float(run.time[-1])
