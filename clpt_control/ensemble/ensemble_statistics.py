@@ -13,9 +13,9 @@ import numpy as np
 
 from ..base.arguments import check_holds, public
 from ..base.errors import ArgumentError
-from ..base.figures import BLUE, GREY, RED, TITLE, axes_for, legend_above_data, literal
+from ..base.figures import BLUE, GREY, TITLE, axes_for, legend_above_data, literal
 from ..simulation.comparison import named, panels_for
-from .summaries import STATUS
+from .store import STATUS
 
 if TYPE_CHECKING:
     import xarray
@@ -67,49 +67,20 @@ def ensemble_summary(data: "xarray.Dataset") -> dict[str, Any]:
     {'finished': 3}
     """
     check_holds("ensemble_summary: data", data, ["status"], ENSEMBLE)
-    of_diagram = is_of_diagram(data)
-    data = by_member(data) if of_diagram else data
+    data = by_member(data)
     status = data["status"].values
     failed = np.flatnonzero(status != 1)
-    summary: dict[str, Any] = {
+    return {
         "title": data.attrs["title"],
         "members": len(status),
         "ended": {STATUS[k]: int(np.sum(status == k)) for k in np.unique(status)},
         "first_failed": int(failed[0]) if len(failed) else None,
         "percents": list(PERCENTS),
-    }
-    if of_diagram:
-        summary["summaries"] = {
-            named(label, one.attrs.get("units")): _listed(_percentiles_of(one)[:, 0])
+        "summaries": {
+            named(label, unit_of(one)): _listed(_percentiles_of(one)[:, 0])
             for label, one in summaries_of(data).items()
-        }
-        return summary
-    required = ["clpe_rms", "clpe_rms_whole"]
-    check_holds("ensemble_summary: data", data, required, ENSEMBLE)
-    summary["units"] = {
-        "length": data["clpe_rms"].attrs["units"],
-        "time": data["mark"].attrs["units"],
+        },
     }
-    summary["clpe_rms_per_cycle"] = [
-        _listed(column) for column in percentiles(data, "clpe_rms").T
-    ]
-    at_end = data.isel(mark=[-1])
-    whole_run = data[["clpe_rms_whole"]].expand_dims("one", axis=1)
-    summary["clpe_rms"] = _listed(percentiles(whole_run, "clpe_rms_whole")[:, 0])
-    if "flow_error" in data:
-        errors = data[["flow_error"]].expand_dims("one", axis=1)
-        summary["flow_error"] = _listed(percentiles(errors, "flow_error")[:, 0])
-    for name in ("flow_parameter_error", "gain_error"):
-        if name in data:
-            summary[f"{name}_at_end"] = _listed(percentiles(at_end, name)[:, 0])
-    if "share_in_faster_flow" in data:
-        share = data["share_in_faster_flow"].values
-        largest = float(np.nanmax(share, initial=0.0))
-        summary["faster_flow"] = {
-            "members": int(np.sum(share > 0)),
-            "largest_share": largest,
-        }
-    return summary
 
 
 def is_of_diagram(data: "xarray.Dataset") -> bool:
@@ -125,14 +96,23 @@ def by_member(data: "xarray.Dataset") -> "xarray.Dataset":
     return data.transpose("member", ...)
 
 
-def signals_over_time(data: "xarray.Dataset") -> "dict[str, xarray.DataArray]":
-    """Return each output over time, shape (member, time), by its label."""
-    ports = [port for port in data.data_vars.values() if "time" in port.dims]
-    return {label: signal for port in ports for label, signal in _elements(port)}
+def curves_of(data: "xarray.Dataset") -> "dict[str, xarray.DataArray]":
+    """Return percentile curves, shape (member, times or cycles), by their labels.
+
+    Of a scenario these are the CLPE in each cycle and the error of what was learned, of a diagram
+    its outputs over time.
+    """
+    if is_of_diagram(data):
+        ports = [port for port in data.data_vars.values() if "time" in port.dims]
+        return {label: signal for port in ports for label, signal in _elements(port)}
+    errors = [name for name in ("flow_parameter_error", "gain_error") if name in data]
+    return {name: data[name] for name in ("clpe_rms", *errors[:1])}
 
 
 def summaries_of(data: "xarray.Dataset") -> "dict[str, xarray.DataArray]":
-    """Return each summary, shape (member,), by its label."""
+    """Return each summary, shape (member,), by its label; errors at the last mark."""
+    if "mark" in data.dims:
+        data = data.isel(mark=[-1])
     names = [name for name in data.data_vars if name not in ("status", "end")]
     summaries = [data[name] for name in names if "time" not in data[name].dims]
     return {label: one for array in summaries for label, one in _elements(array)}
@@ -148,11 +128,14 @@ def rms_of(data: "xarray.Dataset") -> "dict[str, xarray.DataArray]":
 
 
 def _elements(array: "xarray.DataArray") -> "Iterator[tuple[str, xarray.DataArray]]":
-    """Yield the label and the values of each signal of a port: ``e``, or ``e[0]``, ``e[1]``."""
+    """Yield the label and the values of each number of an array: ``e[0]``, ``e cycle 1``."""
     dims = [dim for dim in array.dims if dim not in ("member", "time")]
     for index in np.ndindex(*(array.sizes[dim] for dim in dims)):
-        numbers = "".join(f"[{k}]" for k in index)
-        yield f"{array.name}{numbers}", array.isel(dict(zip(dims, index, strict=True)))
+        label = str(array.name)
+        for dim, k in zip(dims, index, strict=True):
+            is_cycle = dim in ("cycle", "mark")
+            label += f" {dim} {array[dim].values[k]:g}" if is_cycle else f"[{k}]"
+        yield label, array.isel(dict(zip(dims, index, strict=True)))
 
 
 def _percentiles_of(signal: "xarray.DataArray") -> np.ndarray:
@@ -175,95 +158,62 @@ def _listed(column: np.ndarray) -> list[float] | None:
 def ensemble_plot(data: "xarray.Dataset", *, ax: Any = None) -> np.ndarray:
     """Draw percentiles of CLPE and of the parameter error, or of a diagram's outputs.
 
+    Without trajectories, the rms of a diagram's outputs is drawn over the first varied number.
+
     >>> import clpt_control as clpt
     >>> scenario = clpt.paper_scenario().with_values({"run.duration": 20})
     >>> data = clpt.run_ensemble(scenario, "learning.gain=0.2:2.0", 3)
     >>> clpe, error = ensemble_plot(data)
     """
-    if is_of_diagram(data):
-        return _diagram_plot(by_member(data), ax)
-    check_holds("ensemble_plot: data", data, ["clpe_rms"], ENSEMBLE)
-    axes = axes_for(ax, 6.4, 6.0, nrows=2)
-    length, time = data["clpe_rms"].attrs["units"], data["mark"].attrs["units"]
-    # 1. CLPE
-    cycles = np.arange(1, data.sizes["cycle"] + 1)
-    count = f"{data.sizes['member']:,}".replace(",", " ")
-    title = f"CLPE of {count} members"
-    labels = {"xlabel": "cycle of the waypoints", "ylabel": f"CLPE rms ({length})"}
-    _draw_panel(axes[0], cycles, percentiles(data, "clpe_rms"), BLUE, title, labels)
-    axes[0].xaxis.get_major_locator().set_params(integer=True)
-    # 2. the error of the flow parameters, or of the gains
-    errors = [name for name in ("flow_parameter_error", "gain_error") if name in data]
-    if not errors:
-        _draw_message(axes[1], "neither flow parameters nor gains have a known truth")
-        return axes
-    name = errors[0]
-    title = f"Largest error of a {name.removesuffix('_error').replace('_', ' ')}"
-    labels = {"xlabel": f"time ({time})", "ylabel": f"error ({unit_of(data[name])})"}
-    marks = data["mark"].values
-    _draw_panel(axes[1], marks, percentiles(data, name), RED, title, labels)
-    return axes
-
-
-def _draw_message(ax: Any, message: str) -> None:
-    ax.text(0.5, 0.5, message, ha="center", color=GREY, transform=ax.transAxes)
-    ax.set_axis_off()
-
-
-def _draw_panel(
-    ax: Any,
-    x: np.ndarray,
-    bands: np.ndarray,
-    color: str,
-    title: str,
-    labels: dict[str, str],
-) -> None:
-    """Draw percentiles over x, on a logarithmic axis if they are positive."""
-    ax.set_title(title, **TITLE)
-    if not _draw_bands(ax, x, bands, color):
-        return
-    ax.set(**labels)
-    if np.nanmin(bands) > 0:
-        ax.set_yscale("log")
-    legend_above_data(ax)
-
-
-def _draw_bands(ax: Any, x: np.ndarray, bands: np.ndarray, color: str) -> bool:
-    """Draw percentiles over x; return whether there are any."""
-    if not np.isfinite(bands).any():
-        _draw_message(ax, "no run has come so far")
-        return False
-    low, quarter, median, three_quarters, high = bands
-    area = {"color": color, "linewidth": 0}
-    ax.fill_between(x, low, high, alpha=0.18, label="5 to 95 %", **area)
-    ax.fill_between(x, quarter, three_quarters, alpha=0.35, label="25 to 75 %", **area)
-    line = {"color": color, "marker": "o" if len(x) < 12 else None}
-    ax.plot(x, median, linewidth=1.5, markersize=4, label="median", **line)
-    for edge in (low, high):
-        ax.plot(x, edge, linewidth=0.6, linestyle="--", markersize=2, **line)
-    return True
-
-
-def _diagram_plot(data: "xarray.Dataset", ax: Any) -> Any:
-    """Draw percentiles over time of each output; without trajectories, rms over a varied number."""
-    signals = signals_over_time(data)
-    stored = bool(signals)
-    signals = signals or rms_of(data)
-    axes = panels_for(ax, len(signals), f"data[{[*data.data_vars][-1:]}]")
+    of_diagram = is_of_diagram(data)
+    required = [] if of_diagram else ["clpe_rms"]
+    check_holds("ensemble_plot: data", data, required, ENSEMBLE)
+    data = by_member(data)
+    curves = curves_of(data)
+    shown = curves or rms_of(data)
+    if of_diagram:
+        axes = panels_for(ax, len(shown), f"data[{[*data.data_vars][-1:]}]")
+    else:
+        axes = axes_for(ax, 6.4, 3.0 * len(shown), nrows=len(shown))
     panels = np.ravel(axes)
-    x = data["time"] if stored else _first_varied(data)
-    for panel, (label, signal) in zip(panels, signals.items(), strict=True):
-        if stored:
-            _draw_bands(panel, x.values, _percentiles_of(signal), BLUE)
+    for panel, (label, values) in zip(panels, shown.items(), strict=True):
+        x = values[values.dims[1]] if curves else _first_varied(data)
+        if curves:
+            _draw_bands(panel, x, _percentiles_of(values))
         else:
-            panel.plot(x.values, signal.values, ".", color=BLUE)
-        panel.set_ylabel(literal(named(label, signal.attrs.get("units"))))
+            panel.plot(x.values, values.values, ".", color=BLUE)
+        panel.set_ylabel(literal(named(label, unit_of(values))))
+        if panel is panels[-1] or not of_diagram:
+            name = x.attrs.get("long_name", str(x.name))
+            panel.set_xlabel(literal(named(name, x.attrs.get("units"))))
     count = f"{data.sizes['member']:,}".replace(",", " ")
     panels[0].set_title(f"{count} members", **TITLE)
-    if stored and panels[0].lines:
+    if curves and panels[0].lines:
         legend_above_data(panels[0])
-    panels[-1].set_xlabel(literal(named(str(x.name), x.attrs.get("units"))))
     return axes
+
+
+def _draw_bands(ax: Any, x: "xarray.DataArray", bands: np.ndarray) -> None:
+    """Draw percentiles over x, on a logarithmic axis if they are positive and not over time."""
+    if not np.isfinite(bands).any():
+        message = "no run has come so far"
+        ax.text(0.5, 0.5, message, ha="center", color=GREY, transform=ax.transAxes)
+        ax.set_axis_off()
+        return
+    low, quarter, median, three_quarters, high = bands
+    times, area = x.values, {"color": BLUE, "linewidth": 0}
+    ax.fill_between(times, low, high, alpha=0.18, label="5 to 95 %", **area)
+    ax.fill_between(
+        times, quarter, three_quarters, alpha=0.35, label="25 to 75 %", **area
+    )
+    line = {"color": BLUE, "marker": "o" if len(times) < 12 else None}
+    ax.plot(times, median, linewidth=1.5, markersize=4, label="median", **line)
+    for edge in (low, high):
+        ax.plot(times, edge, linewidth=0.6, linestyle="--", markersize=2, **line)
+    if x.name != "time" and np.nanmin(bands) > 0:
+        ax.set_yscale("log")
+    if times.dtype.kind == "i":  # cycles
+        ax.xaxis.get_major_locator().set_params(integer=True)
 
 
 def _first_varied(data: "xarray.Dataset") -> "xarray.DataArray":

@@ -6,9 +6,9 @@ changes others (frequencies follow from periods), moves breakpoints or is an inp
 cannot be compiled, and those in discrete time, run in Python, one member after the other.
 
 The varied system is a `VariedScenario` or a `VariedDiagram`.  Its methods per key: `why_not`,
-`check`, `location`, `one_by_one`.  Its method `member` makes one member, `arrays` and `summarise`
-are the layout and the values of the summaries.  It is pickled for workers: threads and other
-machines run and summarise members in the same way.
+`check`, `location`, `one_by_one`, `key_layout`.  Its method `member` makes one member.  Its
+`summaries` are names and series, functions of its `batch`, and `axes` are their dimensions.  It is
+pickled for workers: threads and other machines run and summarise members in the same way.
 """
 
 import hashlib
@@ -305,7 +305,10 @@ class Ensemble:
                     self.native.callee(lanes)
         states = self.run(members, varied.state_times)
         with np.errstate(all="ignore"):  # failed members may have any values
-            return varied.summarise(self, members, values, states)
+            batch = varied.batch(varied, self, members, values, states)
+            result = {name: series.of(batch) for name, series in varied.summaries}
+        end = varied.state_times[np.clip(states.reached - 1, 0, None)]
+        return {**result, "status": batch.run.status.astype("int8"), "end": end}
 
     def single(self, values: Values, m: int) -> tuple[Any, tuple, dict[str, Any]]:
         """Return the runner of one member, and the arguments of its `run`."""
@@ -314,6 +317,17 @@ class Ensemble:
         options = {} if self.native.wiring.dt else self.varied.options
         runner = self.native.with_parameters(parameters)
         return runner, (start, self.varied.state_times), {"inputs": inputs, **options}
+
+
+@dataclass
+class MemberBatch:
+    """Members that ran; its subclasses summarise them."""
+
+    varied: Varied
+    ensemble: Ensemble
+    members: Members
+    values: Values
+    run: States
 
 
 def replace_rows(result: Sequence[np.ndarray], members: Any, batch: Batch) -> None:

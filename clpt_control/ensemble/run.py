@@ -37,8 +37,7 @@ from ..paper.scenario.experiment import Scenario
 from ..simulation.loops import loop_of
 from .members import Ensemble, Values, concatenated, cut, ensemble_of, verified_ensemble
 from .sampled_parameters import check_varies, draw_members, grid_count, read_varies
-from .store import Store, begun_or_made, open_store, remove_empty
-from .summaries import STATUS, Arrays
+from .store import STATUS, Store, arrays_of, begun_or_made, open_store, remove_empty
 from .varied_diagram import VariedDiagram
 from .varied_scenario import VariedScenario
 
@@ -210,7 +209,7 @@ def run_ensemble(
     identity = varied.arguments(path)
     ensemble = verified_ensemble(varied, values)
     recipe = b"" if dask is None else ensemble.recipe
-    arrays = varied.arrays(values)
+    arrays = arrays_of(varied, values)
     arguments = {
         **identity,
         "vary": [item.text for item in varies],
@@ -416,7 +415,7 @@ def run_chunk(index: int, recipe: bytes, code: str, path: str) -> None:
         store.write(index, concatenated([*map(ensemble.summaries, batches)]))
 
 
-def _chunk(chunk: int | None, arrays: Arrays) -> int:
+def _chunk(chunk: int | None, arrays: "Mapping[str, xarray.Variable]") -> int:
     """Return the number of members of a chunk."""
     if chunk is None:
         trajectories = (array for array in arrays.values() if "time" in array.dims)

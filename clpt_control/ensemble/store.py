@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from ..base.errors import DataError, import_optional
+from ..base.errors import DataError, ScenarioError, import_optional
 from ..base.files import atomic_path
 from ..base.files.reading import LARGEST, SLASH, renamed, zarr_store
-from .members import Values
-from .summaries import Arrays, StoredArray
+from ..engine.solver.solver_layout import Status
+from .members import Values, Varied, member_count
 
 if TYPE_CHECKING:
     import xarray
@@ -33,6 +33,47 @@ if TYPE_CHECKING:
 ARGUMENTS, CODE, DIGESTS, DONE = "ensemble", "code", "digests", "done"
 REPEATED = ("scenario", "vary", "design", "seed")  # arguments that are also attributes
 SOFTWARE = ("clpt-control", "llvmlite", "numpy", "scipy", "zarr")
+# stiff members are continued by an implicit method and end otherwise
+STATUS = tuple(status.label for status in Status if status != Status.STIFF)
+FLAGS = {"flag_values": list(range(len(STATUS))), "flag_meanings": " ".join(STATUS)}
+
+
+def arrays_of(varied: Varied, values: Values) -> "dict[str, xarray.Variable]":
+    """Return all arrays of an ensemble: summaries, the members' values, and coordinates.
+
+    Chunks fill the summaries, whose numbers here are empty.
+    """
+    from xarray import Variable
+
+    numbers = np.arange(member_count(values))
+    axes = {"member": (numbers, {"long_name": "member of the ensemble"}), **varied.axes}
+    arrays: dict[str, Variable] = {}
+
+    def add(name: str, dims: Iterable[str], numbers: Any, attributes: Any) -> None:
+        if name in arrays:
+            raise ScenarioError(
+                f"{name} is used twice as a name in the result. Rename one"
+            )
+        arrays[name] = Variable(dims, numbers, attributes)
+
+    def add_summary(name: str, dims: tuple[str, ...], empty: Any, **attrs: Any) -> None:
+        dims = ("member", *dims)
+        shape = [len(axes[dim][0]) for dim in dims]
+        add(name, dims, np.broadcast_to(empty, shape), attrs)
+
+    for name, series in varied.summaries:
+        add_summary(name, series.dims, np.nan, **series.attributes)
+    units = {key: unit for key, unit in axes["time"][1].items() if key == "units"}
+    add_summary("status", (), np.int8(0), long_name="how the run ended", **FLAGS)
+    add_summary("end", (), np.nan, long_name="last sample reached", **units)
+    for key, numbers in values.items():
+        dims, attributes = varied.key_layout(key, numbers.ndim - 1)
+        add(key, ("member", *dims), numbers, attributes)
+    used = {dim for array in arrays.values() for dim in array.dims}
+    for dim, (numbers, attributes) in axes.items():
+        if dim in used and numbers.size:
+            add(dim, (dim,), numbers, attributes)
+    return arrays
 
 
 class Store:
@@ -175,7 +216,7 @@ def begun_or_made(
     title: str,
     code: str,
     arguments: Mapping[str, Any],
-    arrays: Arrays,
+    arrays: "Mapping[str, xarray.Variable]",
 ) -> Store:
     """Open the store of the same ensemble, begun by the same `code`, or make a store."""
     if path is None or not path.exists() or (path.is_dir() and not any(path.iterdir())):
@@ -201,22 +242,22 @@ def begun_or_made(
 def create_store(
     path: Path | None,
     arguments: Mapping[str, Any],
-    arrays: Arrays,
+    arrays: "Mapping[str, xarray.Variable]",
     attrs: Mapping[str, Any],
 ) -> Store:
     """Make a store without any chunk, in a folder or in memory.
 
-    `arguments` identify the ensemble; chunks fill the arrays that have no values.
+    `arguments` identify the ensemble.
     """
     zarr = import_optional("zarr")
+    from xarray import Variable
     from zarr.codecs import Crc32cCodec, ZstdCodec
 
     target: Any = path or zarr.storage.MemoryStore()
     chunk = arguments["chunk"]
     count = -(-arguments["members"] // chunk)
-    checksums = StoredArray(
-        ("chunk",), (count,), "int64", {"long_name": "checksum of a whole chunk"}
-    )
+    words = {"long_name": "checksum of a whole chunk"}
+    checksums = Variable("chunk", np.zeros(count, "int64"), words)
     with atomic_path(path, folder=True) if path else nullcontext(target) as folder:
         group = zarr.create_group(folder)
         group.attrs.update({**attrs, ARGUMENTS: json.dumps(arguments)})
@@ -224,18 +265,18 @@ def create_store(
             if not name or "\\" in name:
                 raise DataError(f"Zarr has no name {name!r}. Rename it, without a \\")
             size, *inner_sizes = stored.shape
-            rows = {"member": chunk, "chunk": 1}.get(stored.dims[0], size)
+            rows = {"member": chunk, "chunk": 1}.get(str(stored.dims[0]), size)
             array = group.create_array(
                 name.replace("/", SLASH),
                 shape=stored.shape,
                 dtype=stored.dtype,
                 chunks=tuple(max(1, n) for n in (min(rows, size), *inner_sizes)),
                 attributes=stored.attrs,
-                dimension_names=[dim.replace("/", SLASH) for dim in stored.dims],
-                fill_value=np.nan if np.dtype(stored.dtype).kind == "f" else 0,
+                dimension_names=[str(dim).replace("/", SLASH) for dim in stored.dims],
+                fill_value=np.nan if stored.dtype.kind == "f" else 0,
                 compressors=(ZstdCodec(level=1), Crc32cCodec()),
             )
-            if stored.values is not None and stored.values.size:
+            if stored.dims == (name,) or (name in arguments["keys"] and stored.size):
                 array[:] = stored.values
         group.attrs[DIGESTS] = json.dumps(
             Store(zarr.open_group(folder), None).digests()

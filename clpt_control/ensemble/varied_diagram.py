@@ -11,8 +11,8 @@ further ones.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -38,16 +38,85 @@ from ..simulation.dataset_template import Axes, Series, port_variables
 from ..simulation.diagram_runs import labels_of, signal_units
 from ..simulation.integrate import request_of
 from ..simulation.run_arguments import stacked_state
-from .members import Ensemble, Member, Members, States, Values, hash_of
+from .members import Member, MemberBatch, Values, hash_of
 from .sampled_parameters import Vary, cannot_vary
-from .summaries import Arrays, ends_of
 
 RESULT = "time", "member", "status", "end"  # names in a result that are not ports
-SUMMARIES = {
+STATISTICS = {
     "final": "at the end",
     "rms": "root mean square",
     "max": "largest magnitude",
 }
+
+
+@dataclass
+class OutputBatch(MemberBatch):
+    """Outputs `y` of members that ran, shape (m, outputs, times), and their summaries."""
+
+    def __post_init__(self) -> None:
+        varied, status = self.varied, self.run.status
+        count = len(varied.state_times)
+        y = np.full((len(status), len(varied.outputs), count), np.nan)
+        for m, outputs in enumerate(y):
+            self._write_outputs(outputs, m)
+        not_finite = (status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
+        status = np.where(not_finite, Status.NOT_FINITE, status)
+        self.run = replace(self.run, status=status)
+        self.y = y[..., varied.skipped :]
+
+    def _write_outputs(self, y: np.ndarray, m: int) -> None:
+        """Write the outputs of member m up to its end into y, (outputs, times)."""
+        signals = self.ensemble.signals(self.members, self.run, m).T
+        reached = signals.shape[1]
+        _, inputs = self.members.runners[m]
+        u = inputs.along(self.varied.state_times[:reached])
+        y[:, :reached] = 0.0
+        for row, sources in zip(
+            y[:, :reached], self.varied.wiring.outputs, strict=True
+        ):
+            for k, gain in sources.items():  # added in their order, for equal rounding
+                row += gain * (signals[k] if k >= 0 else u[~k])
+
+    @cached_property
+    def statistics(self) -> Values:
+        """Each statistic of all outputs, (m, outputs)."""
+        times = self.varied.times
+        if self.varied.wiring.dt:
+            weights = np.full(len(times), 1.0 / len(times))
+        else:  # of the trapezoidal rule
+            weights = np.convolve(np.diff(times), [0.5, 0.5]) / (times[-1] - times[0])
+        # each row is summed by itself, so that no bit depends on the others
+        rms = np.sqrt(np.sum(weights * self.y**2, axis=-1))
+        largest = np.abs(self.y).max(axis=-1)
+        return {"final": self.y[..., -1], "rms": rms, "max": largest}
+
+    def statistic(self, name: str, of: Callable) -> np.ndarray:
+        """Return a statistic of a port."""
+        return of(self.statistics[name])
+
+    def trajectory(self, of: Callable) -> np.ndarray:
+        """Return a port over time, time second."""
+        trajectory = of(self.y)
+        return trajectory if trajectory.ndim == 2 else np.moveaxis(trajectory, 1, -1)
+
+    def user_summary(self, name: str, user: Callable) -> np.ndarray:
+        """Return the user's number of each member; NaN if the member did not finish."""
+        from xarray import Dataset
+
+        numbers = np.full(len(self.y), np.nan)
+        for m in np.flatnonzero(self.run.status == Status.FINISHED):
+            variables = {
+                port: (series.dims, series.of(self.y[m].T), series.attributes)
+                for port, series in self.varied.ports[0].items()
+            }
+            value = user(Dataset(variables, {"time": self.varied.times}))
+            try:
+                numbers[m] = float(value)
+            except (TypeError, ValueError):
+                raise ScenarioError(
+                    f"summary: {name} returned {brief(value)}. Return one number"
+                ) from None
+        return numbers
 
 
 class VariedDiagram:
@@ -245,107 +314,45 @@ class VariedDiagram:
                 inputs = replace(inputs, samples=(times, u))
         return parameters, start, inputs
 
+    # --- summaries ------------------------------------------------------------------------
+
+    batch = OutputBatch
+
     @cached_property
-    def variables(self) -> tuple[dict[str, Series], Axes]:
+    def ports(self) -> tuple[dict[str, Series], Axes]:
         """The variables of outputs, and their axes."""
         units, ports = signal_units(self.wiring), ports_of(self.outputs)
         units_by_port = {port: units[columns[0]] for port, columns in ports.items()}
         return port_variables(ports, {}, (), units_by_port)
 
-    def trajectory_name(self, port: str) -> str:
-        """Return the name of a port's trajectory, with a _ if the name is in use."""
-        return f"{port}_" if port in (*RESULT, *self.values) else port
-
-    def arrays(self, values: Values) -> Arrays:
-        """Return all arrays of the store, for the values of all members."""
-        ports, axes = self.variables
-        sizes = {dim: len(numbers) for dim, (numbers, _) in axes.items()}
-        sizes["time"] = len(self.times)
-        arrays = Arrays(values, sizes)
-        for port, variable in ports.items():
-            dims, units = variable.dims, variable.attributes
-            for statistic, words in SUMMARIES.items():
-                name = f"{port}_{statistic}"
-                arrays.add(name, dims[1:], f"{port}, {words}", **units)
-            if self.trajectories:
-                arrays.add(self.trajectory_name(port), dims, port, **units)
-        for name in self.summary:
-            arrays.add(name, (), f"{name}, summary of the user")
-        arrays.add_members()
-        for key, array in values.items():
-            dims = ("member", *(f"{key} {k}" for k in range(array.ndim - 1)))
-            arrays.add_fixed(key, dims, array, long_name=key, **self.units(key))
-        for dim, (numbers, attributes) in axes.items():
-            arrays.add_fixed(dim, (dim,), numbers, **attributes)
-        if self.trajectories:
-            arrays.add_fixed("time", ("time",), self.times, long_name="time")
-        return arrays
-
-    def summarise(
-        self, ensemble: Ensemble, members: Members, values: Values, run: States
-    ) -> Values:
-        """Return the summaries of members."""
-        y = np.full((len(run.status), len(self.outputs), len(self.state_times)), np.nan)
-        for m, outputs in enumerate(y):
-            self._write_outputs(outputs, ensemble, members, run, m)
-        not_finite = (run.status == Status.FINISHED) & ~np.isfinite(y).all(axis=(1, 2))
-        run = replace(run, status=np.where(not_finite, Status.NOT_FINITE, run.status))
-        y = y[..., self.skipped :]
-        # each row is summed by itself, so that no bit depends on the others
-        rms = np.sqrt(np.sum(self._weights * y**2, axis=-1))
-        figures = {"final": y[..., -1], "rms": rms, "max": np.abs(y).max(axis=-1)}
-        summaries: Values = {}
-        for port, variable in self.variables[0].items():
-            for statistic, figure in figures.items():
-                summaries[f"{port}_{statistic}"] = variable.of(figure)
-            if self.trajectories:
-                trajectory = variable.of(y)
-                if trajectory.ndim > 2:
-                    trajectory = np.moveaxis(trajectory, 1, -1)
-                summaries[self.trajectory_name(port)] = trajectory
-        for name, function in self.summary.items():
-            summaries[name] = self._user_summary(name, function, run, y)
-        return summaries | ends_of(run, self.state_times)
-
-    def _user_summary(
-        self, name: str, function: Callable, run: States, y: np.ndarray
-    ) -> np.ndarray:
-        """Return the user's number of each member; NaN if the member did not finish."""
-        from xarray import Dataset
-
-        ports = self.variables[0]
-        numbers = np.full(len(y), np.nan)
-        for m in np.flatnonzero(run.status == Status.FINISHED):
-            variables = {
-                port: (series.dims, series.of(y[m].T), series.attributes)
-                for port, series in ports.items()
-            }
-            value = function(Dataset(variables, {"time": self.times}))
-            try:
-                numbers[m] = float(value)
-            except (TypeError, ValueError):
-                raise ScenarioError(
-                    f"summary: {name} returned {brief(value)}. Return one number"
-                ) from None
-        return numbers
-
-    def _write_outputs(
-        self, y: np.ndarray, ensemble: Ensemble, members: Members, run: States, m: int
-    ) -> None:
-        """Write the outputs of member m up to its end into y, (outputs, times)."""
-        signals = ensemble.signals(members, run, m).T
-        reached = signals.shape[1]
-        _, inputs = members.runners[m]
-        u = inputs.along(self.state_times[:reached])
-        y[:, :reached] = 0.0
-        for row, sources in zip(y[:, :reached], self.wiring.outputs, strict=True):
-            for k, gain in sources.items():  # added in their order, for equal rounding
-                row += gain * (signals[k] if k >= 0 else u[~k])
-
     @property
-    def _weights(self) -> np.ndarray:
-        """The weight of each sample in a mean over time: equal, or of the trapezoidal rule."""
-        count, spans = len(self.times), np.diff(self.times)
-        if self.wiring.dt:
-            return np.full(count, 1.0 / count)
-        return np.convolve(spans, [0.5, 0.5]) / (self.times[-1] - self.times[0])
+    def axes(self) -> Axes:
+        """Values and attributes of the dimensions of summaries."""
+        return {**self.ports[1], "time": (self.times, {"long_name": "time"})}
+
+    @cached_property
+    def summaries(self) -> list[tuple[str, Series]]:
+        """The names and series of summaries, functions of an `OutputBatch`."""
+        summaries = []
+        for port, (dims, of, units) in self.ports[0].items():
+            for statistic, words in STATISTICS.items():
+                attributes = {"long_name": f"{port}, {words}", **units}
+                function = partial(OutputBatch.statistic, name=statistic, of=of)
+                series = Series(dims[1:], function, attributes)
+                summaries.append((f"{port}_{statistic}", series))
+            if self.trajectories:
+                # a name that is in use gets the suffix _
+                name = f"{port}_" if port in (*RESULT, *self.values) else port
+                function = partial(OutputBatch.trajectory, of=of)
+                series = Series(dims, function, {"long_name": port, **units})
+                summaries.append((name, series))
+        for name, user in self.summary.items():
+            attributes = {"long_name": f"{name}, summary of the user"}
+            function = partial(OutputBatch.user_summary, name=name, user=user)
+            summaries.append((name, Series((), function, attributes)))
+        return summaries
+
+    def key_layout(self, key: str, ndim: int) -> tuple[list[str], dict[str, str]]:
+        """Return dimensions and attributes of the values of a key."""
+        dims = [f"{key} {k}" for k in range(ndim)]
+        return dims, {"long_name": key, **self.units(key)}

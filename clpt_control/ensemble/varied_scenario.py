@@ -1,4 +1,7 @@
-"""Varied scenarios: keys that may vary in a scenario, their locations in its loop, and members."""
+"""Varied scenarios: keys that may vary in a scenario, their locations in its loop, and members.
+
+The summaries of members are in `loop_summaries`.
+"""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -17,16 +20,25 @@ from ..paper.scenario.file import scenario_to_text
 from ..paper.scenario.quantities import (
     QUANTITIES,
     STARTS,
+    Quantity,
     key_hint,
     keys_of,
     keys_of_law,
 )
+from ..simulation.dataset_template import Series
 from ..simulation.initial_states import state_columns, state_of
-from ..simulation.loop_blocks import changed_blocks
+from ..simulation.loop_blocks import changed_blocks, units_of_ports
 from ..simulation.user_components import LAW, UNCHANGED, Changes, functions_of
+from .loop_summaries import (
+    TRAJECTORIES,
+    LoopBatch,
+    axes_of,
+    marks_of,
+    sample_times_of,
+    summaries_of,
+)
 from .members import Member, Values, hash_of
 from .sampled_parameters import cannot_vary
-from .summaries import arrays_of, marks_of, sample_times_of, summarise
 
 
 class VariedScenario:
@@ -50,10 +62,7 @@ class VariedScenario:
         self.state_times = self.times.union
         self.options = scenario.run.solver
         self.title = scenario.title
-        is_measured = scenario.flow.field is not None
-        self.replaced = set(self.changes.replace)
-        self.has_flow_error = is_measured and "true_flow" not in self.replaced
-        self.needs_signals = scenario.vehicle.max_speed is not None or is_measured
+        self.needs_signals = not {"flow_error", "share_in_faster_flow"} <= self.absent
         self.name = ", ".join(changes.names) or "the closed loop"
         self.encoding = {"folder": str(scenario._folder.absolute())}  # of its field
         of_law = ("learning.gain", f"learning.{scenario.learning.row.table}.")
@@ -62,6 +71,7 @@ class VariedScenario:
             for key, value in variable_values(scenario).items()
             if self.changes.law is None or not key.startswith(of_law)
         }
+        self.axes = axes_of(scenario, self.times)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the arguments, with the absolute folder of the field."""
@@ -69,17 +79,26 @@ class VariedScenario:
         scenario._folder = scenario._folder.absolute()
         return type(self), (scenario, self.changes, self.marks, self.trajectories)
 
-    @property
-    def knows_flow(self) -> bool:
-        """True if the true flow has the scenario's parameters."""
-        has_parameters = self.scenario.flow.parameters is not None
-        return has_parameters and "true_flow" not in self.replaced
-
-    @property
-    def knows_gains(self) -> bool:
-        """True if the vehicle has the scenario's gains and the law adapts gains."""
-        at_fixes = self.scenario.learning.row.at_fixes
-        return not at_fixes and "vehicle_controller" not in self.replaced
+    @cached_property
+    def absent(self) -> set[str]:
+        """The names of the summaries that this scenario does not have."""
+        flow, row, replaced = (
+            self.scenario.flow,
+            self.scenario.learning.row,
+            self.changes.replace,
+        )
+        own_flow = "true_flow" in replaced
+        are_absent = {
+            "flow_parameter_error": own_flow or flow.parameters is None,
+            "gain_error": row.at_fixes or "vehicle_controller" in replaced,
+            "flow_error": own_flow or flow.field is None,
+            "share_in_faster_flow": self.scenario.vehicle.max_speed is None,
+            "alpha": row.alpha_is_constant,
+            "feedback_gain": row.at_fixes,
+            "feedforward_gain": row.at_fixes,
+        }
+        absent = {name for name, is_absent in are_absent.items() if is_absent}
+        return absent | ({*TRAJECTORIES} if not self.trajectories else set())
 
     # --- checks ---------------------------------------------------------------------------
 
@@ -164,8 +183,23 @@ class VariedScenario:
 
     # --- summaries ------------------------------------------------------------------------
 
-    arrays = arrays_of
-    summarise = summarise
+    batch = LoopBatch
+
+    @cached_property
+    def summaries(self) -> list[tuple[str, Series]]:
+        """The names and series of summaries, functions of a `LoopBatch`."""
+        return summaries_of(self)
+
+    def key_layout(self, key: str, ndim: int) -> tuple[list[str], dict[str, str]]:
+        """Return dimensions and attributes of the values of a key."""
+        quantity, units = QUANTITIES.get(key, Quantity()), self.scenario.units
+        attributes = {"long_name": f"{key}, which varies"}
+        unit = {"time": units.time, **units_of_ports(units)}.get(
+            quantity.unit or quantity.state
+        )
+        if unit is not None:
+            attributes["units"] = unit
+        return quantity.axes.split() or ["axis", "basis"][:ndim], attributes
 
 
 def variable_values(scenario: Scenario) -> Values:

@@ -28,7 +28,7 @@ COMPLETED = Status.FINISHED.sentence
 PACKAGES = ("clpt-control", "control", "numpy", "scipy", "llvmlite")
 
 Labels = tuple[str, ...]
-Axes = dict[str, tuple[Any, Mapping[str, str]]]  # dimension -> values, attributes
+Axes = dict[str, tuple[Any, Mapping[str, Any]]]  # dimension -> values, attributes
 
 
 class Series(NamedTuple):

@@ -277,7 +277,7 @@ def ensemble(
     from ...ensemble.ensemble_statistics import ensemble_summary
     from ...ensemble.sampled_parameters import grid_count, read_vary
     from ...paper.scenario.file import load_vehicle_scenario
-    from ..pages.ensemble_page import ensemble_result
+    from ..pages.ensemble_page import percentile_table
 
     experiment = load_vehicle_scenario(scenario)
     check_out(figure, *FIGURE)
@@ -302,7 +302,7 @@ def ensemble(
         )
     summary = ensemble_summary(data)
     draw_figure(figure, data.clpt.plot)
-    table = ensemble_result(data, summary, experiment.title or str(scenario))
+    table = percentile_table(summary, experiment.title or str(scenario))
     finish([table], summary, as_json, out)
 
 
