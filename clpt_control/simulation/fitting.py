@@ -2,22 +2,301 @@
 
     minimize  sum over samples of ((y(t; p) - measured) / noise)^2
 
-`fit_problem` has the residuals, the estimate of the noise and the covariance of the estimates.
+SciPy's `least_squares` takes the steps, and the sensitivities of the run are its Jacobian J.  The
+noise of each output is estimated from its residuals, with as many degrees of freedom as it has
+measurements less its part of the trace of the projection on J.  The covariance of the estimates is
+s^2 (J' J)^-1; directions of parameters that are not identifiable are reported.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import compress
 from typing import Any
 
 import control
 import numpy as np
 
-from ..base.arguments import numbers, public
-from ..base.errors import ArgumentError
+from ..base.arguments import brief, numbers, public
+from ..base.errors import ArgumentError, SimulationError
 from ..engine.model.ports import ports_of
 from ..engine.solver.schedule import checked_times
 from ..paper.scenario.experiment import Scenario
-from .fit_problem import Fit, FitProblem
-from .sensitivities import SensitivityRun
+from .sensitivities import RunWithDerivatives, SensitivityRun
+from .sensitivity_names import varied_numbers
+
+IDENTIFIABLE = 1e-6  # least singular value of an identifiable direction, relative
+NAMED = 1e-2  # least component of a parameter that is named in a direction
+ROUNDS = 6  # of the estimate of the noise, at most
+NOISE_TOLERANCE = 1e-3  # change of the noise at which the rounds end, relative
+TOLERANCE = 1e-10  # of least squares
+
+
+@dataclass
+class Fit:
+    """Result of `fit_parameters`.
+
+    Attributes
+    ----------
+    values, errors : dict
+        By name: the estimate, and its standard error; inf where the data do not tell it, NaN where
+        it lies on a bound.
+    intervals : dict
+        By name: from where to where it lies with 95 %, if noise is normal and the model right.
+    covariance : ndarray
+        Of the estimates, in the order of `values`.
+    noise : dict
+        Standard deviation of each output's noise, as estimated.
+    unidentified : tuple of str
+        A sentence for each direction of parameters that the data do not tell, and for each bound
+        that is met.
+    params, initial_state
+        To hand to `simulate`.
+
+    Examples
+    --------
+    >>> fit = Fit({"k": 2.0}, {"k": 0.1}, {"k": (1.8, 2.2)}, np.array([[0.01]]), {"y": 0.05})
+    >>> fit
+    k = 2 +- 0.1    (1.8 to 2.2)
+    noise of y: 0.05
+    """
+
+    values: dict[str, float]
+    errors: dict[str, float]
+    intervals: dict[str, tuple[float, float]]
+    covariance: np.ndarray
+    noise: dict[str, float]
+    unidentified: tuple[str, ...] = ()
+    params: dict[str, Any] = field(default_factory=dict)
+    initial_state: Any = None
+
+    def __repr__(self) -> str:
+        lines = [
+            f"{name} = {value:.6g} +- {self.errors[name]:.2g}    "
+            f"({self.intervals[name][0]:.6g} to {self.intervals[name][1]:.6g})"
+            for name, value in self.values.items()
+        ]
+        noises = ", ".join(f"{name}: {size:.3g}" for name, size in self.noise.items())
+        return "\n".join([*lines, f"noise of {noises}", *self.unidentified])
+
+
+class FitProblem:
+    """Measurements of a diagram's outputs, initial values of the parameters, and bounds."""
+
+    def __init__(
+        self,
+        run: SensitivityRun,
+        measured: Mapping[str, np.ndarray],
+        parameters: Mapping[str, Any],
+    ):
+        self.run = run
+        self.names = [*run.varied]
+        signals = {label: [k] for k, label in enumerate(run.labels)}
+        self.ports = signals | ports_of(run.labels)
+        self._read(measured)
+        self.start, self.low, self.high = self._bounds(parameters)
+        self.last: tuple[np.ndarray, RunWithDerivatives] | None = None
+
+    def _read(self, measured: Mapping[str, np.ndarray]) -> None:
+        """Read the measurements: columns of outputs, their names, values and finite ones."""
+        n = len(self.run.times) - self.run.skipped
+        self.columns: list[int] = []
+        self.outputs: list[str] = []
+        values: list[np.ndarray] = []
+        for name, array in measured.items():
+            if name not in self.ports or not np.isfinite(array).any():
+                continue
+            columns = self.ports[name]
+            if set(columns) & set(self.columns):
+                raise ArgumentError(f"data: {name} is given twice")
+            if array.size != n * len(columns) or array.shape[0] != n:
+                raise ArgumentError(
+                    f"data: {name} has the shape {array.shape}; must be {n} samples of "
+                    f"{len(columns)} signals"
+                )
+            self.columns += columns
+            values += list(array.reshape(n, -1).T)
+            labels = [self.run.labels[k] for k in columns]
+            self.outputs += labels if len(columns) > 1 else [name]
+        if not values:
+            ports = ", ".join(ports_of(self.run.labels))
+            raise ArgumentError(f"data: has no finite numbers of the outputs {ports}")
+        self.measured = np.array(values).T
+        self.is_measured = np.isfinite(self.measured)
+        count = self.is_measured.sum()
+        if count <= len(self.names):
+            raise ArgumentError(f"data: {count} numbers for {len(self.names)} unknowns")
+
+    def _bounds(self, parameters: Mapping[str, Any]) -> list[np.ndarray]:
+        """Return the initial values of all numbers, and their bounds."""
+        rows = []
+        for name, value in parameters.items():
+            start, *bounds = value if isinstance(value, tuple) else (value,)
+            row = [start, *(bounds or (-np.inf, np.inf))]
+            row = [np.ravel(numbers(name, bound)) for bound in row]
+            count = len(varied_numbers(name, self.run.wiring, self.run.states))
+            if not _is_valid(row, count):
+                what = "a number" if count == 1 else f"{count} numbers"
+                raise ArgumentError(
+                    f"parameters: {name} = {brief(value)}: must be {what} to begin at, or (start, "
+                    "low, high) with low <= start <= high"
+                )
+            rows.append(np.array([np.broadcast_to(bound, count) for bound in row]))
+        return list(np.hstack(rows))
+
+    def run_at(self, values: np.ndarray) -> RunWithDerivatives:
+        """Return the run at values of the parameters; the last run is cached."""
+        if self.last is not None and np.array_equal(values, self.last[0]):
+            return self.last[1]
+        try:
+            run = self.run.run(values)
+        except SimulationError as error:
+            pairs = zip(self.names, values, strict=True)
+            point = ", ".join(f"{name} = {value:.6g}" for name, value in pairs)
+            raise SimulationError(
+                f"at {point}: {error}. Begin closer, or give bounds"
+            ) from None
+        if len(run.outputs) < len(self.measured):
+            raise SimulationError(
+                f"the run ends before the data: {run.solution.message}"
+            )
+        self.last = values.copy(), run
+        return run
+
+    def residuals(self, values: np.ndarray, noise: Any) -> np.ndarray:
+        """Return residuals in units of the noise; infinite ones if a trial cannot run."""
+        try:
+            outputs = self.run_at(values).outputs[:, self.columns, 0]
+        except SimulationError:
+            if self.last is None:  # the initial values cannot run
+                raise
+            return np.full(self.is_measured.sum(), np.inf)
+        return ((outputs - self.measured) / noise)[self.is_measured]
+
+    def jacobian(self, values: np.ndarray, noise: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the residuals."""
+        derivatives = self.run_at(values).outputs[:, self.columns, 1:]
+        return (derivatives / noise[:, None])[self.is_measured]
+
+    def fit(self) -> Fit:
+        """Solve least squares; with several outputs, until their noise settles."""
+        from scipy.optimize import least_squares
+
+        deviation = np.nanstd(np.where(self.is_measured, self.measured, np.nan), axis=0)
+        noise = np.where(deviation > 0, deviation, 1.0)
+        least_noise = 1e-9 * noise
+        values = self.start
+        for _ in range(ROUNDS):
+            result = least_squares(
+                self.residuals,
+                values,
+                self.jacobian,
+                (self.low, self.high),
+                x_scale="jac",
+                ftol=TOLERANCE,
+                xtol=TOLERANCE,
+                gtol=TOLERANCE,
+                args=(noise,),
+            )
+            values = result.x
+            free = result.active_mask == 0  # not on a bound
+            self.run.confirm(values, self.run_at(values))
+            previous_noise = noise
+            noise = self._noise(values, result.jac[:, free])
+            noise = np.maximum(noise, least_noise)
+            change = np.abs(noise / previous_noise - 1.0)
+            if len(noise) == 1 or np.all(change < NOISE_TOLERANCE):
+                break
+        return self._result(values, noise, free)
+
+    def _noise(self, values: np.ndarray, J: np.ndarray) -> np.ndarray:
+        """Return the standard deviation of each output's residuals."""
+        squares = np.zeros(self.is_measured.shape)
+        squares[self.is_measured] = self.residuals(values, 1.0) ** 2
+        # diagonal of the projection on J
+        leverage = np.zeros(self.is_measured.shape)
+        leverage[self.is_measured] = (np.linalg.qr(J)[0] ** 2).sum(axis=1)
+        freedom = self.is_measured.sum(axis=0) - leverage.sum(axis=0)
+        return np.sqrt(squares.sum(axis=0) / np.maximum(freedom, 1e-9))
+
+    def _result(self, values: np.ndarray, noise: np.ndarray, free: np.ndarray) -> Fit:
+        """Return the estimates with their covariance and unidentifiable directions."""
+        from scipy.stats import t
+
+        residuals = self.residuals(values, noise)
+        freedom = len(residuals) - int(free.sum())
+        variance = float(residuals @ residuals) / freedom
+        J = self.jacobian(values, noise)[:, free]
+        covariance, errors, directions = self._covariance(values, variance, J, free)
+        margins = t.ppf(0.975, freedom) * errors
+        bounds = zip(
+            (values - margins).tolist(), (values + margins).tolist(), strict=True
+        )
+        free_names = [*compress(self.names, free)]
+        sentences = [_sentence(free_names, direction) for direction in directions]
+        sentences += [f"{name} lies on a bound" for name in compress(self.names, ~free)]
+        start, parameters = self.run.with_values(values)
+        params = {}
+        for name, location in self.run.varied.items():
+            for k, key in location.fields[:1]:
+                value = getattr(parameters[k], key)
+                params[name.partition("[")[0]] = value if value.ndim else float(value)
+        return Fit(
+            dict(zip(self.names, values.tolist(), strict=True)),
+            dict(zip(self.names, errors.tolist(), strict=True)),
+            dict(zip(self.names, bounds, strict=True)),
+            covariance,
+            dict(zip(self.outputs, noise.tolist(), strict=True)),
+            tuple(sentences),
+            params,
+            start,
+        )
+
+    def _covariance(
+        self, values: np.ndarray, variance: float, J: np.ndarray, free: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return covariance, standard errors and directions that are not identifiable."""
+        # relative changes; of a zero, relative to its initial value
+        size = np.abs(values)[free]
+        initial_size = np.abs(self.start)[free]
+        scale = np.where(size > IDENTIFIABLE * initial_size, size, initial_size)
+        scale[scale == 0.0] = 1.0
+        _, strength, directions = np.linalg.svd(J * scale, full_matrices=False)
+        identified = strength > IDENTIFIABLE * strength.max(initial=0.0)
+        root = directions[identified].T / strength[identified] * scale[:, None]
+        free_covariance = variance * root @ root.T
+        unidentified = directions[~identified]
+        unknown = np.any(np.abs(unidentified) > NAMED, axis=0)
+        free_covariance[unknown, :] = np.nan
+        free_covariance[:, unknown] = np.nan
+        covariance = np.full((len(values), len(values)), np.nan)
+        covariance[np.ix_(free, free)] = free_covariance
+        errors = np.sqrt(np.diag(covariance))
+        errors[np.flatnonzero(free)[unknown]] = np.inf
+        return covariance, errors, unidentified
+
+
+def _is_valid(row: Sequence[np.ndarray], count: int) -> bool:
+    """Return whether a row is a start of `count` finite numbers, and bounds around it."""
+    if len(row) != 3 or any(len(values) not in (1, count) for values in row):
+        return False
+    start, low, high = row
+    inside = (low <= start) & (start <= high) & (low < high)
+    return bool(np.all(inside & np.isfinite(start)))
+
+
+def _sentence(names: Sequence[str], direction: np.ndarray) -> str:
+    """Return a sentence on a direction of parameters that is not identifiable."""
+    largest = np.abs(direction).max()
+    changes = {
+        name: component / largest
+        for name, component in zip(names, direction, strict=True)
+        if abs(component) > NAMED
+    }
+    joined = " and ".join(changes)
+    if len(changes) == 1:
+        return f"the data do not tell {joined}"
+    moves = ", ".join(f"{name} by {change:+z.2g} %" for name, change in changes.items())
+    return f"the data do not tell {joined} apart: {moves} is not felt"
 
 
 @public

@@ -1,13 +1,14 @@
 """`clpt laws`: their table; `clpt prove`: theorems, laws, and searches for counterexamples."""
 
+import json
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from ...base.errors import ClptError, SimulationError
+from ...base.files import make_folder, write_file
 from ...base.html import Result
 from ...base.progress import progress_bar
-from .certificate_files import write_certificates
 from .printing import (
     SCENARIO,
     Json,
@@ -18,10 +19,12 @@ from .printing import (
     finish,
     flag,
     opt,
+    say,
 )
 
 JUDGED = "status conclusion sentence claim conditions level bound for_every_N steps"
 OF_THEOREM = f"{JUDGED} printed assumptions corrected cited not_proved"
+CHECKER = "python -m clpt_control.data.check_certificate"
 ROOMS = {  # of proofs -> what one is called, its fields in JSON
     "theorems": ("Theorem {}", OF_THEOREM),
     "limited_speed": ("Limited speed, {}", OF_THEOREM),
@@ -179,7 +182,7 @@ def prove(
     outcomes = {statement: cached.outcomes[statement] for statement in requested}
     proved_at = max(cached.times[statement] for statement in requested)
     if certificates is not None:
-        write_certificates(outcomes, certificates, quiet=as_json)
+        _write_certificates(outcomes, certificates, quiet=as_json)
     _print_outcomes(outcomes, proved_at, before=not new, as_json=as_json)
 
 
@@ -276,7 +279,6 @@ def _search_counterexample(
     law: str, budget: float, seed: int, out: Path | None, as_json: bool
 ) -> None:
     """Search for a run that breaks what a law promises, and print how near it came."""
-    from ...base.files import write_file
     from ...paper.laws.table import LAWS
     from ...paper.scenario.file import scenario_to_text
     from ...theory.laws.promises import promises_in_words
@@ -338,3 +340,28 @@ def _result(name: str, proof: Any) -> Result:
     return Result(
         f"{name}: {status}{every}", ["holds", "how", "claim", ""], rows, [*lines, ""]
     )
+
+
+def _write_certificates(outcomes: dict[Any, Any], folder: Path, quiet: bool) -> None:
+    """Write the certificate of each proof that has one; print the reason of one that has none."""
+    make_folder(folder)
+    lines, count = [], 0
+    for statement, proof in outcomes.items():
+        room = statement.room
+        if room not in ROOMS:
+            continue
+        title = ROOMS[room][0].format(statement.name)
+        file = (
+            "team" if room == "team" else f"{room.removesuffix('s')}_{statement.name}"
+        )
+        if proof.certificate is None:
+            reason = proof.why_no_certificate or "the statement is not about one V'"
+            lines.append(f"{title}: has no certificate, as {reason}.")
+            continue
+        name = file.replace(".", "_").replace(" ", "_")
+        write_file(folder / f"{name}.json", json.dumps(proof.certificate, indent=1))
+        count += 1
+    files = f"{count} certificate{'s' * (count != 1)}"
+    lines.append(f"Wrote {files} to {folder}. Check with: {CHECKER} {folder}/*.json\n")
+    for line in lines if not quiet else ():
+        say(line)
