@@ -195,7 +195,7 @@ class Replay:
         return self
 
     def start(self, rng: np.random.Generator | None = None) -> Fix:
-        """Return the fix where the next dive begins, expected or, with `rng`, drawn."""
+        """Return the fix where the next dive begins; `rng` draws it."""
         last = self.steps[-1].dive
         stay, late = self.dive_statistics.stay()
         drift, spread = self.dive_statistics.drift()
