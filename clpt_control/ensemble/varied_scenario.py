@@ -13,8 +13,6 @@ import numpy as np
 from ..base.errors import DiagramError
 from ..engine.codegen.directional_derivatives import Place
 from ..engine.diagram.interconnection import wiring_of_blocks
-from ..engine.diagram.wiring import Wiring
-from ..engine.model.block import Block
 from ..paper.scenario.experiment import Scenario
 from ..paper.scenario.file import scenario_to_text
 from ..paper.scenario.quantities import (
@@ -72,6 +70,10 @@ class VariedScenario:
             if self.changes.law is None or not key.startswith(of_law)
         }
         self.axes = axes_of(scenario, self.times)
+        self.blocks = changed_blocks(scenario, self.changes)
+        self.wiring = wiring_of_blocks(self.blocks)
+        self.columns = state_columns(self.blocks)
+        self.start = state_of(scenario, self.blocks, self.changes.law)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the arguments, with the absolute folder of the field."""
@@ -134,26 +136,6 @@ class VariedScenario:
         return f"{', '.join(self.changes.names)} {hash_of(self.wiring, parameters)}"
 
     # --- loop -----------------------------------------------------------------------------
-
-    @cached_property
-    def blocks(self) -> list[Block]:
-        """The blocks of the loop."""
-        return changed_blocks(self.scenario, self.changes)
-
-    @cached_property
-    def wiring(self) -> Wiring:
-        """The wired loop."""
-        return wiring_of_blocks(self.blocks)
-
-    @cached_property
-    def columns(self) -> dict[str, slice]:
-        """Columns of each state."""
-        return state_columns(self.blocks)
-
-    @cached_property
-    def start(self) -> np.ndarray:
-        """The initial state."""
-        return state_of(self.scenario, self.blocks, self.changes.law)
 
     def location(self, key: str) -> Place:
         """Return the location of a key's value; empty if the loop has no such value."""

@@ -244,7 +244,7 @@ def test_what_stands_in_place_of_a_truth_leaves_no_error_to_tell(
     axes = run.clpt.plot("learning")
     for error, below in (("flow_parameter_error", 0), ("gain_error", 1)):
         has = f"largest {error.replace('_', ' ')}" in page
-        assert has is (error in data) is (f"{error.split('_')[-2]} error" in ensemble)
+        assert has is (error in data) is (f"{error} mark" in ensemble)
         assert has is ("true" in axes[below].get_title(loc="left"))
         told |= {error} if has else set()
     ax = frame_of(run, run.sizes["time"] - 1)
