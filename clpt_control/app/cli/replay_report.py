@@ -146,7 +146,7 @@ class Job:
         self, dives: tuple[Any, Any], files: int, out: Path
     ) -> tuple[Report, str]:
         """Replay dives and write the results; return them with a line on the new files."""
-        from ...ocean.forecast.replay_summary import aim_sentence
+        from ...ocean.forecast.aim import aim_sentence
         from ...ocean.forecast.table_rows import place, when
 
         summary = self.found(*dives)

@@ -32,15 +32,20 @@ from ...base.geodesy import angle_near, displacement, distance, is_place
 from ...base.units import finite_or_none
 from ..gliders.dives import Fix
 from ..gliders.samples import variation as igrf
-from .replay_summary import aim_sentence
 from .surfacing import NextDive, check_flown, ellipse
 from .table_rows import (
     AGAINST,
     REACHED,
     UNDER_WAY,
     Place,
+    against,
+    clock,
+    compass,
     direction,
+    ellipse_words,
+    heading_words,
     in_minutes,
+    place,
     placed,
     utc,
     vector,
@@ -164,9 +169,39 @@ def checked_target(lat: float, lon: float) -> Place:
     )
 
 
+def aim_sentence(leg: dict[str, Any]) -> str:
+    """Return the sentence on `Aim.as_dict`."""
+    text, made_good = (
+        f"aim at {place(leg['latitude'], leg['longitude'])}, ",
+        leg["made_good"],
+    )
+    if leg["bearing"] is not None:
+        text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
+    if leg["state"] == AGAINST:
+        text += f"{against(leg)}; best "
+    text += heading_words(leg)
+    if leg["crab"] is not None:
+        text += f", crab {leg['crab']:+z.0f}"
+    full = f"{leg['through_water_full']:.0f} m"
+    if leg["state"] == REACHED:
+        through_water = f"{leg['through_water']:.0f} of {full} through the water"
+        text += f", {through_water}; there at {clock(leg['end'])}"
+    else:
+        text += (
+            f", {made_good:.0f} m made good of {full}"
+            if made_good >= 0
+            else f", {-made_good:.0f} m are lost"
+        )
+        text += f", then {leg['left'] / 1000:.1f} km"
+    if leg["state"] == UNDER_WAY:
+        text += f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
+    error = f"expected position error {leg['expected_miss']:.0f} m"
+    return f"{text}; {error}, {ellipse_words(leg)}"
+
+
 @public
 def aims(
-    replay: Any,
+    self: Any,
     targets: Sequence[Place],
     speed: float | None = None,
     duration: float | None = None,
@@ -211,13 +246,13 @@ def aims(
     ('under way', True)
     """
     targets = [checked_target(*point) for point in targets]
-    V, T = usual(replay, speed, duration)
-    last, start_fix = replay.steps[-1].dive, replay.start()
+    V, T = usual(self, speed, duration)
+    last, start_fix = self.steps[-1].dive, self.start()
     if start is not None:
         start_fix = (start[0], *checked_target(*start[1:]))
     legs: list[Aim] = []
     for target in targets:
-        leg = aim(replay, start_fix, target, V, T)
+        leg = aim(self, start_fix, target, V, T)
         stated = (finite_or_none(value) for value in (variation, last.magvar))
         east = next((value for value in stated if value is not None), None)
         east = finite_or_none(igrf(*start_fix)) if east is None else east
@@ -228,7 +263,7 @@ def aims(
         if leg.hours is None or leg.hours > YEAR:
             break
         took = max(3600.0 * leg.hours, leg.ahead.plan.duration)
-        start_fix = (start_fix[0] + took + replay.dive_statistics.stay()[0], *target)
+        start_fix = (start_fix[0] + took + self.dive_statistics.stay()[0], *target)
     return legs
 
 

@@ -25,6 +25,7 @@ from ...base.errors import DataError
 from ...base.units import seconds_since_1970
 from ..gliders.dive_fields import EPOCH
 from ..gliders.dives import FIELDS
+from .aim import Aim
 from .surfacing import ELLIPSE, NextDive
 
 SUMMARY = "summary"  # variable: what `clpt replay --json` prints
@@ -75,7 +76,7 @@ def report_of(source: Source, name: str = "the replay") -> dict[str, Any]:
 
 @public
 def dataset(
-    replay: Any, next_dive: NextDive | None = None, aims: Sequence[Any] = ()
+    self: Any, next_dive: NextDive | None = None, aims: Sequence[Aim] = ()
 ) -> xarray.Dataset:
     """Return a replay of one dive at least as a dataset.
 
@@ -99,7 +100,7 @@ def dataset(
     >>> data.sizes["dive"], data.clpe_adaptive.units
     (14, 'm')
     """
-    return dataset_of(replay.summary(next_dive=next_dive, aims=aims))
+    return dataset_of(self.summary(next_dive=next_dive, aims=aims))
 
 
 def dataset_of(replay: Source) -> xarray.Dataset:

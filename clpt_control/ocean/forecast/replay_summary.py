@@ -25,24 +25,11 @@ import numpy as np
 from ...base.arguments import public
 from ..estimation.fix_model import LEVEL, OTHERS, PERCENT
 from ..gliders.dives import Skipped
+from .aim import Aim, aim_sentence
 from .flow_models import FlowModel
 from .step import FLOW_MODEL, Step
 from .surfacing import NextDive
-from .table_rows import (
-    AGAINST,
-    BASES,
-    REACHED,
-    UNDER_WAY,
-    against,
-    clock,
-    compass,
-    ellipse_words,
-    heading_words,
-    place,
-    velocity,
-    when,
-    wide,
-)
+from .table_rows import BASES, clock, ellipse_words, place, velocity, when, wide
 
 FAR = 3.0  # standard errors
 SURE = 99  # odds beyond which more digits say nothing
@@ -133,10 +120,10 @@ def rms_of(
 
 @public
 def summary(
-    replay: Any,
+    self: Any,
     skipped: Sequence[Skipped] = (),
     next_dive: NextDive | None = None,
-    aims: Sequence[Any] = (),
+    aims: Sequence[Aim] = (),
 ) -> dict[str, Any]:
     """Summarize a replay, as `clpt replay --json` prints it.
 
@@ -166,29 +153,29 @@ def summary(
     >>> found["used"], found["held"], sorted(found["parts"])[:3]
     (14, ['compass'], ['compass', 'eddies', 'inertial'])
     """
-    steps = replay.steps
+    steps = self.steps
     if steps and next_dive is None:
-        next_dive = replay.next_dive()
+        next_dive = self.next_dive()
     differences_of_dives = (step.dive.dac_difference for step in steps)
     differences = [
         difference for difference in differences_of_dives if isfinite(difference)
     ]
     held = [step.headline_held for step in steps if step.headline_held]
     last = steps[-1] if steps else None
-    factor = last if replay.model.learn_speed else None
-    model = replay.flow_model
-    modelled = {} if model is None else {"flow_model": _of_flow_model(replay, model)}
+    factor = last if self.model.learn_speed else None
+    model = self.flow_model
+    modelled = {} if model is None else {"flow_model": _of_flow_model(self, model)}
     return {
         "vehicle": (last.dive.vehicle if last else "") or "glider",
         "kind": last.dive.kind if last else None,
-        "estimator": replay.estimator,
-        "flow": list(replay.model.flow),
-        "learn_speed": replay.model.learn_speed,
+        "estimator": self.estimator,
+        "flow": list(self.model.flow),
+        "learn_speed": self.model.learn_speed,
         "dives": len(steps) + len(skipped),
         "used": len(steps),
-        "clpe_rms": clpe_rms(replay, 1),
-        "clpe_rms_all": clpe_rms(replay, 0),
-        "clpe_rms_after_3": clpe_rms(replay, 3),
+        "clpe_rms": clpe_rms(self, 1),
+        "clpe_rms_all": clpe_rms(self, 0),
+        "clpe_rms_after_3": clpe_rms(self, 3),
         **modelled,
         "dac_identity_median": float(np.median(differences)) if differences else None,
         "level": LEVEL,
@@ -206,7 +193,7 @@ def summary(
             "standard_error": factor and factor.speed_error,
         },
         "parts": dict(last.parts) if last else {},
-        "said": learned_words(replay),
+        "said": learned_words(self),
         "held": list(last.not_learned) if last else [],
         "notes": [
             {"dive": step.dive.number, "note": note}
@@ -268,36 +255,6 @@ def record_sentence(forecast: dict[str, Any]) -> str:
     inside = f"{forecast['inside']} of {count} inside their {PERCENT} ellipse"
     on_time = f"{forecast['on_time']} within their {PERCENT} time"
     return f"forecast, made before the dive: {inside}, {on_time}"
-
-
-def aim_sentence(leg: dict[str, Any]) -> str:
-    """Return the sentence on `Aim.as_dict`."""
-    text, made_good = (
-        f"aim at {place(leg['latitude'], leg['longitude'])}, ",
-        leg["made_good"],
-    )
-    if leg["bearing"] is not None:
-        text += f"{leg['distance'] / 1000:.1f} km to {compass(leg['bearing'])}: "
-    if leg["state"] == AGAINST:
-        text += f"{against(leg)}; best "
-    text += heading_words(leg)
-    if leg["crab"] is not None:
-        text += f", crab {leg['crab']:+z.0f}"
-    full = f"{leg['through_water_full']:.0f} m"
-    if leg["state"] == REACHED:
-        through_water = f"{leg['through_water']:.0f} of {full} through the water"
-        text += f", {through_water}; there at {clock(leg['end'])}"
-    else:
-        text += (
-            f", {made_good:.0f} m made good of {full}"
-            if made_good >= 0
-            else f", {-made_good:.0f} m are lost"
-        )
-        text += f", then {leg['left'] / 1000:.1f} km"
-    if leg["state"] == UNDER_WAY:
-        text += f"; there in {leg['dives']:.1f} dives, {leg['hours']:.0f} h"
-    error = f"expected position error {leg['expected_miss']:.0f} m"
-    return f"{text}; {error}, {ellipse_words(leg)}"
 
 
 def coming(report: dict[str, Any]) -> list[str]:
