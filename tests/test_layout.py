@@ -1,9 +1,11 @@
 """Imports run downhill: from each row of subpackages to rows below it."""
 
 import ast
+import io
 import shutil
 import subprocess
 import sys
+import tokenize
 from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
@@ -232,3 +234,94 @@ def test_tests_use_public_names():
 def test_files_of_tests_have_names_of_their_own():
     names = [path.name for path in TESTS.rglob("test_*.py")]
     assert sorted(names) == sorted(set(names))  # pytest imports them by name alone
+
+
+# at most these tokens of Python in each folder, without comments and docstrings; whoever raises
+# a number names in the commit the page of docs that shows the feature
+TOKENS = {
+    "": 168,
+    "app": 1012,
+    "app.cli": 13894,
+    "app.notebook": 1306,
+    "app.pages": 6929,
+    "base": 10437,
+    "base.figures": 629,
+    "base.files": 1380,
+    "base.progress": 1214,
+    "data": 2770,
+    "engine.codegen": 28062,
+    "engine.conformance": 7259,
+    "engine.diagram": 17663,
+    "engine.methods": 4316,
+    "engine.model": 13062,
+    "engine.record": 8922,
+    "engine.solver": 37121,
+    "engine.trace": 40667,
+    "ensemble": 20548,
+    "ocean.estimation": 16226,
+    "ocean.forecast": 27663,
+    "ocean.gliders": 22993,
+    "paper.blocks": 3882,
+    "paper.currents": 18670,
+    "paper.laws": 10228,
+    "paper.scenario": 10705,
+    "parts": 5409,
+    "plots": 15,
+    "plots.drawing": 6447,
+    "simulation": 36966,
+    "theory.algebra": 17764,
+    "theory.coq": 2445,
+    "theory.design": 5740,
+    "theory.excitation": 9841,
+    "theory.laws": 21269,
+    "theory.proofs": 35688,
+    "theory.theorems": 9409,
+}
+LAID_OUT = {
+    *(tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT),
+    *(tokenize.DEDENT, tokenize.ENCODING, tokenize.ENDMARKER),
+}
+LONGEST_FILE = 450  # lines of code
+
+
+@cache
+def sizes():
+    """Tokens and lines of code of each module, without comments and docstrings."""
+    return {name: size(FILES[name], tree) for name, tree in trees().items()}
+
+
+def size(path, tree):
+    docstrings = set()
+    for node in ast.walk(tree):
+        documented = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
+        if isinstance(node, documented) and ast.get_docstring(node, clean=False):
+            docstrings |= {*range(node.body[0].lineno, node.body[0].end_lineno + 1)}
+    read = io.StringIO(path.read_text("utf-8")).readline
+    code = [
+        token
+        for token in tokenize.generate_tokens(read)
+        if token.type not in LAID_OUT and token.start[0] not in docstrings
+    ]
+    lines = {n for token in code for n in range(token.start[0], token.end[0] + 1)}
+    return len(code), len(lines)
+
+
+def folder_of(name):
+    """The folder of a module in the table of tokens: the first two names of its path."""
+    return ".".join(name.split(".")[:-1][:2])
+
+
+def test_no_folder_has_outgrown_its_tokens():
+    tokens = {}
+    for name, (count, _) in sizes().items():
+        if count:
+            folder = folder_of(name)
+            tokens[folder] = tokens.get(folder, 0) + count
+    over = {n: count for n, count in tokens.items() if count > TOKENS.get(n, 0)}
+    assert over == {}
+    assert tokens.keys() == TOKENS.keys()
+
+
+def test_no_file_is_too_long_to_read():
+    long = {name: lines for name, (_, lines) in sizes().items() if lines > LONGEST_FILE}
+    assert long == {}
