@@ -305,7 +305,7 @@ def _of_simplices(f: Any) -> Table:
         for corners, inverse in cells:
             weights = inverse[:-1] @ (x - inverse[-1])
             weights = np.append(weights, 1.0 - np.sum(weights))
-            value = where(np.all(weights >= -1e-12), weights @ ys[corners], value)
+            value = where(np.all(weights >= -1e-12), np.tensordot(weights, ys[corners], 1), value)
         return value
 
     return _of_scattered(f, len(f.tri.simplices), "simplices", value_at)
@@ -324,6 +324,7 @@ def _of_nearest(f: Any) -> Table:
 TABLES: dict[str, Callable[[Any], Table]] = {
     "interp1d": _of_interp1d,
     "Akima1DInterpolator": _of_polynomials,
+    "CubicHermiteSpline": _of_polynomials,
     "CubicSpline": _of_polynomials,
     "PPoly": _of_polynomials,
     "PchipInterpolator": _of_polynomials,
