@@ -162,6 +162,7 @@ class Confirmation:
         Return None for errors of operations, such as 1 / 0, of which the record has a value.
         """
         t, x, u = self._split(point)
+        t = float(t)  # as a run calls it: 1 / 0.0 raises
         p = self.block.parameters_at(t, parameters)
         try:
             return self.block._evaluate(self.role, size, t, x.copy(), u.copy(), p)

@@ -235,6 +235,7 @@ class _Tracing:
         rebinding = self.rebinding
         function = rebinding.root(request.function)
         t = tape.add("leaf", (), (), ("t", "t"))
+        t._of_python = True
         fields = {
             name: self._leaf(name) if name in request.shapes else rebinding.of(value)
             for name, value in request.parameters.items()
