@@ -45,14 +45,10 @@ OPTIONS: dict[str, Any] = {
 NOT_INLINED = (
     *("advance", "evaluate", "take_run", "find_crossing", "may_hide", "locate_events"),
     "check_events",
-    *(
-        "narrow",
-        "measure_effect",
-        "bracket_next",
-        "factor",
-        "differentiate",
-        "solve_stage",
-    ),
+    "evaluate_points",
+    "pass_events",
+    "rates_change",
+    *("narrow", "factor", "differentiate", "solve_stage"),
     *("write_samples", "jump_states"),
 )
 # words that an older LLVM does not know
@@ -134,7 +130,6 @@ def arguments() -> dict[str, tuple]:
         memory=layout.Memory(*(real(1),) * 5),
         states=real(3),
         points=real(3),
-        signs=real(1),
         linear=layout.Linear(real(1), real(1), whole(1), (1, 1), *(whole(1),) * 6),
     )
     points = (real(1), whole(1), real(1), real(1)), (whole(1), real(2)), (real(1),) * 4

@@ -209,7 +209,8 @@ class DiagramRecord(RecordMerger):
     Kinds are those of `record.graph`, with loads in place of leaves.  `at` of a load is (array,
     offset), of a sum (axis, length, is it a loop?), of a part the offset among all elements of its
     argument, row by row.  An axis without a name is a loop from the length `long` on, an axis with
-    a name from the length `named` on.  Decisions of `passed` operations are not locked.
+    a name from the length `named` on.  Decisions of `passed` operations are not
+    locked; none are if it is None, for `slide`.
     """
 
     def __init__(
@@ -217,7 +218,7 @@ class DiagramRecord(RecordMerger):
         wiring: Wiring,
         layout: Layout,
         form: str | None = None,
-        passed: Collection[int] = (),
+        passed: Collection[int] | None = (),
     ):
         super().__init__(wiring, {0: wiring.ninputs})
         self.layout = layout
@@ -238,9 +239,10 @@ class DiagramRecord(RecordMerger):
         for k, node in enumerate(wiring.nodes):
             if node.system.guard is not None:
                 self.margins += self.run(k, "guard", self.fed(k))
+        self.held_margins = [*self.margins]  # with the decisions of a step's beginning
         self.decisions = Decisions(self, layout.inputs(wiring.ninputs))
-        if self.locking and not wiring.dt:
-            self.rates = self.decisions.lock(self.rates, passed=passed)
+        if self.locking and passed is not None and not wiring.dt:
+            self.rates = self.lock(passed=passed)
         self._jumped = {k: self._leap(k) for k in range(len(wiring.nodes))}
         self._sample()
         self.leaps: list[Port] = []
@@ -264,6 +266,18 @@ class DiagramRecord(RecordMerger):
     def shape_of(self, ref: Ref) -> tuple[int, ...]:
         """Return the shape of a value."""
         return self.entries[ref].shape if type(ref) is int else ()
+
+    def lock(self, **options: Any) -> list[Port]:
+        """Return the rates with locked decisions; those of guards are locked as well."""
+        margins = [Port(0, (), (), ref) for ref in self.margins]
+        locked = self.decisions.lock([*self.rates, *margins], **options)
+        self.held_margins = [port.ref for port in locked[len(self.rates) :]]
+        return locked[: len(self.rates)]
+
+    def require(self, margin: Ref) -> None:
+        """End a run where a margin falls below 0."""
+        self.margins.append(margin)
+        self.held_margins.append(margin)
 
     # --- blocks ---------------------------------------------------------------------------
 

@@ -37,7 +37,8 @@ class Program(NamedTuple):
 
     derivative: D = dx/dt; signals: W = all block outputs; jump: D = states after the jumps that
     P asks for, empty without any; decide: D = decisions, their distances and the rounding of these
-    (`switching_conditions`).  Guards are the last events.
+    (`switching_conditions`).  Guards are the last events; in place of the decision they have the
+    distance with the decisions made now.
     """
 
     components: tuple[Component, ...]
@@ -250,7 +251,7 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
     """
     decisions = record.decisions
     count = record.decisions.count
-    first_prepared = prepared + 1 + count if count else prepared
+    first_prepared = prepared + 2 + count if count else prepared
     components = Components(record, room, first_prepared)
     # behind the decisions D has their distances, then the rounding errors of these
     events = count + len(record.margins)
@@ -265,8 +266,12 @@ def program_of(record: DiagramRecord, room: int, prepared: int) -> Program:
             "jump": components.writes(record.leaps, "D") if record.layout.jumps else [],
             "decide": components.writes([*decisions.now, *behind], "D"),
         }
-        for k, margin in enumerate(record.margins, events + count):
-            value = components.as_number(components.at(margin, ()))
-            writes["decide"].append(Write("D", k, (), (), value))
+        for first, margins in (
+            (count, record.margins),
+            (events + count, record.held_margins),
+        ):
+            for k, margin in enumerate(margins, first):
+                value = components.as_number(components.at(margin, ()))
+                writes["decide"].append(Write("D", k, (), (), value))
     program = Planner(components).program(writes, decisions)
     return program._replace(guarded=events - count)

@@ -20,6 +20,9 @@ import numpy as np
 
 from ..record.graph import reached
 from ..record.operations import SMOOTH, TABLE, named
+from ..record.unread import Unread
+from ..trace.arrays import operand
+from ..trace.derivative import Direction
 
 # the sign of a - b where they hold
 COMPARED = {"lt": -1.0, "le": -1.0, "gt": 1.0, "ge": 1.0}
@@ -30,6 +33,7 @@ LOCKED = named(lambda row: row.decisions)
 WIDE = {"add", "sub", "mul", "neg", "sin", "cos", "sqrt"}
 PEAKED = named(lambda row: row.smoothness == SMOOTH and row.slopes) - WIDE
 ROUNDING = 1e-12  # relative, of the numbers that are compared
+NAN_IF_ANY = ("sign", "minimum", "maximum")  # NaN where an argument is NaN
 Ref = Any
 Add = Callable[..., Ref]  # writes an operation of arguments; returns its value
 
@@ -94,9 +98,10 @@ def _locked_value(
 class Decisions:
     """The decisions of a diagram's rates, as they are and as they were when a step began."""
 
-    def __init__(self, record: Any, grain: int):
+    def __init__(self, record: Any, tolerances: int):
         self.record = record
-        self.grain = grain  # offset in P of the least difference that counts
+        self.tolerances = tolerances  # offset in P: relative, absolute
+        self.first = tolerances + 2  # offset in P of the decisions
         self.now: list[Port] = []
         self.distances: list[Port] = []
         self.least: list[Port] = []
@@ -111,6 +116,7 @@ class Decisions:
         ]()  # entries with locked decisions of the first rates
         self._numbers = dict[tuple, int]()  # of each operation's decisions in these
         self._block = 0  # how many numbers were decided before
+        self._bound = Direction(record.tape, {}, bound=True)
         self._true: list[Port] = []  # distances, also of numbers that are held
 
     def lock(
@@ -221,6 +227,7 @@ class Decisions:
         owner = record.owners[k]
         long, made_in = record.decided_by[k]
         outcomes = list[Ref]()
+        in_force = list[Ref]()
         size = prod(shape)
         flips = False
         stays = np.zeros(shape, dtype=bool)
@@ -234,7 +241,7 @@ class Decisions:
             self._numbers[k, position] = first
             number = first + self._block
             numbers = np.arange(first, first + size).reshape(shape)
-            H = record.load("P", self.grain + 1 + number, shape)
+            H = record.load("P", self.first + number, shape)
             # the decision now, and its distance from the decision in force
             now, distance, least = H, 1.0, 0.0
             if not is_shared:
@@ -243,6 +250,13 @@ class Decisions:
                     now = add("where", now, 1.0, -1.0)
                 compared = operands(kind, name, arguments)
                 distance, least = self._distance(name, compared, H, add)
+                least = operand(record.tape.value(least) + self._rounding(distance))
+                if kind in NAN_IF_ANY:
+                    now = self._unless_nan(
+                        operands(kind, name, settled), now, np.nan, add
+                    )
+                    distance = self._unless_nan(compared, distance, -1.0, add)
+                    least = self._unless_nan(compared, least, 0.0, add)
                 self._true.append(Port(number, shape, long, distance))
                 # fixed decisions stay as they are
                 now = self._chosen(np.isin(numbers, fixed), H, now, add)
@@ -255,19 +269,35 @@ class Decisions:
             if is_shared:
                 other_side = np.isin(numbers, flipped)
                 flips |= bool(other_side.any())
-                shared = record.load("P", self.grain + 1 + first, shape)
+                shared = record.load("P", self.first + first, shape)
                 H = self._chosen(other_side, H, shared, add)
             if self._block == 0:
                 self.count += size
             outcome = add("gt", H, 0.0) if name in COMPARED else H
             outcomes.append(outcome)
+            in_force.append(H)
+
+        def locked_value(refs: tuple[Ref, ...]) -> Ref:
+            value = _locked_value(kind, refs, outcomes, add)
+            if kind not in NAN_IF_ANY:
+                return value
+            # 1, or NaN
+            return add("mul", value, add("mul", in_force[0], in_force[0]))
+
         value = k if settled == exact else record.add(kind, settled, shape, at, owner)
         if stays.any():
-            held = _locked_value(kind, settled, outcomes, add)
+            held = locked_value(settled)
             value = self._chosen(stays, held, value, add)
         if is_shared and not flips:
             return self._first[k], value
-        return _locked_value(kind, arguments, outcomes, add), value
+        return locked_value(arguments), value
+
+    def _unless_nan(self, of: tuple, value: Ref, other: Ref, add: Add) -> Ref:
+        """Return a value, or another where one of the operands is NaN."""
+        for ref in of:
+            if type(ref) is not float:
+                value = add("where", add("eq", ref, ref), value, other)
+        return value
 
     def _chosen(self, mask: np.ndarray, value: Ref, other: Ref, add: Add) -> Ref:
         """Return a value where a constant mask is true, and another elsewhere."""
@@ -291,7 +321,7 @@ class Decisions:
         if name in COMPARED and of[1] != 0.0:
             threshold_size = add("fabs", of[1])
             size = add("add", size, threshold_size)
-        least = self._rounding(size, add)
+        least = add("mul", size, ROUNDING)
         if name in COMPARED:
             difference = add("sub", *of)
             if COMPARED[name] < 0:
@@ -337,7 +367,7 @@ class Decisions:
         inside_width = add("add", low, high)
         width = add("where", is_at_end, 1.0, inside_width)
         size = add("fabs", x)
-        least = self._rounding(size, add)
+        least = add("mul", size, ROUNDING)
         return distance, add("mul", least, width)
 
     def _row(self, numbers: np.ndarray) -> Ref:
@@ -355,11 +385,21 @@ class Decisions:
         least_size = add("fabs", least)
         second_size = add("fabs", second_least)
         size = add("add", least_size, second_size)
-        rounding = self._rounding(size, add)
+        rounding = add("mul", size, ROUNDING)
         return add("sub", second_least, least), rounding
 
-    def _rounding(self, size: Ref, add: Add) -> Ref:
-        """Return the rounding of a difference of numbers of a size."""
-        relative = add("mul", size, ROUNDING)
-        grain = self.record.load("P", self.grain, ())
-        return add("add", relative, grain)
+    def _rounding(self, distance: Ref) -> Any:
+        """Return by how much a distance changes with states that change by rounding."""
+        record = self.record
+        if type(distance) is float:
+            return 0.0
+        for k in reached(record.entries, [distance]):
+            kind, _, _, at = record.entries[k]
+            if kind == "load" and at[0] == "X":
+                self._bound.known.setdefault(
+                    k, ROUNDING * np.fabs(record.tape.value(k))
+                )
+        try:
+            return self._bound.of(record.tape.value(distance))
+        except Unread:
+            return 0.0

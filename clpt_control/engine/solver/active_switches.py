@@ -30,8 +30,9 @@ from .solver_layout import DECISION, DERIVATIVE, DISTANCE, ROUNDING
 PARALLEL = 1e-4  # share of a slope that may stand out of the others
 NEAR = 1e3  # rounding errors of a distance within which a decision is about to change
 CHANGE = 1e-6  # of states and time, relative, for the slopes of distances
-ASIDE = 1e-8  # distance from the switches at which their sides are evaluated
-GRAINS = 1e4  # least of that distance, in rounding errors of the numbers compared
+GRAIN = 1e-10  # of states, relative, that decides nothing
+ASIDE = 1e-8  # of states, relative, or
+GRAINS = 1e4  # rounding errors of the numbers compared: there sides are evaluated
 MOST_COUPLED = 12  # switches that move each other
 MOST_CHANGES = 1000  # of the active set
 SLIDES = 2  # beside the sides 0 and 1
@@ -55,13 +56,14 @@ class Crossing(NamedTuple):
     state: ndarray
     distance: ndarray
     rounding: ndarray
+    change: ndarray  # of distances, with states that change by their size
     slopes: ndarray  # of distances, (states, decisions)
     drift: ndarray  # of distances with time
 
     @property
     def undecided(self) -> ndarray:
         """Return for each decision whether it is about to change."""
-        return np.abs(self.distance) < NEAR * self.rounding
+        return np.abs(self.distance) < NEAR * (self.rounding + GRAIN * self.change)
 
     def switches(self, chosen: ndarray, changed: ndarray) -> list[HeldSwitch]:
         """Return the switches of chosen decisions: their slopes are parallel."""
@@ -87,7 +89,9 @@ def crossing_at(
     callee: Any, segments: Schedule, parameters: ndarray, t: float, state: ndarray
 ) -> Crossing:
     """Return the distances at a point, and their slopes by differences."""
-    changes = CHANGE * (1.0 + np.abs(state))
+    rtol, atol = parameters[callee.decided_at - 2 : callee.decided_at]
+    sizes = np.abs(state) + atol / rtol
+    changes = CHANGE * sizes
     end = segments.edges[np.searchsorted(segments.edges, t, "right")]
     later = min(CHANGE * (1.0 + abs(t)), 1e-3 * (end - t))
     if later <= 1e-3 * CHANGE * (1.0 + abs(t)):
@@ -97,6 +101,7 @@ def crossing_at(
     states = np.vstack([state, state + np.diag(changes), state])
     events = callee.events_at(times, states, segments, parameters)
     distances = events[:, DISTANCE, : callee.decided]
+    slopes = (distances[1:-1] - distances[0]) / changes[:, None]
     return Crossing(
         callee=callee,
         segments=segments,
@@ -105,7 +110,8 @@ def crossing_at(
         state=state,
         distance=distances[0],
         rounding=events[0, ROUNDING, : callee.decided],
-        slopes=(distances[1:-1] - distances[0]) / changes[:, None],
+        change=sizes @ np.abs(slopes),
+        slopes=slopes,
         drift=(distances[-1] - distances[0]) / (times[-1] - t),
     )
 
@@ -125,14 +131,14 @@ class Sides(NamedTuple):
 def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     """Evaluate the sides of switches; those that do not change the rates are left out."""
     # 1. states on one side of all switches, beyond single ones, pairs, and all
-    normals = _normals(crossing, switches)
+    normals = normals_of(crossing, switches)
     count = len(switches)
     flipped = [set[int](), *({k} for k in range(count))]
     flipped += [{*pair} for pair in combinations(range(count), 2)]
     flipped.append(set(range(count)))
     first = [held.switch for held in switches]
-    grain = crossing.rounding[first].min(initial=0.0)
-    aside = np.maximum(ASIDE, GRAINS * (crossing.rounding[first] - grain))
+    rounding = GRAINS * crossing.rounding[first]
+    aside = np.maximum(ASIDE * crossing.change[first], rounding)
     signs = [[-1.0 if k in those else 1.0 for k in range(count)] for those in flipped]
     moves = aside * signs - crossing.distance[first]
     states = crossing.state + moves @ normals.T
@@ -163,7 +169,7 @@ def sides_of(crossing: Crossing, switches: list[HeldSwitch]) -> Sides:
     return Sides(switches, decisions, matrix, slopes @ rates[0] + crossing.drift[first])
 
 
-def _normals(crossing: Crossing, switches: list[HeldSwitch]) -> ndarray:
+def normals_of(crossing: Crossing, switches: Sequence[HeldSwitch]) -> ndarray:
     """Return directions along which one distance changes by 1 and no other does."""
     slopes = crossing.slopes[:, [held.switch for held in switches]]
     lengths = np.linalg.norm(slopes, axis=0)

@@ -22,7 +22,6 @@ from .callee import MOST_KEPT, Callee, aligned
 from .jacobian_pattern import NO_LINEAR
 from .schedule import Schedule
 from .solver_layout import (
-    DECISION,
     FIRST_STEP,
     MAX_STEP,
     OUTSIDE,
@@ -46,7 +45,6 @@ from .solver_layout import (
 
 PAUSE = 0.05  # seconds of a call
 BEGIN = 60_000  # numbers, times tries, of the first call of machine code
-GRAIN = 0.01  # of atol: a smaller difference passes no decision
 # looks for stiffness that do not count, after a run was found not to be stiff
 LATER = 64
 # of step times eigenvalue: half of what is stable
@@ -100,7 +98,7 @@ class Batch:
         lanes = callee.lanes
         size = max(callee.size, parameters.shape[1], 1)
         at_points = 3 * POINTS * callee.events
-        results = max(n, at_points + callee.events)
+        results = max(n, at_points)
         rooms = (REALS, ROWS * n, size, max(callee.room, 1), results)
         self._reals, arrays = aligned(*(lanes * room for room in rooms))
         numbers, self.Z, P, W, D = arrays
@@ -110,7 +108,6 @@ class Batch:
         self.memory = Memory(self.Z, P, callee.tables, W, D)
         # 4. events at the sample points of a step
         self.points = D[:at_points].reshape(POINTS, 3, callee.events)
-        self.signs = D[at_points : at_points + callee.events]
         # 5. the solver's argument
         self._tolerances = np.zeros(2)
         self.linear = callee.linear.for_solver
@@ -128,7 +125,6 @@ class Batch:
             memory=self.memory,
             states=self.states,
             points=self.points,
-            signs=self.signs,
             linear=self.linear,
         )
         is_explicit = self.linear is NO_LINEAR
@@ -189,7 +185,7 @@ class Batch:
         self.lane[FIRST_STEP] = opening
         # 3. guards
         self.points[:, ROUNDING, callee.decided :] = OUTSIDE
-        self.points[0, DECISION, callee.decided :] = callee.levels
+        self.points[0, ROUNDING, callee.decided :] = callee.edges
 
     @property
     def is_small(self) -> bool:
@@ -221,7 +217,8 @@ class Batch:
         if not self.callee.method.adaptive:
             most = ANY
         if self.callee.decided:
-            self.runs.parameters[:, self.callee.decided_at - 1] = GRAIN * atol
+            first = self.callee.decided_at
+            self.runs.parameters[:, first - 2 : first] = rtol, atol
         budget = max(64, BEGIN // self.callee.nstates)
         active = 1
         while active:

@@ -26,7 +26,7 @@ from .level_jumps import requesting
 from .native_diagram import NativeDiagram
 from .runner import PythonDiagram
 from .schedule import Inputs, Schedule, inputs_at
-from .solver_layout import DERIVATIVE, DISTANCE, JUMP, SIGNALS, Status
+from .solver_layout import DECISION, DERIVATIVE, JUMP, SIGNALS, Status
 from .termination import Solution
 
 ENGINES = ("native", "python")
@@ -88,7 +88,12 @@ def run_checked(
             return solution, runner.signals(solution, inputs)
         warn_python(name, why)
         runner = PythonDiagram(runner.wiring, params)
-    solution = runner.run(start, times, **options)
+    try:
+        solution = runner.run(start, times, **options)
+    except SimulationError as error:
+        if runner.hidden_state:
+            error.args = (f"{error}. Its reason may be this: {runner.hidden_state}",)
+        raise
     signals = runner.signals(solution, inputs)
     if runner.hidden_state and runner.nstates and not runner.wiring.dt:
         _warn_of_order(runner, name, start, times, solution, signals, options)
@@ -244,7 +249,7 @@ def _agrees(
         machine.append(callee.evaluate(JUMP, times, x, all_jump, P, runner.nstates))
     if sweep.guarded:
         events = callee.events_at(times, x, segments, P)
-        machine.append(events[:, DISTANCE, callee.decided :])
+        machine.append(events[:, DECISION, callee.decided :])
     # 2. results of the functions in Python
     python: list[list[ndarray]] = [[] for _ in machine]
     for t, state in zip(times.tolist(), x[:, : sweep.nstates], strict=True):

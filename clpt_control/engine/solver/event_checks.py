@@ -15,11 +15,12 @@ from .solver_layout import (
     ACCEPTED,
     DECISION,
     DISTANCE,
+    DISTANCE_HIGH,
+    DISTANCE_LOW,
     ENTERED,
     EVENT_INDEX,
     FRESH,
     HIGH,
-    LEVEL,
     LOW,
     OUTSIDE,
     POINTS,
@@ -53,7 +54,10 @@ QUARTERS = SAMPLE_POINTS // 2
 CLEAR = 10.0  # errors between points that a distance must exceed
 # of the time: rounding moves what changes in it by so much of its change
 TIME_ROUNDING = 1e-15
-SHORTEST = 1e-13  # step up to an event, of a run: in a shorter one states move by rounding alone
+# step up to an event, of a run, and of the time: in a shorter one states move by rounding alone
+SHORTEST, SHORTEST_OF_TIME = 1e-13, 4e-15
+NEAR = 0.25  # of the change of a distance in a step: so wrong may the cubic through its ends be
+DEEPER = 1.5  # so much deeper than the vertex of a parabola may a distance fall
 
 
 def hold_decisions(solver):
@@ -84,27 +88,54 @@ def decisions_changed(solver):
     return lane[FRESH, 0] > 0.5
 
 
+def evaluate_points(solver):
+    """Evaluate the events at the sample points of the step."""
+    for point in range(SAMPLE_POINTS + 1):
+        put_state_within(solver, SHARES[point])
+        decide(solver, solver.lane[STAGE_TIME], row_of(point), point)
+
+
+def comes_near(solver):
+    """Return whether a distance comes near 0, by the cubic through the ends of the step."""
+    evaluate_points(solver)
+    lane, points = solver.lane, solver.points
+    lane[STAGE_TIME, 0] = lane[TRIAL_END, 0]
+    for j in range(points.shape[2]):
+        least, most = math.inf, -math.inf
+        for point in range(SAMPLE_POINTS + 1):
+            least = min(least, points[point, DISTANCE, j])
+            most = max(most, points[point, DISTANCE, j])
+        near = NEAR * (most - least) + CLEAR * error_between(points, j)
+        rounding = points[0, ROUNDING, j]
+        if least < (near if near > rounding else -rounding):
+            return True
+    return False
+
+
 def check_events(solver):
     """Find the first event of the step; return whether there is one.
 
     The step is halved if a distance may cross 0 and return between the points before that event.
     """
-    lane = solver.lane
-    for point in range(SAMPLE_POINTS + 1):
-        put_state_within(solver, SHARES[point])
-        decide(solver, lane[STAGE_TIME], row_of(point), point)
+    evaluate_points(solver)
     set_edges(solver)
-    return find_crossing(solver)
+    return find_crossing(solver, 0.0)
+
+
+def shortest_step(solver):
+    """Return the length of the shortest step up to an event."""
+    run = solver.times[-1] - solver.times[0]
+    return max(SHORTEST * run, SHORTEST_OF_TIME * abs(solver.lane[TIME, 0]))
 
 
 def set_edges(solver):
     """Set how far beyond its edge each guard is left in this step.
 
-    A level is passed at 0 if the step begins above it.
+    Where states jump, it is passed at 0 if the step begins above it.
     """
     points, shape = solver.points, solver.shape
     for guard in range(shape.decisions, shape.decisions + shape.guarded):
-        is_level = points[0, DECISION, guard] == LEVEL
+        is_level = points[0, ROUNDING, guard] < 0.0
         is_above = points[0, DISTANCE, guard] > 0.0
         for point in range(1, POINTS):
             edge = 0.0 if is_level and is_above else OUTSIDE
@@ -116,9 +147,10 @@ def row_of(point):
     return solver_layout.WITHIN if point < SAMPLE_POINTS else solver_layout.ARGUMENT
 
 
-def find_crossing(solver):
-    """Set `event_index`, and `low` and `high` to the points around it; return whether there is one.
+def find_crossing(solver, start):
+    """Find the first event behind a share of the step; return whether there is one.
 
+    Set `event_index`, and `low` and `high` to the points around it.
     A step of a fixed length is checked at its end only, and not halved.
     """
     lane, integers, points = solver.lane, solver.integers, solver.points
@@ -128,16 +160,20 @@ def find_crossing(solver):
     if integers[RUN_INDEX, 0] < 0 or lane[ACCEPTED, 0] < 0.5:
         return False
     point = SAMPLE_POINTS - 1 if fixed else 0
+    while point < SAMPLE_POINTS - 1 and SHARES[point + 1] <= start:
+        point += 1
+    first = point + 1
     while point < SAMPLE_POINTS and integers[EVENT_INDEX, 0] < 0:
         point += 1
         integers[EVENT_INDEX, 0] = first_crossed(points, point)
-    lane[LOW, 0] = 0.0 if fixed else SHARES[point - 1]
-    lane[HIGH, 0] = SHARES[point]
+    before = 0 if fixed else point - 1
+    lane[LOW, 0], lane[HIGH, 0] = max(start, SHARES[before]), SHARES[point]
+    lane[DISTANCE_LOW, 0] = max(least_distance(points, before), 0.0)
+    lane[DISTANCE_HIGH, 0] = least_distance(points, point)
     clear_until = point if integers[EVENT_INDEX, 0] < 0 else point - 1
-    shortest = SHORTEST * (solver.times[-1] - solver.times[0])
-    divisible = not fixed and lane[TRIAL_SIZE, 0] > 2.0 * shortest
+    divisible = not fixed and lane[TRIAL_SIZE, 0] > 2.0 * shortest_step(solver)
     if divisible and may_hide(
-        points, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]
+        points, first, clear_until, lane[TRIAL_END, 0], lane[TRIAL_SIZE, 0]
     ):
         retry(solver, 0, 0.5 * lane[TRIAL_SIZE, 0])
         integers[EVENT_INDEX, 0] = -1
@@ -152,27 +188,33 @@ def first_crossed(points, point):
     return -1
 
 
+def least_distance(points, point):
+    """Return the least distance of the events, and its rounding; below 0 behind one."""
+    least = math.inf
+    for j in range(points.shape[2]):
+        least = min(least, points[point, DISTANCE, j] + points[point, ROUNDING, j])
+    return least
+
+
 # --- events between the points --------------------------------------------------------------------
 
 
-def may_hide(points, last, end, size):
+def may_hide(points, first, last, end, size):
     """Return whether a condition may cross and return between sample points, up to the last.
 
     The step is too long to tell unless every distance within it, and the vertex of each parabola
-    through three of them, is `CLEAR` times as large as the error between; except those around a
-    crossing that is seen.  Rounding errors of the distances, or of the time, are no error.
+    through three of them, is above 0, and `CLEAR` times as large as the error between; except those
+    around a crossing that is seen.  Rounding errors of the distances, or of the time, are no error.
     """
     time_rounding = TIME_ROUNDING * abs(end) / size
     for j in range(points.shape[2]):
         error = error_between(points, j)
-        rounding = points[0, ROUNDING, j]
+        rounding = abs(points[0, ROUNDING, j])
         for point in range(SAMPLE_POINTS):
             change = points[point + 1, DISTANCE, j] - points[point, DISTANCE, j]
             rounding += time_rounding * abs(change)
-        if (
-            error > rounding
-            and least_distance_of(points, j, last, error) <= CLEAR * error
-        ):
+        least = least_distance_of(points, j, first, last, error)
+        if least < -rounding or (error > rounding and least <= CLEAR * error):
             return True
     return False
 
@@ -188,22 +230,19 @@ def error_between(points, j):
     return error
 
 
-def least_distance_of(points, j, last, error):
+def least_distance_of(points, j, first, last, error):
     """Return the least distance of a condition at sample points and vertices of parabolas."""
     least = math.inf
-    for point in range(1, min(last + 1, SAMPLE_POINTS)):
+    for point in range(first, min(last + 1, SAMPLE_POINTS)):
         a = points[point - 1, DISTANCE, j]
         b = points[point, DISTANCE, j]
         c = points[point + 1, DISTANCE, j]
-        if b < 0.0:
-            a, b, c = -a, -b, -c
-        if (point == 1 or a > 0.0) and (point == last or c > 0.0):
-            least = min(least, b)
+        least = min(least, b)
         if point < last and b < CLEAR * error + 3.0 * (abs(a - b) + abs(c - b)):
             before = SHARES[point] - SHARES[point - 1]
             after = SHARES[point + 1] - SHARES[point]
             curvature = ((c - b) / after - (b - a) / before) / (before + after)
             slope = (b - a) / before + curvature * before
             if curvature > 0.0 and -after < 0.5 * slope / curvature < before:
-                least = min(least, b - 0.25 * slope * slope / curvature)
+                least = min(least, b - DEEPER * 0.25 * slope * slope / curvature)
     return least

@@ -1,31 +1,34 @@
 """Event location: where a step crosses switching conditions, and the restart behind the event.
 
-A step holds every decision of the rates (``u > 1``, ``max(a, b)``, ``floor(x)``) as it was when the
-step began.  If a decision has changed within the step, the step is valid up to that event x only:
+A step holds every decision (``u > 1``, ``max(a, b)``, ``floor(x)``) as it was when the step began.
+If a decision has changed within the step, the step is valid up to that event x only:
 
     0 -------- low --x-- high -------- 1     shares of the step
 
-1. Measure the effect of the events: step times difference of the rates with new and with held
-   decisions, in tolerances.  Below `NEGLIGIBLE` the step stays as it is; otherwise rounding would
-   decide where steps end.  The effect of a guard is infinite.
-2. Bracket the first event between two sample points of the step, and narrow the bracket.
-3. If the event is a guard, stop the run at `high` and reject the step.  Otherwise try the step
-   again up to `high`.  The next step begins there, with new decisions.
+1. Bracket the first event between two sample points of the step, and narrow the bracket.
+2. If the event is a guard, stop the run at `high` and reject the step.
+3. If the rates behind the event are the same with the new decisions, the new ones hold for the
+   rest of the step, which is checked as a step that begins there.
+4. Otherwise the step ends at `high`: with the interpolant's state if that is exact enough, else it
+   is tried again up to there.  The next step begins anew, with new decisions.
 """
 
 import math
 
 from .event_checks import (
     SHARES,
-    SHORTEST,
     TIME_ROUNDING,
+    evaluate_points,
+    find_crossing,
     first_crossed,
-    may_hide,
-    row_of,
+    least_distance,
+    shortest_step,
 )
 from .solver_layout import (
     ACCEPTED,
     ANEW,
+    ARGUMENT,
+    BEFORE,
     BEGINNING,
     BEHIND,
     BURST,
@@ -33,12 +36,13 @@ from .solver_layout import (
     DISTANCE,
     DISTANCE_HIGH,
     DISTANCE_LOW,
+    END_RATE,
     EVENT_CROSSED,
-    EVENT_EFFECT,
     EVENT_INDEX,
     FRESH,
     HELD_RATE,
     HIGH,
+    INTERPOLANT_ERROR,
     LAST_EVENT,
     LOW,
     NEW_RATE,
@@ -56,54 +60,142 @@ from .solver_layout import (
     decide,
     derivative,
     fail,
-    first_outside,
     prepare,
     put_state_within,
     retry,
 )
 
-CROSSED = 1.0  # value of `event_crossed`: the step ends right behind an event
+CROSSED = (
+    1.0  # value of `event_crossed`: the step, or the next, ends right behind an event
+)
+EXACT = 5e-4  # error of the interpolant from whose state a run goes on; of samples it is below 1
+NEGLIGIBLE = 0.1  # effect of an event that is passed, in tolerances
+MOST_PASSED = 32  # events in one step
 RESOLVED = 1e-12  # distance from an event at which a step ends, as a share of it
 WIDTH = 0.1 * RESOLVED  # final width of the bracket
+CLOSE = 1e-5  # width of the bracket behind which rates are compared
 STOP_WIDTH = 1e-14  # of the bracket at which a run stops
-CLOSE = 1e-5  # width of the bracket behind which the effect of an event is measured
 MOST_TRIALS = 45  # halvings that reach WIDTH, and one more
-NEGLIGIBLE = 0.1  # effect, in tolerances, up to which a step may pass an event
-MOST_NEGLIGIBLE = 32  # events with a negligible effect in one step
 MOST_EVENTS = 1000  # in a row, each soon after the other
 # "soon", as a share of the run: if a state moves by its tolerance meanwhile, and otherwise
 SHORT_MOVING, SHORT_RESTING = 1e-7, 5e-6
 
 
 def locate_events(solver):
-    """Locate the first event of a step that has an effect; shorten a step that ends beyond it."""
-    lane, integers = solver.lane, solver.integers
-    measure_effects(solver)
-    if bracket_next(solver, True, 0):
-        low = lane[LOW, 0]
-        narrow(solver, WIDTH)
-        if solver.shape.guarded > 0 and stops_run(solver, low):
+    """Locate the first event of a step; end the step there unless the rest stays as it is."""
+    lane = solver.lane
+    low, size = lane[LOW, 0], lane[TRIAL_SIZE, 0]
+    run = solver.times[-1] - solver.times[0]
+    is_soon = lane[TRIAL_END, 0] - lane[LAST_EVENT, 0] < SHORT_RESTING * run
+    if solver.shape.guarded == 0 and not is_soon:
+        narrow(solver, CLOSE)
+        if pass_events(solver) or lane[ACCEPTED, 0] < 0.5:
             return
-    size = lane[TRIAL_SIZE, 0]
-    end = lane[TRIAL_END, 0]
-    lane[STAGE_TIME, 0] = end
-    if integers[EVENT_INDEX, 0] < 0:
+    narrow(solver, WIDTH)
+    if solver.shape.guarded > 0 and stops_run(solver, low):
         return
-    shortest = SHORTEST * (solver.times[-1] - solver.times[0])
-    divisible = size > 2.0 * shortest
-    if lane[EVENT_EFFECT, 0] > NEGLIGIBLE:
-        resolution = max(RESOLVED * size, 4.0 * TIME_ROUNDING * abs(end))
-        if divisible and (1.0 - lane[LOW, 0]) * size > resolution:
-            retry(solver, 0, max(lane[HIGH, 0] * size, shortest))
-        else:
-            lane[EVENT_CROSSED, 0] = CROSSED
+    # 1. the shortest step ends behind the event all the same
+    lane[EVENT_CROSSED, 0] = CROSSED
+    shortest = shortest_step(solver)
+    share = max(lane[HIGH, 0], shortest / size)
+    if share >= 1.0:
         return
-    # the bracket is still open if more events than MOST_NEGLIGIBLE were passed
-    too_many = lane[LOW, 0] < lane[HIGH, 0]
-    if divisible and (too_many or may_hide(solver.points, SAMPLE_POINTS, end, size)):
-        retry(solver, 0, 0.5 * size)
-    elif first_crossed(solver.points, SAMPLE_POINTS) >= 0:
-        lane[EVENT_CROSSED, 0] = CROSSED
+    # 2. end the step if its interpolant is exact there
+    middle = 4.0 * share * (1.0 - share)  # 1 in the middle of the step, 0 at its ends
+    error = lane[INTERPOLANT_ERROR, 0] * middle * middle
+    if solver.shape.dense_stages > 0 and error < EXACT:
+        end_step(solver, share)
+        return
+    # 3. or try it again, up to there
+    resolution = max(RESOLVED * size, 4.0 * TIME_ROUNDING * abs(lane[TRIAL_END, 0]))
+    if size > 2.0 * shortest and (1.0 - lane[LOW, 0]) * size > resolution:
+        retry(solver, 0, share * size)
+
+
+def end_step(solver, share):
+    """End the step at a share of it, with the state of its interpolant."""
+    lane, states = solver.lane, solver.states
+    put_state_within(solver, share)
+    lane[TRIAL_END, 0] = lane[STAGE_TIME, 0]
+    for i in range(solver.shape.states):
+        states[ARGUMENT, i, 0] = states[WITHIN, i, 0]
+    derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
+    decide(solver, lane[STAGE_TIME], ARGUMENT, SAMPLE_POINTS)
+
+
+# --- events that change nothing -------------------------------------------------------------------
+
+
+def pass_events(solver):
+    """Pass events that do not change the rates; return whether the step holds up to its end.
+
+    The step is halved if it may hide another event behind one of them.  If an event has an effect,
+    the bracket is that of the first event again.
+    """
+    lane = solver.lane
+    low, high = lane[LOW, 0], lane[HIGH, 0]
+    distance_low, distance_high = lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0]
+    for j in range(solver.shape.decisions):
+        solver.points[BEFORE, DECISION, j] = solver.memory.P[
+            solver.shape.first_decision + j
+        ]
+    for _ in range(MOST_PASSED):
+        if rates_change(solver):
+            break
+        evaluate_points(solver)
+        if not find_crossing(solver, lane[HIGH, 0]):
+            if lane[ACCEPTED, 0] > 0.5:
+                derivative(solver, lane[TRIAL_END], ARGUMENT, END_RATE)
+                lane[LAST_EVENT, 0] = lane[TRIAL_END, 0]
+                return True
+            break
+        narrow(solver, CLOSE)
+    exchange_decisions(solver, BEFORE)
+    lane[LOW, 0], lane[HIGH, 0] = low, high
+    lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0] = distance_low, distance_high
+    return False
+
+
+def rates_change(solver):
+    """Return whether rates change behind `high` with the decisions there; otherwise hold them."""
+    lane = solver.lane
+    share = lane[HIGH, 0]
+    decide_within(solver, share)
+    for point in range(SAMPLE_POINTS, -1, -1):
+        within = SHARES[point] if point > 0 else share
+        if within >= share:
+            put_state_within(solver, within)
+            derivative(solver, lane[STAGE_TIME], WITHIN, HELD_RATE)
+            exchange_decisions(solver, BEHIND)
+            derivative(solver, lane[STAGE_TIME], WITHIN, NEW_RATE)
+            if rates_differ(solver):
+                return True
+            exchange_decisions(solver, BEHIND)
+    exchange_decisions(solver, BEHIND)
+    return False
+
+
+def rates_differ(solver):
+    """Return whether two rates differ by more than `NEGLIGIBLE` tolerances over the step."""
+    states = solver.states
+    relative, absolute = solver.tolerances[0], solver.tolerances[1]
+    for i in range(solver.shape.states):
+        difference = abs(states[NEW_RATE, i, 0] - states[HELD_RATE, i, 0])
+        tolerance = absolute + relative * abs(states[STATE, i, 0])
+        if not solver.lane[TRIAL_SIZE, 0] * difference <= NEGLIGIBLE * tolerance:
+            return True
+    return False
+
+
+def exchange_decisions(solver, point):
+    """Exchange the decisions that are held in P with those of a sample point."""
+    P, points = solver.memory.P, solver.points
+    first = solver.shape.first_decision
+    for j in range(solver.shape.decisions):
+        held = P[first + j]
+        P[first + j] = points[point, DECISION, j]
+        points[point, DECISION, j] = held
+    prepare(solver, solver.lane[TIME])
 
 
 def stops_run(solver, low):
@@ -139,130 +231,24 @@ def stops_run(solver, low):
     return True
 
 
-# --- the effect of events -------------------------------------------------------------------------
-
-
-def measure_effects(solver):
-    """Set `event_effect` to the largest effect at a sample point, or behind an event.
-
-    Events without effect are passed one after the other, for one may give effect to the next.
-    """
-    lane = solver.lane
-    lane[EVENT_EFFECT, 0] = 0.0
-    for point in range(SAMPLE_POINTS, 0, -1):
-        put_state_within(solver, SHARES[point])
-        measure_effect(solver, point)
-    for passage in range(MOST_NEGLIGIBLE):
-        if not bracket_next(solver, False, BEHIND if passage > 0 else 0):
-            return
-        narrow(solver, CLOSE)
-        decide_within(solver, lane[HIGH, 0])
-        measure_effect(solver, BEHIND)
-
-
-def measure_effect(solver, point):
-    """Raise the effect of the events to that of the decisions at a point, if negligible so far."""
-    lane, integers = solver.lane, solver.integers
-    in_bracket = lane[LOW, 0] < lane[HIGH, 0]
-    if (
-        integers[EVENT_INDEX, 0] < 0
-        or lane[EVENT_EFFECT, 0] > NEGLIGIBLE
-        or not in_bracket
-    ):
-        return
-    if first_crossed(solver.points, point) < 0:
-        return
-    if first_outside(solver, point) >= 0:  # of a guard
-        lane[EVENT_EFFECT, 0] = math.inf
-        return
-    # rates with the decisions held, which are in P; then with those of the point
-    row = WITHIN if point == BEHIND else row_of(point)
-    derivative(solver, lane[STAGE_TIME], row, HELD_RATE)
-    exchange_decisions(solver, point)
-    prepare(solver, lane[STAGE_TIME])
-    derivative(solver, lane[STAGE_TIME], row, NEW_RATE)
-    exchange_decisions(solver, point)
-    prepare(solver, lane[STAGE_TIME])
-    states = solver.states
-    relative, absolute = solver.tolerances[0], solver.tolerances[1]
-    for i in range(solver.shape.states):
-        difference = abs(states[NEW_RATE, i, 0] - states[HELD_RATE, i, 0])
-        tolerance = absolute + relative * abs(states[STATE, i, 0])
-        effect = lane[TRIAL_SIZE, 0] * difference / tolerance
-        effect = effect if effect - effect == 0.0 else math.inf
-        lane[EVENT_EFFECT, 0] = max(lane[EVENT_EFFECT, 0], effect)
-
-
 def decide_within(solver, share):
     """Evaluate the events at a share of the step into the point BEHIND."""
     put_state_within(solver, share)
     decide(solver, solver.lane[STAGE_TIME], WITHIN, BEHIND)
 
 
-def exchange_decisions(solver, point):
-    """Exchange the decisions that are held in P with those of a sample point."""
-    P, points = solver.memory.P, solver.points
-    first = solver.shape.first_decision
-    for j in range(solver.shape.decisions):
-        held = P[first + j]
-        P[first + j] = points[point, DECISION, j]
-        points[point, DECISION, j] = held
-
-
 # --- the bracket ----------------------------------------------------------------------------------
-
-
-def least_distance(solver, point):
-    """Return the least distance of the events; below 0 behind one."""
-    points, signs = solver.points, solver.signs
-    least = math.inf
-    for j in range(points.shape[2]):
-        distance = signs[j] * points[point, DISTANCE, j]
-        least = min(least, distance + points[point, ROUNDING, j])
-    return least
-
-
-def bracket_next(solver, effective, start):
-    """Put the next event between `low` and `high`; return whether there is one.
-
-    The search begins at the point `start`, the first or that BEHIND the last event.  It is done if
-    the events are `effective`, or only if they are not.
-    """
-    lane, integers = solver.lane, solver.integers
-    if (
-        integers[EVENT_INDEX, 0] < 0
-        or (lane[EVENT_EFFECT, 0] > NEGLIGIBLE) != effective
-    ):
-        return False
-    points = solver.points
-    for j in range(points.shape[2]):
-        changed = points[start, DISTANCE, j] < -points[start, ROUNDING, j]
-        solver.signs[j] = -1.0 if start == BEHIND and changed else 1.0
-    low = lane[HIGH, 0] if start == BEHIND else 0.0
-    distance_low = least_distance(solver, start)
-    point, distance = 1, 0.0
-    while point <= SAMPLE_POINTS and distance >= 0.0:
-        if SHARES[point] > low:
-            distance = least_distance(solver, point)
-            if distance >= 0.0:
-                low, distance_low = SHARES[point], distance
-        point += 1
-    lane[LOW, 0] = low
-    lane[HIGH, 0] = SHARES[point - 1] if distance < 0.0 else low
-    lane[DISTANCE_LOW, 0] = distance_low
-    lane[DISTANCE_HIGH, 0] = distance
-    return distance < 0.0
 
 
 def narrow(solver, width):
     """Narrow the bracket to a width; the event stays between `low` and `high`."""
-    lane = solver.lane
+    lane, points = solver.lane, solver.points
     for trial in range(MOST_TRIALS):
         if lane[HIGH, 0] - lane[LOW, 0] <= width:
             return
         share = next_share(solver, width, trial)
         decide_within(solver, share)
-        distance = least_distance(solver, BEHIND)
+        distance = least_distance(points, BEHIND)
         if distance < 0.0:
             lane[HIGH, 0] = share
             lane[DISTANCE_HIGH, 0] = distance
@@ -302,7 +288,14 @@ def next_share(solver, width, trial):
 def restart_behind_event(solver):
     """Begin anew behind an event; end a run that meets event after event without advancing."""
     lane, integers = solver.lane, solver.integers
-    if lane[EVENT_CROSSED, 0] == CROSSED and lane[ACCEPTED, 0] > 0.5:
+    if lane[ACCEPTED, 0] < 0.5:
+        return
+    changed = False
+    first = solver.shape.first_decision
+    for j in range(solver.shape.decisions):
+        now = solver.points[SAMPLE_POINTS, DECISION, j]
+        changed = changed or now != solver.memory.P[first + j]
+    if lane[EVENT_CROSSED, 0] == CROSSED and changed:
         states = solver.states
         since_last = lane[TIME, 0] - lane[LAST_EVENT, 0]
         moves = False

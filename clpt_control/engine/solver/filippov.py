@@ -30,6 +30,7 @@ from .active_switches import (
     Sides,
     active_set,
     crossing_at,
+    normals_of,
     sides_of,
 )
 from .batch import Batch
@@ -57,6 +58,7 @@ class Sliding(NamedTuple):
     runner: Any
     parameters: ndarray
     held: HeldSwitches
+    state: ndarray  # with which it begins
 
 
 Begin = Callable[[Any, ndarray, ndarray, ndarray, Schedule], Batch]
@@ -92,6 +94,10 @@ def continue_run(diagram: Any, batch: Batch, begin: Begin) -> None:
             batch.out[0, k] = state_within(last, share)
         if batch.level_jumps[-1:] == [t]:  # a sample at a jump is after it
             batch.out[0, (times >= t - rounding(t)) & (times <= t)] = x
+        if t + rounding(t) >= times[-1]:
+            batch.out[0, -1] = x
+            batch.status[0], batch.reached[0] = Status.FINISHED, len(times)
+            return
         short = t - current.times[0] <= SHORT * (times[-1] - times[0])
         in_vain = in_vain + 1 if short else 0
         current = _next_batch(diagram, batch, begin, sliding, t, x)
@@ -123,15 +129,17 @@ def _following(
         if sliding is None:
             return None
         batch.slides.append(t)
-        return sliding, t, x
+        return sliding, t, sliding.state
     if status == Status.GUARD_LEFT:
         block = left_guard(diagram, last)
         if block is None:
             t, x = stopped_at(last)
-            return leave(diagram, last, sliding), t, x
+            remaining = leave(diagram, last, sliding)
+            return remaining, t, x if remaining is None else remaining.state
         if _jumps(diagram, last) and in_vain < MOST_SOON:
             is_again = batch.level_jumps[-1:] == [last.times[0]]
-            jumped = jump_at_level(diagram, last, block, is_again)
+            is_first = t == batch.times[0]
+            jumped = jump_at_level(diagram, last, block, is_again, is_first)
             if jumped is None:
                 return None
             batch.level_jumps.append(jumped[0])
@@ -263,15 +271,18 @@ def _sliding_on(
         return None
     parameters = runner.parameters(batch.runs.parameters[0])
     offset = diagram.decided_at
-    parameters[offset - 1] = batch.memory.P[offset - 1]
+    parameters[offset - 2 : offset] = batch.memory.P[offset - 2 : offset]
     parameters[offset : offset + on_sides.size] = on_sides.ravel()
-    # 3. the shares are within bounds
+    # 3. on the switches the shares are within bounds
+    first = [switch.switch for switch in held.switches]
+    moves = crossing.distance[first] @ normals_of(crossing, held.switches).T
+    state = crossing.state - moves
     events = runner.callee().events_at(
-        [crossing.time], crossing.state[None], crossing.segments, parameters
+        [crossing.time], state[None], crossing.segments, parameters
     )
     if not events[0, DISTANCE, diagram.code.program.decided :].min() > -NEGLIGIBLE:
         return None
-    return Sliding(runner, parameters, held)
+    return Sliding(runner, parameters, held, state)
 
 
 def _sentence(diagram: Any, crossing: Crossing, refused: Refused) -> str:

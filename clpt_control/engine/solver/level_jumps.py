@@ -14,8 +14,8 @@ from ...base.errors import SimulationError
 from .batch import Batch
 from .schedule import JUMPS, Schedule
 from .solver_layout import (
+    DECISION,
     DERIVATIVE,
-    DISTANCE,
     EVENT_INDEX,
     HIGH,
     JUMP,
@@ -39,12 +39,12 @@ def left_guard(diagram: Any, batch: Batch) -> int | None:
 
 
 def jump_at_level(
-    diagram: Any, batch: Batch, block: int, is_again: bool
+    diagram: Any, batch: Batch, block: int, is_again: bool, is_first: bool
 ) -> tuple[float, ndarray] | None:
     """Return time and state after the jumps of a run that left the guard of a block.
 
     Return None if a run that begins at this level (`is_again`) did not rise above it by more than
-    rounding.
+    rounding.  Refuse a run that begins (`is_first`) outside.
     """
     guarded = _guarded(diagram)
     segments = batch.schedules[0]
@@ -53,7 +53,7 @@ def jump_at_level(
 
     def distances(times: Any, states: Any) -> ndarray:
         events = callee.events_at(times, states, segments, P)
-        return events[:, DISTANCE, callee.decided :]
+        return events[:, DECISION, callee.decided :]
 
     # 1. the edge, or the point behind it where the distance itself jumps there
     times, states = _bracket(batch)
@@ -67,6 +67,12 @@ def jump_at_level(
     distance = now[guarded.index(block)]
     if is_again and batch.lane[HIGH, 0] == 0.0 and -OUTSIDE <= distance < 0.0:
         return None
+    if is_first and batch.lane[HIGH, 0] == 0.0 and distance < -OUTSIDE:
+        name = diagram.wiring.nodes[block].name
+        raise SimulationError(
+            f"at t = {t:.9g}: the run begins outside of the guard of {name}, whose states jump "
+            "where its distance falls to 0. Begin with a distance of 0 or more"
+        )
     left = (now < -OUTSIDE) | (later <= 0.0) & (later < now)
     left[guarded.index(block)] |= distance >= 0.0
     # 3. their blocks jump, then those whose guards these jumps leave

@@ -27,7 +27,7 @@ from .kinks import MANY_DECISIONS, ManyKinks, PassedKinks
 from .native_runs import NativeRuns
 from .schedule import Inputs
 from .sliding_rates import HeldSwitches, slide
-from .solver_layout import LEVEL
+from .solver_layout import OUTSIDE
 
 ABREAST = 256  # states of runs in lanes; more do not fit the first cache
 # components of a long program, and how much shorter one of loops is
@@ -164,7 +164,7 @@ def _planned(structure: Structure, form: Form) -> Code:
     layout = structure.layout
     plain_form: Any = form.form if isinstance(form, Directions) else form
     if isinstance(plain_form, HeldSwitches):
-        record = DiagramRecord(wiring, layout, "free")
+        record = DiagramRecord(wiring, layout, passed=None)
         slide(record, plain_form)
     elif isinstance(plain_form, PassedKinks):
         record = DiagramRecord(wiring, layout, None, plain_form.operations)
@@ -232,8 +232,8 @@ class NativeDiagram(NativeRuns):
         self.jumps = self.layout.jumps
         self.time_tables = [*self.layout.time_tables.values()]
         self.ramp = len(self.layout.P)  # offset in P of the diagram's inputs
-        # and of the decisions
-        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 1
+        # and of the decisions, behind the tolerances
+        self.decided_at = self.layout.inputs(self.wiring.ninputs) + 2
         self._callees: dict[tuple[int, Method], Callee] = {}
         self.kept = {}
 
@@ -309,14 +309,15 @@ class NativeDiagram(NativeRuns):
         addresses = dict(zip(names, code.addresses(names, lanes), strict=True))
         # 2. sizes, and the formulas of the method
         systems = [node.system for node in self.wiring.nodes]
-        levels = [LEVEL * s.jumps_at_level for s in systems if s.guard is not None]
+        guarded = [s for s in systems if s.guard is not None]
+        edges = [-OUTSIDE if s.jumps_at_level else OUTSIDE for s in guarded]
         callee = Callee(
             functions=[addresses.get(name, 0) for name in FUNCTIONS],
             lanes=lanes,
             nstates=self.nstates,
             method=method,
             guarded=program.guarded,
-            levels=(*levels, *[0.0] * (program.guarded - len(levels))),
+            edges=(*edges, *[OUTSIDE] * (program.guarded - len(edges))),
             jumping=jumping,
             decided_at=self.decided_at,
             decided=program.decided,

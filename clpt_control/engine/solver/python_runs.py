@@ -20,11 +20,11 @@ from scipy.integrate import DOP853, LSODA
 from ...base.errors import SimulationError
 from ...base.progress.interrupt import check
 from ..methods.table import METHODS
-from .batch import PAUSE, pace
+from .batch import PARTS, PAUSE, pace
 from .evaluation_pass import rounding
-from .event_checks import CLEAR, FACTORS, SHARES
+from .event_checks import SHARES, may_hide
 from .schedule import BEGINS, JUMPS, Inputs, inputs_at
-from .solver_layout import Status
+from .solver_layout import DISTANCE, ROUNDING, Status
 from .termination import (
     ADVICE,
     LOOSEN,
@@ -43,8 +43,7 @@ MOST_SEGMENTS = (
 MOST_EVALUATIONS = 200  # of DOP853 in such a segment; LSODA integrates longer ones
 LEAST_RTOL = 2.3e-14  # SciPy allows no smaller one
 SMALLEST = 2.0**-12  # part of a step that is searched for the edge of a guard
-ROUNDING = 1e-12  # of margins
-FACTORS_OF_QUARTERS = np.reshape(FACTORS, (4, 5))
+MARGIN_ROUNDING = 1e-12
 _lsoda = threading.RLock()  # not every SciPy runs two of them at once
 _inside = threading.local()  # `lsoda` is True while this thread runs one
 
@@ -194,7 +193,7 @@ class PythonRun:
             end,
             rtol=max(share * options.rtol, LEAST_RTOL),
             atol=share * options.atol,
-            max_step=options.max_step,
+            max_step=min(options.max_step, (self.times[-1] - self.times[0]) / PARTS),
             first_step=min(first, end - t) or None,
         )
 
@@ -237,12 +236,11 @@ class PythonRun:
             low, high = parts.pop()
             times = low + (high - low) * np.array(SHARES)
             margins = np.array([self._margin(t, within(t)) for t in times])
-            between = FACTORS_OF_QUARTERS @ margins[::2]
-            error = np.abs(between - margins[1::2]).max()
             outside = int(np.argmax(margins < 0.0))
-            nearest = margins[: outside or None].min()
-            is_smooth = error <= ROUNDING * np.abs(margins).max()
-            hides = not is_smooth and not nearest > CLEAR * error
+            points = np.zeros((len(SHARES), 3, 1))
+            points[:, DISTANCE, 0] = margins
+            points[:, ROUNDING] = MARGIN_ROUNDING * np.abs(margins).max()
+            hides = may_hide(points, 1, (outside or len(SHARES)) - 1, high, high - low)
             if hides and high - low > least:
                 middle = 0.5 * (low + high)
                 parts += [(middle, high), (low, middle)]

@@ -26,11 +26,9 @@ from .solver_layout import (
     NEXT_STOP,
     NOT_FINITE,
     ON,
-    OUTSIDE,
     REALS,
     REJECTED,
     RESTARTS,
-    ROUNDING,
     RUN_INDEX,
     RUNS_END,
     SAMPLES_DONE,
@@ -129,9 +127,6 @@ def stop_outside(solver, k, state_row):
     lane = solver.lane
     if solver.shape.guarded > 0:
         decide(solver, lane[TIME], state_row, BEHIND)
-        decisions = solver.shape.decisions
-        for guard in range(decisions, decisions + solver.shape.guarded):
-            solver.points[BEHIND, ROUNDING, guard] = OUTSIDE
         guard = first_outside(solver, BEHIND)
         if guard >= 0:
             solver.integers[EVENT_INDEX, k] = guard

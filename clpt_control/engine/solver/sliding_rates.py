@@ -29,6 +29,7 @@ from ..trace.numpy_functions import solve
 
 NEGLIGIBLE = 1e-6  # share of rates that counts as nothing
 TINY = 1e-30
+DRIFT = 10.0  # tolerances of a distance within which a run is on its switch
 Slopes = dict[Port, Any]  # of states, by the port of their rates
 
 
@@ -53,11 +54,12 @@ class HeldSwitches(NamedTuple):
 def slide(record: Any, held: HeldSwitches) -> None:
     """Replace the rates of a `DiagramRecord` by those on switches.
 
-    Each w and 1 - w become margins, and so does that the other fixed decisions stay.
+    Each w and 1 - w become margins, and so does that the run stays on each switch, and that the
+    other fixed decisions stay.
     """
     conditions = record.decisions
     # 1. rates on one side of all switches, and their changes on the other side of each
-    rates = conditions.lock(record.rates, held.decisions)
+    rates = record.lock(fixed=held.decisions)
     changes = [
         _changes(record, rates, held.decisions, switch.decisions)
         for switch in held.switches
@@ -72,7 +74,8 @@ def slide(record: Any, held: HeldSwitches) -> None:
     ]
     shares = _shares(matrix, slopes)
     for share in shares:
-        record.margins += [operand(share), operand(1.0 - share)]
+        record.require(operand(share))
+        record.require(operand(1.0 - share))
     every: Slopes = {}
     if len(changes) > 1:
         every = _changes(record, rates, held.decisions, held.decisions)
@@ -85,6 +88,7 @@ def slide(record: Any, held: HeldSwitches) -> None:
                 mean = mean + share * change[port]
         record.rates.append(port._replace(ref=operand(mean)))
     # 4. conditions of this motion
+    _stay_on(record, distances)
     _stay_parallel(record, held, base)
     _stay_affine(record, every, changes)
 
@@ -129,6 +133,22 @@ def _shares(matrix: list[list[Any]], slopes: list[Any]) -> list[Any]:
     return shares
 
 
+def _stay_on(record: Any, distances: list[Any]) -> None:
+    """Require that distances stay 0: decisions that they depend on may move a switch."""
+    rtol, atol = (record.load("P", record.decisions.tolerances + k, ()) for k in (0, 1))
+    rtol, atol = record.tape.value(rtol), record.tape.value(atol)
+    for distance in distances:
+        tolerances = {
+            k: atol + rtol * np.fabs(record.tape.value(k))
+            for k in reached(record.entries, [distance])
+            if record.entries[k].kind == "load" and record.entries[k].at[0] == "X"
+        }
+        bound = Direction(record.tape, tolerances, bound=True)
+        value = record.tape.value(distance)
+        allowed = DRIFT * bound.of(value) + TINY
+        record.require(operand(1.0 - np.fabs(value) / allowed))
+
+
 def _stay_parallel(record: Any, held: HeldSwitches, base: Slopes) -> None:
     """Require that the other distances of each switch do not change."""
     mean = {port: record.tape.value(port.ref) for port in record.rates}
@@ -138,7 +158,7 @@ def _stay_parallel(record: Any, held: HeldSwitches, base: Slopes) -> None:
             moved = np.fabs(_slope(record, distance, mean, 1.0))
             scale = np.fabs(_slope(record, distance, base, 1.0))
             allowed = NEGLIGIBLE * scale + TINY
-            record.margins.append(operand(1.0 - moved / allowed))
+            record.require(operand(1.0 - moved / allowed))
 
 
 def _stay_affine(record: Any, every: Slopes, changes: list[Slopes]) -> None:
@@ -154,7 +174,7 @@ def _stay_affine(record: Any, every: Slopes, changes: list[Slopes]) -> None:
             scale = scale + np.fabs(one)
         moved = _total(record, port, np.fabs(difference))
         allowed = NEGLIGIBLE * _total(record, port, scale) + TINY
-        record.margins.append(operand(1.0 - moved / allowed))
+        record.require(operand(1.0 - moved / allowed))
 
 
 def _total(record: Any, port: Port, array: Any) -> Any:

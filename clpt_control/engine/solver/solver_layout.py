@@ -83,7 +83,7 @@ LAST_EVENT = 15  # time of the last event
 # distance of the nearest switching condition from its change at `low`
 DISTANCE_LOW = 16
 DISTANCE_HIGH = 17  # and at `high`, below 0
-EVENT_EFFECT = 18  # of new decisions on the step, in tolerances
+CUT_SIZE = 18  # of the step before it was cut at an event
 CALM_STEPS = 19  # checked steps since a stiff one
 DIAGONAL = 20  # 1/(h gamma) of the matrix of the implicit method
 NEXT_STOP = 21  # next sample, or the end of the segment
@@ -195,7 +195,6 @@ class Solver(NamedTuple):
     memory: Memory
     states: Any  # Z as (rows, states, lanes)
     points: Any  # D as (sample points, 3, events): decision, distance, rounding error
-    signs: Any  # (events,): -1 for a decision that changed before the bracket, else 1
     linear: Linear
 
 
@@ -208,7 +207,7 @@ ON, ANEW = 1, 2
 STATE, RATE, ARGUMENT, TERMS, ROWS = 0, 1, 17, 18, 25
 END_RATE = RATE + 12  # the rate at the end of the step, of each method
 # in place of the last rates: a state within the step, and rates there, with the decisions of the
-# step's beginning and with those made there
+# step's beginning and with those behind an event
 WITHIN, HELD_RATE, NEW_RATE = 16, 14, 15
 # of Rodas5P: solutions of its stages; the term that is added to a rate on the right-hand side;
 # df/dt; room, two rows
@@ -221,9 +220,9 @@ STAGE = 13
 
 SAMPLE_POINTS = 8  # of a step, without its beginning
 BEHIND = SAMPLE_POINTS + 1  # the sample point right behind an event
-POINTS = BEHIND + 1
+BEFORE = BEHIND + 1  # decisions with which the step began
+POINTS = BEFORE + 1
 DECISION, DISTANCE, ROUNDING = range(3)
-LEVEL = 1.0  # in place of the decision of a guard at which states jump
 OUTSIDE = 1e-9  # distance beyond the edge of a guard that counts as outside
 
 
@@ -264,11 +263,13 @@ def decide(solver, times, state_row, point):
 
 
 def first_outside(solver, point):
-    """Return the first guard beyond whose edge a sample point is, or -1."""
+    """Return the first guard beyond whose edge a sample point is, or -1.
+
+    In place of a decision guards have the distance with the decisions made there.
+    """
     shape = solver.shape
     for guard in range(shape.decisions, shape.decisions + shape.guarded):
-        edge = solver.points[point, ROUNDING, guard]
-        if solver.points[point, DISTANCE, guard] < -edge:
+        if solver.points[point, DECISION, guard] < -OUTSIDE:
             return guard
     return -1
 

@@ -18,7 +18,7 @@ All numbers are computed by the diagram's functions and the formulas of the meth
 
 import math
 
-from .event_checks import check_events, decisions_changed, hold_decisions
+from .event_checks import check_events, comes_near, decisions_changed, hold_decisions
 from .event_location import locate_events, restart_behind_event
 from .implicit import factor_matrix, solve_stage
 from .segments import (
@@ -207,11 +207,11 @@ def handle_events(solver, accepted, between, stiffness):
         derivative(solver, lane[STAGE_TIME], ARGUMENT, END_RATE)
     if stiffness and explicit:
         formula(solver, STIFFNESS)
-    # 2. is there an event, by the cubic through both ends?  Guards need the interpolant
+    # 2. may there be an event, by the cubic through both ends?  Guards need the interpolant
     crossed = accepted and shape.guarded > 0
     if shape.decisions > 0 and accepted and not crossed:
         formula(solver, CUBIC)
-        crossed = check_events(solver)
+        crossed = comes_near(solver)
     if not (between or crossed):
         return False
     # 3. the interpolant of the method

@@ -36,9 +36,16 @@ def _chosen(condition, a, b):
 class Direction:
     """Derivatives along a direction, given for each leaf that changes: an array or a number."""
 
-    def __init__(self, tape: Tape, slopes: Mapping[int, Any], smooth: bool = False):
+    def __init__(
+        self,
+        tape: Tape,
+        slopes: Mapping[int, Any],
+        smooth: bool = False,
+        bound: bool = False,
+    ):
         self.tape = tape
         self.smooth = smooth
+        self.bound = bound  # add the sizes of all terms: by how much a value may change
         self.known: dict[int, Any] = dict(slopes)
 
     def of(self, value):
@@ -73,6 +80,8 @@ class Direction:
                 for derivative, slope in zip(row.slopes, slopes, strict=True):
                     if slope is not None:
                         factor = derivative(*numbers, result)
+                        if self.bound:
+                            factor = np.fabs(factor)
                         terms.append(_times(factor, slope))
             return reduce(add, terms)
         if row.chosen:

@@ -305,7 +305,9 @@ def _of_simplices(f: Any) -> Table:
         for corners, inverse in cells:
             weights = inverse[:-1] @ (x - inverse[-1])
             weights = np.append(weights, 1.0 - np.sum(weights))
-            value = where(np.all(weights >= -1e-12), np.tensordot(weights, ys[corners], 1), value)
+            value = where(
+                np.all(weights >= -1e-12), np.tensordot(weights, ys[corners], 1), value
+            )
         return value
 
     return _of_scattered(f, len(f.tri.simplices), "simplices", value_at)

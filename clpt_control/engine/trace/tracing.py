@@ -8,7 +8,15 @@ enumerated up to the first IndexError.  A function is traced only if its `finger
 has no hidden state and no side effects.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import (
+    Callable,
+    ItemsView,
+    Iterator,
+    KeysView,
+    Mapping,
+    Set,
+    ValuesView,
+)
 from functools import partial
 from math import nan, prod
 from typing import Any, NamedTuple
@@ -319,6 +327,8 @@ class _Tracing:
     def _spread(self, returned):
         """Return one number repeated for all states or outputs, as python-control does."""
         size = sum(map(prod, self.request.out.values()))
+        if isinstance(returned, Iterator | KeysView | ValuesView | ItemsView | Set):
+            raise Unread(f"returns {type(returned).__name__}; must return numbers")
         if isinstance(returned, Mapping) or size == 1:
             return returned
         numbers = _flat_numbers(returned)

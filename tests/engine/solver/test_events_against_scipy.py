@@ -121,4 +121,5 @@ def test_scipy_finds_the_closed_form_and_the_run(case):
     np.testing.assert_allclose(states[:, -1], wanted(T), rtol=1e-9, atol=1e-9)
     found = run(rates, x0)
     np.testing.assert_allclose(found.states, states, rtol=1e-9, atol=2e-9)
-    assert abs(found.attrs["solver_restarts"] - 1 - events) <= 1
+    # events without effect on the rates are passed
+    assert found.attrs["solver_restarts"] - 1 <= events + 1

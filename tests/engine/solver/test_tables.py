@@ -78,7 +78,7 @@ def test_a_straight_table_over_a_state_is_its_line(rows, engine):
     decay = system(lambda t, x, u, p: [-np.interp(x[0], xs, 2.0 * xs)])
     run = clpt.simulate(decay, np.linspace(0, 3, 7), 0, [1.0], engine=engine, **TIGHT)
     np.testing.assert_allclose(run.states[:, 0], np.exp(-2.0 * run.time), rtol=1e-8)
-    assert run.solver_steps < 200
+    assert run.solver_steps < (200 if engine == "native" else 300)
 
 
 @pytest.mark.parametrize("engine", ["native", "python"])
