@@ -15,7 +15,7 @@ ${enums}const double ${name}_p0[] = {${p0}};
 const double ${name}_x0[] = {${x0}};
 
 ${functions}
-static void kept_(double t, const double *p, double *kept) {
+${counted}static void kept_(double t, const double *p, double *kept) {
 ${intervals}    (void)t; (void)p; (void)kept;
 }
 
@@ -34,7 +34,7 @@ void ${name}_rates(double t, const double *x, const double *u, const double *p, 
 void ${name}_step(double t, double dt, double *x, const double *u, ${next}const double *p) {
     double kept[${kept}];
 ${samples}    kept_(${within}, p, kept);
-${ending}}
+${count}${ending}}
 //
     double k[4][${n}], z[${n}];
     rates_(t, x, u, p, kept, k[0]);
@@ -54,7 +54,7 @@ ${ending}}
 //
     double after[${kept}];
     kept_(t + 1.5 * dt, p, after);
-${asked}    if (${some} > 0.0) {
+${count_again}${asked}    if (${some} > 0.0) {
         jump_(t + dt, x, u, p, after, z);
         for (int i = 0; i < ${states}; i++) x[i] = z[i];
     }
@@ -68,3 +68,11 @@ ${begin}    jump_(t, x, u, p, kept, z);
 //
  * ${name}_begin(t, x, u, p): call it before the first step, and where u is new:
  * what samples at that time takes u; a step ends with its own u.
+//
+static void counted_(double n, double steps, double *kept) {
+${intervals}}
+
+//
+    const double steps = fmax(1.0, floor(1.0 / (${rate} * dt) + 0.5));
+    const double n = floor(t * (${rate} * steps) + 0.5);
+    counted_(n, steps, kept);

@@ -31,9 +31,11 @@ from .run_arguments import stacked_state
 FIXED = " fixed"  # suffix of a parameter that must not change
 MAX_NAME = 60  # characters of a name; C distinguishes 63
 ROUNDING = "1e-6"  # tolerance of sample times, relative to a period
+MOST_PARTS = 1000  # of the shortest period: the common period is no shorter
 TEMPLATES = (resources.files("clpt_control.data") / "diagram.c").read_text("utf-8")
 DIVIDES = " * dt must divide the periods at which blocks sample or jump.\n"
-HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS = map(Template, TEMPLATES.split("//\n"))
+SECTIONS = map(Template, TEMPLATES.split("//\n"))
+HEAD, FILE, RUNGE_KUTTA, DISCRETE, JUMP, BEGINS, COUNTED, COUNT = SECTIONS
 
 
 @public
@@ -126,6 +128,7 @@ class CFile:
             "y": _labels(run.signal_labels[:noutputs]),
         }
         self.periods = [(k, self._period_of(k)) for k in self.layout.intervals]
+        self.rate, self.turns = self._counted()
 
     @property
     def text(self) -> str:
@@ -141,6 +144,11 @@ class CFile:
             "name": self.name,
             "title": _comment(self.run.name),
             "within": "t" if is_discrete else "t + 0.5 * dt",
+            "counted": COUNTED.substitute(intervals=as_lines(self._whole_intervals()))
+            if self.turns
+            else "",
+            "count": "",
+            "count_again": "",
             "kept": self.memory_size,
             "room": self.work_size,
             "states": nstates,
@@ -180,6 +188,9 @@ class CFile:
                 f"one step of the diagram's own time{period}; dt is not used"
             )
             endings = [DISCRETE]
+        if self.turns and not self.wiring.dt:
+            fields["count"] = COUNT.substitute(rate=self.rate)
+            fields["count_again"] = "    counted_(n + 1.0, steps, after);\n"
         if self.layout.jumps:
             endings.append(JUMP)
             fields["begins"] = BEGINS.substitute(fields)
@@ -232,13 +243,50 @@ class CFile:
 
     def _intervals(self) -> Iterator[str]:
         """Yield assignments of the current interval of each block."""
+        if self.turns:
+            yield f"double n = floor(t * {self.rate} + {self._near});"
+            yield "counted_(n, 1.0, kept);"
         for j, (k, period) in enumerate(self.periods):
             interval = c_number(float(self.parameters[k].interval))
+            if j in self.turns:
+                continue
             if period:
                 interval = f"floor(t / ({period}) + {ROUNDING})"
             yield f"kept[{j}] = {interval};"
         for k in self.layout.jumps:
             yield f"kept[{self._jump_index(k)}] = 0.0;"
+
+    def _whole_intervals(self) -> Iterator[str]:
+        """Yield assignments of intervals after n steps, of which a common period has `steps`."""
+        for j, turns in self.turns.items():
+            yield f"kept[{j}] = floor((n + 0.5) / ({turns} * steps));"
+
+    @property
+    def _near(self) -> str:
+        """Rounding of a time, as a share of the common period."""
+        spacing = "(nextafter(fabs(t), INFINITY) - fabs(t))"
+        return f"fmin(0.5, {ROUNDING} + 1.5 * {self.rate} * {spacing})"
+
+    def _counted(self) -> tuple[str, dict[int, str]]:
+        """Return the rate of a common period, and how many of it the period of each block has.
+
+        Whole numbers of them tell samples apart where times are rounded to float.
+        """
+        lengths = {}
+        for j, (k, _) in enumerate(self.periods):
+            each: Any = self.wiring.nodes[k].system.breakpoints_function
+            is_counted = self.parameters[k].interval < 0.0
+            if is_counted and not isinstance(each.period, str):
+                lengths[j] = each.part * each.period
+        shortest = min(lengths.values(), default=1.0)
+        for parts in range(1, MOST_PARTS):
+            turns = {j: length / shortest * parts for j, length in lengths.items()}
+            if all(abs(n - round(n)) < 1e-9 * n for n in turns.values()):
+                rate = parts / shortest
+                rate = round(rate) if abs(rate - round(rate)) < 1e-9 * rate else rate
+                whole = {j: c_number(float(round(n))) for j, n in turns.items()}
+                return c_number(float(rate)), whole
+        return "", {}
 
     def _period_of(self, k: int) -> str:
         """Return the period of a block's intervals; "" if its interval is fixed."""
@@ -292,13 +340,17 @@ class CFile:
 
     def _initial_samples(self) -> Iterator[str]:
         """Yield tests if a sampled block samples at the start of a run."""
+        intervals = list(self.layout.intervals)
         for k in self.layout.jumps:
             block = self.wiring.nodes[k].system
             if block.first_held is not None:
                 turns = f"t / {c_number(block.period)}"
-                error = f"fabs({turns} - floor({turns} + 0.5))"
-                index = self._jump_index(k)
-                yield f"kept[{index}] = {error} < {ROUNDING} ? -1.0 : 0.0;"
+                test = f"fabs({turns} - floor({turns} + 0.5)) < {ROUNDING}"
+                if whole := self.turns.get(intervals.index(k)):
+                    count = f"floor(t * {self.rate} + 0.5)"
+                    test = f"fabs(t * {self.rate} - {count}) <= {self._near}"
+                    test = f"{test} && fmod({count}, {whole}) == 0.0"
+                yield f"kept[{self._jump_index(k)}] = {test} ? -1.0 : 0.0;"
 
 
 def as_lines(lines: Iterable[str]) -> str:

@@ -156,6 +156,48 @@ def test_no_sample_is_missed_by_the_rounding_of_times(tmp_path):
         assert x[0] == round(steps * step / h)
 
 
+CASCADE = """
+#include "c.c"
+int main(void) {
+    REAL x[c_nx], u[1], y[c_ny];
+    for (int i = 0; i < c_nx; i++) x[i] = c_x0[i];
+    for (long k = 0; k < 7200000; k++) {
+        if (k == 20000) k = 3590000;
+        if (k == 3610000) k = 7190000;
+        REAL t = (REAL)(0.001 * k);
+        u[0] = (REAL)(k % 1009);
+        c_begin(t, x, u, c_p0);
+        c_outputs(t, x, u, c_p0, y);
+        if (y[c_y_w] != (REAL)((k - k % 10) % 1009)) return 1;
+        if (y[c_y_fast] != 2 * y[c_y_w]) return 2;
+        c_step(t, (REAL)0.001, x, u, c_p0);
+    }
+    return 0;
+}
+"""
+
+
+@needs_cc
+@pytest.mark.parametrize("single", [False, True])
+def test_samples_of_two_rates_keep_their_order_for_two_hours(single, tmp_path):
+    """The input is the number of the step: the slow part holds that at which it sampled."""
+    slow, fast = (
+        control.nlsys(None, output, inputs=u, outputs=y, name=y, dt=dt)
+        for output, u, y, dt in (
+            (lambda t, x, u, p: u[0], "ref", "w", 0.01),
+            (lambda t, x, u, p: 2 * u[0], "w", "fast", 0.001),
+        )
+    )
+    loop = clpt.connect([slow, fast], external="ref", name="c")
+    clpt.export(loop, tmp_path / "c.c", single=single)
+    main = CASCADE.replace("REAL", "float" if single else "double")
+    (tmp_path / "main.c").write_text(main)
+    made = tmp_path / "main"
+    source = tmp_path / "main.c"
+    subprocess.run([COMPILER, "-std=c99", "-O1", "-o", made, source, "-lm"], check=True)
+    assert subprocess.run([made]).returncode == 0
+
+
 @needs_cc
 def test_parameters_may_be_changed_but_those_that_were_asked_for(tmp_path):
     made = InC(pendulum(), tmp_path, params={"l": 2.0})
