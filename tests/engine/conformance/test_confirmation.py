@@ -83,7 +83,7 @@ def test_records_are_compared_where_the_caller_is(monkeypatch):
 
     def rate(t, x, u, p):
         if x[0] < 1e6 * t + 2e7:
-            return [1e6 - x[0] / 1e3]
+            return [-1e5 - x[0] / 1e3]
         return [-1.0]
 
     first = lambda tape, tree, values, choose: values[0]  # noqa: E731
