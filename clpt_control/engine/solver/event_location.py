@@ -73,7 +73,6 @@ NEGLIGIBLE = 0.1  # effect of an event that is passed, in tolerances
 MOST_PASSED = 32  # events in one step
 RESOLVED = 1e-12  # distance from an event at which a step ends, as a share of it
 WIDTH = 0.1 * RESOLVED  # final width of the bracket
-CLOSE = 1e-5  # width of the bracket behind which rates are compared
 STOP_WIDTH = 1e-14  # of the bracket at which a run stops
 MOST_TRIALS = 45  # halvings that reach WIDTH, and one more
 MOST_EVENTS = 1000  # in a row, each soon after the other
@@ -87,12 +86,11 @@ def locate_events(solver):
     low, size = lane[LOW, 0], lane[TRIAL_SIZE, 0]
     run = solver.times[-1] - solver.times[0]
     is_soon = lane[TRIAL_END, 0] - lane[LAST_EVENT, 0] < SHORT_RESTING * run
-    if solver.shape.guarded == 0 and not is_soon:
-        narrow(solver, CLOSE)
-        if pass_events(solver) or lane[ACCEPTED, 0] < 0.5:
-            return
     narrow(solver, WIDTH)
-    if solver.shape.guarded > 0 and stops_run(solver, low):
+    if solver.shape.guarded > 0:
+        if stops_run(solver, low):
+            return
+    elif not is_soon and (pass_events(solver) or lane[ACCEPTED, 0] < 0.5):
         return
     # 1. the shortest step ends behind the event all the same
     lane[EVENT_CROSSED, 0] = CROSSED
@@ -134,7 +132,6 @@ def pass_events(solver):
     """
     lane = solver.lane
     low, high = lane[LOW, 0], lane[HIGH, 0]
-    distance_low, distance_high = lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0]
     for j in range(solver.shape.decisions):
         solver.points[BEFORE, DECISION, j] = solver.memory.P[
             solver.shape.first_decision + j
@@ -149,10 +146,9 @@ def pass_events(solver):
                 lane[LAST_EVENT, 0] = lane[TRIAL_END, 0]
                 return True
             break
-        narrow(solver, CLOSE)
+        narrow(solver, WIDTH)  # two events may be close to each other
     exchange_decisions(solver, BEFORE)
     lane[LOW, 0], lane[HIGH, 0] = low, high
-    lane[DISTANCE_LOW, 0], lane[DISTANCE_HIGH, 0] = distance_low, distance_high
     return False
 
 

@@ -253,6 +253,25 @@ def test_a_pulse_between_two_events_of_one_step_is_met(width):
     assert abs(final(rates, [0.0, 0.0], 1.0)[1] - 1.0) < 1e-6
 
 
+def test_pulses_of_any_width_and_place_are_met():
+    random = np.random.default_rng(5)
+    for k in range(60):
+        place, rate = random.uniform(0.1, 0.9), random.uniform(0.5, 2.0)
+        width = 10.0 ** random.uniform(-8, -1)
+
+        def pulse(x, place=place, width=width, k=k):
+            if k % 3 == 0:
+                return np.where((x > place) & (x < place + width), 1.0 / width, 0.0)
+            if k % 3 == 1:
+                return 1.0 / width if place < x < place + width else 0.0
+            return (np.sign(x - place) - np.sign(x - place - width)) / (2.0 * width)
+
+        def rates(t, x, u, p, rate=rate, pulse=pulse):
+            return [rate, rate * pulse(x[0])]
+
+        assert abs(final(rates, [0.0, 0.0], 2.0 / rate)[1] - 1.0) < 1e-4
+
+
 def test_a_force_behind_an_event_without_effect_is_met():
     """max(g, 0) times a factor: 0 at the event and at the end of the run, not between."""
 
