@@ -101,7 +101,8 @@ def test_certificates_are_accepted(cases, tmp_path):
     by_name = dict(zip(cases, lines, strict=True))
     assert "goes to zero (e_1, e_2)" in by_name["learned-flow"]
     assert "ultimately bounded" in by_name["sigma"]
-    assert "S >= 0" in by_name["concurrent"]
+    assert "S = [[S[1][1], S[2][1]], [S[2][1], S[2][2]]] >= 0" in by_name["concurrent"]
+    assert "Delta_1" in by_name["sigma"]  # in the push
     assert any(len(t["basis"]) > 1 for t in cases["gram"][0]["V"])  # a Gram matrix
 
 
@@ -136,6 +137,12 @@ def alterations(data):
     for s in in_V & data["rates"].keys():
         for terms in altered(data["rates"][s]):
             yield new(rates=data["rates"] | {s: terms})
+    for s in data["rates"].keys() - in_V:  # no longer pulled back
+        terms = [
+            [str(-Fraction(c)) if s in powers else c, powers]
+            for c, powers in data["rates"][s]
+        ]
+        yield new(rates=data["rates"] | {s: terms})
     for part in ("V", "losses"):
         for k, term in enumerate(data[part]):
             before, after = data[part][:k], data[part][k + 1 :]
@@ -223,6 +230,42 @@ def test_a_fast_gain_does_not_go_to_zero(cases, tmp_path):
     lines, _ = checked(written(tmp_path, [changed, weaker]))
     assert "rejected: 'goes to zero' does not follow of each form" in lines[0]
     assert "checked: square-integrable (e_1, e_2)" in lines[1]
+
+
+def test_rates_that_the_proof_does_not_use_are_left_out(cases):
+    """V of sigma bounds the errors for each x(t); Barbalat's lemma needs a bounded x."""
+    (sigma,), (paper,) = cases["sigma"], cases["learned-flow"]
+    assert {"x_1", "x_2"} <= {*sigma["signals"]} - sigma["rates"].keys()
+    assert {"x_1", "x_2"} <= paper["rates"].keys()
+
+
+def test_a_rate_that_is_left_out_makes_no_conclusion_stronger(tmp_path):
+    """s' = 1 + s^2 leaves in finite time: e goes to zero for no t -> infinity."""
+    plant = system(lambda x, u, p: [-x[0] + x[1], -x[0], 1 + x[2] ** 2], "eqs")
+    data = clpt.lyapunov(plant, lambda s: s.e**2 + s.q**2, points=20).certificate()
+    assert data["rates"].keys() == {"e", "q"}
+    assert data["conclusion"] == "square-integrable"
+    lines, _ = checked(written(tmp_path, [data]))
+    assert ": checked: square-integrable (e)" in lines[0]
+
+
+def test_names_of_a_file_are_ascii(tmp_path):
+    plant = control.nlsys(
+        lambda t, x, u, p: -np.asarray(x),
+        None,
+        states=["\u03b8", "_2"],
+        inputs=0,
+        outputs=2,
+        name="plant",
+    )
+    verdict = clpt.lyapunov(
+        plant, lambda s: sum(getattr(s, x) ** 2 for x in plant.state_labels), points=20
+    )
+    data = verdict.certificate()
+    assert [*data["rates"]] == ["u03b8", "s2"]
+    lines, status = checked(written(tmp_path, [data]))
+    assert status == 0
+    assert "asymptotically stable (V of s2, u03b8)" in lines[0]
 
 
 def test_no_certificate_has_a_reason():

@@ -111,6 +111,8 @@ class WithRelations(LawLoop):
                 if len(rows[0]) == len(M):
                     share = sympy.cancel(expression / sum(b @ M @ b for b in rows))
                     if share.free_symbols <= self.fixed:
+                        if len(M) == 1:
+                            return [Term(share, [*b], factor=M[0, 0]) for b in rows]
                         return [Term(share, [*b], name) for b in rows]
         return []
 

@@ -5,6 +5,8 @@
 `clpt_control/data/check_certificate.py` is the checker; docs/certificates.md has the format.
 """
 
+import json
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -88,12 +90,14 @@ class Case:
         }
         data["rates"] = self.rates()
         kinds = {name: self.kind(atom) for atom, name in self.names.items()}
-        for kind in ("positive", "constants", "inputs", "positive_inputs", "signals"):
+        for kind in checker.KINDS[1:]:
             data[kind] = [name for name, k in kinds.items() if k == kind]
         divisors = [
             f"{self.names[r]} = 1/({short(e)})" for e, r in self.divisors.items()
         ]
-        return data | {"conditions": [*self.conditions, *divisors]} | strongest(data)
+        said = [*self.conditions, *divisors]
+        data["conditions"] = [ascii(condition)[1:-1] for condition in said]
+        return strongest(data | {"conclusion": STRENGTH[-1], "of": []})
 
     def rates(self) -> dict[str, list]:
         """Return the rates of states; an unknown rate of a state outside V is not written."""
@@ -121,10 +125,15 @@ class Case:
 
     def name(self, atom: Any) -> str:
         """Return the name of a symbol; no two symbols have the same."""
-        text = str(atom.func if isinstance(atom, AppliedUndef) else atom).lstrip("_")
-        while atom not in self.names and text in self.names.values():
-            text += "'"
-        return self.names.setdefault(atom, text)
+        if atom not in self.names:
+            text = str(atom.func if isinstance(atom, AppliedUndef) else atom)
+            text = ascii(text.lstrip("_").replace("/", "."))
+            text = re.sub(r"[^\w.:\[\]]", "", text)
+            text = text if checker.is_name(text) else f"s{text}"
+            while text in self.names.values():
+                text += "'"
+            self.names[atom] = text
+        return self.names[atom]
 
     def kind(self, atom: Any) -> str:
         """Return the kind of a symbol."""
@@ -166,20 +175,39 @@ class Case:
 
 
 def strongest(data: dict) -> dict:
-    """Return the strongest conclusion that the checker derives, and the forms it is about."""
+    """Return a certificate with the strongest conclusion that the checker derives from it."""
     try:
         certificate = checker.Certificate(data)
+        found = certificate.conclusions()
+        forms = [p for term in data["losses"] for p in term["basis"]]
+        about = {
+            name: [p for p in forms if certificate.read(p) in shown]
+            for name, shown in found.items()
+        }
+        claims = (
+            c for c in STRENGTH if c in found and (about[c] or c not in checker.ABOUT)
+        )
+        conclusion = next(claims)
+        data = data | {"conclusion": conclusion, "of": about[conclusion]}
+        for s in sorted(certificate.states - certificate.in_V):
+            data = without_rate(data, s)
+        checker.checked(json.dumps(data))
     except ValueError as error:
         raise NoCertificate(f"{error}") from None
-    found = certificate.conclusions()
-    forms = [p for term in data["losses"] for p in term["basis"]]
-    about = {
-        name: [p for p in forms if certificate.read(p) in shown]
-        for name, shown in found.items()
-    }
-    shown = (c for c in STRENGTH if c in found and (about[c] or c not in checker.ABOUT))
-    conclusion = next(shown)
-    return {"conclusion": conclusion, "of": about[conclusion]}
+    return data
+
+
+def without_rate(data: dict, s: str) -> dict:
+    """Return a certificate without the rate of a state, unless its conclusion needs the rate."""
+    rates = {name: rate for name, rate in data["rates"].items() if name != s}
+    less = data | {"rates": rates, "signals": [*data["signals"], s]}
+    certificate = checker.Certificate(less)
+    found, of = certificate.conclusions(), map(certificate.read, data["of"])
+    claim = data["conclusion"]
+    if claim not in found or not all(p in found[claim] for p in of):
+        return data
+    kinds = checker.KINDS[1:]
+    return less | {k: [v for v in less[k] if v in certificate.used] for k in kinds}
 
 
 def written(
