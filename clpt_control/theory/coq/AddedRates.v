@@ -143,18 +143,21 @@ Section AddedRates.
   Hypothesis phi_x_bounded : forall k, (k < N)%nat -> bounded (phi_x k).
   Hypothesis zc_bounded : forall i, (i < d)%nat -> bounded (zc i).
 
+  Theorem vehicle_bounded i : (i < d)%nat -> bounded (x i).
+  Proof.
+    intros Hi. destruct loop as [Hx _ _ _ _].
+    apply (stable (KD i) (x i) (fun t => sum N (fun k => (theta i k - alpha_M i k) * phi_x k t)
+      + GammaD i * zc i t + 0)); [apply KD_positive, Hi| |].
+    - apply (follows_by _ _ _ (Hx i Hi)). intros t _. apply vehicle.
+    - apply bounded_plus; [|apply bounded_const]. apply bounded_plus.
+      + apply (bounded_sum N (fun k t => (theta i k - alpha_M i k) * phi_x k t)). intros k Hk.
+        apply bounded_mult; [apply bounded_const|apply phi_x_bounded, Hk].
+      + apply bounded_mult; [apply bounded_const|apply zc_bounded, Hi].
+  Qed.
+
   Theorem added_x_bounded i : (i < d)%nat -> bounded (x i) /\ bounded (z i).
   Proof.
-    intros Hi. destruct loop as [Hx _ _ _ _]. destruct (added_errors_bounded i Hi) as [Be _].
-    assert (Bx : bounded (x i)).
-    { apply (stable (KD i) (x i) (fun t => sum N (fun k => (theta i k - alpha_M i k) * phi_x k t)
-        + GammaD i * zc i t + 0)); auto.
-      - apply (follows_by _ _ _ (Hx i Hi)). intros t _. apply vehicle.
-      - apply bounded_plus; [|apply bounded_const]. apply bounded_plus.
-        + apply (bounded_sum N (fun k t => (theta i k - alpha_M i k) * phi_x k t)). intros k Hk.
-          apply bounded_mult; auto. apply bounded_const.
-        + apply bounded_mult; auto. apply bounded_const. }
-    split; auto.
+    intros Hi. destruct (added_errors_bounded i Hi) as [Be _]. assert (Bx := vehicle_bounded i Hi). split; auto.
     apply (bounded_ext (fun t => x i t - (x i t - z i t))); [intros; ring|apply bounded_minus; auto].
   Qed.
 

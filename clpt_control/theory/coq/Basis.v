@@ -1,5 +1,12 @@
-(* Theorem 3.2 with the basis of Eq. (5), both readings of the print; and two checks that the
-   definitions are not empty. *)
+(* Theorem 3.2 with the basis of Eq. (5) in four readings of the printed exponent, r = |p - c_k|:
+
+     exponential                    exp(-r/(2 s))        the kernel "exponential"
+     gaussian with width s          exp(-r^2/(2 s))
+     gaussian with width s^2        exp(-r^2/(2 s^2))    the kernel "gaussian"
+     gaussian with width s/2        exp(-r^2/s)          the kernel "gaussian-sigma"
+
+   These are definitions of this file: no file reads the record of the basis block that runs.  A
+   loop whose reference jumps meets the assumptions of Theorem 3.2. *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Clpt Require Import Calculus ErrorSystem Barbalat Trajectories PaperLoop MeanSquare.

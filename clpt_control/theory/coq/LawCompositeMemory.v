@@ -76,6 +76,7 @@ Let c := two (fun t => r_gamma * (r_b_v_1'2 t - r_Q_1_2'1 t * r_K_1 t - r_Q_1_2'
              (fun t => r_gamma * (r_b_v_2'2 t - r_Q_2_2'1 t * r_K_2 t - r_Q_2_2'2 t * r_Gamma_2 t)).
 Ltac added_rates := cbv [a_of two].
 (* text of added.txt *)
+(* text of level.txt *)
 
 Lemma pulled theta_i alpha_i b_i t : 0 <= t ->
   (forall k, (k < N)%nat -> b_i k t = sum N (fun j => theta_i j * r_Q j k t)) ->

@@ -21,6 +21,7 @@ Let c := two (fun t => r_gamma * (r_b_v_1'2 t - r_Q_1_2'1 t * r_K_1 t - r_Q_1_2'
              (fun t => r_gamma * (r_b_v_2'2 t - r_Q_2_2'1 t * r_K_2 t - r_Q_2_2'2 t * r_Gamma_2 t)).
 Ltac added_rates := cbv [a_of two].
 (* text of added.txt *)
+(* text of level.txt *)
 
 Lemma added_is t : 0 <= t -> added 2 N theta KD GammaD alpha K Gamma a b c t =
   - r_adaptation'regression_gain * ((eps_1 t)^2 + (eps_2 t)^2) / (sum N (fun k => (r_phi_f k t)^2) + 1)

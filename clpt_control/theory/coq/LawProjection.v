@@ -24,6 +24,7 @@ Let s_3 t := let n := (r_Gamma_1 t)^2 + (r_Gamma_2 t)^2 in
 Let a := leak_a r_gamma alpha s_1.    Let b := leak_b r_gamma K s_2.    Let c := leak_c r_gamma Gamma s_3.
 Ltac added_rates := unfold leak_a, leak_b, leak_c, s_1, s_2, s_3, share; cbv zeta.
 (* text of added.txt *)
+(* text of level.txt *)
 
 (* limits that the truth is within *)
 Hypothesis flow_within : squares2 2 N theta <= r_adaptation'largest_flow^2.

@@ -12,6 +12,7 @@ Let s (_ : R) := r_adaptation'leak.
 Let a := leak_a r_gamma alpha s.    Let b := leak_b r_gamma K s.    Let c := leak_c r_gamma Gamma s.
 Ltac added_rates := unfold leak_a, leak_b, leak_c, s.
 (* text of added.txt *)
+(* text of level.txt *)
 
 Theorem sigma_rate : follows run_V (fun t => - loss 2 KD x z t
   - r_adaptation'leak * (pull_1 2 N theta alpha t + pull_2 2 KD K t + pull_3 2 GammaD Gamma t)).

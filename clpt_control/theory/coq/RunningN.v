@@ -21,9 +21,7 @@ Proof. same run_Gamma_1. Qed.
 Lemma same_Gamma_2 t : run_Gamma_2 t = Gamma_rate r_gamma x@t z@t zc@t 1.
 Proof. same run_Gamma_2. Qed.
 
-(* V that runs is that of Eq. (24) *)
-Lemma same_V t : run_V t = Lyapunov 2 N theta KD GammaD r_gamma x z alpha K Gamma t.
-Proof. paper_V. Qed.
+(* text of level.txt *)
 
 Lemma loop : closed_loop 2 N theta alpha_M KD GammaD r_gamma r_phi_x r_phi_z zc (fun _ _ => 0) x z alpha K Gamma.
 Proof.
