@@ -206,7 +206,7 @@ LAW = Recipe(
         Step(
             "page of Coq",
             "test_every_law_has_a_file_or_a_reason",
-            (("docs/machine_checked.md", "`dead-zone`.", "`dead-zone`, `copied`."),),
+            (("docs/machine_checked.md", "every $N$).\n", "every $N$), `copied`.\n"),),
         ),
     ),
     """

@@ -150,6 +150,7 @@ def test_coq_checks_all_theorems(printed):
     names = {theorem["name"] for theorem in found["theorems"]}
     assert {f"theorem_3_{n}" for n in range(1, 5)} <= names
     assert {"printed_16_is_false", "printed_33_is_false", "running_converges"} <= names
+    assert {"moving", "excited", "dead_zone_falls", "dead_zone_converges"} <= names
     axioms = {axiom for theorem in found["theorems"] for axiom in theorem["axioms"]}
     assert {axiom.rpartition(".")[2] for axiom in axioms} == REALS
     assert all(theorem["file"] in PAGE for theorem in found["theorems"])
