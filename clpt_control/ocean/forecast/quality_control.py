@@ -5,8 +5,9 @@ next dive starts at most
 
     (|y| / T + 0.5 m/s) * (time between the fixes) + 5 FIX
 
-from where the last one ended, with y the miss of that dive and T its duration. More says that one
-of the two fixes is wrong. If other dives may lie between them, the limit is 5 m/s * time + 5 FIX.
+from where the last one ended, with y the miss of that dive and T its duration. More, outside the
+99 % ellipse of the vehicle's usual drift, says that one of the two fixes is wrong. If other dives
+may lie between them, the limit is 5 m/s * time + 5 FIX.
 The wrong fix is the one that lies further, by the covariance P of its forecast m,
 
     (y - m)^T P^-1 (y - m),
@@ -67,18 +68,25 @@ Forecast = tuple[
 
 
 def doubt_one_fix(
-    before: Dive, dive: Dive, is_next: bool, forecast: Forecast, priors: Priors
+    before: Dive,
+    dive: Dive,
+    is_next: bool,
+    forecast: Forecast,
+    priors: Priors,
+    usual_drift: Forecast,
 ) -> tuple[Dive, Dive]:
     """Return both dives, of two fixes that disagree the wrong one doubted; else the same ones.
 
     The forecast is that of the end of the one before; `is_next` is false if other dives may lie
-    between them.
+    between them; `usual_drift` is that of `DiveStatistics`.
     """
     separation = distance(*before.end, *dive.start)
     since = max(dive.t_gps2 - before.t_gpse, 0.0)
     current = float(np.hypot(*before.miss)) / before.duration
     fastest = min(current + WIND, FASTEST) if is_next else FASTEST
-    if not separation > fastest * since + FIXES * priors.fix:
+    gap = np.array(displacement(*before.end, *dive.start))
+    is_usual = is_next and squared_distance(gap, *usual_drift) <= OUTLYING
+    if is_usual or not separation > fastest * since + FIXES * priors.fix:
         return before, dive
     start_displacement = displacement(*before.start, *dive.start)
     start = np.array(start_displacement) - before.through_water

@@ -309,7 +309,10 @@ class Replay:
         before = last.dive if self._outlier is None else self._outlier[0]
         forecast = last.forecast, last.covariance
         is_next, priors = follows(dive, before), self.model.priors
-        doubted, judged = doubt_one_fix(before, dive, is_next, forecast, priors)
+        usual_drift = self.dive_statistics.drift()
+        doubted, judged = doubt_one_fix(
+            before, dive, is_next, forecast, priors, usual_drift
+        )
         if doubted is not before:
             self._learn_again(doubted)
         elif (

@@ -253,3 +253,13 @@ def test_a_seaexplorer_keeps_its_forecasts_through_a_wild_fix(facts, tmp_path):
     (tmp_path / "without.csv").write_text("\n".join(lines))
     without = replay_dives(read_dives(tmp_path / "without.csv")[0])
     assert clpe_rms(replay) == pytest.approx(clpe_rms(without), abs=15)
+
+
+def test_a_drift_that_is_usual_is_no_wrong_fix():
+    """A surface current of 1 m/s: each dive starts 0.6 km from the last end, after 10 minutes."""
+    stay = 600.0
+    dives = sea(count=14, stay=stay, wind=(500.0, 300.0))
+    steps = replay_dives(dives).steps
+    assert not any("counts little" in note for s in steps[3:] for note in s.dive.notes)
+    dives[9] = moved(dives[9], "gps2", 6000.0, -4000.0)
+    assert "counts little" in replay_dives(dives).steps[9].dive.notes[0]
