@@ -8,23 +8,20 @@ with z and m of `leg_track`, integrated along the prediction with y drawn in eve
 track ends at the fix.  Least squares moves theta_hat (`least_squares_step` of the law
 fix-regression; Ljung 1999, section 11.2).  Laws with this regression differ in P between the fixes
 (`Law.between_fixes`): `kalman-flow` adds its random walk, `least-squares` forgets.  r is that of
-`fix_settings`.
+`fix_settings`.  Two terms are added to r^2:
 
-A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
-way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, which adds (T 0.25 m/s min(b/width, 1))^2 to r^2.
+- A stretch that is shorter than the vehicle's greatest speed would make it may have been bent: its
+  way is off by b = ((V T)^2 - d^2)^(1/2)/2 at most, the term is (T 0.25 m/s min(b/width, 1))^2.
+- The flow turns by `turn` rad along the leg (`LegTrack.turn`): (turn/2)^2 m^T P m.
 
-A fix outside its 99.9 % region has its r multiplied by its squared distance over that of the
-region, so that it teaches less.  Standard errors and regions are scaled by the position errors so
-far: with n legs, N functions and the weighted sum of squares S that theta_hat leaves, r is
-multiplied by c,
-
-    c^2 = (S + 4)/(2 max(n - N, 0) + 4)
+Each fix divides each guess of what happened so far (`leg_guesses`); standard errors and regions are
+those of the mixture of the guesses.
 
 Outside: m, m/s, s since 1970 UTC and degrees; inside: units of the scenario.
 """
 
 import copy
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from math import hypot
 from typing import Any, NamedTuple
 
@@ -33,16 +30,15 @@ import numpy as np
 from ...base.arguments import OrNaN, public
 from ...base.errors import DataError
 from ...base.geodesy import displacement, is_place
-from ...paper.laws.memory_laws import least_squares_step
 from ...paper.scenario.experiment import Scenario
-from .fix_model import CHI_SQUARED, FAR
 from .fix_settings import FixSettings, LocalFrame
-from .leg_track import Leg, LegTrack
+from .hypotheses import Hypotheses
+from .leg_guesses import KEPT, Guess, LegGuesses, Regression, remarks, theta_of
+from .leg_track import Leg, LegTrack, Turn
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
 BENT = 0.25  # m/s, flow that a bent way changes by, a width away
-PRIOR_ERRORS = 4.0  # weight of r as it is set, in position errors on an axis
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 
 
@@ -83,6 +79,8 @@ class Learned:
         Fix less forecast, m; NaN for a fix that begins a leg.
     note : str
         A remark in plain words, or empty.
+    turn : float
+        Angle by which the learned flow turns along the leg, rad.
     """
 
     time: float
@@ -95,6 +93,7 @@ class Learned:
     error_east: float = np.nan
     error_north: float = np.nan
     note: str = ""
+    turn: float = 0.0
 
     @property
     def error(self) -> float:
@@ -149,12 +148,11 @@ class FlowEstimator:
         self.scenario = scenario
         self.settings = FixSettings(scenario)
         self.frame: LocalFrame | None = None
-        self.leg: Leg | None = None
         self.legs = 0
-        self.squares = 0.0  # of position errors over their standard deviation
         self.fastest = 0.0  # speed through the water, length per time
-        self.theta = self.settings.theta.copy()
-        self.P = np.diag(self.settings.prior**2)
+        self._guessing = LegGuesses(scenario, self.settings)
+        self.guesses = self._guessing.first
+        self.told: list[str] = []  # of each of the last fixes
         basis = scenario.basis_block("z")
         self._track = LegTrack(basis, scenario.basis.widths, scenario.periods)
 
@@ -192,17 +190,20 @@ class FlowEstimator:
         t = self.frame.own_time(time)
         place = self.frame.point(latitude, longitude)
         results: dict[str, Any] = {}
-        if self.leg is not None:
-            note = self._unknown(t)
-            if not note:
-                self.leg.add(t, np.zeros(2), self._track.size)
-                ahead = self.forecast([])
-                note = self._learn(place)
-                predicted = ahead.latitude, ahead.longitude
-                east, north = displacement(*predicted, latitude, longitude)
-                results = {"forecast": ahead, "error_east": east, "error_north": north}
-            results["note"] = note
-        self.leg = Leg(t, [float(x) for x in place], t)
+        leg = self.leg
+        ended = [one for one in self._open() if not self._unknown(one, t)]
+        for one in ended:
+            one.add(t, np.zeros(2), self._track.size)
+        if leg in ended:
+            ahead = self.forecast([])
+            predicted = ahead.latitude, ahead.longitude
+            east, north = displacement(*predicted, latitude, longitude)
+            results = {"forecast": ahead, "error_east": east, "error_north": north}
+        elif leg is not None:
+            results["note"] = self._unknown(leg, t)
+        begins_again = Leg(t, [float(x) for x in place], t)
+        if begins_again not in self._open():
+            results |= self._learn(begins_again, leg)
         return Learned(
             *(time, latitude, longitude),
             self.flow_parameters,
@@ -230,12 +231,13 @@ class FlowEstimator:
             )
         frame, leg = self.under_way
         t = frame.own_time(time)
-        leg.known += t - leg.time
         moved = frame.displacement(np.array(leg.place), east, north)
         if t > leg.time:
             speed = float(np.hypot(*moved)) / (t - leg.time)
             self.fastest = max(self.fastest, speed)
-        leg.add(t, moved, self._track.size)
+        for leg in self._open():
+            leg.known += t - leg.time
+            leg.add(t, moved, self._track.size)
 
     @public
     def flow(
@@ -273,40 +275,50 @@ class FlowEstimator:
         Ahead
             Time and place, and the radius of its region.
         """
-        frame, now = self.under_way
-        self.leg = copy.deepcopy(now)
+        frame, _ = self.under_way
+        now = self.guesses
+        ahead = {id(leg): copy.deepcopy(leg) for leg in self._open()}
+        self.guesses = replace(
+            now, states=tuple(replace(g, leg=ahead.get(id(g.leg))) for g in now.states)
+        )
         try:
             for time, east, north in stretches:
                 self.move(time, east, north)
-            leg = self.leg
+            _, leg = self.under_way
+            likely = self.guesses.where(lambda guess: guess.leg is leg)
         finally:
-            self.leg = now
-        z, m = self._track.end(leg, self.theta)
-        radius = float(np.sqrt(CHI_SQUARED * self._variance(leg, m)))
-        return Ahead(frame.date(leg.time), *frame.position(z), radius * frame.metres)
+            self.guesses = now
+        theta = theta_of(likely)
+        arrival = self._track.end(leg, theta)
+        turn = self._track.turn(arrival, theta, self.covariance)
+        terms = self._terms(leg, arrival.m, arrival.z, turn)
+        radius = self._guessing.radius(likely, terms) * frame.metres
+        return Ahead(frame.date(leg.time), *frame.position(arrival.z), radius)
 
     # --- results --------------------------------------------------------------------------------
 
     @property
+    def leg(self) -> Leg | None:
+        """The leg since the last fix that is right, of the likelier guesses; None before a fix."""
+        legs = self._open()
+        chances = self.guesses.chances(lambda guess: id(guess.leg))
+        return max(legs, key=lambda leg: chances[id(leg)], default=None)
+
+    @property
+    def theta(self) -> np.ndarray:
+        """Mean of theta, (2, N)."""
+        return theta_of(self.guesses)
+
+    @property
     def scale(self) -> float:
-        """Factor c on the noise, by the position errors so far."""
-        free = self.settings.prior > 0
-        moved = (self.theta - self.settings.theta)[:, free] / self.settings.prior[free]
-        left = max(self.squares - float(np.sum(moved**2)), 0.0)
-        count = 2 * max(self.legs - int(np.sum(free)), 0)
-        return float(np.sqrt((left + PRIOR_ERRORS) / (count + PRIOR_ERRORS)))
+        """Factor c on the noise, root mean square."""
+        squares = [guess.scale**2 for guess in self.guesses.states]
+        return float(np.sqrt(self.guesses.weights @ squares))
 
     @property
     def covariance(self) -> np.ndarray:
         """Covariance of each row of theta, (N, N), scenario's units."""
-        free = self.settings.prior > 0
-        sd = np.where(free, self.settings.prior, 1.0)
-        # of the prior's variance, the share that is left along each axis
-        share, axes = np.linalg.eigh(self.P / np.outer(sd, sd))
-        share = np.clip(share, 1e-300, 1.0)
-        square = self.scale**2
-        scaled = square * share / (square * share + 1 - share)
-        return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
+        return self._guessing.covariance(self.guesses)
 
     @property
     def standard_error(self) -> np.ndarray:
@@ -321,48 +333,75 @@ class FlowEstimator:
     @property
     def time(self) -> float:
         """Time of the last fix or stretch, s since 1970 UTC; -inf before."""
-        if self.frame is None or self.leg is None:
+        leg = self.leg
+        if self.frame is None or leg is None:
             return -np.inf
-        return self.frame.date(self.leg.time)
+        return self.frame.date(leg.time)
 
     @property
     def under_way(self) -> tuple[LocalFrame, Leg]:
         """The frame, and the leg since the last fix."""
-        if self.frame is None or self.leg is None:
+        leg = self.leg
+        if self.frame is None or leg is None:
             raise DataError("no fix yet. Give a fix first")
-        return self.frame, self.leg
+        return self.frame, leg
+
+    def _open(self) -> list[Leg]:
+        """Return the legs of all guesses."""
+        legs = [guess.leg for guess in self.guesses.states]
+        return [*{id(leg): leg for leg in legs if leg is not None}.values()]
 
     # --- state ----------------------------------------------------------------------------------
 
     @property
     def state(self) -> dict[str, Any]:
         """State as numbers and lists, which JSON writes without loss."""
+        legs = self._open()
+        numbers = {id(leg): number for number, leg in enumerate(legs)}
         return {
             "frame": self.frame and [self.frame.time, *self.frame.place],
-            "leg": self.leg and asdict(self.leg),
+            "open": [asdict(leg) for leg in legs],
             "legs": self.legs,
-            "squares": self.squares,
             "fastest": self.fastest,
-            "theta": self.theta.tolist(),
-            "P": self.P.tolist(),
+            "told": self.told,
+            "log_odds": self.guesses.log_odds,
+            "guesses": [
+                vars(guess)
+                | {
+                    "leg": numbers.get(id(guess.leg)),
+                    "theta": guess.theta.tolist(),
+                    "P": guess.P.tolist(),
+                }
+                for guess in self.guesses.states
+            ],
         }
 
     @state.setter
     def state(self, state: dict[str, Any]) -> None:
-        frame, leg = state["frame"], state["leg"]
+        frame, legs = state["frame"], [Leg(**leg) for leg in state["open"]]
         self.frame = frame and LocalFrame(
             frame[0], (frame[1], frame[2]), self.scenario.units
         )
-        self.leg = leg and Leg(**leg)
-        self.legs, self.squares = state["legs"], state["squares"]
-        self.fastest = state["fastest"]
-        self.theta, self.P = np.array(state["theta"]), np.array(state["P"])
+        self.legs, self.fastest = state["legs"], state["fastest"]
+        self.told = state["told"]
+        guesses = tuple(
+            Guess(
+                None if guess["leg"] is None else legs[guess["leg"]],
+                np.array(guess["theta"]),
+                np.array(guess["P"]),
+                guess["squares"],
+                guess["count"],
+                tuple(guess["fixes"]),
+            )
+            for guess in state["guesses"]
+        )
+        self.guesses = Hypotheses(guesses, tuple(state["log_odds"]))
 
     # --- one leg --------------------------------------------------------------------------------
 
-    def _unknown(self, t: float) -> str:
+    def _unknown(self, leg: Leg, t: float) -> str:
         """Return why a fix begins a leg instead of ending one, or an empty text."""
-        frame, leg = self.under_way
+        frame, _ = self.under_way
         duration = t - leg.start
         if duration <= 0:
             return "at the time of the last fix"
@@ -378,39 +417,40 @@ class FlowEstimator:
         """Return the error of a way that may have been bent, length."""
         return self._track.bend(leg, self.fastest) * BENT / self.settings.speed
 
-    def _variance(self, leg: Leg, m: np.ndarray) -> float:
-        """Return the variance of a position error on each axis, length squared."""
-        noise = self.scale * self.settings.noise_of(leg.time - leg.start)
-        bend = self._bend(leg)
-        return float(noise**2 + bend**2 + m @ self.covariance @ m)
-
-    def _learn(self, place: np.ndarray) -> str:
-        """Move theta and P by the fix at the end of the leg; return a remark."""
-        _, leg = self.under_way
+    def _terms(self, leg: Leg, m: np.ndarray, Y: np.ndarray, turn: Turn) -> Regression:
+        """Return the regression of a leg with its noise."""
         duration = leg.time - leg.start
-        z, m = self._track.end(leg, self.theta)
-        off = place - z
-        beyond = float(off @ off) / self._variance(leg, m) / FAR
-        # the track as the fix corrects it
-        drift = off / duration
-        z, m = self._track.end(leg, self.theta, drift)
-        z = z - off
-        between_fixes = self.scenario.learning.row.between_fixes
-        assert between_fixes is not None
-        P = between_fixes(self.P, duration, self.settings.p)
-        bend = self._bend(leg)
-        noise = float(np.hypot(self.settings.noise_of(duration), bend))
-        y = place - z
-        distance = float(y @ y) / float(noise**2 + m @ P @ m)
-        is_far = self.legs > 0 and beyond > 1
-        r = noise * beyond if is_far else noise
-        change, self.P = least_squares_step(P, m, y, r)
-        self.theta = self.theta + change
-        self.legs += 1
-        self.squares += min(distance, 2 * FAR)
-        if not is_far:
-            return ""
-        return f"lies outside the 99.9 % region of its forecast and counts {1 / beyond**2:.2g}-fold"
+        noise = self.settings.noise_of(duration)
+        return Regression(Y, m, duration, noise, self._bend(leg), turn)
+
+    def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
+        """Return the regression of a leg along the track as its end fix corrects it."""
+        theta = self.theta
+        off = place - self._track.end(leg, theta).z
+        drift = off / (leg.time - leg.start)
+        arrival = self._track.end(leg, theta, drift)
+        Y = place - (arrival.z - off) + theta @ arrival.m
+        turn = self._track.turn(arrival, theta, self.covariance)
+        return self._terms(leg, arrival.m, Y, turn)
+
+    def _learn(self, start: Leg, leg: Leg | None) -> dict[str, Any]:
+        """Divide each guess by the fix from which a leg may start; return note and turn."""
+        place = np.array(start.place)
+        known = {
+            id(one): self._regression(one, place)
+            for one in self._open()
+            if not self._unknown(one, start.start)
+        }
+        self.legs += bool(known)
+        self.guesses = self.guesses.divided(
+            lambda guess: self._guessing.branches(
+                guess, known.get(id(guess.leg)), start
+            ),
+            KEPT,
+        )
+        law, ended = self.scenario.learning.law, known.get(id(leg))
+        self.told, note = remarks(self.guesses, self.told, law)
+        return {} if ended is None else {"note": note, "turn": ended.turn.learned}
 
     def _check_time(self, time: float) -> None:
         if not np.isfinite(time):

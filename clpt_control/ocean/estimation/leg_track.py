@@ -5,17 +5,20 @@
 v is the velocity through the water, constant along each stretch.  Stretches that are short against
 the functions are joined.  A stretch is integrated by the method of Runge and Kutta of order 4.
 Numbers are in units of the scenario.
+
+m leaves out that an error of theta moves the track, and with it phi. If the flow turns along the
+leg, the regression misses about half of that turn times the error of z (`LegTrack.turn`).
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from math import ceil, hypot
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...engine.model.block import Block
+from ...engine.model.block import Block, evaluate
 from ...paper.laws.memory_laws import predict
 
 JOINED = (
@@ -23,8 +26,24 @@ JOINED = (
 )
 STEPS = 4  # of the integration, at least, while the vehicle crosses a width
 STEPS_OF_PERIOD = 24
+DIFFERENCE = 1e-3  # of a width, of the differences of phi
 
 Stretch = tuple[float, float, float]  # time at its end, displacement along both axes
+
+
+class Arrival(NamedTuple):
+    """End of a leg: z (2,), m (N,), and time, place and length of each step, (n, 4)."""
+
+    z: np.ndarray
+    m: np.ndarray
+    points: np.ndarray
+
+
+class Turn(NamedTuple):
+    """Angle by which the flow turns along a leg, rad: as learned, and with the error of theta."""
+
+    learned: float
+    likely: float
 
 
 @dataclass
@@ -76,8 +95,8 @@ class LegTrack:
 
     def end(
         self, leg: Leg, theta: np.ndarray, drift: np.ndarray | float = 0.0
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return z and m at the end of a leg.
+    ) -> "Arrival":
+        """Integrate a leg to its end.
 
         `drift` is a velocity in addition to flow and velocity through the water.
         """
@@ -89,6 +108,7 @@ class LegTrack:
             rate = predict(time, x, u, None)
             return np.append(rate["z"], rate["m"])
 
+        points = []
         t = leg.start
         for end, east, north in leg.way:
             span = end - t
@@ -96,13 +116,37 @@ class LegTrack:
                 u.v_x = np.array([east, north]) / span + drift
                 flow = theta @ self.phi(t, state[:2])
                 way = hypot(*u.v_x) * span + hypot(*flow) * span
-                count = self._steps(way, span)
+                count = self.steps(way, span)
+                step = span / count
                 for k in range(count):
-                    state = runge_kutta(
-                        rates, t + k * span / count, state, span / count
-                    )
+                    points.append((t + k * step, *state[:2], step))
+                    state = runge_kutta(rates, t + k * step, state, step)
             t = end
-        return state[:2], state[2:]
+        return Arrival(state[:2], state[2:], np.array(points).reshape(-1, 4))
+
+    def slopes(self, times: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return d phi/dx at n points by central differences, (n, N, 2)."""
+        step = DIFFERENCE * self.size[0]
+        offsets = step * np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
+        beside = (points[None] + offsets[:, None]).reshape(-1, 2)
+        phi = evaluate(self.basis, np.tile(times, 4), beside)
+        right, left, above, below = phi.reshape(4, len(points), -1)
+        return np.stack([right - left, above - below], axis=-1) / (2 * step)
+
+    def turn(self, arrival: "Arrival", theta: np.ndarray, P: np.ndarray) -> Turn:
+        """Return the turns int |d(theta phi)/dx| dt along a leg, rad.
+
+        |A|^2 is half the sum of squares: the rate of a rotation, and of a shear along one axis.
+        """
+        if not len(arrival.points):
+            return Turn(0.0, 0.0)
+        times, places, steps = np.split(arrival.points, [1, 3], axis=1)
+        slopes = self.slopes(times[:, 0], places)
+        learned = np.einsum("ak,nkb->nab", theta, slopes)
+        of_theta = np.sum(learned**2, axis=(1, 2)) / 2
+        of_error = np.einsum("nkb,kl,nlb->n", slopes, P, slopes)
+        rates = np.sqrt(np.maximum([of_theta, of_theta + of_error], 0.0))
+        return Turn(*(rates @ steps[:, 0]).tolist())
 
     def bend(self, leg: Leg, fastest: float) -> float:
         """Return the time by which an unknown bend of stretches counts: root of sum of squares."""
@@ -115,8 +159,8 @@ class LegTrack:
             t = end
         return float(np.sqrt(total))
 
-    def _steps(self, way: float, span: float) -> int:
-        """Return the number of steps of a stretch."""
+    def steps(self, way: float, span: float) -> int:
+        """Return the number of steps of integration in a stretch."""
         width, period = self.size
         return max(1, ceil(STEPS * way / width), ceil(STEPS_OF_PERIOD * span / period))
 

@@ -1,0 +1,241 @@
+"""Guesses of what happened on the legs so far, each with the theta that it learned.
+
+Each fix divides each guess (`hypotheses`) into three:
+
+    right      least squares, and the next leg begins at the fix
+    wrong      nothing is learned, and the leg goes on past the fix
+    changed    the flow changed, or theta_hat was wrong: P + prior, then right
+
+The density of a right fix is Student's t of two components around the forecast, with c r in place
+of r and c^2 = S/nu: nu counts the position errors of the guess so far, S is the sum of their
+squares over r^2, and both fade.  A wrong fix is normal with a standard deviation of 10 km.  A flow
+above 5 m/s is impossible: a fix that needs it is wrong, or begins a leg.
+
+Numbers are in units of the scenario.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from math import log, log1p, pi
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...base.units import METRES
+from ...paper.laws.memory_laws import least_squares_step
+from ...paper.scenario.experiment import Scenario
+from ..gliders.dives import FASTEST
+from .fix_model import CHI_SQUARED, LEVEL
+from .fix_settings import FixSettings
+from .hypotheses import Branch, Hypotheses
+from .leg_track import Leg, Turn
+
+PRIOR_ERRORS = 2.0  # weight of r as it is set, in position errors on an axis
+FADING = 0.97  # of the weight of a position error, at the next one
+MOST_TURN = 8.0  # rad
+# shares: of fixes that are wrong, of legs before which the flow changed
+WRONG_SHARE, CHANGED_SHARE = 0.02, 0.0002
+WILD = 10e3  # m, standard deviation of wrong fixes
+KEPT = 4  # guesses
+RIGHT, WRONG, CHANGED = "right", "wrong", "changed"  # what a fix is
+JUDGED = 4  # last fixes that later ones may judge again
+WALKS = "kalman-flow"  # law of a flow that changes
+REMARKS = {
+    RIGHT: "",
+    WRONG: "lies outside the region of its forecast: it is in doubt, or the estimate is, and is "
+    "not learned unless later legs agree",
+    CHANGED: "shows that the flow changed, or that the estimate was wrong: learned anew",
+}
+AFTER_ALL = {
+    RIGHT: "is right after all, and learned",
+    WRONG: "is wrong after all, and not learned",
+    CHANGED: "shows that the flow changed after all",
+}
+
+
+@dataclass(frozen=True)
+class Guess:
+    """Estimate of theta if each of the last fixes is as `fixes` says, the last one at the end.
+
+    `leg` begins at the last fix that is not wrong; None before one. `squares` is S, `count` nu.
+    """
+
+    leg: Leg | None
+    theta: np.ndarray
+    P: np.ndarray
+    squares: float = PRIOR_ERRORS
+    count: float = PRIOR_ERRORS
+    fixes: tuple[str, ...] = ()
+
+    @property
+    def scale(self) -> float:
+        """Factor c on the noise."""
+        return float(np.sqrt(self.squares / self.count))
+
+    def after(self, fix: str, **changes: Any) -> "Guess":
+        """Return the guess after one more fix."""
+        return replace(self, fixes=(*self.fixes, fix)[-JUDGED:], **changes)
+
+
+class Regression(NamedTuple):
+    """Y = theta m + n over a leg: Y (2,), m (N,), duration, r and its two added terms."""
+
+    Y: np.ndarray
+    m: np.ndarray
+    duration: float
+    noise: float
+    bend: float
+    turn: Turn
+
+    def added(self, variance: float) -> float:
+        """Return the variance of the turn, given m^T P m."""
+        return (min(self.turn.likely, MOST_TURN) / 2) ** 2 * variance
+
+
+class LegGuesses:
+    """Branches of guesses by the law and the settings of a scenario."""
+
+    def __init__(self, scenario: Scenario, settings: FixSettings) -> None:
+        between_fixes = scenario.learning.row.between_fixes
+        assert between_fixes is not None
+        self.between_fixes = between_fixes
+        self.settings = settings
+        self.wild = (WILD / METRES[scenario.units.length]) ** 2
+        self.prior = np.diag(settings.prior**2)
+
+    @property
+    def first(self) -> Hypotheses[Guess]:
+        """The guess before any fix."""
+        return Hypotheses.of(Guess(None, self.settings.theta, self.prior))
+
+    def scaled(self, guess: Guess) -> np.ndarray:
+        """Return the covariance with c times the noise, and the prior as it was."""
+        free = self.settings.prior > 0
+        sd = np.where(free, self.settings.prior, 1.0)
+        # of the prior's variance, the share that is left along each axis
+        share, axes = np.linalg.eigh(guess.P / np.outer(sd, sd))
+        share, square = np.clip(share, 1e-300, 1.0), guess.scale**2
+        scaled = square * share / (square * share + 1 - share)
+        return (axes * scaled) @ axes.T * np.outer(sd * free, sd * free)
+
+    def variance(self, leg: Regression, guess: Guess, P: np.ndarray) -> float:
+        """Return the variance of a position error on each axis, with P the covariance of theta."""
+        of_theta = float(leg.m @ P @ leg.m)
+        noise = (guess.scale * leg.noise) ** 2 + leg.bend**2
+        return float(noise + of_theta + leg.added(of_theta))
+
+    def covariance(self, guesses: Hypotheses[Guess]) -> np.ndarray:
+        """Return the covariance of each row of theta, (N, N)."""
+        theta, P = theta_of(guesses), np.zeros_like(self.prior)
+        for weight, guess in zip(guesses.weights, guesses.states, strict=True):
+            off = guess.theta - theta
+            P += weight * (self.scaled(guess) + off.T @ off / 2)
+        return P
+
+    def radius(self, guesses: Hypotheses[Guess], leg: Regression) -> float:
+        """Return the radius of the region of a forecast."""
+        theta = theta_of(guesses)
+        variances = []
+        for guess in guesses.states:
+            off = (guess.theta - theta) @ leg.m
+            variance = self.variance(leg, guess, self.scaled(guess))
+            variances.append(variance + float(off @ off) / 2)
+        counts = np.array([guess.count for guess in guesses.states])
+        return radius_of(guesses.weights, np.array(variances), counts)
+
+    def branches(
+        self, guess: Guess, leg: Regression | None, start: Leg
+    ) -> Iterator[Branch]:
+        """Yield what a fix may be: log odds, and the guess after it."""
+        anywhere = -log(2 * pi * self.wild)
+        if leg is None:
+            yield anywhere, partial(guess.after, RIGHT, leg=start)
+            yield anywhere + log(WRONG_SHARE), partial(guess.after, WRONG, leg=None)
+            return
+        now = replace(
+            guess, P=self.between_fixes(guess.P, leg.duration, self.settings.p)
+        )
+        y = leg.Y - guess.theta @ leg.m
+        square = float(y @ y)
+        # a wrong fix lies about the forecast
+        V = self.variance(leg, now, self.scaled(now))
+        wrong = log(WRONG_SHARE) - log(2 * pi * (V + self.wild))
+        yield wrong, partial(guess.after, WRONG)
+        fastest = FASTEST / self.settings.speed * leg.duration
+        if float(np.hypot(*leg.Y)) > fastest + CHI_SQUARED * leg.noise:
+            # the motion was not that, or the fix before is wrong
+            yield log(CHANGED_SHARE) + anywhere, partial(guess.after, RIGHT, leg=start)
+            return
+        nu = guess.count
+        for fix, odds, P, variance in (
+            (RIGHT, 0.0, now.P, V),
+            (CHANGED, log(CHANGED_SHARE), now.P + self.prior, None),
+        ):
+            V = variance or self.variance(leg, guess, self.prior)
+            density = -log(2 * pi * V) - (nu / 2 + 1) * log1p(square / (nu * V))
+            yield odds + density, partial(self._learned, guess, leg, P, fix, start)
+
+    def _learned(
+        self, guess: Guess, leg: Regression, P: np.ndarray, fix: str, start: Leg
+    ) -> Guess:
+        """Return a guess after least squares."""
+        y = leg.Y - guess.theta @ leg.m
+        of_theta = float(leg.m @ P @ leg.m)
+        noise = leg.noise**2 + leg.bend**2
+        r = (noise + leg.added(of_theta)) ** 0.5
+        change, P = least_squares_step(P, leg.m, y, r)
+        # share of the position error that is noise
+        alone = noise / (r**2 + of_theta)
+        return guess.after(
+            fix,
+            leg=start,
+            theta=guess.theta + change,
+            P=P,
+            squares=_faded(guess.squares) + alone**2 * float(y @ y) / noise,
+            count=_faded(guess.count) + 2 * alone,
+        )
+
+
+def remarks(
+    guesses: Hypotheses[Guess], told: list[str], law: str
+) -> tuple[list[str], str]:
+    """Return the likeliest kinds of the last fixes, and a remark on each that was not told so."""
+    count = min(len(told) + 1, JUDGED)
+    kinds = []
+    for back in range(count, 0, -1):
+        chances = guesses.chances(lambda guess, back=back: guess.fixes[-back])  # type: ignore[misc]
+        kinds.append(next(iter(chances)))
+    texts = [REMARKS[kinds[-1]]]
+    if kinds[-1] == CHANGED and law != WALKS:
+        texts[0] += f". Take law {WALKS} for a flow that changes"
+    for back in range(1, count):
+        kind, was = kinds[-1 - back], told[-back]
+        if kind != was:
+            texts.append(f"the fix {back} before it {AFTER_ALL[kind]}")
+    return kinds, "; ".join(filter(None, texts))
+
+
+def _faded(sum_of_errors: float) -> float:
+    """Return a sum over position errors at the next one: that of r as it is set remains."""
+    return FADING * sum_of_errors + (1 - FADING) * PRIOR_ERRORS
+
+
+def theta_of(guesses: Hypotheses[Guess]) -> np.ndarray:
+    """Return the mean of theta, (2, N)."""
+    thetas = np.array([guess.theta for guess in guesses.states])
+    return np.einsum("g,gak->ak", guesses.weights, thetas)
+
+
+def radius_of(weights: np.ndarray, variances: np.ndarray, counts: np.ndarray) -> float:
+    """Return the radius of the circle that has `LEVEL` of a mixture of Student's t.
+
+    >>> round(radius_of(np.ones(1), np.ones(1), np.full(1, 1e9)) ** 2, 3)  # chi-squared
+    4.605
+    """
+    low, high = 0.0, 10 * float(np.sqrt(CHI_SQUARED * variances.max()))
+    for _ in range(50):
+        radius = (low + high) / 2
+        outside = (1 + radius**2 / (counts * variances)) ** (-counts / 2)
+        low, high = (radius, high) if weights @ outside > 1 - LEVEL else (low, radius)
+    return high
