@@ -2,6 +2,7 @@
 
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,15 +10,12 @@ import clpt_control as clpt
 
 from ...base.errors import ClptError, DataError, ScenarioError
 from ...base.files import write_together
-from ...base.html import Result
 from ...base.progress import tell
-from ...base.units import finite_or_none
 from .printing import (
     FIGURE,
     SCENARIO,
     Json,
     arg,
-    cell_text,
     check_out,
     draw_figure,
     finish,
@@ -32,8 +30,8 @@ if TYPE_CHECKING:
 
 LIVE = "-"
 MISSION = "made_auv_mission.csv"
-OF_RUNS = ("method", "every", "prior", "noise", "until")
-OF_FIXES = ("scenario", "drifter", "figure", "results")
+OF_RUNS = ("every", "prior", "noise", "until")
+OF_RECORDS = ("method", "figure", "results")
 
 
 def estimate(
@@ -63,7 +61,11 @@ def estimate(
     state: Path | None = opt(
         "FILE", "With -: file of the state, which is taken up again."
     ),
-    method: str | None = opt("NAME", "For a run: least-squares (default) or kalman."),
+    method: str = opt(
+        "NAME",
+        "kalman, fix by fix by the law, or tomography, all recorded fixes at once.",
+        default="kalman",
+    ),
     every: float | None = opt(
         "TIME", "For a run: time between fixes; default: a tenth of reference.dwell."
     ),
@@ -90,7 +92,7 @@ def estimate(
     given = {
         name: value
         for name, value in locals().items()
-        if value not in (None, False) and name in (*OF_RUNS, *OF_FIXES, "state")
+        if value not in (None, False, "kalman")
     }
     if sample:
         source, scenario = _sample(source, scenario)
@@ -102,9 +104,10 @@ def estimate(
         raise DataError(
             f"{source}: is not a run. Make a run with: clpt run {source} --out run.nc"
         )
+    paths = out, figure, results
     if source.endswith(".nc") and scenario is None:
-        _refuse(given, (*OF_FIXES, "state"), "a run")
-        of_run(Path(source), method, every, prior, noise, until, out, as_json)
+        _refuse(given, ("drifter", "state"), "a run")
+        of_run(Path(source), method, (every, prior, noise), until, paths, as_json)
         return
     _refuse(given, OF_RUNS, "fixes. Set the keys of the law in the scenario")
     if scenario is None:
@@ -118,11 +121,11 @@ def estimate(
             f"{scenario}: is a team's. Give the scenario of one vehicle"
         )
     if source == LIVE:
-        _refuse(given, ("drifter", "figure", "results"), "live fixes")
+        _refuse(given, ("drifter", *OF_RECORDS), "live fixes")
         _live(learner, state, out)
         return
     _refuse(given, ("state",), "recorded fixes. Give - to read live fixes")
-    _recorded(source, learner, (out, figure, results), drifter, as_json)
+    _recorded(source, learner, method, paths, drifter, as_json)
 
 
 def _sample(source: str | None, scenario: Path | None) -> tuple[str, Path]:
@@ -143,28 +146,48 @@ def _refuse(given: dict[str, Any], names: tuple[str, ...], what: str) -> None:
 # --- recorded -------------------------------------------------------------------------------------
 
 
+Paths = tuple[Path | None, Path | None, Path | None]  # of scenario, figure, results
+
+
 def _recorded(
     source: str,
     scenario: "clpt.Scenario",
-    paths: tuple[Path | None, Path | None, Path | None],
+    method: str,
+    paths: Paths,
     drifter: bool,
     as_json: bool,
 ) -> None:
     """Learn from a table or files."""
-    from ...ocean.estimation.theta_from_fixes import flow_of_legs
+    from ...ocean.estimation.theta_from_fixes import check_method, flow_of_legs
     from ...ocean.gliders.dive_files import read_legs
+
+    check_method(method)
+    legs, skipped = read_legs(source, drifter)
+    data, theta = flow_of_legs(legs, scenario, method)
+    known = known_scenario(scenario, theta, data)
+    _finish(data, known, Path(source).name, paths, as_json, skipped)
+
+
+def _finish(
+    data: "xarray.Dataset",
+    known: "clpt.Scenario",
+    title: str,
+    paths: Paths,
+    as_json: bool,
+    skipped: Sequence[Any] = (),
+    truth: "np.ndarray | None" = None,
+) -> None:
+    """Write files and print the results."""
     from ..pages.fixes_page import learned_flow_plot, report_of, results_of
 
     out, figure, results = paths
-    legs, skipped = read_legs(source, drifter)
-    data, estimator = flow_of_legs(legs, scenario)
     if out is not None:
-        clpt.save_scenario(known_scenario(scenario, estimator.theta, data), out)
+        clpt.save_scenario(known, out)
     draw_figure(figure, learned_flow_plot, data)
     if results is not None:
         write_together({results: data})
-    data.attrs["title"] = Path(source).name
-    report = report_of(data, skipped)
+    data.attrs["title"] = title
+    report = report_of(data, skipped, truth)
     finish(results_of(report), report, as_json, out, figure, results)
 
 
@@ -214,72 +237,29 @@ def _live(scenario: "clpt.Scenario", state: Path | None, out: Path | None) -> No
 
 def of_run(
     run: Path,
-    method: str | None,
-    every: float | None,
-    prior: float | None,
-    noise: float | None,
+    method: str,
+    settings: tuple[float | None, float | None, float | None],
     until: float | None,
-    out: Path | None,
+    paths: Paths,
     as_json: bool,
 ) -> None:
-    """Estimate theta from fixes of a run."""
+    """Estimate theta from fixes of a run; settings are `every`, `prior` and `noise`."""
     import numpy as np
-    import xarray
 
-    from ...ocean.estimation.between_fixes import run_scenario
+    from ...base.units import METRES, SECONDS
+    from ...ocean.estimation.run_legs import run_scenario
+    from ...ocean.estimation.theta_from_fixes import check_method, flow_of_run
 
+    check_method(method)
     data = clpt.load_run(run)
     scenario = run_scenario(data)
     if until is not None:
         if not data.time.values[1] < until <= data.time.values[-1]:
             raise ScenarioError(f"--until {until:g}: must lie within the run")
         data = data.sel(time=slice(None, until * (1 + 1e-12)))
-    method = method or "least-squares"
-    fitted_flow = clpt.currents.flow_estimate(
-        data, method=method, every=every, prior=prior, noise=noise
-    )
-    assert not isinstance(fitted_flow, xarray.Dataset)
-    if out is not None:
-        fed = clpt.currents.known_flow_scenario(scenario, fitted_flow.theta)
-        clpt.save_scenario(fed, out)
-    sd, length = fitted_flow.standard_deviation, scenario.units.length
-    speed = f"{length}/{scenario.units.time}"
-    report = {
-        "method": method,
-        "units": {"length": length, "time": scenario.units.time},
-        "fixes": len(fitted_flow.misses) + 1,
-        "theta": fitted_flow.theta.tolist(),
-        "standard_deviation": sd.tolist(),
-        "condition_number": finite_or_none(fitted_flow.condition_number),
-        "rms_of_misses_left": float(
-            np.sqrt(np.mean(np.sum(fitted_flow.misses**2, axis=1)))
-        ),
-        "steps": len(fitted_flow.steps),
-    }
-    if scenario.flow.parameters is not None:
-        error = np.abs(fitted_flow.theta - np.array(scenario.flow.parameters))
-        report["largest_error"] = float(error.max())
-    rows = [
-        [
-            str(k + 1),
-            *(f"{fitted_flow.theta[i, k]:#.4g}" for i in range(2)),
-            f"{sd[k]:.1e}",
-        ]
-        for k in range(len(sd))
-    ]
-    names = "theta_1", "theta_2", "standard deviation"
-    columns = ["function", *(f"{name} ({speed})" for name in names)]
-    units = {
-        "condition_number": "",
-        "rms_of_misses_left": length,
-        "largest_error": speed,
-    }
-    sentences = [
-        f"{key.replace('_', ' ')}: {cell_text(report[key])} {unit}".rstrip()
-        for key, unit in units.items()
-        if report.get(key) is not None
-    ]
-    if out is not None:
-        sentences.append(f"Wrote {out}, with law = known-flow and this estimate")
-    title = f"{run}: {method}, {report['fixes']} fixes"
-    finish([Result(title, columns, rows, sentences)], report, as_json)
+    found, theta = flow_of_run(data, method, *settings)
+    speed = METRES[scenario.units.length] / SECONDS[scenario.units.time]
+    theta_true = scenario.flow.parameters
+    truth = None if theta_true is None else np.array(theta_true) * speed
+    known = clpt.currents.known_flow_scenario(scenario, theta)
+    _finish(found, known, run.name, paths, as_json, truth=truth)

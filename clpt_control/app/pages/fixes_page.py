@@ -40,8 +40,10 @@ def fixes_page(data: xarray.Dataset, title: str | None) -> Page:
     )
 
 
-def report_of(data: xarray.Dataset, skipped: Sequence[Any] = ()) -> Report:
-    """Return the results of legs by name, ready for JSON."""
+def report_of(
+    data: xarray.Dataset, skipped: Sequence[Any] = (), truth: "np.ndarray | None" = None
+) -> Report:
+    """Return the results of legs by name, ready for JSON; `truth` is theta of a run, m/s."""
     error = np.hypot(*data.position_error.values.T)
     legs = [
         {
@@ -64,17 +66,22 @@ def report_of(data: xarray.Dataset, skipped: Sequence[Any] = ()) -> Report:
             strict=True,
         )
     ]
+    theta = data.flow_parameters_estimate.values[-1]
     return {
         "title": str(data.attrs.get("title", "fixes")),
         "law": data.attrs["fix_law"],
+        "method": data.attrs["fix_method"],
         "origin": [float(x) for x in data.attrs["origin"]],
         "time_origin": data.attrs["time_origin"],
         "legs": legs,
         "error_rms_m": float(np.sqrt(np.mean(error**2))),
         "level": LEVEL,
         "inside": int(data.inside.sum()),
-        "theta_m_s": data.flow_parameters_estimate.values[-1].tolist(),
+        "theta_m_s": theta.tolist(),
         "standard_error_m_s": data.standard_error.values[-1].tolist(),
+        "largest_error_m_s": None if truth is None else np.abs(theta - truth).max(),
+        "largest_turn_rad": float(data.turn.max()),
+        "noise_scale": float(data.attrs["noise_scale"]),
         "notes": [*np.atleast_1d(data.attrs["notes"]).tolist()],
         "skipped": [{"leg": skip.dive, "why": skip.why} for skip in skipped],
     }
@@ -105,13 +112,16 @@ def results_of(report: Report) -> list[Result]:
         )
     ]
     names = ["function", "x1 (m/s)", "x2 (m/s)", "standard error (m/s)"]
+    largest = report["largest_error_m_s"]
     sentences = [
+        *([] if largest is None else [f"largest error: {largest:.2e} m/s"]),
         f"{report['inside']} of {len(legs)} fixes inside the {PERCENT} region of their forecast; "
         f"rms of the errors {report['error_rms_m']:.0f} m",
         *report["notes"],
         *(f"skipped: {skip['why']}" for skip in report["skipped"]),
     ]
-    title = f"{report['title']}: law {report['law']}, t = 0 at {report['time_origin'][:19]} UTC"
+    method = f"law {report['law']}, {report['method']}"
+    title = f"{report['title']}: {method}, t = 0 at {report['time_origin'][:19]} UTC"
     return [
         Result(title, columns, legs),
         Result("Flow parameters theta", names, parameters, sentences),

@@ -17,6 +17,7 @@ plane around the origin, x1 and x2 (`base.geodesy`), with t = 0 at a given time.
 from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -32,6 +33,7 @@ PRIOR = 0.5  # m/s
 SCATTER = 0.02  # m/s, flow that the functions do not express, in the mean over a leg
 FIX = 10.0  # m, standard deviation of a fix on each axis
 WALK = 0.02  # m/s in a day
+BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 MEMORY = 30.0  # d
 Pair = tuple[float, float]
 
@@ -48,8 +50,10 @@ class FixSettings:
                 f"{laws}"
             )
         metres, seconds = METRES[scenario.units.length], SECONDS[scenario.units.time]
+        self.metres = metres
         self.speed = metres / seconds  # m/s
         own = {key: x for key, x in learning.settings.items() if x is not None}
+        self.bent = BENT / self.speed
         self.noise: float | None = own.get("noise")
         self.noise_per_leg = row.at_fixes  # else per square root of time
         self.scatter = SCATTER / self.speed
@@ -108,7 +112,7 @@ class LocalFrame:
         """Size of the unit of time, s."""
         return SECONDS[self.units.time]
 
-    def own_time(self, time: float) -> float:
+    def own_time(self, time: Any) -> Any:
         """Return a time since t = 0."""
         return (time - self.time) / self.seconds
 
@@ -125,18 +129,16 @@ class LocalFrame:
         latitude, longitude = _numbers(self.plane.to_earth(*point))
         return float(latitude), float(longitude)
 
-    def displacement(self, point: np.ndarray, east: float, north: float) -> np.ndarray:
-        """Return a displacement from a point as one in the plane, (2,)."""
-        rotated = self.plane.rotate(*self.position(point), east, north)
-        return _numbers(rotated) / self.metres
+    def axes(self, point: np.ndarray) -> np.ndarray:
+        """Return the directions of east and north at a point in the plane, (2, 2) columns."""
+        place = self.position(point)
+        east = _numbers(self.plane.rotate(*place, 1.0, 0.0))
+        return np.array([[east[0], -east[1]], [east[1], east[0]]])
 
     def velocity(self, point: np.ndarray, velocity: np.ndarray) -> Pair:
         """Return a velocity in the plane as m/s to the east and to the north."""
-        place = self.position(point)
-        east = _numbers(self.plane.rotate(*place, 1.0, 0.0))
-        north = _numbers(self.plane.rotate(*place, 0.0, 1.0))
-        size = self.metres / self.seconds
-        return float(east @ velocity) * size, float(north @ velocity) * size
+        east, north = self.axes(point).T @ velocity * self.metres / self.seconds
+        return float(east), float(north)
 
 
 def _numbers(pair: tuple[np.ndarray, np.ndarray]) -> np.ndarray:

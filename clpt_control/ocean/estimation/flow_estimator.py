@@ -38,7 +38,6 @@ from .leg_track import Leg, LegTrack, Turn
 
 UNKNOWN = 0.01  # share of a leg of which the displacement may be unknown
 LEAST_UNKNOWN = 5.0  # s
-BENT = 0.25  # m/s, flow that a bent way changes by, a width away
 EARLIER = 1e-3  # s by which a time may be before the last one, by rounding
 
 
@@ -154,7 +153,7 @@ class FlowEstimator:
         self.guesses = self._guessing.first
         self.told: list[str] = []  # of each of the last fixes
         basis = scenario.basis_block("z")
-        self._track = LegTrack(basis, scenario.basis.widths, scenario.periods)
+        self.track = LegTrack(basis, scenario.basis.widths, scenario.periods)
 
     def __repr__(self) -> str:
         name = self.scenario.learning.law
@@ -193,7 +192,7 @@ class FlowEstimator:
         leg = self.leg
         ended = [one for one in self._open() if not self._unknown(one, t)]
         for one in ended:
-            one.add(t, np.zeros(2), self._track.size)
+            one.add(t, 0.0, 0.0, self.track.size)
         if leg in ended:
             ahead = self.forecast([])
             predicted = ahead.latitude, ahead.longitude
@@ -229,15 +228,23 @@ class FlowEstimator:
             raise DataError(
                 f"displacement {east}, {north}: must be finite numbers of metres"
             )
-        frame, leg = self.under_way
-        t = frame.own_time(time)
-        moved = frame.displacement(np.array(leg.place), east, north)
-        if t > leg.time:
-            speed = float(np.hypot(*moved)) / (t - leg.time)
-            self.fastest = max(self.fastest, speed)
+        self.move_through(np.array([[time, east, north]]))
+
+    def move_through(self, stretches: np.ndarray) -> None:
+        """Move the prediction by rows of time, east and north, as `move` does by one."""
+        frame, _ = self.under_way
+        ends = frame.own_time(stretches[:, 0]).tolist()
+        moved: dict[int, list[list[float]]] = {}
         for leg in self._open():
-            leg.known += t - leg.time
-            leg.add(t, moved, self._track.size)
+            axes = frame.axes(np.array(leg.place)) / frame.metres
+            moved[id(leg)] = (stretches[:, 1:] @ axes.T).tolist()
+        for leg in self._open():
+            for t, (x, y) in zip(ends, moved[id(leg)], strict=True):
+                span = t - leg.time
+                if span > 0:
+                    self.fastest = max(self.fastest, hypot(x, y) / span)
+                leg.known += span
+                leg.add(t, x, y, self.track.size)
 
     @public
     def flow(
@@ -255,10 +262,16 @@ class FlowEstimator:
         tuple of float
             m/s to the east and to the north.
         """
+        return self.flow_by(self.theta, time, latitude, longitude)
+
+    def flow_by(
+        self, theta: np.ndarray, time: float, latitude: float, longitude: float
+    ) -> tuple[float, float]:
+        """Return the flow of some theta, scenario's units, as `flow` does."""
         frame, _ = self.under_way
         point = frame.point(latitude, longitude)
-        phi = self._track.phi(frame.own_time(time), point)
-        return frame.velocity(point, self.theta @ phi)
+        phi = self.track.phi(frame.own_time(time), point)
+        return frame.velocity(point, theta @ phi)
 
     @public
     def forecast(self, stretches: list[tuple[OrNaN, OrNaN, OrNaN]]) -> Ahead:
@@ -289,8 +302,8 @@ class FlowEstimator:
         finally:
             self.guesses = now
         theta = theta_of(likely)
-        arrival = self._track.end(leg, theta)
-        turn = self._track.turn(arrival, theta, self.covariance)
+        arrival = self.track.end(leg, theta)
+        turn = self.track.turn(arrival, theta, self.covariance)
         terms = self._terms(leg, arrival.m, arrival.z, turn)
         radius = self._guessing.radius(likely, terms) * frame.metres
         return Ahead(frame.date(leg.time), *frame.position(arrival.z), radius)
@@ -415,7 +428,7 @@ class FlowEstimator:
 
     def _bend(self, leg: Leg) -> float:
         """Return the error of a way that may have been bent, length."""
-        return self._track.bend(leg, self.fastest) * BENT / self.settings.speed
+        return self.track.bend(leg, self.fastest) * self.settings.bent
 
     def _terms(self, leg: Leg, m: np.ndarray, Y: np.ndarray, turn: Turn) -> Regression:
         """Return the regression of a leg with its noise."""
@@ -426,11 +439,11 @@ class FlowEstimator:
     def _regression(self, leg: Leg, place: np.ndarray) -> Regression:
         """Return the regression of a leg along the track as its end fix corrects it."""
         theta = self.theta
-        off = place - self._track.end(leg, theta).z
+        off = place - self.track.end(leg, theta).z
         drift = off / (leg.time - leg.start)
-        arrival = self._track.end(leg, theta, drift)
+        arrival = self.track.end(leg, theta, drift)
         Y = place - (arrival.z - off) + theta @ arrival.m
-        turn = self._track.turn(arrival, theta, self.covariance)
+        turn = self.track.turn(arrival, theta, self.covariance)
         return self._terms(leg, arrival.m, Y, turn)
 
     def _learn(self, start: Leg, leg: Leg | None) -> dict[str, Any]:

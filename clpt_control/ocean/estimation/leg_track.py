@@ -61,12 +61,9 @@ class Leg:
     stretches: list[Stretch] = field(default_factory=list)
     waiting: Stretch | None = None
 
-    def add(
-        self, t: float, displacement: np.ndarray, size: tuple[float, float]
-    ) -> None:
+    def add(self, t: float, x: float, y: float, size: tuple[float, float]) -> None:
         """Add a stretch; `size` is the least width and the least period of the functions."""
         begin = self.stretches[-1][0] if self.stretches else self.start
-        x, y = (float(part) for part in displacement)
         if self.waiting is not None:
             x, y = self.waiting[1] + x, self.waiting[2] + y
         self.waiting, self.time = (t, x, y), t

@@ -1,17 +1,13 @@
-"""theta of Eq. (3) from recorded fixes: of a run, or legs of a vehicle.
-
-The vehicle of a run has a fix each so often; `between_fixes` makes segments of them and has the
-methods.  The estimate is for the known-flow law (Remark 3.2).
+"""theta of Eq. (3) from recorded fixes of a vehicle, or of a simulated run.
 
 Each leg (`dives.Dive`: two fixes and the way through the water between them) goes through
 `FlowEstimator`, so that feeding legs at once is feeding their fixes one by one.  The learned flow
-along the track is that of the parameters after the last leg, at each fix.
+along the track is that of the parameters after the last leg, at each fix.  With tomography these
+parameters are those of all legs at once; each forecast is still made before its fix is seen.
 """
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from importlib.metadata import version
-from itertools import pairwise
 from math import hypot
 from operator import attrgetter
 from typing import Any
@@ -23,61 +19,21 @@ from ...base.arguments import public
 from ...base.errors import DataError, ScenarioError
 from ...base.progress.interrupt import check
 from ...base.units import METRES, SECONDS
-from ...engine.model.block import Block
-from ...paper.laws.law import PRIOR
 from ...paper.scenario.experiment import Scenario
 from ..gliders.dives import Dive, reckoned
-from .between_fixes import METHODS, run_scenario, run_segments, whitened
 from .fix_model import PERCENT
-from .flow_estimator import FlowEstimator, Learned
+from .fix_settings import LocalFrame
+from .flow_estimator import Ahead, FlowEstimator, Learned
+from .leg_chain import FlownLeg
+from .leg_track import Leg
+from .run_legs import legs_of_run
+from .tomography import LONG, Tomography, tomography
 
+METHODS = ("kalman", "tomography")
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
+TOLD_TURN = 1.0  # rad along a leg
 MPS = "m s-1"
-
-
-@dataclass(frozen=True)
-class FlowEstimate:
-    """An estimate of theta and its covariance.
-
-    Attributes
-    ----------
-    theta : ndarray, shape (2, N)
-        In the unit of speed of the run.
-    covariance : ndarray, shape (N, N)
-        Of each row of theta; an upper bound where one noise of the position lasts over fixes.
-    misses : ndarray, shape (n, 2)
-        Residuals of the segments' position errors, length.
-    condition_number : float
-        The largest over the smallest singular value of the integrals h, each over its noise.
-    steps : ndarray, shape (k, 2, N)
-        theta after each segment of the filter; of least squares the estimate alone.
-
-    Examples
-    --------
-    >>> import clpt_control as clpt
-    >>> values = {"run.duration": 60, "run.output_step": 0.1}
-    >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> clpt.currents.flow_estimate(run, every=5.0).misses.shape
-    (12, 2)
-    """
-
-    theta: np.ndarray
-    covariance: np.ndarray
-    misses: np.ndarray
-    condition_number: float
-    steps: np.ndarray
-    basis: Block = field(repr=False)
-
-    def __repr__(self) -> str:
-        rows = "; ".join(", ".join(f"{x:.4g}" for x in row) for row in self.theta)
-        sd = ", ".join(f"{x:.2g}" for x in self.standard_deviation)
-        return f"<FlowEstimate: theta {rows}; standard deviation {sd} on both axes>"
-
-    @property
-    def standard_deviation(self) -> np.ndarray:
-        """Standard deviation of each theta on both axes, shape (N,)."""
-        return np.sqrt(np.diag(self.covariance))
 
 
 @public
@@ -85,12 +41,11 @@ def flow_estimate(
     source: "xarray.Dataset | list[Dive]",
     scenario: Scenario | None = None,
     *,
-    method: str = "least-squares",
-    basis: Block | None = None,
+    method: str = "kalman",
     every: float | None = None,
-    prior: float | np.ndarray | None = None,
-    noise: float | np.ndarray | None = None,
-) -> "FlowEstimate | xarray.Dataset":
+    prior: float | None = None,
+    noise: float | None = None,
+) -> xarray.Dataset:
     """Estimate the flow parameters theta from fixes.
 
     Parameters
@@ -98,27 +53,25 @@ def flow_estimate(
     source : list of Dive, or xarray.Dataset
         Recorded legs of `read_dives`, or a run of `simulate`, whose vehicle has a fix each `every`.
     scenario : Scenario, optional
-        With legs: basis functions and law for fixes, as `FlowEstimator` takes them.  The other
-        arguments are of runs.
+        With legs: basis functions and law for fixes, as `FlowEstimator` takes them.  A run has its
+        own.
     method : str
-        ``"least-squares"`` or ``"kalman"``.
-    basis : Block, optional
-        phi of Eq. (5) at x; that of the run's scenario by default.
+        ``"kalman"``, leg by leg by the scenario's law (`fix-regression` for a run), or
+        ``"tomography"``, all legs at once, which also finds eddies that turn far between fixes.
     every : float, optional
-        Time between fixes; by default a tenth of ``reference.dwell``.
-    prior : float or array_like, shape (N,), optional
-        Standard deviation of each theta before any fix; by default the law's, 0.3 k R with the
-        mean k of KD and the track's reach R.
-    noise : float or array_like, shape (n,), optional
-        Standard deviation of a position error, length: by default 1e-4 R, or the error of the
-        run's samples if that is larger, and 2^(1/2) ``localization.noise``. What it has beyond
-        1e-4 R is of its two fixes, half of the variance each; its neighbours share them.
+        Of a run: time between fixes; by default a tenth of ``reference.dwell``.
+    prior : float, optional
+        Of a run: standard deviation of each theta before any fix; by default the law's, 0.3 k R
+        with the mean k of KD and the track's reach R.
+    noise : float, optional
+        Of a run: standard deviation of a position error, length: by default 1e-4 R, or the error of
+        the run's samples if that is larger, and 2^(1/2) ``localization.noise``.
 
     Returns
     -------
-    FlowEstimate, or xarray.Dataset
-        Of a run `theta`, its `covariance`, the residuals `misses`, and the `steps`.  Of legs the
-        error of each forecast, the learned flow and the parameters after each leg, in m and m/s.
+    xarray.Dataset
+        The error of each forecast, the learned flow and the parameters after each leg, in m and
+        m/s.
 
     Raises
     ------
@@ -132,60 +85,25 @@ def flow_estimate(
     >>> import clpt_control as clpt
     >>> values = {"run.duration": 60, "run.output_step": 0.1}
     >>> run = clpt.simulate(clpt.paper_scenario().with_values(values))
-    >>> estimate = clpt.currents.flow_estimate(run, method="kalman")
-    >>> estimate.theta.round(2).tolist()
+    >>> estimate = clpt.currents.flow_estimate(run, every=5.0, method="tomography")
+    >>> estimate.flow_parameters_estimate.values[-1].round(2).tolist()
     [[1.0, 0.4, 0.8], [0.9, 0.4, 0.8]]
     """
-    if not isinstance(source, xarray.Dataset):
-        if scenario is None:
-            raise ScenarioError(
-                "scenario: is required with legs. Give the scenario whose law learns"
-            )
-        return flow_of_legs(list(source), scenario)[0]
-    if scenario is not None:
-        raise ScenarioError("scenario: is that of the run. Leave it out")
-    run = source
-    if method not in METHODS:
-        raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
-    scenario = run_scenario(run)
-    segments, known = run_segments(run, scenario, every), scenario.known_to_law
-    fix = 0.0 if scenario.localization is None else scenario.localization.noise
-    usual_noise = np.hypot(segments.alone, np.sqrt(2) * fix)
-    start = None
-    if basis is None:
-        basis, start = scenario.basis_block(), known.alpha_M
-    n, sizes = len(segments.error), list(basis.output_ports.values())
-    if basis.state_ports or list(basis.input_ports.values()) != [2] or len(sizes) != 1:
+    check_method(method)
+    if isinstance(source, xarray.Dataset):
+        if scenario is not None:
+            raise ScenarioError("scenario: is that of the run. Leave it out")
+        return flow_of_run(source, method, every, prior, noise)[0]
+    if scenario is None:
         raise ScenarioError(
-            f"{basis.name}: is not a basis, a block x[2] -> phi_x[N] without states"
+            "scenario: is required with legs. Give the scenario whose law learns"
         )
-    N = sizes[0]
-    sd = _numbers("prior", PRIOR.usual(known) if prior is None else prior, (N,))
-    r = _numbers("noise", usual_noise if noise is None else noise, (n,))
-    theta = np.zeros((2, N)) if start is None else np.asarray(start)
-    with np.errstate(all="ignore"):  # numbers that are not finite are refused below
-        steps, P, h = METHODS[method](segments, basis, theta, sd, r)
-        theta = steps[-1]
-        scaled = np.array([*whitened(segments, h, r)])
-        residuals = segments.error - h @ theta.T
-    if not all(np.all(np.isfinite(values)) for values in (theta, P, scaled)):
-        raise DataError(
-            "the estimate is not finite. Give a smaller prior or more noise"
-        )
-    s = np.linalg.svd(scaled, compute_uv=False)
-    condition = float(s[0] / s[-1]) if len(s) == len(P) and s[-1] > 0 else np.inf
-    return FlowEstimate(theta, P, residuals, condition, steps, basis)
-
-
-def _numbers(name: str, value: Any, shape: tuple[int]) -> np.ndarray:
-    """Return positive numbers, one or one each."""
-    try:
-        values = np.broadcast_to(np.asarray(value, dtype=float), shape)
-    except ValueError:
-        values = np.array([np.nan])
-    if not (np.all(np.isfinite(values)) and np.all(values > 0)):
-        raise ScenarioError(f"{name}: must be a positive number, or {shape[0]} of them")
-    return values
+    for name, value in (("every", every), ("prior", prior), ("noise", noise)):
+        if value is not None:
+            raise ScenarioError(
+                f"{name}: is of runs. Set the law's keys in the scenario"
+            )
+    return flow_of_legs(list(source), scenario, method)[0]
 
 
 @public
@@ -259,7 +177,44 @@ def _simulated_truth(scenario: Scenario, theta: np.ndarray) -> dict[str, Any]:
     return {**added, "localization": None, "learning.gain": 1 / (width * dwell) ** 2}
 
 
-# --- legs of a vehicle ----------------------------------------------------------------------------
+def check_method(method: str) -> None:
+    """Reject an unknown method."""
+    if method not in METHODS:
+        raise ScenarioError(f"method {method!r}: must be one of {', '.join(METHODS)}")
+
+
+# --- legs -----------------------------------------------------------------------------------------
+
+
+def flow_of_run(
+    run: xarray.Dataset,
+    method: str,
+    every: float | None = None,
+    prior: float | None = None,
+    noise: float | None = None,
+) -> tuple[xarray.Dataset, np.ndarray]:
+    """Return the Dataset of `flow_estimate`, and theta in the scenario's units."""
+    for name, value in (("prior", prior), ("noise", noise)):
+        if value is not None and not (np.isfinite(value) and value > 0):
+            raise ScenarioError(f"{name} = {value}: must be a positive number")
+    legs, scenario, frame = legs_of_run(run, every, prior, noise)
+    if method == "tomography" and "measured_position" in run:
+        raise ScenarioError(
+            "localization.noise_period: a noise that is held is no noise of a fix, which "
+            "tomography takes. Use method kalman"
+        )
+    return flow_of_legs(legs, scenario, method, frame)
+
+
+def stretches_of(leg: Dive, start: float) -> np.ndarray:
+    """Return the way of a leg from a start on: time (s since 1970), east and north (m), (n, 3)."""
+    elapsed, east, north = reckoned(leg)
+    keep = np.diff(elapsed, prepend=-1.0) > 0
+    points = np.array([elapsed, east, north]).T[keep]
+    is_later = leg.t_gps2 + points[:, 0] > start
+    points = points[(points[:, 0] == 0) | (is_later & (points[:, 0] < leg.duration))]
+    points = np.vstack([points, [leg.duration, *leg.through_water]])
+    return np.column_stack([leg.t_gps2 + points[1:, 0], np.diff(points[:, 1:], axis=0)])
 
 
 def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
@@ -267,32 +222,73 @@ def learn_leg(estimator: FlowEstimator, leg: Dive) -> Learned:
     # dives may overlap by rounded times
     start = max(leg.t_gps2, estimator.time)
     estimator.fix(start, *leg.start)
-    elapsed, east, north = reckoned(leg)
-    keep = np.diff(elapsed, prepend=-1.0) > 0
-    points = np.array([elapsed, east, north]).T[keep]
-    is_later = leg.t_gps2 + points[:, 0] > start
-    points = points[(points[:, 0] == 0) | (is_later & (points[:, 0] < leg.duration))]
-    points = np.vstack([points, [leg.duration, *leg.through_water]])
-    for (_, *before), (time, *after) in pairwise(points):
-        stretch = np.subtract(after, before)
-        estimator.move(leg.t_gps2 + float(time), float(stretch[0]), float(stretch[1]))
+    estimator.move_through(stretches_of(leg, start))
     return estimator.fix(leg.t_gpse, *leg.end)
 
 
+def tomography_of(estimator: FlowEstimator, legs: list[Dive]) -> Tomography:
+    """Return the estimate of all legs at once; the estimator has learned them one by one."""
+    frame, _ = estimator.under_way
+    track, settings = estimator.track, estimator.settings
+    flown, last = [], -np.inf
+    for leg in legs:
+        start = max(leg.t_gps2, last)
+        place = frame.point(*leg.start)
+        under_way = Leg(frame.own_time(start), place.tolist(), frame.own_time(start))
+        stretches = stretches_of(leg, start)
+        moved = stretches[:, 1:] @ frame.axes(place).T / frame.metres
+        for time, (x, y) in zip(stretches[:, 0], moved.tolist(), strict=True):
+            under_way.add(frame.own_time(time), x, y, track.size)
+        bend = track.bend(under_way, estimator.fastest) * settings.bent
+        flown.append(FlownLeg(under_way, frame.point(*leg.end), bend))
+        last = leg.t_gpse
+    found = tomography(flown, settings, track)
+    P = np.zeros((len(settings.prior),) * 2)
+    turns = [
+        track.turn(track.end(leg, found.theta), found.theta, P).learned
+        for leg, _, _ in flown
+    ]
+    if max(turns) > LONG and found.weights.min() < 0.5:
+        found.notes.append(
+            "tomography: fixes are wild and the flow turns by more than "
+            f"{LONG:g} radians between fixes: the estimate may be wrong by 1 m/s. Remove the wild "
+            "fixes"
+        )
+    return found._replace(turns=turns)
+
+
 def flow_of_legs(
-    legs: list[Dive], scenario: Scenario
-) -> tuple[xarray.Dataset, FlowEstimator]:
-    """Return the Dataset of `flow_estimate`, and the estimator after the last leg."""
+    legs: list[Dive],
+    scenario: Scenario,
+    method: str = "kalman",
+    frame: LocalFrame | None = None,
+) -> tuple[xarray.Dataset, np.ndarray]:
+    """Return the Dataset of `flow_estimate`, and theta in the scenario's units.
+
+    The frame is that of a simulated run, whose ways are exact.
+    """
     if not legs:
         raise DataError("no leg: a leg lies between two fixes. Give two fixes or more")
     estimator = FlowEstimator(scenario)
+    if frame is not None:
+        estimator.frame, estimator.settings.bent = frame, 0.0
     learned = []
     for leg in legs:
         check()
         learned.append(learn_leg(estimator, leg))
+    theta, errors = estimator.flow_parameters, estimator.standard_error
+    scale, notes = estimator.scale, []
+    turns = [result.turn for result in learned]
+    if method == "tomography":
+        found, speed = tomography_of(estimator, legs), estimator.settings.speed
+        theta, errors = found.theta * speed, found.standard_error.max(axis=0) * speed
+        scale, notes, turns = found.scale, found.notes, [*found.turns]
+    else:
+        notes = long_interval(max(turns))
     frame, _ = estimator.under_way
-    flow = [estimator.flow(r.time, r.latitude, r.longitude) for r in learned]
-    forecasts = [result.forecast for result in learned]
+    places = [(r.time, r.latitude, r.longitude) for r in learned]
+    flow = [estimator.flow_by(theta / estimator.settings.speed, *at) for at in places]
+    forecasts = [result.forecast or Ahead(*4 * [np.nan]) for result in learned]
     start, end = (
         _dates(getattr(leg, key) for leg in legs) for key in ("t_gps2", "t_gpse")
     )
@@ -322,40 +318,51 @@ def flow_of_legs(
             ),
             "inside": of(learned, "inside", f"fix in the {region} of its forecast"),
             "flow": column(flow, "learned flow at the fix", MPS, "axis"),
-            "flow_parameters_estimate": of(
-                *(learned, "flow_parameters", "estimate of theta after the leg"),
-                *(MPS, "axis", "basis"),
+            "flow_parameters_estimate": column(
+                [*(r.flow_parameters for r in learned[:-1]), theta],
+                *("estimate of theta after the leg", MPS, "axis", "basis"),
             ),
-            "standard_error": of(
-                *(learned, "standard_error", "standard error of each row of theta"),
-                *(MPS, "basis"),
+            "standard_error": column(
+                [*(r.standard_error for r in learned[:-1]), errors],
+                *("standard error of each row of theta", MPS, "basis"),
             ),
+            "turn": column(turns, "turn of the flow along the leg", "rad"),
         },
         {"leg": [leg.number for leg in legs], "axis": ["east", "north"]},
         {
             "fix_law": scenario.learning.law,
+            "fix_method": method,
             "source": f"clpt-control {version('clpt-control')}",
             "origin": list(frame.place),
             "time_origin": str(np.datetime64(round(frame.time * 1e3), "ms")),
-            "noise_scale": estimator.scale,
+            "noise_scale": scale,
             "notes": [
                 f"leg {leg.number}: its end fix {r.note}"
                 for leg, r in zip(legs, learned, strict=True)
                 if r.note
             ]
-            + not_learned(estimator)
+            + notes
+            + not_learned(estimator, errors)
             + bent_legs(legs),
         },
     )
-    return data, estimator
+    return data, theta / estimator.settings.speed
 
 
-def not_learned(estimator: FlowEstimator) -> list[str]:
+def long_interval(turn: float) -> list[str]:
+    """Return a note on a flow that turns far between fixes, rad."""
+    if turn <= TOLD_TURN:
+        return []
+    note = f"the interval is long for this flow: it turns by {turn:.1f} radians between fixes"
+    if turn > LONG:
+        note += ", so the estimate may be far off. Take fixes more often"
+    return [f"{note}; recorded legs: --method tomography"]
+
+
+def not_learned(estimator: FlowEstimator, errors: np.ndarray) -> list[str]:
     """Return a note on functions that the track hardly teaches."""
     settings = estimator.settings
-    share = (
-        estimator.standard_error / np.maximum(settings.prior, 1e-300) / settings.speed
-    )
+    share = errors / np.maximum(settings.prior, 1e-300) / settings.speed
     numbers = np.flatnonzero((share > HARDLY) & (settings.prior > 0)) + 1
     if not len(numbers):
         return []

@@ -1,0 +1,220 @@
+"""Chain of the places of a vehicle, linked by pieces of its legs.
+
+The places are those at fixes, and at nodes within a leg where a track is predicted piece by piece:
+
+    x_{k+1} = z(x_k, theta) + n,    z' = theta phi(z) + v
+
+All pieces are integrated at once, with the derivatives of z by theta and by x_k.  Numbers are in
+units of the scenario.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil, hypot
+from typing import NamedTuple
+
+import numpy as np
+
+from ...engine.model.block import evaluate
+from .fix_settings import FixSettings
+from .leg_track import Leg, LegTrack
+
+NODES = 2.0  # pieces of a leg for each width that the vehicle crosses
+NODES_OF_PERIOD = 4.0
+CURRENT = 0.5  # m/s, that crosses widths too
+LEAST_PROCESS = 1e-3  # of the noise of a fix: noise of a track that is exact
+
+
+class FlownLeg(NamedTuple):
+    """A leg, the fix at its end, and the error of a way that may have been bent, length."""
+
+    leg: Leg
+    end: np.ndarray
+    bend: float = 0.0
+
+
+class Shot(NamedTuple):
+    """Ends z of pieces (m, 2), dz/dtheta (m, 2, 2N) and dz/dx (m, 2, 2)."""
+
+    z: np.ndarray
+    by_theta: np.ndarray
+    by_place: np.ndarray
+
+
+@dataclass
+class LegChain:
+    """Nodes and pieces of legs.
+
+    Attributes
+    ----------
+    places : ndarray, shape (n, 2)
+        First guess of the places: on the ways through the water, drawn evenly to the fixes.
+    fixes : ndarray, shape (n, 2)
+        The fixes; NaN at other nodes.
+    links : ndarray, shape (m,)
+        Node at the beginning of each piece, which ends at the next one.
+    noise, deviation : ndarray, shape (m,)
+        Standard deviations on each axis, length: of the track of each piece, and of the position
+        error of its whole leg.
+    steps : ndarray, shape (K, m, 4)
+        Time, length, and velocity through the water of each step of integration.
+    """
+
+    track: LegTrack
+    places: np.ndarray
+    fixes: np.ndarray
+    links: np.ndarray
+    noise: np.ndarray
+    deviation: np.ndarray
+    steps: np.ndarray
+
+    @property
+    def is_fix(self) -> np.ndarray:
+        """True for nodes at a fix, (n,)."""
+        return np.isfinite(self.fixes[:, 0])
+
+    @property
+    def leg_of(self) -> np.ndarray:
+        """Number of the leg of each piece, (m,)."""
+        numbers = np.cumsum(self.is_fix)[self.links]
+        return np.unique(numbers, return_inverse=True)[1]
+
+    def shoot(
+        self,
+        places: np.ndarray,
+        theta: np.ndarray,
+        steps: np.ndarray | None = None,
+        slopes: bool = True,
+    ) -> Shot:
+        """Integrate all pieces from their places, or steps of them, by Runge and Kutta's method.
+
+        Without `slopes` the derivatives are those of still water.
+        """
+        n, N = len(places), theta.shape[1]
+        S = np.zeros((n, 2, 2 * N + 2))
+        S[:, 0, 2 * N] = S[:, 1, 2 * N + 1] = 1
+        z = places
+
+        def rates(
+            t: np.ndarray, z: np.ndarray, S: np.ndarray, v: np.ndarray
+        ) -> tuple[np.ndarray, np.ndarray]:
+            phi = evaluate(self.track.basis, t, z)
+            dS = np.zeros_like(S)
+            if slopes:
+                dS = np.einsum("ak,nkb->nab", theta, self.track.slopes(t, z)) @ S
+                dS[:, 0, :N] += phi
+                dS[:, 1, N : 2 * N] += phi
+            return phi @ theta.T + v, dS
+
+        for row in self.steps if steps is None else steps:
+            t, h, v = row[:, 0], row[:, 1], row[:, 2:]
+            hz, hS = h[:, None], h[:, None, None]
+            k1, l1 = rates(t, z, S, v)
+            k2, l2 = rates(t + h / 2, z + hz / 2 * k1, S + hS / 2 * l1, v)
+            k3, l3 = rates(t + h / 2, z + hz / 2 * k2, S + hS / 2 * l2, v)
+            k4, l4 = rates(t + h, z + hz * k3, S + hS * l3, v)
+            z = z + hz * ((k1 + 2 * k2 + 2 * k3 + k4) / 6)
+            S = S + hS * ((l1 + 2 * l2 + 2 * l3 + l4) / 6)
+        return Shot(z, S[:, :, : 2 * N], S[:, :, 2 * N :])
+
+    def predicted(self, theta: np.ndarray, doubted: np.ndarray) -> np.ndarray:
+        """Return places predicted from fix to fix, drawn evenly to fixes that are not doubted."""
+        places, is_fix = self.places.copy(), self.is_fix
+        leg = self.leg_of
+        first = np.searchsorted(leg, leg)  # piece at the beginning of the leg
+        rank = np.arange(len(leg)) - first
+        count = np.bincount(leg)[leg]
+        for _ in range(3):
+            z = places.copy()
+            for number in range(rank.max() + 1):
+                pieces = np.flatnonzero(rank == number)
+                begin = self.links[pieces]
+                z[begin + 1] = self.shoot(
+                    z[begin], theta, self.steps[:, pieces], False
+                ).z
+                # a leg begins at its fix, not at the end of the leg before
+                ends = begin + 1
+                at_fix = is_fix[ends] & ~doubted[ends]
+                misses = np.where(at_fix[:, None], places[ends] - z[ends], 0.0)
+                z[ends] = np.where(at_fix[:, None], places[ends], z[ends])
+                for piece, miss in zip(pieces, misses, strict=True):
+                    inner = np.arange(first[piece], piece)
+                    share = (rank[inner] + 1) / count[piece]
+                    z[self.links[inner] + 1] += share[:, None] * miss
+            places = z
+        return places
+
+
+def chain_of(
+    legs: Sequence[FlownLeg], settings: FixSettings, track: LegTrack, nodes: bool
+) -> LegChain:
+    """Return the chain of legs, with nodes within a leg or without."""
+    width, period = track.size
+    places: list[np.ndarray] = []
+    fixes: list[np.ndarray] = []
+    links: list[int] = []
+    noise: list[float] = []
+    deviation: list[float] = []
+    pieces: list[np.ndarray] = []
+    unknown = np.full(2, np.nan)
+    last: np.ndarray | None = None
+    for leg, end, bend in legs:
+        start = np.array(leg.place)
+        if last is None or not np.array_equal(last, start):
+            places.append(start)
+            fixes.append(start)
+        steps = _steps_of(leg, settings, track)
+        T = leg.time - leg.start
+        cuts = np.array([0, len(steps)])
+        if nodes:
+            way = np.abs(steps[:, 1:2] * steps[:, 2:]).sum(axis=0)
+            crossed = (hypot(*way) + CURRENT / settings.speed * T) / width
+            count = max(1, ceil(NODES * crossed), ceil(NODES_OF_PERIOD * T / period))
+            cuts = np.linspace(0, len(steps), min(count, len(steps)) + 1).round()
+        moved = np.cumsum(steps[:, 1:2] * steps[:, 2:], axis=0)
+        leg_noise = settings.noise_of(T)
+        of_track = max(
+            leg_noise**2 - 2 * settings.fix**2, (LEAST_PROCESS * settings.fix) ** 2
+        )
+        for begin, stop in pairwise(cuts.astype(int)):
+            piece = steps[begin:stop]
+            links.append(len(places) - 1)
+            pieces.append(piece)
+            share = piece[:, 1].sum() / T
+            noise.append(((of_track + bend**2) * share) ** 0.5)
+            deviation.append(hypot(leg_noise, bend))
+            gone = steps[:stop, 1].sum() / T
+            drawn = gone * (end - start - moved[-1])
+            places.append(start + moved[stop - 1] + drawn)
+            fixes.append(end if stop == len(steps) else unknown)
+        last = end
+    table = np.zeros((max(map(len, pieces)), len(pieces), 4))
+    for number, piece in enumerate(pieces):
+        table[: len(piece), number] = piece
+        table[len(piece) :, number, 0] = piece[-1, 0] + piece[-1, 1]
+    return LegChain(
+        track,
+        np.array(places),
+        np.array(fixes),
+        np.array(links),
+        np.array(noise),
+        np.array(deviation),
+        table,
+    )
+
+
+def _steps_of(leg: Leg, settings: FixSettings, track: LegTrack) -> np.ndarray:
+    """Return the steps of integration of a leg: time, length, velocity, (K, 4)."""
+    steps, t = [], leg.start
+    for end, x, y in leg.way:
+        span = end - t
+        if span > 0:
+            way = hypot(x, y) + CURRENT / settings.speed * span
+            count = track.steps(way, span)
+            length = span / count
+            steps += [
+                (t + k * length, length, x / span, y / span) for k in range(count)
+            ]
+        t = end
+    return np.array(steps)
