@@ -18,6 +18,10 @@ ${inputs} * Step: Runge and Kutta's method of order 4, inputs on a straight line
 ${proved} */
 //
  * When a fix arrives at t: write it into u, and call ${name}_fix(t, x, u, ${name}_p0).
+ * It returns 1 if the fix was learned; 0, with x as it was, if the result is not finite, or if the
+ * fix lies further than the gate from the prediction (-D${name}_gate=LENGTH; none by default).
+ * Limit: the flow must turn by less than about 1 radian between fixes. In an eddy that turns
+ * further the estimate may leave the true parameters, without a sign.
  * A late fix: see docs/on_board.md.
 //
     double middle[${inputs_count}];
@@ -35,9 +39,20 @@ ${proved} */
 //
 }
 
-void ${name}_fix(double t, double *x, const double *u, const double *p) {
+#ifndef ${name}_gate
+#define ${name}_gate 0.0 /* ${length}; 0: none */
+#endif
+
+int ${name}_fix(double t, double *x, const double *u, const double *p) {
     double kept[${kept}], z[${n}];
+    double off_0 = u[${name}_u_fix_0] - x[${name}_x_adaptation_z_0];
+    double off_1 = u[${name}_u_fix_1] - x[${name}_x_adaptation_z_1];
+    if (${name}_gate > 0.0 && !(sqrt(off_0 * off_0 + off_1 * off_1) <= ${name}_gate)) return 0;
     kept_(t, p, kept);
     kept[${jump}] = 1.0;
     jump_(t, x, u, p, kept, z);
+    for (int i = 0; i < ${states}; i++) {
+        if (!isfinite(z[i])) return 0;
+    }
     for (int i = 0; i < ${states}; i++) x[i] = z[i];
+    return 1;

@@ -12,12 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.integrate import cumulative_trapezoid
 
 from ..base.arguments import numbers, public
 from ..base.errors import DataError
 from ..base.units import percent
 from ..engine.model.block import evaluate
 from ..paper.blocks.field import gridded_flow
+from ..paper.blocks.flow import phi_and_slopes, turning_rate
 from ..paper.currents.least_squares import explained_share
 from ..paper.currents.plane import read_field
 from ..paper.scenario.experiment import Scenario
@@ -28,6 +30,7 @@ from .loop_blocks import paper_blocks
 if TYPE_CHECKING:
     import xarray
 
+TOLD_TURN = 1.0  # rad between fixes
 BOX = 21  # points on each side of a track's box, and times
 LEAST_SAMPLES = 10  # of a measured track, to compare its motion with Eq. (7)
 LEAST_FACTOR = 0.7  # and its inverse; samples and noise leave it between them
@@ -265,6 +268,27 @@ def note_speeds(run: "xarray.Dataset", figures: dict[str, Any], units: Units) ->
     run.attrs["share_at_speed_limit"] = figures["share_at_limit"]
     if sentence := faster_flow(figures, units):
         run.attrs["message"] = f"{run.attrs['message']}; {sentence}"
+
+
+def long_interval(run: "xarray.Dataset", scenario: Scenario) -> str:
+    """Return a sentence if the learned flow turns far between fixes of a law at fixes, or ""."""
+    fixes = None if scenario.localization is None else scenario.localization.fixes
+    read = {"predicted_position", "flow_parameters_estimate"}
+    if fixes is None or not read <= set(run):
+        return ""
+    times, z = run.time.values, run.predicted_position.values
+    step = 1e-3 * min(scenario.basis.widths)
+    _, slopes = phi_and_slopes(scenario.basis_block(), times, z, step)
+    rates = turning_rate(slopes, run.flow_parameters_estimate.values)
+    turned = cumulative_trapezoid(rates, times, initial=0.0)
+    before = np.interp(times - fixes.interval, times, turned)
+    turn = float(np.max(turned - before))
+    if turn <= TOLD_TURN:
+        return ""
+    return (
+        f"the interval is long for this flow: it turns by {turn:.1f} radians between fixes, so "
+        "phi(z) is not phi(x) and the law may not learn it. Set localization.interval smaller"
+    )
 
 
 def unlike_controller(run: "xarray.Dataset", scenario: Scenario) -> str:

@@ -165,6 +165,12 @@ def simulate(
         from .flows import note_speeds, speeds_of
 
         note_speeds(data, speeds_of(data, run.max_speed), run.scenario.units)
+    scenario = getattr(run, "scenario", None)
+    if scenario is not None and scenario.learning.row.at_fixes:
+        from .flows import long_interval
+
+        if sentence := long_interval(data, scenario):
+            data.attrs["message"] += f"; {sentence}"
     return data
 
 

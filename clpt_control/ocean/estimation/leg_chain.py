@@ -99,12 +99,12 @@ class LegChain:
         def rates(
             t: np.ndarray, z: np.ndarray, S: np.ndarray, v: np.ndarray
         ) -> tuple[np.ndarray, np.ndarray]:
-            phi = evaluate(self.track.basis, t, z)
-            dS = np.zeros_like(S)
-            if slopes:
-                dS = np.einsum("ak,nkb->nab", theta, self.track.slopes(t, z)) @ S
-                dS[:, 0, :N] += phi
-                dS[:, 1, N : 2 * N] += phi
+            if not slopes:
+                return evaluate(self.track.basis, t, z) @ theta.T + v, np.zeros_like(S)
+            phi, by_place = self.track.slopes(t, z)
+            dS = np.einsum("ak,nkb->nab", theta, by_place) @ S
+            dS[:, 0, :N] += phi
+            dS[:, 1, N : 2 * N] += phi
             return phi @ theta.T + v, dS
 
         for row in self.steps if steps is None else steps:

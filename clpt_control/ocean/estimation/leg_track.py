@@ -18,7 +18,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...engine.model.block import Block, evaluate
+from ...engine.model.block import Block
+from ...paper.blocks.flow import phi_and_slopes, turning_rate
 from ...paper.laws.memory_laws import predict
 
 JOINED = (
@@ -121,28 +122,20 @@ class LegTrack:
             t = end
         return Arrival(state[:2], state[2:], np.array(points).reshape(-1, 4))
 
-    def slopes(self, times: np.ndarray, points: np.ndarray) -> np.ndarray:
-        """Return d phi/dx at n points by central differences, (n, N, 2)."""
+    def slopes(
+        self, times: np.ndarray, points: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return phi (n, N) and its slopes (n, N, 2) at n points."""
         step = DIFFERENCE * self.size[0]
-        offsets = step * np.array([[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
-        beside = (points[None] + offsets[:, None]).reshape(-1, 2)
-        phi = evaluate(self.basis, np.tile(times, 4), beside)
-        right, left, above, below = phi.reshape(4, len(points), -1)
-        return np.stack([right - left, above - below], axis=-1) / (2 * step)
+        return phi_and_slopes(self.basis, times, points, step)
 
     def turn(self, arrival: "Arrival", theta: np.ndarray, P: np.ndarray) -> Turn:
-        """Return the turns int |d(theta phi)/dx| dt along a leg, rad.
-
-        |A|^2 is half the sum of squares: the rate of a rotation, and of a shear along one axis.
-        """
+        """Return the turns int |d(theta phi)/dx| dt along a leg, rad."""
         if not len(arrival.points):
             return Turn(0.0, 0.0)
         times, places, steps = np.split(arrival.points, [1, 3], axis=1)
-        slopes = self.slopes(times[:, 0], places)
-        learned = np.einsum("ak,nkb->nab", theta, slopes)
-        of_theta = np.sum(learned**2, axis=(1, 2)) / 2
-        of_error = np.einsum("nkb,kl,nlb->n", slopes, P, slopes)
-        rates = np.sqrt(np.maximum([of_theta, of_theta + of_error], 0.0))
+        _, slopes = self.slopes(times[:, 0], places)
+        rates = [turning_rate(slopes, theta, covariance) for covariance in (0.0, P)]
         return Turn(*(rates @ steps[:, 0]).tolist())
 
     def bend(self, leg: Leg, fastest: float) -> float:

@@ -32,6 +32,7 @@ from .tomography import LONG, Tomography, tomography
 METHODS = ("kalman", "tomography")
 BENT = 0.9  # share of its way at most from which on a leg is straight
 HARDLY = 0.7  # share of the prior's standard deviation that is left
+LEAST, LARGEST = 1e-9, 1e9  # prior and noise of runs
 TOLD_TURN = 1.0  # rad along a leg
 MPS = "m s-1"
 
@@ -195,8 +196,10 @@ def flow_of_run(
 ) -> tuple[xarray.Dataset, np.ndarray]:
     """Return the Dataset of `flow_estimate`, and theta in the scenario's units."""
     for name, value in (("prior", prior), ("noise", noise)):
-        if value is not None and not (np.isfinite(value) and value > 0):
-            raise ScenarioError(f"{name} = {value}: must be a positive number")
+        if value is not None and not LEAST <= value <= LARGEST:
+            raise ScenarioError(
+                f"{name} = {value:g}: must be a positive number, {LEAST:g} to {LARGEST:g}"
+            )
     legs, scenario, frame = legs_of_run(run, every, prior, noise)
     if method == "tomography" and "measured_position" in run:
         raise ScenarioError(

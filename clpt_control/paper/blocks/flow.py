@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from ...engine.model.block import Block
+from ...engine.model.block import Block, evaluate
 from ...engine.model.ports import renamed
 from .ports import paper_block, shapes_of
 
@@ -87,6 +87,34 @@ def flow_basis(
     return Block(
         name, output=KERNELS[kernel], **ports, parameters=parameters, shapes=shapes
     )
+
+
+def phi_and_slopes(
+    basis: Block, times: np.ndarray, points: np.ndarray, step: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return phi and its slopes d phi/dx at n points by central differences.
+
+    Shapes (n, N) and (n, N, 2); `step` is a length.
+    """
+    offsets = step * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
+    near = (points[None] + offsets[:, None]).reshape(-1, 2)
+    values = evaluate(basis, np.tile(times, 5), near)
+    phi, right, left, above, below = values.reshape(5, len(points), -1)
+    return phi, np.stack([right - left, above - below], axis=-1) / (2 * step)
+
+
+def turning_rate(
+    slopes: np.ndarray, theta: np.ndarray, P: np.ndarray | float = 0.0
+) -> np.ndarray:
+    """Return |d(theta phi)/dx| at n points, 1/time; with P the covariance of each row of theta.
+
+    |A|^2 is half the sum of squares: the rate of a rotation, and of a shear along one axis.
+    """
+    of_theta = theta @ slopes
+    square = np.sum(of_theta**2, axis=(1, 2)) / 2
+    if np.any(P):
+        square = square + np.einsum("nkb,kl,nlb->n", slopes, P, slopes)
+    return np.sqrt(square)
 
 
 def true(t, x, u, p):

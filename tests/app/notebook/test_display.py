@@ -57,9 +57,7 @@ def test_a_thing_shows_itself(things, name):
 
 
 def test_what_has_no_table_says_itself_in_one_line(things):
-    run = clpt.simulate(clpt.paper_scenario().with_values({"run.duration": 20}))
     for said, thing in {
-        "FlowEstimate: theta ": clpt.currents.flow_estimate(run, method="kalman"),
         "Search of learned-flow: not refuted in ": clpt.refute(
             "learned-flow", budget=0.5
         ),
